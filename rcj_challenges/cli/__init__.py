@@ -74,7 +74,7 @@ def _exit_code(heard: list[int]) -> int:
         _start_quickly()
         from rcj_challenges.cli.app import app
 
-        code = _of_one_command(app, sys.argv[1:2], begun)(standalone_mode=False)
+        code = _of_one_command(app, sys.argv[1:3], begun)(standalone_mode=False)
         sys.stdout.flush()
     except BrokenPipeError:
         say_no_more(sys.stdout)  # the reader of our output has seen enough
@@ -199,21 +199,29 @@ def _of_one_command(app: Typer, asked: list[str], begun: list[str]) -> Typer:
     If it is none of the commands, the app is returned as it is: it knows what to say.
 
     Args:
-        app: with all commands.
-        asked: the command's name, if one is given.
+        app: with all commands, some of them in groups.
+        asked: the names of the command, or of a group and of a command in it, as far as they are given.
         begun: takes the name when the command begins to work.
     """
     import copy
 
-    commands = [one for one in app.registered_commands if [_name_of(one)] == asked]
-    if not commands:
-        return app
-    command = copy.copy(commands[0])
-    if command.callback is not None:
-        command.callback = _interruptible(command.callback, lambda: begun.extend(asked))
     quick = copy.copy(app)
-    quick.registered_commands, quick.registered_groups = [command], []
-    return quick
+    commands = [one for one in app.registered_commands if [_name_of(one)] == asked[:1]]
+    if commands:
+        command = copy.copy(commands[0])
+        if command.callback is not None:
+            command.callback = _interruptible(command.callback, lambda: begun.extend(asked[:1]))
+        quick.registered_commands, quick.registered_groups = [command], []
+        return quick
+    groups = [
+        one for one in app.registered_groups if one.typer_instance and [one.typer_instance.info.name] == asked[:1]
+    ]
+    if groups and groups[0].typer_instance:
+        group = copy.copy(groups[0])
+        group.typer_instance = _of_one_command(groups[0].typer_instance, asked[1:2], begun)
+        quick.registered_commands, quick.registered_groups = [], [group]
+        return quick
+    return app
 
 
 def _interruptible(work: Callable[..., Any], begin: Callable[[], object]) -> Callable[..., Any]:

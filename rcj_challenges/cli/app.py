@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 import typer
 
 from rcj_challenges import __version__
-from rcj_challenges.cli import check, judge, stats, video
+from rcj_challenges.cli import check, judge, stats, tournament, verify, video
 from rcj_challenges.cli.live import LiveOptions, RunCommand
 
 app = typer.Typer(
@@ -317,3 +317,5 @@ check.register(app)
 judge.register(app)
 stats.register(app)
 video.register(app)
+tournament.register(app)
+verify.register(app)

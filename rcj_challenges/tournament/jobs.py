@@ -16,8 +16,9 @@ from rcj_challenges.records.folder import replaced
 from rcj_challenges.records.lines import canonical, parsed
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import Loaded, load_resolved
+from rcj_challenges.scenario.models.robots import Entrant
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.tournament.records import Records
+from rcj_challenges.tournament.models import Records
 
 _ID_LETTERS = 32
 """128 bits tell any number of matches apart, and leave room for the rest of a path on Windows."""
@@ -48,6 +49,7 @@ class MatchJob:
         names: by seat: as shown.
         seed: of the match.
         versions: as in ``result.json``: what decides the bits of a result beside the inputs.
+        match_id: as printed in the match's log.
         records: what is kept.
         sandbox: ``auto``, ``strict`` or ``off``.
     """
@@ -57,6 +59,7 @@ class MatchJob:
     names: Mapping[str, str]
     seed: int
     versions: Mapping[str, str]
+    match_id: int = 0
     records: Records = "replay"
     sandbox: str = "auto"
 
@@ -64,7 +67,7 @@ class MatchJob:
     def id(self) -> str:
         """The content address: equal for two jobs exactly if the same match is played. Names do not count."""
         seats = {seat: [one.digest for one in programs] for seat, programs in self.seats.items()}
-        inputs = [self.scenario, seats, self.seed, dict(self.versions)]
+        inputs = [self.scenario, seats, self.seed, self.match_id, dict(self.versions)]
         return hashlib.sha256(canonical(inputs)).hexdigest()[:_ID_LETTERS]
 
     def to_json(self) -> dict[str, Any]:
@@ -107,6 +110,10 @@ class Workplace:
         """Return the folder of a job's record."""
         return self.records / job_id
 
+    def report_folder(self, archive: str) -> Path:
+        """Return the folder of the check's reports on a submission."""
+        return self.folder / "checks" / archive
+
     def keep_scenario(self, loaded: Loaded) -> str:
         """Write a resolved scenario where jobs find it; returns its hash.
 
@@ -142,14 +149,21 @@ class Workplace:
         Raises:
             DiagnosticError: it is not there.
         """
-        for suffix in (".zip", ".py"):
-            path = self.submissions / f"{archive}{suffix}"
+        packed = self.submissions / f"{archive}.zip"
+        single = sorted((self.submissions / archive).glob("*.py"))
+        for path in (packed, *single):
             if path.is_file():
                 return path
-        raise data_file_error(self.submissions / f"{archive}.zip", "no such file")
+        raise data_file_error(packed, "no such file")
 
     def _scenario(self, scenario: str) -> Path:
         return self.folder / "scenarios" / f"{scenario}.json"
+
+
+def entrants_of(seat: str, scenario: Scenario) -> tuple[Entrant, ...]:
+    """Return the entrants whose robots a team drives that begins on a seat: all, if sides are changed."""
+    entrants = scenario.entrants
+    return tuple(entrants.values()) if scenario.match.swap_sides else (entrants[seat],)
 
 
 def scenario_hash(scenario: Scenario) -> str:

@@ -8,7 +8,7 @@ from rcj_challenges.controllers.super_team import SuperTeam
 from rcj_challenges.controllers.team import Team, open_team
 from rcj_challenges.match.match import MatchPlan, PlayedMatch, play_match
 from rcj_challenges.scenario.load import Loaded
-from rcj_challenges.tournament.jobs import MatchJob, Program, Workplace, data_file_error
+from rcj_challenges.tournament.jobs import MatchJob, Program, Workplace, data_file_error, entrants_of
 from rcj_challenges.tournament.records import trim_record
 from rcj_challenges.views.replay import write_replay
 
@@ -30,6 +30,7 @@ def play_job(job: MatchJob, place: Workplace) -> PlayedMatch:
             teams=teams,
             team_names=job.names,
             seed=job.seed,
+            match_id=job.match_id,
             out=place.playing,
             record_name=job.id,
             sandbox=job.sandbox,
@@ -49,20 +50,18 @@ def _opened(job: MatchJob, seat: str, loaded: Loaded, place: Workplace) -> Team 
         RcjError: one is missing, or is not what the job says.
     """
     programs = job.seats[seat]
-    members = tuple(open_program(program, seat, loaded, place) for program in programs)
+    members = tuple(_open_program(program, seat, loaded, place) for program in programs)
     return members[0] if len(members) == 1 else SuperTeam(members)
 
 
-def open_program(program: Program, seat: str, loaded: Loaded, place: Workplace) -> Team:
+def _open_program(program: Program, seat: str, loaded: Loaded, place: Workplace) -> Team:
     """Open a submission for a seat, as a match does.
 
     Raises:
         RcjError: it is missing, cannot be opened, or holds other programs than it should.
     """
-    entrants = loaded.scenario.entrants
-    seats = tuple(entrants.values()) if loaded.scenario.match.swap_sides else (entrants[seat],)
     path = place.submission(program.archive)
-    team = open_team(path, *seats)
+    team = open_team(path, *entrants_of(seat, loaded.scenario))
     if team.digest != program.digest:
         team.close()
         raise data_file_error(path, "its programs are not those that were handed in")

@@ -5,11 +5,9 @@ from __future__ import annotations
 import shutil
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Literal
 
 from rcj_challenges.records.folder import REPLAY, SENSORS, TRAJECTORY
-
-Records = Literal["full", "replay", "result"]
+from rcj_challenges.tournament.models import Records
 
 _DROPPED: Mapping[Records, tuple[str, ...]] = {
     "full": (),

@@ -16,7 +16,7 @@ from rcj_challenges.checker.report import FileReport, check_report
 from rcj_challenges.checker.report_files import write_page
 from rcj_challenges.checker.report_html import html_page
 from rcj_challenges.controllers.archive import MOST_PACKED_BYTES, Contents, TeamError, read_contents
-from rcj_challenges.controllers.team import opening_of, safe_name
+from rcj_challenges.controllers.team import opening_of
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError, InFile
 from rcj_challenges.facts.errors import told_of
 from rcj_challenges.records.folder import replaced
@@ -37,7 +37,7 @@ class Handed:
     Attributes:
         team: id.
         archive: SHA-256 of its file.
-        file: name of that file in the folder of submissions.
+        file: that file's path in the folder of submissions.
         name: what the team calls itself; safe to show.
     """
 
@@ -74,20 +74,31 @@ _REPLACE = "replace it; or take the team out of the tournament with 'tournament 
 
 
 def _take(entry: TeamEntry, folder: Path) -> Handed:
-    """Keep a copy of one submission.
+    archive, path = keep_submission(entry.source, folder)
+    return Handed(entry.id, archive, path.relative_to(folder).as_posix(), _own_name(entry, path))
+
+
+def keep_submission(source: Path, folder: Path) -> tuple[str, Path]:
+    """Keep a copy of a submission by its hash; returns that, and the copy.
+
+    Args:
+        source: a ZIP, a folder or a ``.py`` file.
+        folder: where copies are.
 
     Raises:
         OSError: it cannot be read, or the copy cannot be written.
         TeamError: there is nothing that can be opened.
     """
-    suffix = ".py" if entry.source.suffix.casefold() == ".py" else ".zip"
-    content = _packed(read_contents(entry.source)) if entry.source.is_dir() else _bytes_of(entry.source)
+    content = _packed(read_contents(source)) if source.is_dir() else _bytes_of(source)
     archive = hashlib.sha256(content).hexdigest()
-    path = folder / f"{archive}{suffix}"
+    path = folder / f"{archive}.zip"
+    if source.is_file() and source.suffix.casefold() == ".py":  # its name counts in the digest of the programs
+        path = folder / archive / source.name
+        path.parent.mkdir(exist_ok=True)
     if not path.is_file() or path.stat().st_size != len(content):
         with replaced(path) as file:
             file.write(content)
-    return Handed(entry.id, archive, path.name, entry.name or _own_name(entry, path))
+    return archive, path
 
 
 def _own_name(entry: TeamEntry, path: Path) -> str:
@@ -115,15 +126,6 @@ def _packed(contents: Contents) -> bytes:
         for path, content in sorted(contents.files.items()):
             archive.writestr(zipfile.ZipInfo(str(path), _EPOCH), content, zipfile.ZIP_DEFLATED)
     return packed.getvalue()
-
-
-def display_names(handed: Mapping[str, Handed], entries: Mapping[str, TeamEntry]) -> dict[str, str]:
-    """Return what each team is called, safe to show; names that are equal without regard to case get the id."""
-    names = {team: safe_name(entries[team].name or one.name) or team for team, one in handed.items()}
-    counts: dict[str, int] = {}
-    for name in names.values():
-        counts[name.casefold()] = counts.get(name.casefold(), 0) + 1
-    return {team: name if counts[name.casefold()] == 1 else f"{name} ({team})" for team, name in names.items()}
 
 
 class CheckObserver(Protocol):
@@ -190,7 +192,7 @@ def _noting(
     todo: Sequence[Handed], scenario: str, loaded: Loaded, store: Store, observer: CheckObserver
 ) -> Callable[[FileReport], None]:
     """Return what is to be done with each report: note the verdict, and keep the report for the team."""
-    by_file = {one.file: one for one in todo}
+    by_file = {Path(one.file).name: one for one in todo}
     count = 0
 
     def on_done(report: FileReport) -> None:
@@ -208,13 +210,8 @@ def _noting(
     return on_done
 
 
-def report_folder(place_folder: Path, archive: str) -> Path:
-    """Return the folder of the check's reports on a submission."""
-    return place_folder / "checks" / archive
-
-
 def _keep_report(report: FileReport, one: Handed, scenario: str, loaded: Loaded, store: Store) -> None:
-    folder = report_folder(store.place.folder, one.archive)
+    folder = store.place.report_folder(one.archive)
     folder.mkdir(parents=True, exist_ok=True)
     named = report.model_copy(update={"file": f"{one.team}{Path(one.file).suffix}"})
     whole = check_report(loaded.scenario.id, loaded.scenario.title, "auto", [named], [])

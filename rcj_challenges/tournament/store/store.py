@@ -11,7 +11,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
 
-from sqlalchemy import Engine, create_engine, delete, event, select
+from sqlalchemy import Engine, create_engine, delete, event, select, update
 from sqlalchemy.exc import DatabaseError
 from sqlalchemy.orm import Session
 from sqlalchemy.pool import StaticPool
@@ -140,11 +140,27 @@ class Store:
         with self._session() as session:
             return [(played, job) for played, job in session.execute(query)]
 
-    def jobs(self, ids: Iterable[str] | None = None) -> dict[str, JobRow]:
-        """Return jobs by id; of all, or of those asked for."""
-        query = select(JobRow) if ids is None else select(JobRow).where(JobRow.id.in_(list(ids)))
+    def jobs(self) -> dict[str, JobRow]:
+        """Return all jobs that were played or tried, by id."""
         with self._session() as session:
-            return {row.id: row for row in session.scalars(query)}
+            return {row.id: row for row in session.scalars(select(JobRow))}
+
+    def remarkable_jobs(self) -> list[JobRow]:
+        """Return the jobs that are doubtful, or could not be played."""
+        query = select(JobRow).where(JobRow.doubtful | (JobRow.state == "failed")).order_by(JobRow.ended_at)
+        with self._session() as session:
+            return list(session.scalars(query))
+
+    def fixtures_of(self, jobs: Iterable[str]) -> list[str]:
+        """Return the fixtures for which some jobs count."""
+        with self._session() as session:
+            return list(session.scalars(select(PlayedRow.fixture).where(PlayedRow.job_id.in_(list(jobs)))))
+
+    def digests(self) -> dict[str, str]:
+        """Return the digest of each match that was played, by fixture."""
+        query = select(PlayedRow.fixture, JobRow.summary).join(JobRow, PlayedRow.job_id == JobRow.id)
+        with self._session() as session:
+            return {fixture: summary["digest"] for fixture, summary in session.execute(query)}
 
     def keep_job(
         self,
@@ -175,6 +191,11 @@ class Store:
             for fixture, outcome in counts_for:
                 session.merge(_played_row(fixture, job, outcome, at))
 
+    def note_files(self, job_id: str, files: Mapping[str, int]) -> None:
+        """Note what the record of a job holds now."""
+        with self._session() as session:
+            session.execute(update(JobRow).where(JobRow.id == job_id).values(files=dict(files)))
+
     def count_job(self, row: JobRow, counts_for: Iterable[tuple[Fixture, Outcome]]) -> None:
         """Let a job that was played before count for fixtures too."""
         job = MatchJob.from_json(row.job)
@@ -185,15 +206,20 @@ class Store:
     def forget(self, fixtures: Iterable[str]) -> None:
         """Let no job count for these fixtures any more; the jobs themselves and their records stay."""
         with self._session() as session:
-            for fixture in fixtures:
-                session.execute(delete(PlayedRow).where(PlayedRow.fixture == fixture))
+            _forget(session, fixtures)
 
     # --- rulings ------------------------------------------------------------------------------------------------------
 
-    def add_ruling(self, **columns: Any) -> None:
-        """Note a decision; the columns are those of `RulingRow` but ``at``."""
+    def add_ruling(self, columns: Mapping[str, Any], *, forget: Iterable[str] = ()) -> None:
+        """Note a decision, and in the same transaction that no job counts for some fixtures any more.
+
+        Args:
+            columns: those of `RulingRow` but ``at``.
+            forget: the fixtures.
+        """
         with self._session() as session:
             session.add(RulingRow(**columns, at=self._now()))
+            _forget(session, forget)
 
     def rulings(self) -> list[RulingRow]:
         """Return all decisions, oldest first."""
@@ -267,6 +293,11 @@ class Store:
             if any(word in said.lower() for word in _FULL):
                 raise _unwritable(self._path, said) from error
             raise
+
+
+def _forget(session: Session, fixtures: Iterable[str]) -> None:
+    for fixture in fixtures:
+        session.execute(delete(PlayedRow).where(PlayedRow.fixture == fixture))
 
 
 def _played_row(fixture: Fixture, job: MatchJob, outcome: Outcome, at: datetime) -> PlayedRow:

@@ -55,7 +55,7 @@ class SubmissionRow(Base):
     archive: Mapped[str]
     """SHA-256 of its file."""
     file: Mapped[str]
-    """Name of the file in the folder of submissions."""
+    """Its path in the folder of submissions."""
     name: Mapped[str]
     """What the team calls itself."""
     received_at: Mapped[datetime]

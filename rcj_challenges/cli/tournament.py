@@ -1,0 +1,199 @@
+"""``rcj-challenge tournament``: plan, play, follow and decide a tournament that is declared in YAML."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import typer
+
+from rcj_challenges.cli.says import say_json
+
+if TYPE_CHECKING:
+    from rcj_challenges.tournament.opened import OpenTournament
+
+tournament_app = typer.Typer(
+    name="tournament",
+    help="Plan, play and publish a tournament that is declared in YAML.",
+    no_args_is_help=True,
+    add_completion=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+File = Annotated[str, typer.Argument(metavar="FILE", help="A tournament file, or the name of a shipped one: cup.")]
+Data = Annotated[
+    Path | None,
+    typer.Option("--data", metavar="DIR", help="Folder of its data; left out: NAME_data in the current folder."),
+]
+_AtOnce = Annotated[int | None, typer.Option("--at-once", min=1, help="Matches at a time; default: cores.")]
+_Sandbox = Annotated[
+    str, typer.Option("--sandbox", metavar="auto|strict|off", help="How programs are isolated (docs/isolation.md).")
+]
+_Json = Annotated[bool, typer.Option("--json", help="Print it as JSON and nothing else.")]
+_Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Print the last lines only.")]
+_Cascade = Annotated[
+    bool, typer.Option("--cascade", help="Play again what depends on a change, also in stages that have begun.")
+]
+
+
+def register(app: typer.Typer) -> None:
+    """Add the commands."""
+    app.add_typer(tournament_app)
+
+
+@contextmanager
+def opened(file: str, data: Path | None, *, writing: bool = False) -> Iterator[OpenTournament]:
+    """Open a tournament with its store.
+
+    Raises:
+        RcjError: the file or the store cannot be used.
+    """
+    from rcj_challenges.tournament.load import load_tournament
+    from rcj_challenges.tournament.opened import OpenTournament, data_folder
+    from rcj_challenges.tournament.store.store import Store
+
+    loaded = load_tournament(file)
+    with Store(data_folder(loaded, data), writing=writing) as store:
+        yield OpenTournament(loaded, store)
+
+
+@tournament_app.command()
+def plan(file: File, data: Data = None, json_: _Json = False) -> None:
+    """Print all fixtures that are known, how many matches there will be, and what they will take here."""
+    from rcj_challenges.cli.tournament_plan import print_plan
+
+    with opened(file, data) as tournament:
+        raise typer.Exit(print_plan(tournament, as_json=json_))
+
+
+@tournament_app.command()
+def run(
+    file: File,
+    data: Data = None,
+    at_once: _AtOnce = None,
+    sandbox: _Sandbox = "auto",
+    accept: Annotated[
+        list[str] | None,
+        typer.Option("--accept", metavar="TEAM", help="Let a team play that fails the check. Repeatable."),
+    ] = None,
+    cascade: _Cascade = False,
+    quiet: _Quiet = False,
+) -> None:
+    """Check all submissions, then play what is not played yet. Interrupted, it goes on where it was.
+
+    Exit status 0: all is played; 1: a submission fails the check; 2: wrong input, or this computer cannot go on;
+    3: a match could not be played by a fault of this project.
+    """
+    from rcj_challenges.cli.tournament_run import RunOptions, run_tournament
+
+    with opened(file, data, writing=True) as tournament:
+        options = RunOptions(file, at_once, sandbox, frozenset(accept or ()), cascade=cascade, quiet=quiet)
+        raise typer.Exit(run_tournament(tournament, options))
+
+
+@tournament_app.command()
+def status(file: File, data: Data = None, json_: _Json = False) -> None:
+    """Say how far it is: matches by stage, what is doubtful, and what could not be played."""
+    from rcj_challenges.cli.tournament_results import print_status
+
+    with opened(file, data) as tournament:
+        raise typer.Exit(print_status(tournament, as_json=json_))
+
+
+@tournament_app.command()
+def results(
+    file: File,
+    data: Data = None,
+    json_: _Json = False,
+    csv: Annotated[
+        Literal["tables", "matches"] | None, typer.Option("--csv", help="Print all tables or all matches as CSV.")
+    ] = None,
+) -> None:
+    """Print tables, brackets and scores."""
+    from rcj_challenges.cli.tournament_results import print_results
+
+    with opened(file, data) as tournament:
+        raise typer.Exit(print_results(tournament, as_json=json_, as_csv=csv))
+
+
+@tournament_app.command()
+def decide(
+    file: File,
+    match: Annotated[
+        str | None, typer.Argument(metavar="[MATCH]", help="Which match, as plan prints it; none with --withdraw.")
+    ] = None,
+    reason: Annotated[str, typer.Option("--reason", help="Why; it is published.")] = "",
+    forfeit: Annotated[str | None, typer.Option("--forfeit", metavar="TEAM", help="This team loses the match.")] = None,
+    replay: Annotated[bool, typer.Option("--replay", help="The match is played again, with another seed.")] = False,
+    score: Annotated[
+        str | None, typer.Option("--score", metavar="A:B", help="The score is corrected: sides as plan prints them.")
+    ] = None,
+    withdraw: Annotated[
+        str | None, typer.Option("--withdraw", metavar="TEAM", help="This team leaves the tournament.")
+    ] = None,
+    cascade: _Cascade = False,
+    data: Data = None,
+) -> None:
+    """Record a referee's ruling on a match, or that a team leaves; it is shown as such for ever."""
+    from rcj_challenges.cli.tournament_decide import Decision, record_decision
+
+    decision = Decision(match, reason, forfeit, score, withdraw, replay=replay, cascade=cascade)
+    with opened(file, data, writing=True) as tournament:
+        raise typer.Exit(record_decision(tournament, decision))
+
+
+@tournament_app.command()
+def verify(
+    file: File,
+    matches: Annotated[
+        list[str] | None, typer.Argument(metavar="[MATCH...]", help="Which matches; left out: all.")
+    ] = None,
+    sample: Annotated[
+        int | None, typer.Option("--sample", metavar="N", min=1, help="Only so many, drawn at random.")
+    ] = None,
+    data: Data = None,
+    at_once: _AtOnce = None,
+    json_: _Json = False,
+) -> None:
+    """Play matches again and compare their digests.
+
+    Exit status 0: none differs; 1: one differs; 2: wrong input; 3: one could not be played.
+    """
+    from rcj_challenges.cli.tournament_verify import verify_tournament
+
+    with opened(file, data, writing=True) as tournament:
+        raise typer.Exit(verify_tournament(tournament, matches or [], sample=sample, at_once=at_once, as_json=json_))
+
+
+@tournament_app.command()
+def rerun(
+    file: File,
+    matches: Annotated[list[str], typer.Argument(metavar="MATCH...", help="Which matches, as plan prints them.")],
+    records: Annotated[
+        Literal["full", "replay", "result"], typer.Option("--records", help="What is kept of the records now.")
+    ] = "full",
+    data: Data = None,
+    at_once: _AtOnce = None,
+) -> None:
+    """Play matches again to get the parts of their records that were dropped; the results stay as they are."""
+    from rcj_challenges.cli.tournament_verify import rerun_matches
+
+    with opened(file, data, writing=True) as tournament:
+        raise typer.Exit(rerun_matches(tournament, matches, records, at_once=at_once))
+
+
+@tournament_app.command("play-job", hidden=True)
+def play_job(job: str, data: Path) -> None:
+    """Play one job in this process, for the pool of workers; print its result as JSON."""
+    import json
+    import os
+
+    # MuJoCo would load a window system's library, 50 ms, and a match draws nothing.
+    os.environ.setdefault("MUJOCO_GL", "disable")
+    from rcj_challenges.tournament.jobs import MatchJob, Workplace
+    from rcj_challenges.tournament.playing import play_job as play
+
+    played = play(MatchJob.from_json(json.loads(job)), Workplace(data))
+    say_json({**played.result, "folder": str(played.folder)})

@@ -1,0 +1,133 @@
+"""``rcj-challenge tournament status`` and ``results``: how far a tournament is, and what came out."""
+
+from __future__ import annotations
+
+import csv
+import io
+import sys
+from dataclasses import asdict
+from typing import Any, Literal
+
+from rich.text import Text
+
+from rcj_challenges.cli import OK
+from rcj_challenges.cli.says import say_json
+from rcj_challenges.cli.tournament_tables import score_words, stage_tables, team_words
+from rcj_challenges.facts.shown import shown
+from rcj_challenges.tournament.opened import OpenTournament
+from rcj_challenges.tournament.season import SeasonState
+from rcj_challenges.tournament.store.lock import is_locked
+from rcj_challenges.views.scoreboard import console_for
+
+
+def print_status(tournament: OpenTournament, *, as_json: bool) -> int:
+    """Print how far it is; returns the exit code."""
+    state, store = tournament.state(), tournament.store
+    remarkable = store.remarkable_jobs()
+    stages = [
+        {
+            "stage": stage.name,
+            "title": stage.title,
+            "status": stage.status.value,
+            "done": sum(fixture.id in state.outcomes for fixture in stage.fixtures),
+            "expected": stage.expected_matches,
+        }
+        for stage in state.stages
+    ]
+    status: dict[str, Any] = {
+        "title": tournament.loaded.tournament.title,
+        "is_running": is_locked(store.place.folder),
+        "stages": stages,
+        "doubtful": sorted(store.fixtures_of(row.id for row in remarkable if row.doubtful)),
+        "failed": [row.complaint for row in remarkable if row.state == "failed"],
+        "withdrawn": sorted(team.id for team in state.teams.values() if team.withdrawn),
+    }
+    if as_json:
+        say_json(status)
+        return OK
+    console = console_for()
+    lines = [f"{status['title']}: {'is being written to at present' if status['is_running'] else 'nothing is running'}"]
+    lines += [f"{one['stage']}: {one['status']}, {one['done']} of {one['expected']} matches" for one in stages]
+    lines += [f"doubtful, a time limit decided something: {fixture}" for fixture in status["doubtful"]]
+    lines += [f"withdrawn: {team}" for team in status["withdrawn"]]
+    lines += [f"could not be played: {shown(complaint.strip())}" for complaint in status["failed"]]
+    for line in lines:
+        console.print(line, markup=False, highlight=False, soft_wrap=True)
+    return OK
+
+
+def print_results(tournament: OpenTournament, *, as_json: bool, as_csv: Literal["tables", "matches"] | None) -> int:
+    """Print what came out; returns the exit code."""
+    state = tournament.state()
+    if as_json:
+        say_json(results_json(tournament, state))
+    elif as_csv is not None:
+        sys.stdout.write(tables_csv(state) if as_csv == "tables" else matches_csv(state))
+    else:
+        console = console_for()
+        for stage in state.stages:
+            for fixture in stage.fixtures:
+                if fixture.id in state.outcomes:
+                    score = score_words(fixture, state.outcomes[fixture.id], state.teams)
+                    console.print(Text(f"{fixture.id}  {score}"), soft_wrap=True)
+        for table in stage_tables(state):
+            console.print(table)
+    return OK
+
+
+def results_json(tournament: OpenTournament, state: SeasonState) -> dict[str, Any]:
+    """Return the state as JSON-able data, with digests and rulings."""
+    digests = tournament.store.digests()
+    rulings = [
+        {"kind": row.kind, "match": row.fixture, "team": row.team, "scores": row.scores, "reason": row.reason,
+         "at": row.at.isoformat()}
+        for row in tournament.rulings
+    ]  # fmt: skip
+    return {
+        "title": tournament.loaded.tournament.title,
+        "teams": {team.id: asdict(team) for team in state.teams.values()},
+        "stages": [asdict(stage) for stage in state.stages],
+        "outcomes": {
+            fixture: {**asdict(outcome), "digest": digests.get(fixture, "")}
+            for fixture, outcome in state.outcomes.items()
+        },
+        "rulings": rulings,
+    }
+
+
+def tables_csv(state: SeasonState) -> str:
+    """Return all tables as CSV, one line for each team of each table."""
+    counts = ("place", "shared", "by_lot", "played", "won", "drawn", "lost", "goals", "conceded", "points")
+    lines: list[list[Any]] = [["stage", "table", "team", "name", *counts, "values"]]
+    for stage in state.stages:
+        for table in stage.tables:
+            for row in table.rows:
+                values = " ".join(map(str, row.values))
+                numbers = [int(value) if isinstance(value := getattr(row, key), bool) else value for key in counts]
+                lines.append([stage.name, table.name, row.team, team_words(state.teams, row.team), *numbers, values])
+    return _csv(lines)
+
+
+def matches_csv(state: SeasonState) -> str:
+    """Return all matches with an outcome as CSV."""
+    lines: list[list[Any]] = [["match", "stage", "round", "sides", "scores", "ruled", "reason"]]
+    for stage in state.stages:
+        for fixture in stage.fixtures:
+            outcome = state.outcomes.get(fixture.id)
+            if outcome is not None:
+                sides = " - ".join("+".join(side.teams) for side in fixture.sides)
+                scores = ":".join(f"{score:g}" for score in outcome.scores)
+                row = [fixture.id, stage.name, fixture.round, sides, scores, outcome.ruled.value, outcome.reason]
+                lines.append(row)
+    return _csv(lines)
+
+
+def _csv(lines: list[list[Any]]) -> str:
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows([_harmless(cell) for cell in line] for line in lines)
+    return text.getvalue()
+
+
+def _harmless(cell: Any) -> Any:
+    """Keep a spreadsheet from taking a stranger's text for a formula."""
+    return f"'{cell}" if isinstance(cell, str) and cell[:1] in ("=", "+", "-", "@") else cell

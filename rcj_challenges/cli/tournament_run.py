@@ -1,0 +1,258 @@
+"""``rcj-challenge tournament run``: checks the submissions, then plays, and shows how far it is."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass
+from typing import Self
+
+from rich.console import Console, Group, RenderableType
+from rich.live import Live
+from rich.progress_bar import ProgressBar
+from rich.table import Table
+from rich.text import Text
+
+from rcj_challenges.cli import OK, OUR_FAULT
+from rcj_challenges.cli.says import say_progress
+from rcj_challenges.cli.tournament_tables import score_words, stage_tables
+from rcj_challenges.facts.amounts import counted
+from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.facts.shown import shown
+from rcj_challenges.tournament.executor import Executor, LocalExecutor
+from rcj_challenges.tournament.fixtures import JobMaker
+from rcj_challenges.tournament.opened import OpenTournament
+from rcj_challenges.tournament.reconcile import reconcile
+from rcj_challenges.tournament.runner import Progress, Runner
+from rcj_challenges.tournament.season import Fixture, Outcome, SeasonState, Status
+from rcj_challenges.tournament.submissions import Failure, Handed, check_submissions, take_submissions
+from rcj_challenges.views.scoreboard import console_for
+
+_NEWEST_SHOWN = 5
+
+
+class SubmissionsFailError(DiagnosticError):
+    """Submissions that fail the check: a negative verdict, not a wrong input."""
+
+    exit_code = 1
+
+
+@dataclass(frozen=True)
+class RunOptions:
+    """The options of ``tournament run``, as given."""
+
+    file: str
+    at_once: int | None
+    sandbox: str
+    accepted: frozenset[str]
+    cascade: bool
+    quiet: bool
+
+
+def run_tournament(tournament: OpenTournament, options: RunOptions) -> int:
+    """Check, then play what is not played yet; returns the exit code.
+
+    Raises:
+        RcjError: a submission fails the check, or the input or this computer is not as it should be.
+        KeyboardInterrupt: it was interrupted; says how far it came.
+    """
+    from rcj_challenges.controllers.isolation import active_layers
+
+    active_layers(options.sandbox)
+    lanes = options.at_once or os.cpu_count() or 1
+    console = console_for()
+    observer = observer_for(console, tournament, quiet=options.quiet)
+    jobs = prepare(tournament, options, lanes, observer)
+    for fixture in reconcile(tournament, jobs, cascade=options.cascade):
+        observer.note(f"{fixture} is played again: a submission, the scenario or the seed has changed")
+    executor: Executor = LocalExecutor(tournament.store.place, lanes)
+    with observer:
+        try:
+            state = Runner(tournament, jobs, executor, observer).run()
+        except KeyboardInterrupt as error:
+            left = "run the same command again: it goes on where it was"
+            raise KeyboardInterrupt(f"{counted(observer.done, 'match', 'matches')} played; {left}") from error
+    for table in stage_tables(state):
+        console.print(table)
+    if observer.failed:
+        line = f"{counted(len(observer.failed), 'match', 'matches')} could not be played; run again to try once more"
+        console.print(line, markup=False, highlight=False)
+        return OUR_FAULT
+    return OK
+
+
+def prepare(tournament: OpenTournament, options: RunOptions, lanes: int, observer: RunLines) -> JobMaker:
+    """Take the submissions and check them; returns what makes jobs of them.
+
+    Raises:
+        RcjError: one cannot be read, or fails the check and is not accepted.
+    """
+    loaded, season = tournament.loaded, tournament.season
+    unknown = options.accepted - loaded.entries.keys()
+    if unknown:
+        message = f"there is no team {', '.join(map(repr, sorted(unknown)))}"
+        raise DiagnosticError(Diagnostic("unknown-team", message, f"teams: {', '.join(loaded.entries)}"))
+    staying = [entry for entry in loaded.entries.values() if not season.teams[entry.id].withdrawn]
+    handed = take_submissions(staying, tournament.store)
+    tournament.refresh()
+    jobs = JobMaker(tournament, handed | _earlier(tournament, handed), options.sandbox)
+    scenarios = dict(jobs.scenario(use.source, use.overrides) for use in loaded.scenarios)
+    failures = check_submissions(
+        handed, scenarios, tournament.store, jobs=lanes, sandbox=options.sandbox, observer=observer
+    )
+    refused = [one for one in failures if one.team not in options.accepted or one.unchecked]
+    if refused:
+        raise SubmissionsFailError(*map(_diagnostic, refused))
+    return jobs
+
+
+def _earlier(tournament: OpenTournament, handed: dict[str, Handed]) -> dict[str, Handed]:
+    """Return the last submissions of teams that have left: what they played stays comparable."""
+    rows = tournament.store.current_submissions()
+    return {team: Handed(team, row.archive, row.file, row.name) for team, row in rows.items() if team not in handed}
+
+
+def _diagnostic(failure: Failure) -> Diagnostic:
+    messages = "; ".join(failure.messages) or "nothing is known about it"
+    if failure.unchecked:
+        message = f"the submission of {failure.team} could not be checked for '{failure.scenario}': {messages}"
+        return Diagnostic("submission-unchecked", message, "run the command again")
+    message = f"the submission of {failure.team} fails the check for '{failure.scenario}': {messages}"
+    help_ = f"let the team replace it; or play it as it is with --accept {failure.team}"
+    return Diagnostic("submission-fails", message, help_)
+
+
+def observer_for(console: Console, tournament: OpenTournament, *, quiet: bool) -> RunLines:
+    """Return what shows a run: a table that is drawn over in a terminal, plain lines elsewhere."""
+    if quiet:
+        return RunLines(console, tournament, quiet=True)
+    if console.is_terminal and not console.is_dumb_terminal:
+        return RunBoard(console, tournament)
+    return RunLines(console, tournament)
+
+
+class RunLines:
+    """Prints a line for each match; a context manager.
+
+    Attributes:
+        done: matches played in this run.
+        failed: fixtures that could not be played.
+    """
+
+    def __init__(self, console: Console, tournament: OpenTournament, *, quiet: bool = False) -> None:
+        self.done = 0
+        self.failed: list[str] = []
+        self._console = console
+        self._tournament = tournament
+        self._quiet = quiet
+        self._finished: set[str] = set()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        pass
+
+    def note(self, line: str) -> None:
+        """Print a line."""
+        if not self._quiet:
+            say_progress(self._console, line)
+
+    def checked(self, team: str, level: str, done: int, total: int) -> None:
+        """Print the verdict of a check."""
+        self.note(f"check {done}/{total}  {team}  {level}")
+
+    def played(self, fixture: Fixture, outcome: Outcome, progress: Progress, *, is_doubtful: bool) -> None:
+        """Print the score of a match, and of a stage that is over the tables."""
+        self.done += 1
+        score = score_words(fixture, outcome, self._tournament.season.teams)
+        total = progress.done + progress.left
+        doubtful = "  doubtful: a time limit decided something in it" if is_doubtful else ""
+        self.note(f"{progress.done}/{total}  {fixture.id}  {score}{doubtful}{_left(progress)}")
+        self._tell_tables(progress.state)
+
+    def not_played(self, fixture: Fixture, complaint: str) -> None:
+        """Print why a match could not be played."""
+        self.failed.append(fixture.id)
+        lines = complaint.strip().splitlines() or ["its process died"]
+        self.note(f"{fixture.id} could not be played: {shown(lines[-1])}")
+
+    def played_again(self, fixture: Fixture) -> None:
+        """Print that a match is played once more."""
+        self.note(f"{fixture.id}: a time limit decided something; it is played once more, alone")
+
+    def moment(self, progress: Progress) -> None:
+        """Nothing has happened for a moment."""
+
+    def _tell_tables(self, state: SeasonState) -> None:
+        for stage in state.stages:
+            if stage.status is Status.FINISHED and stage.name not in self._finished:
+                self._finished.add(stage.name)
+                self.note(f"stage {stage.name} is finished")
+
+
+class RunBoard(RunLines):
+    """Shows a run in a terminal: how far it is, the newest scores, the tables of the stage that is played."""
+
+    def __init__(self, console: Console, tournament: OpenTournament) -> None:
+        super().__init__(console, tournament)
+        self._live = Live(console=console, auto_refresh=False, transient=True)
+        self._newest: list[str] = []
+        self._shown_at_s = 0.0
+
+    def __enter__(self) -> Self:
+        self._live.__enter__()
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        with ExitStack() as stack:
+            stack.callback(self._live.__exit__, None, None, None)
+
+    def note(self, line: str) -> None:
+        """Show a line among the newest, or print it while nothing is drawn."""
+        if not self._live.is_started:
+            super().note(line)
+        self._newest = [*self._newest, line][-_NEWEST_SHOWN:]
+
+    def played(self, fixture: Fixture, outcome: Outcome, progress: Progress, *, is_doubtful: bool) -> None:
+        """Show the score of a match."""
+        super().played(fixture, outcome, progress, is_doubtful=is_doubtful)
+        self._draw(progress)
+
+    def moment(self, progress: Progress) -> None:
+        """Show the remaining time."""
+        if time.monotonic() - self._shown_at_s >= 1.0:
+            self._draw(progress)
+
+    def _draw(self, progress: Progress) -> None:
+        self._shown_at_s = time.monotonic()
+        total = progress.done + progress.left
+        counts = f"{progress.done} played, {progress.running} running, {progress.left - progress.running} left"
+        parts: list[RenderableType] = [
+            Text(f"{shown(self._tournament.loaded.tournament.title)}: {counts}{_left(progress)}"),
+            ProgressBar(total=max(total, 1), completed=progress.done),
+            *map(Text, self._newest),
+            *_current_tables(progress.state),
+        ]
+        self._live.update(Group(*parts), refresh=True)
+
+
+def _current_tables(state: SeasonState) -> Sequence[Table]:
+    running = [stage for stage in state.stages if stage.status is Status.RUNNING]
+    return stage_tables(state, only={stage.name for stage in running[:1]})
+
+
+def _left(progress: Progress) -> str:
+    if progress.left_s is None or not progress.left:
+        return ""
+    minutes = progress.left_s / 60
+    amount = (
+        f"{progress.left_s:.0f} s"
+        if minutes < 2
+        else f"{minutes:.0f} min"
+        if minutes < 120
+        else f"{minutes / 60:.1f} h"
+    )
+    return f"  about {amount} left"

@@ -1,0 +1,194 @@
+"""``rcj-challenge verify``: play recorded matches again, and compare the digests."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rcj_challenges.cli import OK, OUR_FAULT
+from rcj_challenges.cli.says import say_json, say_progress
+
+if TYPE_CHECKING:
+    from rcj_challenges.scenario.models.robots import Entrant
+    from rcj_challenges.tournament.jobs import Program, Workplace
+    from rcj_challenges.tournament.verify import Recorded, Verified
+
+_DIFFERS = 1
+_WORDS = {"not_comparable": "not comparable", "not_played": "could not be played"}
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command."""
+    app.command("verify")(_verify)
+
+
+def _verify(
+    runs: Annotated[
+        list[Path] | None,
+        typer.Argument(metavar="RUN...", help="Records' folders, or how their names begin; left out: the newest."),
+    ] = None,
+    team: Annotated[
+        list[Path] | None,
+        typer.Option("--team", metavar="PATH", help="Who played: a submission, or a folder of ZIPs. Repeatable."),
+    ] = None,
+    out: Annotated[Path, typer.Option("--runs", "--out", metavar="DIR", help="Where the records are.")] = Path("runs"),
+    at_once: Annotated[int | None, typer.Option("--at-once", min=1, help="Matches at a time; default: cores.")] = None,
+    sandbox: Annotated[
+        str, typer.Option("--sandbox", metavar="auto|strict|off", help="How programs are isolated (docs/isolation.md).")
+    ] = "auto",
+    json_: Annotated[bool, typer.Option("--json", help="Print the verdicts as JSON and nothing else.")] = False,
+) -> None:
+    """Play recorded matches again and compare their digests; the sample teams need not be given.
+
+    Exit status 0: none differs; 1: one differs; 2: a record or its programs cannot be used; 3: one could not be
+    played.
+    """
+    raise typer.Exit(verify_runs(runs or [None], team or [], out, at_once=at_once, sandbox=sandbox, as_json=json_))
+
+
+def verify_runs(
+    runs: Sequence[Path | None],
+    teams: Sequence[Path],
+    out: Path,
+    *,
+    at_once: int | None,
+    sandbox: str,
+    as_json: bool,
+) -> int:
+    """Play records again and print the verdicts; returns the exit code.
+
+    Raises:
+        RcjError: a record cannot be used, or its programs cannot be found.
+    """
+    from rcj_challenges.tournament.executor import LocalExecutor
+    from rcj_challenges.tournament.jobs import Workplace
+    from rcj_challenges.tournament.verify import verify_all
+    from rcj_challenges.views.replay.browse import find_run
+
+    folders = [find_run(run, out) for run in runs]
+    with tempfile.TemporaryDirectory(prefix="rcj-verify-") as temporary:
+        place = Workplace(Path(temporary))
+        place.submissions.mkdir(parents=True)
+        found = {one.job.id: one for one in (_recorded(folder, teams, place, sandbox) for folder in folders)}
+        lines = VerifyLines(len(found), as_json=as_json)
+        verify_all(list(found.values()), LocalExecutor(place, at_once or os.cpu_count() or 1), lines.done)
+    return lines.finish()
+
+
+def _recorded(folder: Path, teams: Sequence[Path], place: Workplace, sandbox: str) -> Recorded:
+    """Return a record as a match to be played again; its programs and its scenario are put where jobs find them.
+
+    Raises:
+        RcjError: it is not complete, or a program is not to be found.
+    """
+    from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+    from rcj_challenges.records.folder import SCENARIO
+    from rcj_challenges.records.lines import parsed
+    from rcj_challenges.records.result import read_result
+    from rcj_challenges.scenario.load import load_resolved
+    from rcj_challenges.tournament.fixtures import is_timed
+    from rcj_challenges.tournament.jobs import MatchJob, entrants_of
+    from rcj_challenges.tournament.verify import Recorded
+
+    result = read_result(folder)
+    if not result.complete or "debug" in result.marks:
+        why = "it was not played to its end" if not result.complete else "a program had the terminal (--debug)"
+        raise DiagnosticError(Diagnostic("not-verifiable", f"{folder.name}: {why}", "verify another record"))
+    loaded = load_resolved(parsed((folder / SCENARIO).read_bytes()))
+    seats: dict[str, tuple[Program, ...]] = {}
+    for seat, entrant in result.entrants.items():
+        wanted = {member.programs: member.name for member in entrant.members} or {entrant.programs: entrant.name}
+        entrants = entrants_of(seat, loaded.scenario)
+        known = _programs(wanted, _candidates(folder, teams), entrants, place)
+        members = [member.programs for member in entrant.members] or [entrant.programs]
+        for digest in members:
+            if digest not in known:
+                message = f"{folder.name}: the programs of {seat} ({wanted[digest]}) are not here"
+                raise DiagnosticError(Diagnostic("programs-missing", message, "give their submission with --team PATH"))
+        seats[seat] = tuple(known[digest] for digest in members)
+    job = MatchJob(
+        scenario=place.keep_scenario(loaded),
+        seats=seats,
+        names={seat: entrant.name for seat, entrant in result.entrants.items()},
+        seed=result.seed,
+        versions=result.versions.model_dump(),
+        match_id=result.match_id,
+        records="result",
+        sandbox=sandbox,
+    )
+    return Recorded(folder.name, job, result.digest, job.versions, is_timed=is_timed(result.model_dump()))
+
+
+def _candidates(folder: Path, teams: Sequence[Path]) -> Iterable[Path]:
+    """Yield the submissions among which the programs of a record may be."""
+    from rcj_challenges.checker.many_given import in_folders
+    from rcj_challenges.scenario.resources import teams_folder
+
+    yield from in_folders([path for path in teams if path.exists()]).paths
+    yield from sorted((folder.resolve().parents[1] / "submissions").glob("*.*"))  # of a tournament
+    yield from sorted(path for path in teams_folder().iterdir() if path.is_dir())
+
+
+def _programs(
+    wanted: Mapping[str, str], candidates: Iterable[Path], entrants: Sequence[Entrant], place: Workplace
+) -> dict[str, Program]:
+    """Return the programs that are wanted, by digest, as far as they are among some submissions."""
+    from rcj_challenges.controllers.team import TeamError, open_team
+    from rcj_challenges.tournament.jobs import Program
+    from rcj_challenges.tournament.submissions import keep_submission
+
+    found: dict[str, Program] = {}
+    for path in candidates:
+        if len(found) == len(wanted):
+            break
+        try:
+            with open_team(path, *entrants) as team:
+                digest = team.digest
+        except TeamError:
+            continue
+        if digest in wanted:
+            archive, _ = keep_submission(path, place.submissions)
+            found[digest] = Program(archive, digest, wanted[digest])
+    return found
+
+
+class VerifyLines:
+    """Prints the verdicts as they come.
+
+    Args:
+        total: how many matches are played again.
+        as_json: whether all of them are printed as JSON at the end instead.
+    """
+
+    def __init__(self, total: int, *, as_json: bool) -> None:
+        from rcj_challenges.views.scoreboard import console_for
+
+        self._total = total
+        self._as_json = as_json
+        self._console = console_for(to_stderr=as_json)
+        self._verified: list[Verified] = []
+
+    def note(self, line: str) -> None:
+        """Print a line."""
+        if not self._as_json:
+            say_progress(self._console, line)
+
+    def done(self, verified: Verified) -> None:
+        """Print a verdict."""
+        self._verified.append(verified)
+        verdict = _WORDS.get(verified.verdict, verified.verdict)
+        reason = f": {verified.reason.strip().splitlines()[-1]}" if verified.reason.strip() else ""
+        self.note(f"{len(self._verified)}/{self._total}  {verified.name}  {verdict}{reason}")
+
+    def finish(self) -> int:
+        """Print the JSON, if that is asked for; returns the exit code."""
+        if self._as_json:
+            say_json([asdict(one) for one in self._verified])
+        verdicts = {one.verdict for one in self._verified}
+        return _DIFFERS if "differs" in verdicts else OUR_FAULT if "not_played" in verdicts else OK

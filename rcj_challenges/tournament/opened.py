@@ -1,0 +1,132 @@
+"""A tournament with its store: teams as they are called now, rulings applied, and the state that follows."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from rcj_challenges.tournament.engine import Season
+from rcj_challenges.tournament.load import LoadedTournament
+from rcj_challenges.tournament.played import RulingKind
+from rcj_challenges.tournament.season import Fixture, Outcome, Ruled, SeasonState, Team
+from rcj_challenges.tournament.seeds import derived_seed
+from rcj_challenges.tournament.store.store import PlayedFixture, Store
+from rcj_challenges.tournament.store.tables import RulingRow
+from rcj_challenges.tournament.team_names import display_names
+
+WITHDRAWN = "withdrawn"
+_RULED = {RulingKind.FORFEIT: Ruled.FORFEIT, RulingKind.CORRECTED: Ruled.CORRECTED}
+
+
+def data_folder(loaded: LoadedTournament, given: Path | None) -> Path:
+    """Return the folder of a tournament's data: the one that was given, else ``NAME_data`` in the current folder."""
+    return given if given is not None else Path(f"{loaded.name}_data")
+
+
+def sides_of(fixture: Fixture) -> tuple[tuple[str, ...], ...]:
+    """Return the team ids of each side."""
+    return tuple(side.teams for side in fixture.sides)
+
+
+@dataclass
+class OpenTournament:
+    """A tournament with its store.
+
+    Attributes:
+        loaded: the file.
+        store: what was played, submitted and decided.
+    """
+
+    loaded: LoadedTournament
+    store: Store
+
+    @cached_property
+    def rulings(self) -> list[RulingRow]:
+        """All decisions, oldest first."""
+        return self.store.rulings()
+
+    @cached_property
+    def season(self) -> Season:
+        """The engine, with the teams as they are called and whether they are still there."""
+        return self._season(self.rulings)
+
+    def _season(self, rulings: Sequence[RulingRow]) -> Season:
+        names = display_names(self.loaded.entries, self.store.current_submissions())
+        left = {row.team: row.last_rounds for row in rulings if row.kind == WITHDRAWN}
+        teams = {
+            team: Team(team, names[team], entry.pot, team in left, dict(left.get(team, {})))
+            for team, entry in self.loaded.entries.items()
+        }
+        return Season(self.loaded, teams)
+
+    def refresh(self) -> None:
+        """Read teams and rulings again."""
+        for name in ("rulings", "season"):
+            self.__dict__.pop(name, None)
+
+    def state(self, played: Mapping[str, PlayedFixture] | None = None) -> SeasonState:
+        """Return the state after what was played and decided.
+
+        Args:
+            played: by fixture; left out: what the store says.
+        """
+        return _state(self.season, self.store.played() if played is None else played, self.rulings)
+
+    def state_with(self, ruling: Mapping[str, Any], played: Mapping[str, PlayedFixture]) -> SeasonState:
+        """Return what the state would be with one more ruling.
+
+        Args:
+            ruling: columns of `RulingRow`.
+            played: by fixture.
+        """
+        rulings = [*self.rulings, RulingRow(**{"fixture": "", **ruling})]
+        return _state(self._season(rulings), played, rulings)
+
+    def seed_of(self, fixture: Fixture) -> int:
+        """Return the seed that a fixture is played with: another one each time a referee orders a replay."""
+        replays = sum(
+            row.kind == RulingKind.REPLAY and tuple(map(tuple, row.sides)) == sides_of(fixture)
+            for row in self.rulings
+            if row.fixture == fixture.id
+        )
+        return derived_seed(fixture.seed, f"replay/{replays}") if replays else fixture.seed
+
+
+def _state(season: Season, played: Mapping[str, PlayedFixture], rulings: Sequence[RulingRow]) -> SeasonState:
+    outcomes = {fixture: one.outcome for fixture, one in played.items()}
+    sides = {fixture: one.sides for fixture, one in played.items()}
+    for fixture, row in {row.fixture: row for row in rulings if row.fixture}.items():  # the last of each holds
+        if row.kind != RulingKind.REPLAY:
+            outcomes[fixture] = _outcome(row)
+            sides[fixture] = tuple(map(tuple, row.sides))
+    while True:
+        state = season.state(outcomes)
+        known = [fixture for stage in state.stages for fixture in stage.fixtures if fixture.id in sides]
+        others = [one.id for one in known if one.id in outcomes and sides[one.id] != sides_of(one)]
+        if not others:
+            return state
+        for fixture in others:  # other teams have advanced than those who played it
+            del outcomes[fixture]
+
+
+def _outcome(row: RulingRow) -> Outcome:
+    outcome = Outcome(scores=tuple(row.scores), ruled=_RULED[RulingKind(row.kind)], reason=row.reason)
+    # Who forfeits what is played alone comes last in it, whatever the scenario ranks by.
+    return replace(outcome, ruled=Ruled.ANNULLED) if row.kind == RulingKind.FORFEIT and len(row.sides) == 1 else outcome
+
+
+def fixture_of(state: SeasonState, fixture_id: str) -> Fixture | None:
+    """Return a fixture by its id; None if it is not known."""
+    return next((one for stage in state.stages for one in stage.fixtures if one.id == fixture_id), None)
+
+
+def later_stages(loaded: LoadedTournament, stage: str) -> list[str]:
+    """Return the stages that take their teams from a stage, directly or not."""
+    found = [stage]
+    for name, one in loaded.tournament.stages.items():
+        if one.from_ in found:
+            found.append(name)
+    return found[1:]

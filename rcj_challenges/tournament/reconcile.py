@@ -1,0 +1,105 @@
+"""Which matches that were played still count, when submissions, scenarios or records are not as they were."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+
+from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.tournament.fixtures import JobMaker
+from rcj_challenges.tournament.jobs import Workplace
+from rcj_challenges.tournament.opened import OpenTournament, later_stages, sides_of
+from rcj_challenges.tournament.records import sizes
+from rcj_challenges.tournament.season import Fixture, SeasonState
+from rcj_challenges.tournament.store.store import PlayedFixture
+from rcj_challenges.tournament.store.tables import JobRow
+
+
+def reconcile(tournament: OpenTournament, jobs: JobMaker, *, cascade: bool) -> list[str]:
+    """Let no match count that would be played otherwise today; returns the fixtures that are to be played again.
+
+    Args:
+        tournament: the tournament.
+        jobs: makes the jobs of today.
+        cascade: whether matches may change from which a stage that has begun took its teams.
+
+    Raises:
+        DiagnosticError: matches were played by other versions, or a later stage has begun.
+    """
+    store = tournament.store
+    played = store.played()
+    rows = store.jobs()
+    again: list[str] = []
+    while True:
+        state = tournament.state(played)
+        fixtures = [fixture for fixture in _known(state) if fixture.id in played]
+        stale = [one for one in fixtures if _is_stale(one, played[one.id], jobs, rows)]
+        if not stale:
+            break
+        if not cascade:
+            _refuse_if_closed(tournament, state, stale)
+        for fixture in stale:
+            again.append(fixture.id)
+            del played[fixture.id]
+    store.forget(again)
+    return again
+
+
+def _known(state: SeasonState) -> Iterable[Fixture]:
+    return (fixture for stage in state.stages for fixture in stage.fixtures)
+
+
+def _is_stale(fixture: Fixture, played: PlayedFixture, jobs: JobMaker, rows: Mapping[str, JobRow]) -> bool:
+    if played.sides != sides_of(fixture):
+        return True
+    job = jobs.job_for(fixture)
+    if job.id == played.job_id:
+        return False
+    before = rows[played.job_id].job["versions"]
+    if before != dict(job.versions):
+        raise _other_versions(before, job.versions)
+    return True
+
+
+def _refuse_if_closed(tournament: OpenTournament, state: SeasonState, stale: Collection[Fixture]) -> None:
+    """Refuse to change matches of a stage from which another that has begun took its teams.
+
+    Raises:
+        DiagnosticError: there are such matches.
+    """
+    for fixture in stale:
+        later = begun_later_stage(tournament, state, fixture.stage)
+        if later:
+            raise stage_closed(
+                f"the match {fixture.id} would be played again, because a submission, the scenario or the seed has "
+                f"changed since, but stage '{later}' has taken its teams from '{fixture.stage}' and has begun"
+            )
+
+
+def begun_later_stage(tournament: OpenTournament, state: SeasonState, stage: str) -> str:
+    """Return a stage with outcomes that takes its teams from another, directly or not; empty if there is none."""
+    later = later_stages(tournament.loaded, stage)
+    for one in state.stages:
+        if one.name in later and any(fixture.id in state.outcomes for fixture in one.fixtures):
+            return one.name
+    return ""
+
+
+def stage_closed(message: str) -> DiagnosticError:
+    """Return the error for what would change who has advanced into a stage that has begun."""
+    help_ = "undo the change; or give --cascade: what depends on it is played again"
+    return DiagnosticError(Diagnostic("stage-closed", message, help_))
+
+
+def _other_versions(before: Mapping[str, str], now: Mapping[str, str]) -> DiagnosticError:
+    changed = [f"{name} {before.get(name, 'none')}, now {now[name]}" for name in now if before.get(name) != now[name]]
+    message = f"matches of this tournament were played with {'; '.join(changed)}: results could not be compared"
+    help_ = "install the versions of before; or play the whole tournament again into another folder: --data DIR"
+    return DiagnosticError(Diagnostic("other-versions", message, help_))
+
+
+def has_whole_record(row: JobRow, place: Workplace) -> bool:
+    """Return whether the record of a job is as it was left: each file there, none of another size."""
+    try:
+        return bool(row.files) and sizes(place.record_of(row.id)) == row.files
+    except OSError:
+        return False

@@ -1,0 +1,160 @@
+"""Decisions of a human referee: kept and shown for ever."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from difflib import get_close_matches
+
+from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.tournament.models import LostBy
+from rcj_challenges.tournament.opened import WITHDRAWN, OpenTournament, fixture_of, later_stages, sides_of
+from rcj_challenges.tournament.played import RulingKind
+from rcj_challenges.tournament.reconcile import stage_closed
+from rcj_challenges.tournament.season import Fixture, SeasonState
+
+_LOST_BY = (0.0, 3.0)
+_MAX_REASON_LETTERS = 500
+
+
+def decide(
+    tournament: OpenTournament,
+    fixture_id: str,
+    kind: RulingKind,
+    reason: str,
+    *,
+    loser: str = "",
+    scores: Sequence[float] = (),
+    cascade: bool = False,
+) -> list[str]:
+    """Note a ruling on a match; returns the fixtures of later stages that have to be played again.
+
+    Args:
+        tournament: the tournament; its store is open for writing.
+        fixture_id: which match.
+        kind: what is decided.
+        reason: in the referee's words; it is published.
+        loser: of a forfeit: a team of the side that forfeits.
+        scores: of a corrected score, by side.
+        cascade: whether later stages that have begun may change.
+
+    Raises:
+        DiagnosticError: there is no such match or team, the ruling does not fit it, or a later stage has begun.
+    """
+    before = tournament.state()
+    fixture = _known(before, fixture_id)
+    reason = _checked(reason)
+    if kind is RulingKind.FORFEIT:
+        scores = _forfeited(tournament, fixture, loser)
+    elif kind is RulingKind.CORRECTED and len(scores) != len(fixture.sides):
+        raise _wrong("ruling-score", f"'{fixture_id}' has {len(fixture.sides)} scores, not {len(scores)}", _SCORE_HELP)
+    elif kind is RulingKind.REPLAY and fixture_id not in before.outcomes:
+        raise _wrong("not-played", f"'{fixture_id}' has not been played yet", "there is nothing to be replayed")
+    row = {
+        "kind": kind.value,
+        "fixture": fixture_id,
+        "team": loser,
+        "sides": [list(side) for side in sides_of(fixture)],
+        "scores": list(scores),
+        "reason": reason,
+    }
+    replayed = [fixture_id] if kind is RulingKind.REPLAY else []
+    return _note(tournament, before, row, fixture.stage, replayed, cascade=cascade)
+
+
+def withdraw(tournament: OpenTournament, team: str, reason: str, *, cascade: bool = False) -> list[str]:
+    """Note that a team leaves the tournament; returns the fixtures of later stages that have to be played again.
+
+    Args:
+        tournament: the tournament; its store is open for writing.
+        team: id.
+        reason: in the organizer's words; it is published.
+        cascade: whether later stages that have begun may change.
+
+    Raises:
+        DiagnosticError: there is no such team, it has left already, or a later stage has begun.
+    """
+    before = tournament.state()
+    if team not in before.teams:
+        raise _wrong("unknown-team", f"there is no team '{team}'", _near(team, before.teams))
+    if before.teams[team].withdrawn:
+        raise _wrong("withdrawn-twice", f"'{team}' has withdrawn already", "")
+    row = {"kind": WITHDRAWN, "team": team, "last_rounds": before.last_rounds(team), "reason": _checked(reason)}
+    return _note(tournament, before, row, "", [], cascade=cascade)
+
+
+_SCORE_HELP = "give a score for each side, such as --score 2:1, or one number for what a team plays alone"
+
+
+def _note(
+    tournament: OpenTournament,
+    before: SeasonState,
+    row: Mapping[str, object],
+    stage: str,
+    replayed: Sequence[str],
+    *,
+    cascade: bool,
+) -> list[str]:
+    """Write a ruling, unless it changes who has come into a stage that has begun.
+
+    Args:
+        tournament: the tournament.
+        before: its state without the ruling.
+        row: the ruling.
+        stage: of the match; empty: of none.
+        replayed: fixtures of which what was played does not count any more.
+        cascade: whether later stages may change.
+    """
+    store = tournament.store
+    played = store.played()
+    for fixture in replayed:
+        played.pop(fixture, None)
+    after = tournament.state_with(row, played)
+    begun = {one.name: one for one in before.stages if any(fixture.id in before.outcomes for fixture in one.fixtures)}
+    later = later_stages(tournament.loaded, stage) if stage else list(tournament.loaded.tournament.stages)
+    lost = [
+        fixture.id
+        for name in later
+        if name in begun
+        for fixture in begun[name].fixtures
+        if fixture.id in before.outcomes and fixture.id not in after.outcomes
+    ]
+    if lost and not cascade:
+        fixture = lost[0]
+        raise stage_closed(f"the ruling changes who plays '{fixture}', which has been played already")
+    store.add_ruling(row, forget=[*replayed, *lost])
+    tournament.refresh()
+    return lost
+
+
+def _known(state: SeasonState, fixture_id: str) -> Fixture:
+    fixture = fixture_of(state, fixture_id)
+    if fixture is None:
+        names = [one.id for stage in state.stages for one in stage.fixtures]
+        raise _wrong("unknown-match", f"there is no match '{fixture_id}' (yet)", _near(fixture_id, names))
+    return fixture
+
+
+def _forfeited(tournament: OpenTournament, fixture: Fixture, loser: str) -> list[float]:
+    side = next((number for number, side in enumerate(fixture.sides) if loser in side.teams), None)
+    if side is None:
+        teams = [team for one in fixture.sides for team in one.teams]
+        raise _wrong("unknown-team", f"'{loser}' does not play in '{fixture.id}'", f"it is one of {', '.join(teams)}")
+    rule = tournament.loaded.tournament.withdrawn
+    lost, won = rule.lost if isinstance(rule, LostBy) else _LOST_BY
+    return [float(lost if number == side else won) for number in range(len(fixture.sides))]
+
+
+def _checked(reason: str) -> str:
+    reason = " ".join(reason.split())
+    if not reason or len(reason) > _MAX_REASON_LETTERS:
+        raise _wrong("ruling-reason", f"a ruling has a reason of 1 to {_MAX_REASON_LETTERS} letters", "--reason TEXT")
+    return reason
+
+
+def _near(name: str, names: Sequence[str] | Mapping[str, object]) -> str:
+    near = get_close_matches(name, list(names), 3, 0.3)
+    return f"did you mean {' or '.join(near)}?" if near else "'tournament plan FILE' lists all matches and teams"
+
+
+def _wrong(code: str, message: str, help_: str) -> DiagnosticError:
+    return DiagnosticError(Diagnostic(code, message, help_))

@@ -1,0 +1,264 @@
+"""Plays what is not played yet. It can be interrupted at any moment, and goes on where it was."""
+
+from __future__ import annotations
+
+import shutil
+import time
+from collections import deque
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Protocol
+
+from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.facts.errors import told_of
+from rcj_challenges.records.folder import when_free
+from rcj_challenges.tournament.executor import Executor, JobOutcome
+from rcj_challenges.tournament.fixtures import JobMaker, is_timed, outcome_of, summary_of
+from rcj_challenges.tournament.jobs import MatchJob, Workplace
+from rcj_challenges.tournament.opened import OpenTournament, sides_of
+from rcj_challenges.tournament.reconcile import has_whole_record
+from rcj_challenges.tournament.records import sizes
+from rcj_challenges.tournament.season import Fixture, Outcome, SeasonState
+from rcj_challenges.tournament.store.store import PlayedFixture
+
+_WAITING_PER_LANE = 1
+"""Jobs that wait in the executor, so that no lane is idle while a result is written."""
+_STATE_EVERY_S = 2.0
+_STATE_SHARE = 0.01
+"""Of the time at most, for tables that are only shown."""
+
+
+@dataclass(frozen=True)
+class Progress:
+    """How far a run is.
+
+    Attributes:
+        state: of the tournament; some of the newest outcomes may be missing in it.
+        done: matches with an outcome.
+        running: matches that are being played.
+        left: matches that have no outcome yet, as far as can be said.
+        left_s: how long that takes, in s; None if it cannot be said yet.
+    """
+
+    state: SeasonState
+    done: int
+    running: int
+    left: int
+    left_s: float | None
+
+
+class RunObserver(Protocol):
+    """Sees what a run does."""
+
+    def played(self, fixture: Fixture, outcome: Outcome, progress: Progress, *, is_doubtful: bool) -> None:
+        """A match has an outcome."""
+
+    def not_played(self, fixture: Fixture, complaint: str) -> None:
+        """A match could not be played, twice; it counts for nobody."""
+
+    def played_again(self, fixture: Fixture) -> None:
+        """A time limit decided something in a match, so it will be played once more, alone."""
+
+    def moment(self, progress: Progress) -> None:
+        """Nothing has happened for a moment."""
+
+
+@dataclass
+class _Task:
+    """A job in the executor.
+
+    Attributes:
+        job: the job.
+        fixtures: for which it counts.
+        first_digest: of the first attempt, if a time limit decided something in it.
+    """
+
+    job: MatchJob
+    fixtures: list[Fixture]
+    first_digest: str | None = None
+
+
+@dataclass
+class Runner:
+    """Plays a tournament.
+
+    Attributes:
+        tournament: the tournament; its store is open for writing.
+        jobs: makes jobs of fixtures.
+        executor: plays them.
+        observer: sees what is done.
+        clock_s: monotonic, for the remaining time.
+    """
+
+    tournament: OpenTournament
+    jobs: JobMaker
+    executor: Executor
+    observer: RunObserver
+    clock_s: Callable[[], float] = time.monotonic
+    _played: dict[str, PlayedFixture] = field(default_factory=dict)
+    _tasks: dict[str, _Task] = field(default_factory=dict)
+    _alone: deque[_Task] = field(default_factory=deque)
+    _open: deque[Fixture] = field(default_factory=deque)
+    _failed: set[str] = field(default_factory=set)
+    _walls_s: list[float] = field(default_factory=list)
+    _state_at_s: float = 0.0
+    _state_took_s: float = 0.0
+
+    def run(self) -> SeasonState:
+        """Play everything; returns the state at the end. Matches that could not be played have no outcome in it.
+
+        Raises:
+            DiagnosticError: this computer cannot go on; what was played until then is kept.
+            KeyboardInterrupt: it was interrupted; the same.
+        """
+        self._remove_left_overs()
+        self._played = self.tournament.store.played()
+        self._rows = self.tournament.store.jobs()
+        self._recompute()
+        try:
+            with self.executor:
+                self._play_all()
+        except OSError as error:
+            raise cannot_go_on(self._place.folder, told_of(error)) from error
+        return self._state
+
+    # --- the loop -----------------------------------------------------------------------------------------------------
+
+    def _play_all(self) -> None:
+        while True:
+            self._feed()
+            if not self._tasks:
+                if not self._recompute():
+                    return
+                continue
+            outcomes = self.executor.poll()
+            for outcome in outcomes:
+                self._take(outcome)
+            if outcomes and not self._open:
+                self._recompute()  # it may have been the match that the next round waited for
+            elif not outcomes:
+                self.observer.moment(self._progress())
+
+    def _feed(self) -> None:
+        """Give the executor work: matches side by side, and when all are over those that are to be played alone."""
+        room = self.executor.lanes * (1 + _WAITING_PER_LANE)
+        while self._open and len(self._tasks) < room:
+            fixture = self._open.popleft()
+            job = self.jobs.job_for(fixture)
+            task = self._tasks.get(job.id) or next((one for one in self._alone if one.job.id == job.id), None)
+            if task is not None:
+                task.fixtures.append(fixture)
+            else:
+                self._begin(_Task(job, [fixture]))
+        if not self._tasks and not self._open and self._alone:
+            self._submit(self._alone.popleft())
+
+    def _begin(self, task: _Task) -> None:
+        row = self._rows.get(task.job.id)
+        if row is not None and row.state == "suspect":
+            task.first_digest = row.summary["digest"]
+            self._alone.append(task)
+        elif row is not None and row.state == "played" and has_whole_record(row, self._place):
+            counts = [(fixture, outcome_of(fixture, row.summary)) for fixture in task.fixtures]
+            self.tournament.store.count_job(row, counts)
+            self._count(task, counts, is_doubtful=row.doubtful)
+        else:
+            self._submit(task)
+
+    def _submit(self, task: _Task) -> None:
+        self._tasks[task.job.id] = task
+        self.executor.submit(task.job)
+
+    def _take(self, outcome: JobOutcome) -> None:
+        task = self._tasks.pop(outcome.job.id)
+        if outcome.result is None or outcome.folder is None:
+            if outcome.of_host:
+                raise cannot_go_on(self._place.folder, outcome.complaint)
+            self._failed.update(fixture.id for fixture in task.fixtures)
+            self.tournament.store.keep_job(task.job, "failed", complaint=outcome.complaint)
+            for fixture in task.fixtures:
+                self.observer.not_played(fixture, outcome.complaint)
+            return
+        summary = summary_of(outcome.result)
+        if is_timed(outcome.result) and task.first_digest is None:
+            task.first_digest = summary["digest"]
+            self.tournament.store.keep_job(task.job, "suspect", summary=summary)
+            shutil.rmtree(outcome.folder, ignore_errors=True)
+            self._alone.append(task)
+            for fixture in task.fixtures:
+                self.observer.played_again(fixture)
+            return
+        is_doubtful = task.first_digest not in (None, summary["digest"])
+        keep_record(outcome.folder, self._place, task.job.id)
+        counts = [(fixture, outcome_of(fixture, outcome.result)) for fixture in task.fixtures]
+        self.tournament.store.keep_job(
+            task.job, "played", summary=summary, files=sizes(self._place.record_of(task.job.id)),
+            doubtful=is_doubtful, counts_for=counts,
+        )  # fmt: skip
+        self._walls_s.append(summary["wall_s"])
+        self._count(task, counts, is_doubtful=is_doubtful)
+
+    def _count(self, task: _Task, counts: list[tuple[Fixture, Outcome]], *, is_doubtful: bool) -> None:
+        for fixture, outcome in counts:
+            self._played[fixture.id] = PlayedFixture(task.job.id, sides_of(fixture), outcome)
+        for fixture, outcome in counts:
+            self.observer.played(fixture, outcome, self._progress(), is_doubtful=is_doubtful)
+
+    # --- the state ----------------------------------------------------------------------------------------------------
+
+    def _recompute(self) -> bool:
+        """Compute the state, and find what can be played now; returns whether there is anything."""
+        self._compute_state()
+        busy = {fixture.id for task in (*self._tasks.values(), *self._alone) for fixture in task.fixtures}
+        todo = (fixture for fixture in self._state.open_fixtures() if fixture.id not in busy | self._failed)
+        self._open = deque(todo)
+        return bool(self._open or self._alone)
+
+    def _compute_state(self) -> None:
+        began = self.clock_s()
+        self._state = self.tournament.state(self._played)
+        self._state_at_s = self.clock_s()
+        self._state_took_s = self._state_at_s - began
+
+    def _progress(self) -> Progress:
+        due_s = self._state_at_s + max(_STATE_EVERY_S, self._state_took_s / _STATE_SHARE)
+        if self.clock_s() >= due_s:
+            self._compute_state()
+        expected = sum(stage.expected_matches for stage in self._state.stages)
+        done = len(self._played.keys() | self._state.outcomes.keys())
+        running = min(len(self._tasks), self.executor.lanes)
+        left = max(expected - done, len(self._open) + len(self._tasks) + len(self._alone))
+        left_s = sum(self._walls_s) / len(self._walls_s) * left / self.executor.lanes if self._walls_s else None
+        return Progress(self._state, done, running, left, left_s)
+
+    # --- files --------------------------------------------------------------------------------------------------------
+
+    @property
+    def _place(self) -> Workplace:
+        return self.tournament.store.place
+
+    def _remove_left_overs(self) -> None:
+        with suppress(OSError):
+            shutil.rmtree(self._place.playing)
+
+
+def keep_record(folder: Path, place: Workplace, job_id: str) -> None:
+    """Move the record of a match that is over to its place; one that was there goes.
+
+    Raises:
+        OSError: it cannot be moved.
+    """
+    target = place.record_of(job_id)
+    if target.exists():
+        old = folder.with_name(f"{folder.name}.old")
+        when_free(lambda: target.rename(old))
+        shutil.rmtree(old, ignore_errors=True)
+    when_free(lambda: folder.rename(target))
+
+
+def cannot_go_on(folder: Path, said: str) -> DiagnosticError:
+    """Return the error for a computer that cannot go on; nothing that was played is lost."""
+    message = f"this computer cannot go on with the matches in {folder}: {said}"
+    return DiagnosticError(Diagnostic("cannot-go-on", message, "put that right and run again: it goes on where it was"))

@@ -1,0 +1,92 @@
+"""Plays matches again and compares digests: on the same kind of machine the same match gives the same digest."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from rcj_challenges.tournament.executor import Executor, JobOutcome
+from rcj_challenges.tournament.fixtures import is_timed
+from rcj_challenges.tournament.jobs import MatchJob
+
+Verdict = Literal["same", "differs", "not_comparable", "not_played"]
+
+
+@dataclass(frozen=True)
+class Verified:
+    """One match that was played again.
+
+    Attributes:
+        name: of the match: its fixture, or its record's folder.
+        verdict: what the comparison says.
+        reason: why it cannot be compared, or was not played; else empty.
+    """
+
+    name: str
+    verdict: Verdict
+    reason: str = ""
+
+
+@dataclass(frozen=True)
+class Recorded:
+    """A match to be verified.
+
+    Attributes:
+        name: of the match.
+        job: that is played again.
+        digest: that was recorded.
+        versions: on which it was played.
+        is_timed: whether a time limit decided something in it.
+    """
+
+    name: str
+    job: MatchJob
+    digest: str
+    versions: Mapping[str, str]
+    is_timed: bool
+
+
+def compare(recorded: Recorded, result: Mapping[str, Any]) -> Verified:
+    """Compare the result of a match that was played again with what was recorded."""
+    if result["digest"] == recorded.digest:
+        return Verified(recorded.name, "same")
+    other = [name for name, value in result["versions"].items() if recorded.versions.get(name) != value]
+    if other:
+        was = ", ".join(f"{name} {recorded.versions.get(name, 'unknown')}" for name in other)
+        return Verified(recorded.name, "not_comparable", f"it was played with {was}")
+    if recorded.is_timed or is_timed(result):
+        return Verified(recorded.name, "not_comparable", "a time limit decided something in it")
+    return Verified(recorded.name, "differs")
+
+
+def verify_all(
+    matches: Sequence[Recorded],
+    executor: Executor,
+    on_done: Callable[[Verified], None],
+    on_played: Callable[[Recorded, JobOutcome, Verified], None] | None = None,
+) -> list[Verified]:
+    """Play matches again and compare them, in the order in which they are done.
+
+    Args:
+        matches: no job twice.
+        executor: plays them.
+        on_done: called with each verdict.
+        on_played: called with each match that was played before its record is removed.
+    """
+    waiting = {one.job.id: one for one in matches}
+    verified: list[Verified] = []
+    with executor:
+        for one in matches:
+            executor.submit(one.job)
+        while waiting:
+            for outcome in executor.poll():
+                one = waiting.pop(outcome.job.id)
+                if outcome.result is None:
+                    verified.append(Verified(one.name, "not_played", outcome.complaint))
+                else:
+                    verified.append(compare(one, outcome.result))
+                if on_played is not None:
+                    on_played(one, outcome, verified[-1])
+                on_done(verified[-1])
+    return verified
