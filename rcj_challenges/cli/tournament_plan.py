@@ -21,10 +21,10 @@ from rcj_challenges.tournament.season import SeasonState
 from rcj_challenges.views.scoreboard import console_for
 
 _TRIAL_S = 20
-_BYTES_PER_S: dict[Records, float] = {"full": 21_000.0, "replay": 750.0, "result": 90.0}
-"""Of a record, for each simulated second of a match of six robots (measured: two halves of 600 s, seed 3)."""
-_BYTES_PER_MATCH: dict[Records, float] = {"full": 400_000.0, "replay": 350_000.0, "result": 50_000.0}
-"""What is in each record however short the match is: the scenario, and the replay page's own code."""
+_BYTES_PER_S: dict[Records, float] = {"full": 39_000.0, "replay": 600.0, "result": 60.0}
+"""Of a record, for each simulated second of a match of six robots (measured: two halves of 600 s)."""
+_BYTES_PER_MATCH: dict[Records, float] = {"full": 220_000.0, "replay": 220_000.0, "result": 45_000.0}
+"""What is in each record however short the match is: the scenario, and the code of the replay page."""
 
 
 @dataclass(frozen=True)

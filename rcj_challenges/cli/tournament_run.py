@@ -65,8 +65,8 @@ def run_tournament(tournament: OpenTournament, options: RunOptions) -> int:
     console = console_for()
     observer = observer_for(console, tournament, quiet=options.quiet)
     jobs = prepare(tournament, options, lanes, observer)
-    for fixture in reconcile(tournament, jobs, cascade=options.cascade):
-        observer.note(f"{fixture} is played again: a submission, the scenario or the seed has changed")
+    for fixture, reason in reconcile(tournament, jobs, cascade=options.cascade).items():
+        observer.note(f"{fixture} is played again: {reason}")
     executor: Executor = LocalExecutor(tournament.store.place, lanes)
     with observer:
         try:

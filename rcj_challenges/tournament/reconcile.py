@@ -14,8 +14,11 @@ from rcj_challenges.tournament.store.store import PlayedFixture
 from rcj_challenges.tournament.store.tables import JobRow
 
 
-def reconcile(tournament: OpenTournament, jobs: JobMaker, *, cascade: bool) -> list[str]:
-    """Let no match count that would be played otherwise today; returns the fixtures that are to be played again.
+def reconcile(tournament: OpenTournament, jobs: JobMaker, *, cascade: bool) -> dict[str, str]:
+    """Let no match count that would be played otherwise today, or has a damaged record.
+
+    Returns:
+        The fixtures that are to be played again, with the reason.
 
     Args:
         tournament: the tournament.
@@ -28,7 +31,7 @@ def reconcile(tournament: OpenTournament, jobs: JobMaker, *, cascade: bool) -> l
     store = tournament.store
     played = store.played()
     rows = store.jobs()
-    again: list[str] = []
+    again: dict[str, str] = {}
     while True:
         state = tournament.state(played)
         fixtures = [fixture for fixture in _known(state) if fixture.id in played]
@@ -38,8 +41,11 @@ def reconcile(tournament: OpenTournament, jobs: JobMaker, *, cascade: bool) -> l
         if not cascade:
             _refuse_if_closed(tournament, state, stale)
         for fixture in stale:
-            again.append(fixture.id)
+            again[fixture.id] = "a submission, the scenario, the seed or who plays has changed"
             del played[fixture.id]
+    for fixture in fixtures:
+        if not has_whole_record(rows[played[fixture.id].job_id], store.place):
+            again[fixture.id] = "its record is damaged"
     store.forget(again)
     return again
 

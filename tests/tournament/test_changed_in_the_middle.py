@@ -1,0 +1,126 @@
+"""Submissions, versions and files that change while a tournament goes on."""
+
+import json
+
+import pytest
+
+from rcj_challenges.facts.diagnostics import DiagnosticError
+from rcj_challenges.tournament.jobs import MatchJob
+from rcj_challenges.tournament.store.store import Store
+from rcj_challenges.tournament.store.tables import JobRow
+from tests.tournament.store_helpers import LEAGUE, FakeExecutor, Home
+
+GROUP_ONLY = LEAGUE.replace("  finals: {stage: knock_out, from: league, places: 1-2}\n", "")
+
+
+def code_of(error):
+    return error.value.diagnostics[0].code
+
+
+def test_a_replaced_team_plays_only_its_own_matches_again(tmp_path):
+    home = Home(tmp_path, GROUP_ONLY)
+    home.play()
+    home.hand_in("ada", "better")
+    _, executor = home.play()
+    assert len(executor.jobs) == 2
+    assert all("Team ada" in job.names.values() for job in executor.jobs)
+
+
+def test_each_match_says_which_submission_played_and_both_are_kept_with_the_time_they_came(tmp_path):
+    home = Home(tmp_path, GROUP_ONLY)
+    home.play()
+    home.hand_in("ada", "better")
+    home.play()
+    with home.opened(writing=False) as tournament:
+        came = [row for row in tournament.store.submissions() if row.team == "ada"]
+        played = {row.submissions["ada"] for row, _ in tournament.store.played_rows() if "ada" in row.submissions}
+        assert len(came) == 2
+        assert came[0].received_at < came[1].received_at
+        assert played == {came[1].archive}
+        assert all((tournament.store.place.submissions / row.file).is_file() for row in came)
+
+
+def test_the_former_submission_that_comes_back_plays_nothing_twice(tmp_path):
+    home = Home(tmp_path, GROUP_ONLY)
+    home.play()
+    before = home.tables()
+    home.hand_in("ada", "better")
+    home.play()
+    home.hand_in("ada")
+    assert home.play()[1].jobs == []
+    assert home.tables() == before
+
+
+def test_a_team_cannot_be_replaced_after_the_next_stage_has_begun(tmp_path):
+    home = Home(tmp_path)
+    home.play()
+    before = home.tables()
+    home.hand_in("ada", "better")
+    with pytest.raises(DiagnosticError) as error:
+        home.play()
+    assert code_of(error) == "stage-closed"
+    assert home.tables() == before
+
+
+def test_with_cascade_what_depends_on_a_replaced_team_is_played_again(tmp_path):
+    home, fresh = Home(tmp_path / "home"), Home(tmp_path / "fresh")
+    home.play()
+    for one in (home, fresh):
+        one.hand_in("ada", "better")
+    home.play(cascade=True)
+    fresh.play()
+    assert home.tables() == fresh.tables()
+
+
+def test_a_new_name_alone_plays_nothing_again(tmp_path):
+    home = Home(tmp_path, GROUP_ONLY)
+    home.play()
+    home.file.write_text(GROUP_ONLY + "teams: {ada: {name: Countess}}\n", encoding="utf-8")
+    assert home.play()[1].jobs == []
+    assert home.state().teams["ada"].name == "Countess"
+
+
+def test_matches_of_other_versions_are_neither_mixed_nor_thrown_away(tmp_path):
+    home = Home(tmp_path, GROUP_ONLY)
+    home.play()
+    with Store(home.data, writing=True) as store, store._session() as session:
+        for row in session.query(JobRow):
+            row.job = {**row.job, "versions": {**row.job["versions"], "mujoco": "3.9.9"}}
+            job = MatchJob.from_json(row.job)
+            session.execute(JobRow.__table__.update().where(JobRow.id == row.id).values(job=row.job))
+            assert job.id != row.id
+    home.hand_in("ada", "better")
+    with pytest.raises(DiagnosticError) as error:
+        home.play()
+    assert code_of(error) == "other-versions"
+    assert len(home.state().outcomes) == 3
+
+
+def test_a_file_of_the_data_that_is_damaged_is_named(tmp_path):
+    home = Home(tmp_path, GROUP_ONLY)
+    _, executor = home.play()
+    path = home.data / "scenarios" / f"{executor.jobs[0].scenario}.json"
+    scenario = json.loads(path.read_bytes())
+    path.write_text(json.dumps({**scenario, "title": "Another game"}), encoding="utf-8")
+    with home.opened(writing=False) as tournament, pytest.raises(DiagnosticError) as error:
+        tournament.store.place.load_scenario(executor.jobs[0].scenario)
+    assert code_of(error) == "data-file-missing"
+
+
+def test_teams_with_one_name_are_told_apart_and_hostile_names_are_made_safe(tmp_path):
+    home = Home(tmp_path, GROUP_ONLY, teams=())
+    for team, name in {"ada": "Robo", "bee": "ROBO", "cid": "\u202egnp\u202c \x1b[2J🤖", "dee": "מתמטיקה"}.items():
+        home.hand_in(team, name=name)
+    home.play()
+    names = {team: one.name for team, one in home.state().teams.items()}
+    assert names == {"ada": "Robo (ada)", "bee": "ROBO (bee)", "cid": "gnp [2J🤖", "dee": "מתמטיקה"}
+
+
+def test_the_address_of_a_job_does_not_depend_on_names_and_records(tmp_path):
+    home = Home(tmp_path, GROUP_ONLY)
+    _, executor = home.play(executor=FakeExecutor(None))
+    job = executor.jobs[0]
+    data = job.to_json()
+    assert MatchJob.from_json(json.loads(json.dumps(data))).id == job.id
+    assert MatchJob.from_json({**data, "names": {"blue": "x", "yellow": "y"}, "records": "full"}).id == job.id
+    assert MatchJob.from_json({**data, "seed": job.seed + 1}).id != job.id
