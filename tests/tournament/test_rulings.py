@@ -1,0 +1,145 @@
+"""What a human referee decides."""
+
+import pytest
+
+from rcj_challenges.facts.diagnostics import DiagnosticError
+from rcj_challenges.tournament.played import RulingKind
+from rcj_challenges.tournament.reading import read_played
+from rcj_challenges.tournament.rulings import decide, withdraw
+from rcj_challenges.tournament.season import Ruled, Status
+from tests.tournament.store_helpers import Home
+
+CHALLENGE = """
+tournament_version: 1
+title: Test challenge
+seed: 7
+teams_folder: teams
+stages:
+  shots: {stage: challenge, scenarios: {shooter: {scenario: fast_shooter}}}
+"""
+
+
+def code_of(error):
+    return error.value.diagnostics[0].code
+
+
+def rule(home, number, kind, reason="as the referee saw it", **more):
+    """Decide on a match of the league, by its number; returns its id."""
+    fixture = home.state().stages[0].fixtures[number]
+    with home.opened() as tournament:
+        decide(tournament, fixture.id, kind, reason, **more)
+    return fixture
+
+
+def test_a_corrected_score_counts_and_says_why(tmp_path):
+    home = Home(tmp_path)
+    fixture = rule(home, 0, RulingKind.CORRECTED, scores=[9, 1])
+    outcome = home.state().outcomes[fixture.id]
+    assert (outcome.scores, outcome.ruled, outcome.reason) == ((9, 1), Ruled.CORRECTED, "as the referee saw it")
+    assert len(home.play()[1].jobs) == 3, "what is decided is not played"
+
+
+def test_who_forfeits_loses_by_three_goals(tmp_path):
+    home = Home(tmp_path)
+    loser = home.state().stages[0].fixtures[0].sides[1].teams[0]
+    fixture = rule(home, 0, RulingKind.FORFEIT, loser=loser)
+    assert home.state().outcomes[fixture.id].scores == (3, 0)
+    assert home.state().outcomes[fixture.id].ruled is Ruled.FORFEIT
+
+
+def test_who_forfeits_what_is_played_alone_comes_last(tmp_path):
+    home = Home(tmp_path, CHALLENGE)
+    fixtures = home.state().stages[0].fixtures
+    for number, fixture in enumerate(fixtures[1:], start=1):
+        rule(home, number, RulingKind.CORRECTED, scores=[0.0])
+    rule(home, 0, RulingKind.FORFEIT, loser=fixtures[0].sides[0].teams[0])
+    table = home.state().stages[0].tables[-1]
+    assert table.rows[-1].team == fixtures[0].sides[0].teams[0]
+
+
+def test_a_replay_is_played_with_another_seed_and_the_first_record_stays(tmp_path):
+    home = Home(tmp_path)
+    with pytest.raises(DiagnosticError) as error:
+        rule(home, 0, RulingKind.REPLAY)
+    assert code_of(error) == "not-played"
+    first = home.play()[1].jobs[0]
+    fixture = rule(home, 0, RulingKind.REPLAY, cascade=True)
+    assert fixture.id not in home.state().outcomes
+    again = home.play()[1].jobs[0]
+    assert again.seats == first.seats
+    assert again.seed != first.seed
+    assert (home.data / "records" / first.id).is_dir()
+    assert home.play()[1].jobs == []
+
+
+def test_rulings_are_kept_for_ever_and_the_last_one_holds(tmp_path):
+    home = Home(tmp_path)
+    fixture = rule(home, 0, RulingKind.CORRECTED, scores=[9, 1])
+    rule(home, 0, RulingKind.CORRECTED, "a second look", scores=[1, 9])
+    with home.opened(writing=False) as tournament:
+        match = read_played(tournament.store).matches[fixture.id]
+    assert [(one.scores, one.reason) for one in match.rulings] == [
+        ((9, 1), "as the referee saw it"), ((1, 9), "a second look"),
+    ]  # fmt: skip
+    assert (match.record, dict(match.result), match.played_at) == (None, {}, None)
+    assert home.state().outcomes[fixture.id].scores == (1, 9)
+
+
+def advancing(home):
+    return set(home.state().stages[1].teams)
+
+
+def ruling_that_changes_who_advances(home):
+    """Return the number of a league match and scores by which another team advances."""
+    before, league = advancing(home), home.state().stages[0]
+    left_out = next(team for team in home.state().teams if team not in before)
+    numbers = [n for n, one in enumerate(league.fixtures) if any(left_out in side.teams for side in one.sides)]
+    scores = [[50, 0] if left_out in league.fixtures[n].sides[0].teams else [0, 50] for n in numbers]
+    return list(zip(numbers, scores, strict=True))
+
+
+def test_a_ruling_that_changes_who_advanced_is_refused_after_the_next_stage_began_unless_it_cascades(tmp_path):
+    home = Home(tmp_path)
+    home.play()
+    before = home.tables()
+    changes = ruling_that_changes_who_advances(home)
+    with pytest.raises(DiagnosticError) as error:
+        for number, scores in changes:
+            rule(home, number, RulingKind.CORRECTED, scores=scores)
+    assert code_of(error) == "stage-closed"
+    assert home.tables()[0][1] == before[0][1], "the final stands"
+    for number, scores in changes:
+        rule(home, number, RulingKind.CORRECTED, scores=scores, cascade=True)
+    assert home.state().stages[1].status is not Status.FINISHED
+    assert len(home.play()[1].jobs) == 1, "the final alone is played again"
+    assert home.state().stages[1].status is Status.FINISHED
+
+
+def test_a_team_that_withdraws_is_marked_and_plays_no_more(tmp_path):
+    home = Home(tmp_path)
+    with home.opened() as tournament:
+        withdraw(tournament, "bee", "the robots are broken")
+    assert home.state().teams["bee"].withdrawn
+    _, executor = home.play()
+    assert not any("Team bee" in job.names.values() for job in executor.jobs)
+    with home.opened() as tournament, pytest.raises(DiagnosticError) as error:
+        withdraw(tournament, "bee", "once more")
+    assert code_of(error) == "withdrawn-twice"
+
+
+@pytest.mark.parametrize(
+    ("given", "code"),
+    [
+        ({"fixture_id": "league/round1/nobody", "kind": RulingKind.REPLAY}, "unknown-match"),
+        ({"kind": RulingKind.FORFEIT, "loser": "dee"}, "unknown-team"),
+        ({"kind": RulingKind.CORRECTED, "scores": [1]}, "ruling-score"),
+        ({"kind": RulingKind.CORRECTED, "scores": [1, 2], "reason": "  "}, "ruling-reason"),
+    ],
+)
+def test_a_ruling_that_cannot_be_made_changes_nothing(tmp_path, given, code):
+    home = Home(tmp_path)
+    fixture = home.state().stages[0].fixtures[0]
+    with home.opened() as tournament, pytest.raises(DiagnosticError) as error:
+        decide(tournament, **{"fixture_id": fixture.id, "reason": "because", **given})
+    assert code_of(error) == code
+    assert home.state().outcomes == {}
