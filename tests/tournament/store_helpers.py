@@ -35,13 +35,14 @@ class Home:
 
     def __init__(self, folder, text=LEAGUE, teams=("ada", "bee", "cid")):
         self.folder = folder
-        folder.mkdir(exist_ok=True)
         self.file = folder / "league.yaml"
-        self.file.write_text(text, encoding="utf-8")
         self.teams = folder / "teams"
-        for team in teams:
-            self.hand_in(team)
         self.data = folder / "data"
+        if not self.file.exists():
+            folder.mkdir(exist_ok=True)
+            self.file.write_text(text, encoding="utf-8")
+            for team in teams:
+                self.hand_in(team)
 
     def hand_in(self, team, word="", name=None):
         """Let a team hand in the sample team's programs, with a word of its own in them."""
