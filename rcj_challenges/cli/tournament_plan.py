@@ -15,15 +15,14 @@ from rcj_challenges.cli.tournament_tables import team_words
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.match.batch import Job, play_many
-from rcj_challenges.tournament.models import Records
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.season import SeasonState
 from rcj_challenges.views.scoreboard import console_for
 
 _TRIAL_S = 20
-_BYTES_PER_S: dict[Records, float] = {"full": 39_000.0, "replay": 600.0, "result": 60.0}
+_BYTES_PER_S: dict[str, float] = {"full": 39_000.0, "replay": 600.0, "result": 60.0}
 """Of a record, for each simulated second of a match of six robots (measured: two halves of 600 s)."""
-_BYTES_PER_MATCH: dict[Records, float] = {"full": 220_000.0, "replay": 220_000.0, "result": 45_000.0}
+_BYTES_PER_MATCH: dict[str, float] = {"full": 220_000.0, "replay": 220_000.0, "result": 45_000.0}
 """What is in each record however short the match is: the scenario, and the code of the replay page."""
 
 
@@ -76,7 +75,7 @@ def estimate(tournament: OpenTournament, state: SeasonState) -> Cost:
         known = [infos[fixture.scenario, fixture.overrides].duration_s for fixture in stage.fixtures]
         mean_s = sum(known) / len(known) if known else _mean_s(tournament)
         left = max(0, stage.expected_matches - sum(fixture.id in state.outcomes for fixture in stage.fixtures))
-        records = tournament.loaded.tournament.stages[stage.name].records or tournament.loaded.tournament.records
+        records = tournament.loaded.records(stage.name)
         simulated_s += left * mean_s
         disk_bytes += left * (_BYTES_PER_MATCH[records] + mean_s * _BYTES_PER_S[records])
     factor = _real_time_factor(tournament)

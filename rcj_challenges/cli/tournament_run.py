@@ -97,26 +97,24 @@ def prepare(tournament: OpenTournament, options: RunOptions, lanes: int, observe
     staying = [entry for entry in loaded.entries.values() if not season.teams[entry.id].withdrawn]
     handed = take_submissions(staying, tournament.store)
     tournament.refresh()
-    jobs = JobMaker(tournament, handed | _earlier(tournament, handed), options.sandbox)
-    scenarios = dict(jobs.scenario(use.source, use.overrides) for use in loaded.scenarios)
-    failures = check_submissions(
-        handed, scenarios, tournament.store, jobs=lanes, sandbox=options.sandbox, observer=observer
-    )
-    refused = [one for one in failures if one.team not in options.accepted or one.unchecked]
+    jobs = JobMaker(tournament, _earlier(tournament) | handed, options.sandbox)
+    tasks = jobs.check_tasks(handed)
+    failures = check_submissions(tasks, tournament.store, jobs=lanes, sandbox=options.sandbox, observer=observer)
+    refused = [one for one in failures if one.team not in options.accepted or one.is_unchecked]
     if refused:
         raise SubmissionsFailError(*map(_diagnostic, refused))
     return jobs
 
 
-def _earlier(tournament: OpenTournament, handed: dict[str, Handed]) -> dict[str, Handed]:
-    """Return the last submissions of teams that have left: what they played stays comparable."""
+def _earlier(tournament: OpenTournament) -> dict[tuple[str, str], Handed]:
+    """Return the last submissions of all teams: of those that have left, what they played stays comparable."""
     rows = tournament.store.current_submissions()
-    return {team: Handed(team, row.archive, row.file, row.name) for team, row in rows.items() if team not in handed}
+    return {key: Handed(*key, row.archive, row.file, row.name) for key, row in rows.items()}
 
 
 def _diagnostic(failure: Failure) -> Diagnostic:
     messages = "; ".join(failure.messages) or "nothing is known about it"
-    if failure.unchecked:
+    if failure.is_unchecked:
         message = f"the submission of {failure.team} could not be checked for '{failure.scenario}': {messages}"
         return Diagnostic("submission-unchecked", message, "run the command again")
     message = f"the submission of {failure.team} fails the check for '{failure.scenario}': {messages}"

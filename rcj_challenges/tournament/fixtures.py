@@ -10,21 +10,22 @@ from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.records.result import versions
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.tournament.jobs import MatchJob, Program, Workplace, entrants_of
-from rcj_challenges.tournament.models import Records
+from rcj_challenges.tournament.models import Challenge
 from rcj_challenges.tournament.opened import OpenTournament
+from rcj_challenges.tournament.scenarios import ScenarioNames, ScenarioUse
 from rcj_challenges.tournament.season import Fixture, Outcome
-from rcj_challenges.tournament.submissions import Handed
+from rcj_challenges.tournament.submissions import CheckTask, Handed, Submissions, purpose_of
 
 
 class JobMaker:
     """Makes the jobs of a tournament's fixtures."""
 
-    def __init__(self, tournament: OpenTournament, handed: Mapping[str, Handed], sandbox: str) -> None:
+    def __init__(self, tournament: OpenTournament, handed: Submissions, sandbox: str) -> None:
         """Prepare it.
 
         Args:
             tournament: the tournament.
-            handed: the submission of each team that plays.
+            handed: the submissions of all teams that play or have played.
             sandbox: how programs are isolated.
         """
         self._tournament = tournament
@@ -45,20 +46,15 @@ class JobMaker:
         return MatchJob(
             scenario=scenario,
             seats={
-                side.seat: tuple(self._program(team, side.seat, loaded) for team in side.teams)
+                side.seat: tuple(self._program(fixture, team, side.seat, loaded) for team in side.teams)
                 for side in fixture.sides
             },
             names={side.seat: " + ".join(teams[team].name for team in side.teams) for side in fixture.sides},
             seed=self._tournament.seed_of(fixture),
             versions=self._versions,
-            records=self.records_of(fixture.stage),
+            records=self._tournament.loaded.records(fixture.stage),
             sandbox=self._sandbox,
         )
-
-    def records_of(self, stage: str) -> Records:
-        """Return what is kept of the records of a stage."""
-        tournament = self._tournament.loaded.tournament
-        return tournament.stages[stage].records or tournament.records
 
     def scenario(self, source: str, overrides: Sequence[str]) -> tuple[str, Loaded]:
         """Return a scenario and its hash; jobs find it by that.
@@ -72,12 +68,44 @@ class JobMaker:
             self._scenarios[key] = (self._place.keep_scenario(loaded), loaded)
         return self._scenarios[key]
 
+    def check_tasks(self, handed: Submissions) -> list[CheckTask]:
+        """Return what is to be checked: each submission once for each scenario that it will play.
+
+        Settings such as the length of a half make no other check: the first ones of each scenario are taken.
+        """
+        loaded = self._tournament.loaded
+        names = ScenarioNames(loaded.tournament, loaded.path.parent)
+        tasks: dict[tuple[str, str], CheckTask] = {}
+        alone: set[ScenarioUse] = set()
+        for name, stage in loaded.tournament.stages.items():
+            for key, one in stage.scenarios.items() if isinstance(stage, Challenge) else ():
+                use = names.use(one.scenario, one.set)
+                alone.add(use)
+                part = [
+                    handed[entry.id, purpose_of(entry, name, key)]
+                    for entry in loaded.entries.values()
+                    if entry.submission(name, key) is not None and (entry.id, "") in handed
+                ]
+                self._add_task(tasks, use, f"{name}/{key}", part)
+        of_matches = [one for (_, purpose), one in handed.items() if not purpose]
+        for use in loaded.scenarios:
+            if use not in alone:
+                self._add_task(tasks, use, "", of_matches)
+        return list(tasks.values())
+
+    def _add_task(
+        self, tasks: dict[tuple[str, str], CheckTask], use: ScenarioUse, purpose: str, handed: Sequence[Handed]
+    ) -> None:
+        if handed and (use.source, purpose) not in tasks:
+            tasks[use.source, purpose] = CheckTask(*self.scenario(use.source, use.overrides), tuple(handed))
+
     @property
     def _place(self) -> Workplace:
         return self._tournament.store.place
 
-    def _program(self, team: str, seat: str, loaded: Loaded) -> Program:
-        one = self._handed[team]
+    def _program(self, fixture: Fixture, team: str, seat: str, loaded: Loaded) -> Program:
+        entry = self._tournament.loaded.entries[team]
+        one = self._handed[team, purpose_of(entry, fixture.stage, fixture.group)]
         entrants = entrants_of(seat, loaded.scenario)
         key = (one.archive, repr([entrant.robots for entrant in entrants]))
         if key not in self._digests:

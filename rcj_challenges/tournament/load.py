@@ -22,7 +22,7 @@ from rcj_challenges.tournament.checks import check
 from rcj_challenges.tournament.entries import TeamEntry, TeamLists
 from rcj_challenges.tournament.errors import TournamentFileError, problem_at
 from rcj_challenges.tournament.explain import explain
-from rcj_challenges.tournament.models import Challenge, Tournament
+from rcj_challenges.tournament.models import Challenge, Records, Tournament
 from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo, ScenarioNames, ScenarioUse, scenario_uses
 from rcj_challenges.tournament.season import Fixture, Team
 
@@ -54,7 +54,7 @@ class LoadedTournament:
         entry = self.entries[team]
         return entry.submission(fixture.stage, fixture.group) or entry.source
 
-    def records(self, stage: str) -> str:
+    def records(self, stage: str) -> Records:
         """Return what is kept of the matches of a stage: ``full``, ``replay`` or ``result``."""
         return self.tournament.stages[stage].records or self.tournament.records
 

@@ -6,7 +6,7 @@ import hashlib
 import io
 import zipfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Protocol
 
@@ -32,50 +32,64 @@ _EPOCH = (1980, 1, 1, 0, 0, 0)
 
 @dataclass(frozen=True)
 class Handed:
-    """The submission of a team, as it is now.
+    """A submission of a team, as it is now.
 
     Attributes:
         team: id.
+        purpose: ``stage/challenge`` if it is for this challenge alone; else empty.
         archive: SHA-256 of its file.
         file: that file's path in the folder of submissions.
         name: what the team calls itself; safe to show.
     """
 
     team: str
+    purpose: str
     archive: str
     file: str
     name: str
 
 
-def take_submissions(entries: Iterable[TeamEntry], store: Store) -> dict[str, Handed]:
+Submissions = Mapping[tuple[str, str], Handed]
+"""By team and purpose."""
+
+
+def purpose_of(entry: TeamEntry, stage: str, challenge: str) -> str:
+    """Return for which purpose the submission was handed in with which a team plays a fixture."""
+    return f"{stage}/{challenge}" if entry.challenges.get((stage, challenge)) is not None else ""
+
+
+def take_submissions(entries: Iterable[TeamEntry], store: Store) -> dict[tuple[str, str], Handed]:
     """Keep a copy of what each team hands in now, and note what is new.
 
     Raises:
         DiagnosticError: some cannot be read, or the copies cannot be written.
     """
     before = store.current_submissions()
-    handed: dict[str, Handed] = {}
+    handed: dict[tuple[str, str], Handed] = {}
     problems: list[Diagnostic] = []
     for entry in entries:
-        try:
-            handed[entry.id] = _take(entry, store.place.submissions)
-        except (OSError, TeamError) as error:
-            message = f"the submission of {entry.id} cannot be read: {told_of(error)}"
-            problems.append(Diagnostic("submission-unreadable", message, _REPLACE, InFile(str(entry.source))))
+        sources = {purpose_of(entry, *key): source for key, source in entry.challenges.items() if source is not None}
+        for purpose, source in {"": entry.source, **sources}.items():
+            try:
+                handed[entry.id, purpose] = _take(entry.id, purpose, source, store.place.submissions)
+            except (OSError, TeamError) as error:
+                message = f"the submission of {entry.id} cannot be read: {told_of(error)}"
+                problems.append(Diagnostic("submission-unreadable", message, _REPLACE, InFile(str(source))))
     if problems:
         raise DiagnosticError(*problems)
-    for team, one in handed.items():
-        if team not in before or before[team].archive != one.archive:
-            store.add_submission(team, one.archive, one.file, one.name)
+    for key, one in handed.items():
+        if key not in before or before[key].archive != one.archive:
+            store.add_submission(**asdict(one))
     return handed
 
 
 _REPLACE = "replace it; or take the team out of the tournament with 'tournament decide FILE --withdraw TEAM'"
 
 
-def _take(entry: TeamEntry, folder: Path) -> Handed:
-    archive, path = keep_submission(entry.source, folder)
-    return Handed(entry.id, archive, path.relative_to(folder).as_posix(), _own_name(entry, path))
+def _take(team: str, purpose: str, source: Path, folder: Path) -> Handed:
+    archive, path = keep_submission(source, folder)
+    name = opening_of(path, read_contents(path)).name
+    return Handed(team, purpose, archive, path.relative_to(folder).as_posix(), name.text if name.given else team)
 
 
 def keep_submission(source: Path, folder: Path) -> tuple[str, Path]:
@@ -99,12 +113,6 @@ def keep_submission(source: Path, folder: Path) -> tuple[str, Path]:
         with replaced(path) as file:
             file.write(content)
     return archive, path
-
-
-def _own_name(entry: TeamEntry, path: Path) -> str:
-    """Return what a team calls itself in its submission; else its id."""
-    name = opening_of(path, read_contents(path)).name
-    return name.text if name.given else entry.id
 
 
 def _bytes_of(path: Path) -> bytes:
@@ -143,53 +151,62 @@ class Failure:
         team: id.
         scenario: title of the scenario that it was checked for.
         messages: what failed.
-        unchecked: whether it could not be checked, by no fault of its own.
+        is_unchecked: whether it could not be checked, by no fault of its own.
     """
 
     team: str
     scenario: str
     messages: tuple[str, ...]
-    unchecked: bool
+    is_unchecked: bool
+
+
+@dataclass(frozen=True)
+class CheckTask:
+    """Submissions that are to be checked for a scenario.
+
+    Attributes:
+        scenario: its hash.
+        loaded: the scenario.
+        handed: the submissions.
+    """
+
+    scenario: str
+    loaded: Loaded
+    handed: tuple[Handed, ...]
 
 
 def check_submissions(
-    handed: Mapping[str, Handed],
-    scenarios: Mapping[str, Loaded],
-    store: Store,
-    *,
-    jobs: int,
-    sandbox: str,
-    observer: CheckObserver,
+    tasks: Iterable[CheckTask], store: Store, *, jobs: int, sandbox: str, observer: CheckObserver
 ) -> list[Failure]:
     """Check all submissions that were not checked before; return those that do not pass.
 
     Args:
-        handed: submissions by team.
-        scenarios: that they are for, by hash.
+        tasks: what is to be checked.
         store: remembers the verdicts.
         jobs: how many checks at a time.
         sandbox: how programs are isolated.
         observer: sees each check as it is done.
     """
     failures: list[Failure] = []
-    for scenario, loaded in scenarios.items():
+    for task in tasks:
         known = store.checks()
-        todo = list({one.archive: one for one in handed.values() if (one.archive, scenario) not in known}.values())
+        todo = list({one.archive: one for one in task.handed if (one.archive, task.scenario) not in known}.values())
         if todo:
-            on_done = _noting(todo, scenario, loaded, store, observer)
+            on_done = _noting(todo, task, store, observer)
             paths = [store.place.submissions / one.file for one in todo]
-            check_many(paths, loaded, CheckOptions(sandbox=sandbox), jobs, on_done)
+            check_many(paths, task.loaded, CheckOptions(sandbox=sandbox), jobs, on_done)
         known = store.checks()
-        for one in handed.values():
-            row = known.get((one.archive, scenario))
+        for one in task.handed:
+            row = known.get((one.archive, task.scenario))
             level, messages = ("unchecked", ()) if row is None else (row.level, tuple(row.findings))
             if level in ("failure", "unchecked"):
-                failures.append(Failure(one.team, loaded.scenario.title, messages, level == "unchecked"))
+                title = task.loaded.scenario.title
+                failures.append(Failure(one.team, title, messages, is_unchecked=level == "unchecked"))
     return failures
 
 
 def _noting(
-    todo: Sequence[Handed], scenario: str, loaded: Loaded, store: Store, observer: CheckObserver
+    todo: Sequence[Handed], task: CheckTask, store: Store, observer: CheckObserver
 ) -> Callable[[FileReport], None]:
     """Return what is to be done with each report: note the verdict, and keep the report for the team."""
     by_file = {Path(one.file).name: one for one in todo}
@@ -203,19 +220,20 @@ def _noting(
             finding.message for stage in report.stages for finding in stage.findings if finding.level == "failure"
         ]
         if report.level != "unchecked":  # of what could not be checked nothing is known: next time it is tried again
-            _keep_report(report, one, scenario, loaded, store)
-            store.add_check(one.archive, scenario, report.level, messages)
+            _keep_report(report, one, task, store)
+            store.add_check(one.archive, task.scenario, report.level, messages)
         observer.checked(one.team, report.level, count, len(todo))
 
     return on_done
 
 
-def _keep_report(report: FileReport, one: Handed, scenario: str, loaded: Loaded, store: Store) -> None:
+def _keep_report(report: FileReport, one: Handed, task: CheckTask, store: Store) -> None:
     folder = store.place.report_folder(one.archive)
     folder.mkdir(parents=True, exist_ok=True)
     named = report.model_copy(update={"file": f"{one.team}{Path(one.file).suffix}"})
-    whole = check_report(loaded.scenario.id, loaded.scenario.title, "auto", [named], [])
-    stem = f"{loaded.scenario.id}-{scenario[:8]}"
+    scenario = task.loaded.scenario
+    whole = check_report(scenario.id, scenario.title, "auto", [named], [])
+    stem = f"{scenario.id}-{task.scenario[:8]}"
     with replaced(folder / f"{stem}.json") as file:
         file.write(json_line(whole.model_dump(mode="json")))
     write_page(folder / f"{stem}.html", html_page(whole, folder))

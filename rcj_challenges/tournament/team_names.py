@@ -10,14 +10,16 @@ from rcj_challenges.tournament.entries import TeamEntry
 from rcj_challenges.tournament.store.tables import SubmissionRow
 
 
-def display_names(entries: Mapping[str, TeamEntry], submissions: Mapping[str, SubmissionRow]) -> dict[str, str]:
+def display_names(
+    entries: Mapping[str, TeamEntry], submissions: Mapping[tuple[str, str], SubmissionRow]
+) -> dict[str, str]:
     """Return what each team is called: as the file says, else as its submission, else its id.
 
     Names that are equal without regard to case are followed by the team's id.
     """
     names = {}
     for team, entry in entries.items():
-        own = submissions[team].name if team in submissions else ""
-        names[team] = safe_name(entry.name or own) or team
+        row = submissions.get((team, ""))
+        names[team] = safe_name(entry.name or (row.name if row is not None else "")) or team
     counts = Counter(name.casefold() for name in names.values())
     return {team: name if counts[name.casefold()] == 1 else f"{name} ({team})" for team, name in names.items()}

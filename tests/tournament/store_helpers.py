@@ -137,7 +137,9 @@ class FakeExecutor:
         if end in ("died", "host"):
             return JobOutcome(job, None, complaint=f"it {end}", of_host=end == "host")
         score = goals_of(job, "other" if end.startswith("other") else "")
-        faults = [{"robot": "B1", "team": "blue", "kind": "step_timeout", "detail": "", "half": 1}] if "timed" in end else []
+        faults = (
+            [{"robot": "B1", "team": "blue", "kind": "step_timeout", "detail": "", "half": 1}] if "timed" in end else []
+        )
         result = {
             "score": score,
             "ranking": [{"team": seat, "place": 1, "values": [points]} for seat, points in score.items()],

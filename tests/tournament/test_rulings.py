@@ -50,7 +50,7 @@ def test_who_forfeits_loses_by_three_goals(tmp_path):
 def test_who_forfeits_what_is_played_alone_comes_last(tmp_path):
     home = Home(tmp_path, CHALLENGE)
     fixtures = home.state().stages[0].fixtures
-    for number, fixture in enumerate(fixtures[1:], start=1):
+    for number in range(1, len(fixtures)):
         rule(home, number, RulingKind.CORRECTED, scores=[0.0])
     rule(home, 0, RulingKind.FORFEIT, loser=fixtures[0].sides[0].teams[0])
     table = home.state().stages[0].tables[-1]
@@ -98,18 +98,21 @@ def ruling_that_changes_who_advances(home):
     return list(zip(numbers, scores, strict=True))
 
 
+def rule_all(home, changes, **more):
+    for number, scores in changes:
+        rule(home, number, RulingKind.CORRECTED, scores=scores, **more)
+
+
 def test_a_ruling_that_changes_who_advanced_is_refused_after_the_next_stage_began_unless_it_cascades(tmp_path):
     home = Home(tmp_path)
     home.play()
     before = home.tables()
     changes = ruling_that_changes_who_advances(home)
     with pytest.raises(DiagnosticError) as error:
-        for number, scores in changes:
-            rule(home, number, RulingKind.CORRECTED, scores=scores)
+        rule_all(home, changes)
     assert code_of(error) == "stage-closed"
     assert home.tables()[0][1] == before[0][1], "the final stands"
-    for number, scores in changes:
-        rule(home, number, RulingKind.CORRECTED, scores=scores, cascade=True)
+    rule_all(home, changes, cascade=True)
     assert home.state().stages[1].status is not Status.FINISHED
     assert len(home.play()[1].jobs) == 1, "the final alone is played again"
     assert home.state().stages[1].status is Status.FINISHED

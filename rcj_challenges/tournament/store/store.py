@@ -97,19 +97,19 @@ class Store:
 
     # --- submissions --------------------------------------------------------------------------------------------------
 
-    def add_submission(self, team: str, archive: str, file: str, name: str) -> None:
-        """Note that a team has handed in something else than before."""
+    def add_submission(self, **columns: str) -> None:
+        """Note that a team has handed in something else than before; the columns are those of `SubmissionRow`."""
         with self._session() as session:
-            session.add(SubmissionRow(team=team, archive=archive, file=file, name=name, received_at=self._now()))
+            session.add(SubmissionRow(**columns, received_at=self._now()))
 
     def submissions(self) -> list[SubmissionRow]:
         """Return all submissions, oldest first."""
         with self._session() as session:
             return list(session.scalars(select(SubmissionRow).order_by(SubmissionRow.id)))
 
-    def current_submissions(self) -> dict[str, SubmissionRow]:
-        """Return the newest submission of each team."""
-        return {row.team: row for row in self.submissions()}
+    def current_submissions(self) -> dict[tuple[str, str], SubmissionRow]:
+        """Return the newest submissions by team and purpose."""
+        return {(row.team, row.purpose): row for row in self.submissions()}
 
     def add_check(self, archive: str, scenario: str, level: str, findings: list[Any]) -> None:
         """Note the verdict of a check."""

@@ -47,11 +47,13 @@ class MetaRow(Base):
 
 
 class SubmissionRow(Base):
-    """One submission of one team, when it came. The newest of a team is the one that plays."""
+    """One submission of one team, when it came. The newest of a team for a purpose is the one that plays."""
 
     __tablename__ = "submission"
     id: Mapped[int] = mapped_column(primary_key=True)
-    team: Mapped[str] = mapped_column(index=True)
+    team: Mapped[str]
+    purpose: Mapped[str]
+    """``stage/challenge`` if it is for this challenge alone; else empty."""
     archive: Mapped[str]
     """SHA-256 of its file."""
     file: Mapped[str]
