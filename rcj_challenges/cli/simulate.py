@@ -6,7 +6,7 @@ import os
 import statistics
 import time
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -60,21 +60,23 @@ def simulate(options: SimulateOptions) -> int:
         RcjError: wrong input, so that none was played.
     """
     try:
-        loaded, jobs = _prepared(options)
+        loaded, jobs, known = _prepared(options)
     except KeyboardInterrupt as error:
         raise KeyboardInterrupt("no match had begun, and nothing is recorded") from error
     from rcj_challenges.match.batch import play_many
     from rcj_challenges.views.scoreboard import console_for
 
     rank = loaded.scenario.result.rank
-    progress = _Progress(console_for(to_stderr=True), len(jobs), quiet=options.quiet or options.json)
+    progress = _Progress(console_for(to_stderr=True), len(jobs), known, quiet=options.quiet or options.json)
+    todo = [job for job in jobs if job.seed not in known]
     try:
-        outcomes = play_many(jobs, options.at_once or os.cpu_count() or 1, progress.done)
+        played = {one.job.seed: one for one in play_many(todo, options.at_once or os.cpu_count() or 1, progress.done)}
     except KeyboardInterrupt as error:
         if progress.outcomes or options.json:
             _report(progress.outcomes, rank, options)
-        played = sum(outcome.result is not None for outcome in progress.outcomes)
-        raise KeyboardInterrupt(f"{played} of {len(jobs)} matches were played to their end") from error
+        count = sum(outcome.result is not None for outcome in progress.outcomes)
+        raise KeyboardInterrupt(f"{count} of {len(jobs)} matches were played to their end") from error
+    outcomes = [known.get(job.seed) or played[job.seed] for job in jobs]
     failed = [outcome for outcome in outcomes if outcome.result is None]
     wrong = [outcome for outcome in failed if outcome.wrong_input]
     if wrong and len(failed) == len(outcomes):
@@ -85,8 +87,8 @@ def simulate(options: SimulateOptions) -> int:
     return (WRONG_INPUT if len(wrong) == len(failed) else OUR_FAULT) if failed else OK
 
 
-def _prepared(options: SimulateOptions) -> tuple[Loaded, list[Job]]:
-    """Return the scenario, and what is to be played.
+def _prepared(options: SimulateOptions) -> tuple[Loaded, list[Job], dict[int, Outcome]]:
+    """Return the scenario, what is to be played, and the outcomes that are known by their seeds.
 
     Raises:
         RcjError: wrong input.
@@ -101,14 +103,43 @@ def _prepared(options: SimulateOptions) -> tuple[Loaded, list[Job]]:
     seeds = parse_seeds(options.seeds)
     loaded = load(options.scenario, options.overrides)
     # One clear message instead of one for each seed.
-    for team in open_teams(loaded, options.teams).values():
+    programs = {}
+    for seat, team in open_teams(loaded, options.teams).items():
+        programs[seat] = team.digest
         team.close()
     active_layers(options.sandbox)
     make_out_folder(options.out, "the records")
     arguments = [options.scenario, "--out", str(options.out), "--no-replay", "--quiet", "--sandbox", options.sandbox]
     arguments += [part for team in options.teams for part in ("--team", team)]
     arguments += [part for entry in options.overrides for part in ("--set", entry)]
-    return loaded, [Job(seed, tuple(arguments)) for seed in seeds]
+    jobs = [Job(seed, tuple(arguments)) for seed in dict.fromkeys(seeds)]
+    return loaded, jobs, _known(jobs, loaded, programs, options.out)
+
+
+def _known(jobs: Sequence[Job], loaded: Loaded, programs: Mapping[str, str], out: Path) -> dict[int, Outcome]:
+    """Return the outcomes of jobs of which a complete record is there, by seed.
+
+    What was played with other versions, or was decided by a time limit, is played again.
+    """
+    from rcj_challenges.match.batch import Outcome
+    from rcj_challenges.records.digest import inputs_digest
+    from rcj_challenges.records.folder import RESULT
+    from rcj_challenges.records.lines import parsed
+    from rcj_challenges.records.result import has_time_fault, versions
+
+    now = versions().model_dump()
+    by_seed = {job.seed: job for job in jobs}
+    found: dict[int, Outcome] = {}
+    for path in sorted(out.glob(f"*/{RESULT}")):
+        try:
+            result = parsed(path.read_bytes())
+            is_usable = result["complete"] and result["versions"] == now and not has_time_fault(result)
+            job = by_seed.get(result["seed"]) if is_usable and not result["marks"] else None
+            if job is not None and result["inputs"] == inputs_digest(loaded.scenario, job.seed, programs):
+                found[job.seed] = Outcome(job, {**result, "folder": str(path.parent)})
+        except (OSError, ValueError, KeyError, TypeError):
+            continue  # a record that is damaged, or of another version
+    return found
 
 
 def parse_seeds(text: str) -> list[int]:
@@ -189,19 +220,23 @@ def _spread(scores: Sequence[float]) -> dict[str, float]:
 
 
 class _Progress:
-    def __init__(self, console: Console, total: int, *, quiet: bool) -> None:
-        self.outcomes: list[Outcome] = []
+    def __init__(self, console: Console, total: int, known: Mapping[int, Outcome], *, quiet: bool) -> None:
+        self.outcomes: list[Outcome] = list(known.values())
+        self._known = len(known)
         self._console = console
         self._total = total
         self._quiet = quiet
         self._began = time.perf_counter()
+        if known and not quiet:
+            line = f"{len(known)} of {counted(total, 'match', 'matches')} have been played before, and count"
+            say_progress(console, line)
 
     def done(self, outcome: Outcome) -> None:
         self.outcomes.append(outcome)
         if self._quiet:
             return
         count = len(self.outcomes)
-        left_s = (time.perf_counter() - self._began) / count * (self._total - count)
+        left_s = (time.perf_counter() - self._began) / (count - self._known) * (self._total - count)
         score = "could not be played" if outcome.result is None else str(list(outcome.result["score"].values()))
         line = f"{count}/{self._total}  seed {outcome.job.seed}  {score}  done in about {left_s:.0f} s"
         say_progress(self._console, line)

@@ -90,9 +90,8 @@ def _recorded(folder: Path, teams: Sequence[Path], place: Workplace, sandbox: st
     from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
     from rcj_challenges.records.folder import SCENARIO
     from rcj_challenges.records.lines import parsed
-    from rcj_challenges.records.result import read_result
+    from rcj_challenges.records.result import has_time_fault, read_result
     from rcj_challenges.scenario.load import load_resolved
-    from rcj_challenges.tournament.fixtures import is_timed
     from rcj_challenges.tournament.jobs import MatchJob, entrants_of
     from rcj_challenges.tournament.verify import Recorded
 
@@ -122,7 +121,7 @@ def _recorded(folder: Path, teams: Sequence[Path], place: Workplace, sandbox: st
         records="result",
         sandbox=sandbox,
     )
-    return Recorded(folder.name, job, result.digest, job.versions, is_timed=is_timed(result.model_dump()))
+    return Recorded(folder.name, job, result.digest, job.versions, is_timed=has_time_fault(result.model_dump()))
 
 
 def _candidates(folder: Path, teams: Sequence[Path]) -> Iterable[Path]:

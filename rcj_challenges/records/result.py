@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import platform
+from collections.abc import Mapping
 from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
@@ -214,6 +215,18 @@ def read_result(folder: Path) -> RunResult:
         first = error.errors()[0]
         where = ".".join(map(str, first["loc"])) or "the file"
         raise RecordError(f"{folder.name}: {RESULT} is damaged: {where}: {first['msg']}") from error
+
+
+_TIME_FAULTS = frozenset({"start_timeout", "step_timeout", "half_timeout"})
+
+
+def has_time_fault(result: Mapping[str, Any]) -> bool:
+    """Return whether a time limit decided something in a run, so that another computer may have gone on.
+
+    Args:
+        result: the content of ``result.json``.
+    """
+    return any(fault.get("timed") or fault["kind"] in _TIME_FAULTS for fault in result["faults"])
 
 
 def result_schema_text() -> str:

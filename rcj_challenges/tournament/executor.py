@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Protocol, Self
 
 from rcj_challenges.match import batch
-from rcj_challenges.match.worker_pool import WorkerPool
+from rcj_challenges.match.worker_pool import Attempt, WorkerPool
 from rcj_challenges.tournament.jobs import MatchJob, Workplace
 
 POLL_INTERVAL_S = 0.2
@@ -59,15 +58,25 @@ class Executor(Protocol):
     ) -> None: ...
 
 
-MakeExecutor = Callable[[], Executor]
-
-
 @dataclass(frozen=True)
-class _LocalJob(batch.Job):
+class _LocalJob:
+    """A job in a process of this computer: the command ``tournament play-job``."""
+
     job: MatchJob
+    command: batch.Job
 
     def start(self) -> batch.MatchProcess:
-        return batch.MatchProcess(self.arguments)
+        return batch.MatchProcess(self.command.arguments)
+
+    def interrupt(self, process: batch.MatchProcess) -> None:
+        self.command.interrupt(process)
+
+    def read_outcome(self, process: batch.MatchProcess) -> Attempt[JobOutcome]:
+        attempt = self.command.read_outcome(process)
+        return Attempt(_outcome(self.job, attempt.outcome), attempt.is_final)
+
+    def start_failed(self, error: OSError) -> JobOutcome:
+        return _outcome(self.job, self.command.start_failed(error))
 
 
 class LocalExecutor:
@@ -82,20 +91,16 @@ class LocalExecutor:
         """
         self.lanes = lanes
         self._place = place
-        self._pool: WorkerPool[batch.Outcome] = WorkerPool(lanes)
+        self._pool: WorkerPool[JobOutcome] = WorkerPool(lanes)
 
     def submit(self, job: MatchJob) -> None:
         """Play a job as soon as a lane is free for it."""
         arguments = ("tournament", "play-job", json.dumps(job.to_json()), str(self._place.folder))
-        self._pool.submit(_LocalJob(job.seed, arguments, job))
+        self._pool.submit(_LocalJob(job, batch.Job(job.seed, arguments)))
 
     def poll(self) -> list[JobOutcome]:
         """Wait a moment and return what is done."""
-        return [
-            _outcome(job.job, outcome)
-            for job, outcome in self._pool.poll(POLL_INTERVAL_S)
-            if isinstance(job, _LocalJob)
-        ]
+        return [outcome for _, outcome in self._pool.poll(POLL_INTERVAL_S)]
 
     def __enter__(self) -> Self:
         self._pool.__enter__()

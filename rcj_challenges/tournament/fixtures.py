@@ -7,7 +7,7 @@ from typing import Any
 
 from rcj_challenges.controllers.team import TeamError, open_team
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.records.result import versions
+from rcj_challenges.records.result import has_time_fault, versions
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.tournament.jobs import MatchJob, Program, Workplace, entrants_of
 from rcj_challenges.tournament.models import Challenge
@@ -137,13 +137,5 @@ def summary_of(result: Mapping[str, Any]) -> dict[str, Any]:
     """Return what the store keeps of a result; all of it is in the record."""
     summary = {key: result[key] for key in ("score", "ranking", "digest", "wall_s", "simulated_s", "versions")}
     summary["faults"] = [{key: fault[key] for key in ("robot", "team", "kind")} for fault in result["faults"]]
-    summary["is_timed"] = is_timed(result)
+    summary["is_timed"] = has_time_fault(result)
     return summary
-
-
-_TIME_FAULTS = frozenset({"start_timeout", "step_timeout", "half_timeout"})
-
-
-def is_timed(result: Mapping[str, Any]) -> bool:
-    """Return whether a time limit decided something in a match: another computer may have played on."""
-    return any(fault.get("timed") or fault["kind"] in _TIME_FAULTS for fault in result["faults"])

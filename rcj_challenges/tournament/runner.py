@@ -14,8 +14,9 @@ from typing import Protocol
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.facts.errors import told_of
 from rcj_challenges.records.folder import when_free
+from rcj_challenges.records.result import has_time_fault
 from rcj_challenges.tournament.executor import Executor, JobOutcome
-from rcj_challenges.tournament.fixtures import JobMaker, is_timed, outcome_of, summary_of
+from rcj_challenges.tournament.fixtures import JobMaker, outcome_of, summary_of
 from rcj_challenges.tournament.jobs import MatchJob, Workplace
 from rcj_challenges.tournament.opened import OpenTournament, sides_of
 from rcj_challenges.tournament.reconcile import has_whole_record
@@ -182,7 +183,7 @@ class Runner:
                 self.observer.not_played(fixture, outcome.complaint)
             return
         summary = summary_of(outcome.result)
-        if is_timed(outcome.result) and task.first_digest is None:
+        if has_time_fault(outcome.result) and task.first_digest is None:
             task.first_digest = summary["digest"]
             self.tournament.store.keep_job(task.job, "suspect", summary=summary)
             shutil.rmtree(outcome.folder, ignore_errors=True)

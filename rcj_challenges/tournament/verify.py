@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from rcj_challenges.records.result import has_time_fault
 from rcj_challenges.tournament.executor import Executor, JobOutcome
-from rcj_challenges.tournament.fixtures import is_timed
 from rcj_challenges.tournament.jobs import MatchJob
 
 Verdict = Literal["same", "differs", "not_comparable", "not_played"]
@@ -55,7 +56,7 @@ def compare(recorded: Recorded, result: Mapping[str, Any]) -> Verified:
     if other:
         was = ", ".join(f"{name} {recorded.versions.get(name, 'unknown')}" for name in other)
         return Verified(recorded.name, "not_comparable", f"it was played with {was}")
-    if recorded.is_timed or is_timed(result):
+    if recorded.is_timed or has_time_fault(result):
         return Verified(recorded.name, "not_comparable", "a time limit decided something in it")
     return Verified(recorded.name, "differs")
 
@@ -88,5 +89,7 @@ def verify_all(
                     verified.append(compare(one, outcome.result))
                 if on_played is not None:
                     on_played(one, outcome, verified[-1])
+                if outcome.folder is not None:
+                    shutil.rmtree(outcome.folder, ignore_errors=True)
                 on_done(verified[-1])
     return verified

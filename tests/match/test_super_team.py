@@ -31,7 +31,9 @@ def play_super_team(folder, *overrides):
 def test_each_robot_of_a_super_team_runs_with_the_files_and_the_log_of_its_own_team(tmp_path):
     run, _ = play_super_team(tmp_path)
     assert run.result["faults"] == []
-    said = {robot: [line for line in run.log(robot).splitlines() if line.startswith("I am")] for robot in ("B1", "B2", "B3")}
+    said = {
+        robot: [line for line in run.log(robot).splitlines() if line.startswith("I am")] for robot in ("B1", "B2", "B3")
+    }
     assert said == {"B1": ["I am Ada 1"], "B2": ["I am Bee 2"], "B3": ["I am Cid 3"]}
 
 

@@ -1,5 +1,6 @@
 """A small tournament in a folder, and an executor that plays nothing: its results are made of the job's address."""
 
+import hashlib
 import json
 import shutil
 from contextlib import contextmanager
@@ -98,8 +99,10 @@ class Silent:
 
 
 def goals_of(job, salt=""):
-    """Return the score by seat that a job gives."""
-    return {seat: int((job.id + salt.encode().hex())[-1 - number], 16) % 5 for number, seat in enumerate(job.seats)}
+    """Return the score by seat that a job gives: it depends on programs and seed, as that of a match does."""
+    programs = [program.digest for programs in job.seats.values() for program in programs]
+    drawn = hashlib.sha256(f"{programs} {job.seed} {salt}".encode()).digest()
+    return {seat: drawn[number] % 5 for number, seat in enumerate(job.seats)}
 
 
 @dataclass
@@ -143,7 +146,7 @@ class FakeExecutor:
         result = {
             "score": score,
             "ranking": [{"team": seat, "place": 1, "values": [points]} for seat, points in score.items()],
-            "digest": f"{job.id}{score}{faults}",
+            "digest": f"{job.seed} {score} {faults}",
             "wall_s": 1.0,
             "simulated_s": 2.0,
             "versions": versions().model_dump(),

@@ -11,15 +11,28 @@ from pathlib import Path
 
 import pytest
 
-from tests.tournament.store_helpers import LEAGUE, Home
+from tests.tournament.store_helpers import Home
 
 # One robot each, and one second: what is tested is what surrounds the matches.
-SHORT = LEAGUE.replace(
-    "{match.half_s: 2, match.halves: 1}",
-    "{match.half_s: 1, match.halves: 1, match.swap_sides: false, entrants.blue.robots.B2: null, "
-    "entrants.blue.robots.B3: null, entrants.yellow.robots.Y2: null, entrants.yellow.robots.Y3: null}",
-)
-RUN_S = 6.0
+DUEL = """
+schema_version: 1
+id: duel
+title: Duel
+extends: match
+match: {half_s: 1, halves: 1, swap_sides: false}
+entrants:
+  blue: {robots: {B2: null, B3: null}}
+  yellow: {robots: {Y2: null, Y3: null}}
+"""
+SHORT = """
+tournament_version: 1
+title: Short league
+seed: 7
+scenario: duel.yaml
+teams_folder: teams
+stages: {league: {stage: round_robin}}
+"""
+MATCH_S = 2.0
 
 pytestmark = pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="finds processes by /proc")
 
@@ -29,11 +42,10 @@ def start(home):
     return subprocess.Popen([sys.executable, "-m", "tests.tournament.play_league", home.folder], cwd=root)
 
 
-def played_league(folder):
-    home = Home(folder, SHORT)
-    with start(home) as runner:
-        assert runner.wait(300) == 0
-    return home
+def new_home(folder):
+    folder.mkdir(exist_ok=True)
+    (folder / "duel.yaml").write_text(DUEL, encoding="utf-8")
+    return Home(folder, SHORT)
 
 
 def what_came_out(home):
@@ -51,66 +63,72 @@ def matches_of(runner):
     return found
 
 
-def first_matches_of(runner):
-    """Wait until a runner has started a match."""
-    while runner.poll() is None:
-        if matches := matches_of(runner):
-            return matches
-        time.sleep(0.05)
-    raise AssertionError("it has ended without a match")
+def kill_runner(runner, matches, chance):
+    """Kill a run as a power cut does."""
+    runner.kill()
+
+
+def interrupt_runner(runner, matches, chance):
+    """Interrupt a run by Ctrl-C; none of its matches goes on."""
+    runner.send_signal(signal.SIGINT)
+    runner.wait(60)
+    assert not any(match in matches_of(runner) for match in matches)
+
+
+def kill_match(runner, matches, chance):
+    """Kill a match, and the run a little later, perhaps before the match is tried once more."""
+    with suppress(ProcessLookupError):
+        os.kill(chance.choice(matches), signal.SIGKILL)
+    time.sleep(chance.uniform(0, 1.0))
+    runner.kill()
+
+
+KILLS = (kill_runner, interrupt_runner, kill_match)
 
 
 def disturb(home, kills, chance):
-    """Run the league, kill the runner or one of its matches so many times, and let it come to its end."""
+    """Disturb a league so many times, each time at a random moment of a match."""
     for number in range(kills):
         with start(home) as runner:
-            until = time.monotonic() + chance.uniform(0.5, RUN_S)
-            while time.monotonic() < until and runner.poll() is None:
+            while runner.poll() is None and not (matches := matches_of(runner)):
                 time.sleep(0.05)
-            matches = matches_of(runner)
-            if number % 2 and matches and runner.poll() is None:
-                with suppress(ProcessLookupError):
-                    os.kill(chance.choice(matches), signal.SIGKILL)
-                time.sleep(chance.uniform(0, 0.5))
-            runner.kill()
+            time.sleep(chance.uniform(0, MATCH_S))
+            if runner.poll() is None:
+                KILLS[number % len(KILLS)](runner, matches, chance)
+
+
+def play_to_the_end(home):
     with start(home) as runner:
         assert runner.wait(300) == 0
 
 
-def test_a_league_that_is_killed_twice_ends_as_one_that_is_not(tmp_path):
-    undisturbed, disturbed = played_league(tmp_path / "undisturbed"), Home(tmp_path / "disturbed", SHORT)
-    disturb(disturbed, 2, random.Random(4))  # noqa: S311 - which moments, reproducibly
+def test_a_league_that_is_disturbed_ends_as_one_that_is_not(tmp_path):
+    undisturbed, disturbed = new_home(tmp_path / "undisturbed"), new_home(tmp_path / "disturbed")
+    play_to_the_end(undisturbed)
+    disturb(disturbed, len(KILLS), random.Random(4))  # noqa: S311 - which moments, reproducibly
+    play_to_the_end(disturbed)
     assert what_came_out(disturbed) == what_came_out(undisturbed)
 
 
-def test_a_match_process_that_is_killed_costs_its_match_only_and_is_tried_once_more(tmp_path):
-    home = Home(tmp_path, SHORT)
-    with start(home) as runner:
-        matches = first_matches_of(runner)
-        os.kill(matches[0], signal.SIGKILL)
-        assert runner.wait(300) == 0
-    assert len(home.state().outcomes) == 4
-
-
-def test_ctrl_c_leaves_no_process_and_the_run_goes_on_later(tmp_path):
-    home = Home(tmp_path, SHORT)
-    with start(home) as runner:
-        matches = first_matches_of(runner)
-        runner.send_signal(signal.SIGINT)
-        assert runner.wait(60) != 0
-    assert not any(Path(f"/proc/{match}").exists() for match in matches)
-    with start(home) as runner:
-        assert runner.wait(300) == 0
-    assert len(home.state().outcomes) == 4
+@pytest.mark.nightly
+@pytest.mark.timeout(3600)
+def test_a_league_that_is_disturbed_thirty_times_ends_as_one_that_is_not(tmp_path):
+    undisturbed = new_home(tmp_path / "undisturbed")
+    play_to_the_end(undisturbed)
+    chance = random.Random(30)  # noqa: S311 - as above
+    for number in range(10):
+        disturbed = new_home(tmp_path / f"disturbed{number}")
+        disturb(disturbed, 3, chance)
+        play_to_the_end(disturbed)
+        assert what_came_out(disturbed) == what_came_out(undisturbed), f"league {number}"
 
 
 @pytest.mark.nightly
-@pytest.mark.timeout(1800)
-def test_a_league_that_is_killed_thirty_times_ends_as_one_that_is_not(tmp_path):
-    undisturbed, disturbed = played_league(tmp_path / "undisturbed"), Home(tmp_path / "disturbed", SHORT)
-    chance = random.Random(30)  # noqa: S311 - as above
-    for round_ in range(10):
-        disturb(disturbed, 3, chance)
-        assert what_came_out(disturbed) == what_came_out(undisturbed), f"round {round_}"
-        if round_ % 3 == 2:  # from the beginning once more
-            disturbed = Home(tmp_path / f"disturbed{round_}", SHORT)
+def test_a_match_process_that_is_killed_costs_its_match_only_and_is_tried_once_more(tmp_path):
+    home = new_home(tmp_path)
+    with start(home) as runner:
+        while runner.poll() is None and not (matches := matches_of(runner)):
+            time.sleep(0.05)
+        os.kill(matches[0], signal.SIGKILL)
+        assert runner.wait(300) == 0
+    assert len(home.state().outcomes) == 3

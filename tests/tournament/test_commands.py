@@ -1,0 +1,238 @@
+"""``rcj-challenge tournament …``: exit codes, and what is printed for programs."""
+
+import csv
+import io
+import json
+
+import pytest
+
+from rcj_challenges.checker.report import FileReport, FindingReport, StageReport
+from rcj_challenges.cli import tournament_run, tournament_verify
+from rcj_challenges.tournament import submissions
+from rcj_challenges.tournament.jobs import MatchJob
+from rcj_challenges.tournament.store.store import Store
+from rcj_challenges.tournament.store.tables import JobRow
+from tests.cli.in_this_process import here
+from tests.tournament.store_helpers import FakeExecutor, Home
+
+
+def report(path, level):
+    finding = FindingReport(
+        code="start.crash", level=level, message="it crashed", remedy="", where="", repair=False, details=""
+    )
+    stage = StageReport(name="start", about="", level=level, skipped="", findings=[finding])
+    return FileReport(
+        file=path.name, level=level, team="", digest="", repaired=[], stages=[stage], matches=[], wall_s=0.0
+    )
+
+
+class Desk:
+    """A home whose commands run here, with matches and checks that are made up.
+
+    Attributes:
+        ends: of the jobs of the next command, as for `FakeExecutor`.
+        failing: how many of the submissions fail the check.
+        checked: how often a submission was checked.
+    """
+
+    def __init__(self, folder, monkeypatch, capsys):
+        self.home = Home(folder)
+        self.ends = {}
+        self.failing = 0
+        self.checked = 0
+        self.executors = []
+        self._monkeypatch, self._capsys = monkeypatch, capsys
+        for module in (tournament_run, tournament_verify):
+            monkeypatch.setattr(module, "LocalExecutor", self._executor)
+        monkeypatch.setattr(submissions, "check_many", self._check)
+
+    def _executor(self, place, lanes):
+        self.executors.append(FakeExecutor(place, self.ends, lanes))
+        return self.executors[-1]
+
+    def _check(self, paths, loaded, options, jobs, on_done):
+        self.checked += len(paths)
+        for number, path in enumerate(paths):
+            on_done(report(path, "failure" if number < self.failing else "passed"))
+
+    def __call__(self, command, *arguments):
+        """Run a command; returns exit code, output, and what it said on stderr."""
+        code = here(
+            self._monkeypatch, self.home.folder, "tournament", command, "league.yaml", "--data", "data", *arguments
+        )
+        said = self._capsys.readouterr()
+        return code, said.out, said.err
+
+    def json(self, command, *arguments):
+        code, out, _ = self(command, *arguments, "--json")
+        assert code == 0
+        return json.loads(out)
+
+
+@pytest.fixture
+def desk(tmp_path, monkeypatch, capsys):
+    return Desk(tmp_path, monkeypatch, capsys)
+
+
+def test_run_checks_and_plays_and_says_how_far_it_is(desk):
+    code, out, _ = desk("run", "--at-once", "1")
+    assert code == 0
+    lines = out.splitlines()
+    assert [line.partition("  ")[0] for line in lines[:4]] == ["check 1/3", "check 2/3", "check 3/3", "1/4"]
+    assert "about 3 s left" in lines[3]
+    assert desk.checked == 3
+    assert desk("run")[0] == 0
+    assert desk.checked == 3, "a submission is checked once"
+    assert desk.executors[1].jobs == []
+
+
+def test_nothing_is_played_while_a_submission_fails_the_check_unless_it_is_accepted(desk):
+    desk.failing = 1
+    code, _, err = desk("run")
+    assert code == 1
+    assert "error[submission-fails]" in err
+    assert "--accept ada" in err
+    assert desk.executors == []
+    assert desk("run", "--accept", "ada")[0] == 0
+    assert desk("run", "--accept", "zoe")[0] == 2
+
+
+def test_the_report_of_each_check_is_kept_for_the_team(desk):
+    desk("run")
+    with desk.home.opened(writing=False) as tournament:
+        folders = [tournament.store.place.report_folder(row.archive) for row in tournament.store.submissions()]
+    assert all({path.suffix for path in folder.iterdir()} == {".json", ".html"} for folder in folders)
+
+
+def test_a_match_that_could_not_be_played_gives_exit_code_3_and_an_interruption_130(desk):
+    desk.ends = {0: "died"}
+    assert desk("run")[0] == 3
+    assert len(desk.json("status")["failed"]) == 1
+    desk.ends = {1: "stop"}
+    code, _, err = desk("run")
+    assert code == 130
+    assert "1 match played" in err
+    desk.ends = {}
+    assert desk("run")[0] == 0
+    assert desk.json("status")["failed"] == []
+
+
+def test_a_second_run_on_one_file_is_refused_and_status_is_not(desk):
+    with desk.home.opened():
+        code, _, err = desk("run")
+        assert (code, "error[store-in-use]" in err) == (2, True)
+        assert desk.json("status")["is_running"]
+    assert not desk.json("status")["is_running"]
+
+
+def test_status_counts_matches_by_stage(desk):
+    before = desk.json("status")
+    assert [(one["status"], one["done"], one["expected"]) for one in before["stages"]] == [
+        ("running", 0, 3), ("waiting", 0, 1),
+    ]  # fmt: skip
+    desk("run")
+    after = desk.json("status")
+    assert [(one["status"], one["done"]) for one in after["stages"]] == [("finished", 3), ("finished", 1)]
+
+
+def test_results_are_the_same_as_json_and_as_csv(desk):
+    desk("run")
+    results = desk.json("results")
+    rows = results["stages"][0]["tables"][0]["rows"]
+    tables = list(csv.DictReader(io.StringIO(desk("results", "--csv", "tables")[1])))
+    assert [(row["team"], row["points"]) for row in rows] == [(one["team"], float(one["points"])) for one in tables]
+    matches = list(csv.DictReader(io.StringIO(desk("results", "--csv", "matches")[1])))
+    assert {one["match"] for one in matches} == results["outcomes"].keys()
+    assert all(one["digest"] for one in results["outcomes"].values())
+    assert desk("results")[0] == 0
+
+
+def test_a_name_that_a_spreadsheet_would_take_for_a_formula_stays_text(desk):
+    desk.home.hand_in("ada", name="=1+1")
+    desk("run")
+    rows = csv.DictReader(io.StringIO(desk("results", "--csv", "tables")[1]))
+    assert {row["name"] for row in rows if row["team"] == "ada"} == {"'=1+1"}
+
+
+def test_plan_lists_what_is_known_and_what_it_will_take(desk, monkeypatch):
+    monkeypatch.setattr("rcj_challenges.cli.tournament_plan._measured", lambda folder: 4.0)
+    plan = desk.json("plan")
+    assert [(one["matches"], len(one["known"])) for one in plan["stages"]] == [(3, 3), (1, 0)]
+    assert plan["cost"]["matches"] == 4
+    assert plan["cost"]["simulated_s"] == 8
+    desk("run")
+    assert desk.json("plan")["cost"]["simulated_s"] == 0
+
+
+def test_a_decision_is_recorded_and_shown(desk):
+    match = desk.json("plan")["stages"][0]["known"][0]["id"]
+    assert desk("decide", match, "--score", "4:2", "--reason", "a goal was overlooked")[0] == 0
+    results = desk.json("results")
+    assert results["outcomes"][match]["scores"] == [4, 2]
+    assert results["rulings"][0]["reason"] == "a goal was overlooked"
+    assert "corrected" in desk("results")[1]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code"),
+    [
+        ([], "which-decision"),
+        (["MATCH"], "which-decision"),
+        (["MATCH", "--replay", "--score", "1:0"], "which-decision"),
+        (["MATCH", "--withdraw", "ada"], "which-decision"),
+        (["MATCH", "--score", "one:two", "--reason", "r"], "ruling-score"),
+        (["MATCH", "--score", "1:2"], "ruling-reason"),
+        (["nowhere", "--score", "1:2", "--reason", "r"], "unknown-match"),
+        (["--withdraw", "zoe", "--reason", "r"], "unknown-team"),
+    ],
+)
+def test_a_decision_that_cannot_be_made_is_refused_with_a_code(desk, arguments, code):
+    match = desk.home.state().stages[0].fixtures[0].id
+    status, _, err = desk("decide", *(match if one == "MATCH" else one for one in arguments))
+    assert (status, f"error[{code}]" in err) == (2, True)
+
+
+def test_verify_tells_same_different_and_not_comparable_apart(desk):
+    desk("run")
+    assert {one["verdict"] for one in desk.json("verify")} == {"same"}
+    desk.ends = {0: "other"}
+    code, out, _ = desk("verify", "--json")
+    assert code == 1
+    assert [one["verdict"] for one in json.loads(out)].count("differs") == 1
+    with Store(desk.home.data, writing=True) as store, store._session() as session:
+        for row in session.query(JobRow):
+            row.job = {**row.job, "versions": {**row.job["versions"], "machine": "riscv64"}}
+    verdicts = {one["name"]: one["verdict"] for one in desk.json("verify")}
+    assert sorted(verdicts.values()) == ["not_comparable", "same", "same", "same"]
+
+
+def test_verify_plays_a_sample_or_the_matches_that_are_named(desk):
+    desk("run")
+    assert len(desk.json("verify", "--sample", "2")) == 2
+    match = desk.home.state().stages[0].fixtures[1].id
+    assert [one["name"] for one in desk.json("verify", match)] == [match]
+    assert desk("verify", "nowhere")[0] == 2
+
+
+def test_rerun_makes_the_record_again_and_leaves_the_result(desk):
+    desk("run")
+    before = desk.home.tables()
+    fixture = desk.home.state().stages[0].fixtures[0].id
+    assert desk("rerun", fixture)[0] == 0
+    job = desk.executors[1].jobs[0]
+    assert isinstance(job, MatchJob)
+    assert job.records == "full"
+    assert (desk.home.data / "records" / job.id / "result.json").is_file()
+    assert desk.home.tables() == before
+    assert desk("run")[0] == 0
+    assert desk.executors[2].jobs == [], "the record is whole"
+
+
+def test_a_rerun_with_another_digest_replaces_nothing(desk):
+    desk("run")
+    desk.ends = {0: "other"}
+    fixture = desk.home.state().stages[0].fixtures[0].id
+    assert desk("rerun", fixture)[0] == 1
+    desk.ends = {}
+    desk("run")
+    assert desk.executors[-1].jobs == []
