@@ -70,13 +70,14 @@ def simulate(options: SimulateOptions) -> int:
     progress = _Progress(console_for(to_stderr=True), len(jobs), known, quiet=options.quiet or options.json)
     todo = [job for job in jobs if job.seed not in known]
     try:
-        played = {one.job.seed: one for one in play_many(todo, options.at_once or os.cpu_count() or 1, progress.done)}
+        played = play_many(todo, options.at_once or os.cpu_count() or 1, progress.done)
     except KeyboardInterrupt as error:
         if progress.outcomes or options.json:
             _report(progress.outcomes, rank, options)
         count = sum(outcome.result is not None for outcome in progress.outcomes)
         raise KeyboardInterrupt(f"{count} of {len(jobs)} matches were played to their end") from error
-    outcomes = [known.get(job.seed) or played[job.seed] for job in jobs]
+    order = {job.seed: number for number, job in enumerate(jobs)}
+    outcomes = sorted([*known.values(), *played], key=lambda outcome: order[outcome.job.seed])
     failed = [outcome for outcome in outcomes if outcome.result is None]
     wrong = [outcome for outcome in failed if outcome.wrong_input]
     if wrong and len(failed) == len(outcomes):

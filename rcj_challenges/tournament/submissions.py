@@ -93,7 +93,7 @@ def _take(team: str, purpose: str, source: Path, folder: Path) -> Handed:
 
 
 def keep_submission(source: Path, folder: Path) -> tuple[str, Path]:
-    """Keep a copy of a submission by its hash; returns that, and the copy.
+    """Keep a copy of a submission by its hash (of a single program: of its name too); returns that, and the copy.
 
     Args:
         source: a ZIP, a folder or a ``.py`` file.
@@ -107,6 +107,7 @@ def keep_submission(source: Path, folder: Path) -> tuple[str, Path]:
     archive = hashlib.sha256(content).hexdigest()
     path = folder / f"{archive}.zip"
     if source.is_file() and source.suffix.casefold() == ".py":  # its name counts in the digest of the programs
+        archive = hashlib.sha256(source.name.encode() + b"\0" + content).hexdigest()
         path = folder / archive / source.name
         path.parent.mkdir(exist_ok=True)
     if not path.is_file() or path.stat().st_size != len(content):

@@ -155,7 +155,7 @@ def test_a_name_that_a_spreadsheet_would_take_for_a_formula_stays_text(desk):
 
 
 def test_plan_lists_what_is_known_and_what_it_will_take(desk, monkeypatch):
-    monkeypatch.setattr("rcj_challenges.cli.tournament_plan._measured", lambda folder: 4.0)
+    monkeypatch.setattr("rcj_challenges.cli.tournament_plan._measured", lambda _: 4.0)
     plan = desk.json("plan")
     assert [(one["matches"], len(one["known"])) for one in plan["stages"]] == [(3, 3), (1, 0)]
     assert plan["cost"]["matches"] == 4
