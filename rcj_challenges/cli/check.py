@@ -125,7 +125,7 @@ def check_submissions(command: CheckCommand) -> int:
 
     from rcj_challenges.checker.check import CheckOptions
     from rcj_challenges.checker.report import check_report
-    from rcj_challenges.views.scoreboard import console_for
+    from rcj_challenges.views.console import console_for
 
     options = CheckOptions(
         sandbox=command.sandbox, play=command.play, replays=command.replays, show_output=command.show_output
@@ -243,7 +243,7 @@ def _check_many(paths: list[Path], loaded: Loaded, options: CheckOptions, comman
     from rcj_challenges.checker.many import check_many
     from rcj_challenges.checker.many_given import called
     from rcj_challenges.checker.report_text import progress_line
-    from rcj_challenges.views.scoreboard import console_for
+    from rcj_challenges.views.console import console_for
 
     console = console_for(to_stderr=True)
     done: list[FileReport] = []

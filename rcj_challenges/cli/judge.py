@@ -103,8 +103,8 @@ def judge(options: JudgeOptions) -> int:
         RcjError: the scenario that is to judge them cannot be used.
     """
     from rcj_challenges.scenario.load import load
+    from rcj_challenges.views.console import console_for
     from rcj_challenges.views.replay.browse import find_run
-    from rcj_challenges.views.scoreboard import console_for
 
     scenario = load(options.scenario, options.overrides).scenario if options.scenario is not None else None
     console, code = console_for(), 0

@@ -121,7 +121,8 @@ def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Watcher]:
 
     # The physics is imported while nobody waits for it yet: opening teams is quick, compiling is not.
     from rcj_challenges.match.match import MatchPlan
-    from rcj_challenges.views.scoreboard import console_for, watcher_for
+    from rcj_challenges.views.console import console_for
+    from rcj_challenges.views.scoreboard import watcher_for
 
     console = console_for(to_stderr=options.json)
     quiet = options.quiet or options.json

@@ -64,7 +64,7 @@ def simulate(options: SimulateOptions) -> int:
     except KeyboardInterrupt as error:
         raise KeyboardInterrupt("no match had begun, and nothing is recorded") from error
     from rcj_challenges.match.batch import play_many
-    from rcj_challenges.views.scoreboard import console_for
+    from rcj_challenges.views.console import console_for
 
     rank = loaded.scenario.result.rank
     progress = _Progress(console_for(to_stderr=True), len(jobs), known, quiet=options.quiet or options.json)
@@ -244,7 +244,8 @@ class _Progress:
 
 
 def _report(outcomes: Sequence[Outcome], rank: Sequence[Criterion], options: SimulateOptions) -> None:
-    from rcj_challenges.views.scoreboard import console_for, decided_by_score_alone
+    from rcj_challenges.views.console import console_for
+    from rcj_challenges.views.scoreboard import decided_by_score_alone
 
     told = summary(outcomes)
     if not decided_by_score_alone(rank):

@@ -60,8 +60,8 @@ def show_stats(runs: Sequence[Path | None], out: Path, *, as_json: bool, explain
         RecordError: none of the runs can be read.
     """
     from rcj_challenges.records.errors import RecordError
+    from rcj_challenges.views.console import console_for
     from rcj_challenges.views.replay.browse import find_run
-    from rcj_challenges.views.scoreboard import console_for
     from rcj_challenges.views.stats import run_stats, stats_as_json, together
 
     found, complaints = [], []

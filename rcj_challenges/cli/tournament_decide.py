@@ -9,7 +9,7 @@ from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.played import RulingKind
 from rcj_challenges.tournament.rulings import decide, withdraw
-from rcj_challenges.views.scoreboard import console_for
+from rcj_challenges.views.console import console_for
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.match.batch import Job, play_many
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.season import SeasonState
-from rcj_challenges.views.scoreboard import console_for
+from rcj_challenges.views.console import console_for
 
 _TRIAL_S = 20
 _BYTES_PER_S: dict[str, float] = {"full": 39_000.0, "replay": 600.0, "result": 60.0}

@@ -17,7 +17,7 @@ from rcj_challenges.facts.shown import shown
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.season import SeasonState
 from rcj_challenges.tournament.store.lock import is_locked
-from rcj_challenges.views.scoreboard import console_for
+from rcj_challenges.views.console import console_for
 
 
 def print_status(tournament: OpenTournament, *, as_json: bool) -> int:

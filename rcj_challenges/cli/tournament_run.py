@@ -28,7 +28,7 @@ from rcj_challenges.tournament.reconcile import reconcile
 from rcj_challenges.tournament.runner import Progress, Runner
 from rcj_challenges.tournament.season import Fixture, Outcome, SeasonState, Status
 from rcj_challenges.tournament.submissions import Failure, Handed, check_submissions, take_submissions
-from rcj_challenges.views.scoreboard import console_for
+from rcj_challenges.views.console import console_for
 
 _NEWEST_SHOWN = 5
 

@@ -166,7 +166,7 @@ class VerifyLines:
     """
 
     def __init__(self, total: int, *, as_json: bool) -> None:
-        from rcj_challenges.views.scoreboard import console_for
+        from rcj_challenges.views.console import console_for
 
         self._total = total
         self._as_json = as_json

@@ -67,7 +67,7 @@ def video(
 
     refuse_devices(out=out)
     require_packages("av", "PIL")
-    from rcj_challenges.views.scoreboard import console_for
+    from rcj_challenges.views.console import console_for
     from rcj_challenges.views.video import clips, make
 
     size_px, rate = make.parse_size(size, even=True), _fps(fps)
@@ -113,7 +113,7 @@ def snapshot(
 
     refuse_devices(out=out)
     require_packages("PIL")
-    from rcj_challenges.views.scoreboard import console_for
+    from rcj_challenges.views.console import console_for
     from rcj_challenges.views.video import clips, make
 
     size_px, at_s = make.parse_size(size, even=False), clips.parse_seconds(at)

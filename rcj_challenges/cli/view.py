@@ -51,8 +51,9 @@ def list_records(out: Path) -> int:
     from rich.table import Column, Table
 
     from rcj_challenges.facts.shown import shown
+    from rcj_challenges.views.console import console_for
     from rcj_challenges.views.replay.browse import list_runs
-    from rcj_challenges.views.scoreboard import console_for, score_line
+    from rcj_challenges.views.scoreboard import score_line
 
     table = Table(Column("record", no_wrap=True), "started", "scenario", "score")
     rows: list[tuple[str, str, str, str]] = []

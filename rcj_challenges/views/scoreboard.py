@@ -2,23 +2,19 @@
 
 from __future__ import annotations
 
-import contextlib
-import sys
 from collections import deque
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from rich.console import Console, ConsoleOptions, Group, RenderableType
+from rich.console import Console, Group
 from rich.live import Live
 from rich.progress_bar import ProgressBar
-from rich.segment import Segment
 from rich.table import Table
 from rich.text import Text
 
-from rcj_challenges.facts.letters import READABLE
 from rcj_challenges.facts.measures import measure_words, measured_words, number_words
 from rcj_challenges.facts.play import Event, Fault, HalfInfo
-from rcj_challenges.facts.shown import shown, shown_whole
+from rcj_challenges.facts.shown import shown
 from rcj_challenges.facts.timing import TICK_S, s_from_ticks
 from rcj_challenges.match.watching import Progress, Silent, Watcher
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime
@@ -262,29 +258,3 @@ class Scoreboard(Silent):
         )
         title = Text(f"{self._title}   {_seats(half)}", style="dim", no_wrap=True, overflow="ellipsis")
         self._live.update(Group(title, grid, status, *self._events), refresh=True)
-
-
-class PatientConsole(Console):
-    """A console that falls silent when its reader has seen enough (``| head``): a match goes on to its end.
-
-    Whatever it prints may hold text of strangers, so characters that would steer the terminal become visible.
-    """
-
-    def render(self, renderable: RenderableType, options: ConsoleOptions | None = None) -> Iterable[Segment]:
-        """Return what is printed, in pieces."""
-        for piece in super().render(renderable, options):
-            yield piece if piece.is_control else piece._replace(text=shown_whole(piece.text))
-
-    def on_broken_pipe(self) -> None:
-        """Say nothing more. Rich would end the command, with exit status 1."""
-        with contextlib.suppress(SystemExit):
-            super().on_broken_pipe()
-
-
-def console_for(*, to_stderr: bool = False) -> Console:
-    """Return the console for people; output that the terminal's encoding lacks is replaced, never an error."""
-    stream = sys.stderr if to_stderr else sys.stdout
-    reconfigure = getattr(stream, "reconfigure", None)
-    if reconfigure is not None:
-        reconfigure(errors=READABLE)
-    return PatientConsole(file=stream, soft_wrap=False)

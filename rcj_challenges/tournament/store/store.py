@@ -125,13 +125,15 @@ class Store:
 
     def played(self) -> dict[str, PlayedFixture]:
         """Return the job that counts, by fixture."""
-        columns = select(PlayedRow.fixture, PlayedRow.job_id, PlayedRow.sides, PlayedRow.scores, PlayedRow.values)
+        columns = select(PlayedRow.fixture, PlayedRow.job_id, PlayedRow.sides, PlayedRow.outcome)
         with self._session() as session:
             return {
                 fixture: PlayedFixture(
-                    job_id, tuple(map(tuple, sides)), Outcome(scores=tuple(scores), values=tuple(values))
+                    job_id,
+                    tuple(tuple(side.split("+")) for side in sides.split(" ")),
+                    Outcome(scores=tuple(scores), values=tuple(values)),
                 )
-                for fixture, job_id, sides, scores, values in session.execute(columns)
+                for fixture, job_id, sides, (scores, values) in session.execute(columns)
             }
 
     def played_rows(self) -> list[tuple[PlayedRow, JobRow]]:
@@ -309,9 +311,8 @@ def _played_row(fixture: Fixture, job: MatchJob, outcome: Outcome, at: datetime)
     return PlayedRow(
         fixture=fixture.id,
         job_id=job.id,
-        sides=[list(side.teams) for side in fixture.sides],
-        scores=list(outcome.scores),
-        values=list(outcome.values),
+        sides=" ".join("+".join(side.teams) for side in fixture.sides),
+        outcome=[list(outcome.scores), list(outcome.values)],
         submissions=archives,
         played_at=at,
     )

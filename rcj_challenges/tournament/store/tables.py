@@ -100,10 +100,10 @@ class PlayedRow(Base):
     __tablename__ = "played"
     fixture: Mapped[str] = mapped_column(primary_key=True)
     job_id: Mapped[str] = mapped_column(ForeignKey("job.id"))
-    sides: Mapped[list[Any]]
-    """Team ids of each side."""
-    scores: Mapped[list[Any]]
-    values: Mapped[list[Any]]
+    sides: Mapped[str]
+    """Team ids: members of a side joined with ``+``, sides with a space."""
+    outcome: Mapped[list[Any]]
+    """Scores by side, and of what is played alone the values that the scenario ranks by."""
     submissions: Mapped[dict[str, Any]]
     """Hash of the submission by team."""
     played_at: Mapped[datetime]
