@@ -170,7 +170,10 @@ def verify(
 @tournament_app.command()
 def rerun(
     file: File,
-    matches: Annotated[list[str], typer.Argument(metavar="MATCH...", help="Which matches, as plan prints them.")],
+    matches: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[MATCH...]", help="Which matches, as plan prints them; left out: all."),
+    ] = None,
     records: Annotated[
         Literal["full", "replay", "result"], typer.Option("--records", help="What is kept of the records now.")
     ] = "full",
@@ -181,7 +184,24 @@ def rerun(
     from rcj_challenges.cli.tournament_verify import rerun_matches
 
     with opened(file, data, writing=True) as tournament:
-        raise typer.Exit(rerun_matches(tournament, matches, records, at_once=at_once))
+        raise typer.Exit(rerun_matches(tournament, matches or [], records, at_once=at_once))
+
+
+@tournament_app.command()
+def judge(
+    file: File,
+    set_: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="PATH=VALUE", help="Change a value of the rules. Repeatable."),
+    ] = None,
+    data: Data = None,
+    json_: _Json = False,
+) -> None:
+    """Say what changed rules would have made of the matches that were played; no program runs."""
+    from rcj_challenges.cli.tournament_judge import judge_tournament
+
+    with opened(file, data) as tournament:
+        raise typer.Exit(judge_tournament(tournament, set_ or [], as_json=json_))
 
 
 @tournament_app.command("play-job", hidden=True)
