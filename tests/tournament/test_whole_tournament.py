@@ -34,9 +34,9 @@ def test_a_job_of_super_teams_is_played_from_kept_submissions_and_leaves_what_is
         played = play_job(MatchJob.from_json(json.loads(json.dumps(job.to_json()))), tournament.store.place)
     assert played.result["entrants"]["blue"]["name"] == "Team ada + Team bee + Team cid"
     assert [one["name"] for one in played.result["entrants"]["yellow"]["members"]] == [
-        "Team cid",
-        "Team ada",
-        "Team bee",
+        "Team dee",
+        "Team eva",
+        "Team fay",
     ]
     assert played.result["faults"] == []
     names = {path.name for path in played.folder.iterdir()}
