@@ -58,7 +58,7 @@ def matches_of(runner):
     found = []
     for stat in Path("/proc").glob("[0-9]*/stat"):
         with suppress(OSError):
-            if int(stat.read_text().rpartition(")")[2].split()[1]) == runner.pid:
+            if int(stat.read_text("utf-8", "replace").rpartition(")")[2].split()[1]) == runner.pid:
                 found.append(int(stat.parent.name))
     return found
 
