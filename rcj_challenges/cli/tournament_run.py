@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import time
 from collections.abc import Sequence
-from contextlib import ExitStack
 from dataclasses import dataclass
 from typing import Self
 
@@ -31,6 +30,7 @@ from rcj_challenges.tournament.submissions import Failure, Handed, check_submiss
 from rcj_challenges.views.console import console_for
 
 _NEWEST_SHOWN = 5
+_UNITS = (("h", 3600.0), ("min", 60.0))
 
 
 class SubmissionsFailError(DiagnosticError):
@@ -205,8 +205,7 @@ class RunBoard(RunLines):
         return self
 
     def __exit__(self, *error: object) -> None:
-        with ExitStack() as stack:
-            stack.callback(self._live.__exit__, None, None, None)
+        self._live.__exit__(None, None, None)
 
     def note(self, line: str) -> None:
         """Show a line among the newest, or print it while nothing is drawn."""
@@ -245,12 +244,5 @@ def _current_tables(state: SeasonState) -> Sequence[Table]:
 def _left(progress: Progress) -> str:
     if progress.left_s is None or not progress.left:
         return ""
-    minutes = progress.left_s / 60
-    amount = (
-        f"{progress.left_s:.0f} s"
-        if minutes < 2
-        else f"{minutes:.0f} min"
-        if minutes < 120
-        else f"{minutes / 60:.1f} h"
-    )
-    return f"  about {amount} left"
+    unit, unit_s = next((one for one in _UNITS if progress.left_s >= 2 * one[1]), ("s", 1.0))
+    return f"  about {progress.left_s / unit_s:.0f} {unit} left"
