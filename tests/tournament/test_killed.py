@@ -102,6 +102,7 @@ def play_to_the_end(home):
         assert runner.wait(300) == 0
 
 
+@pytest.mark.timeout(400)  # a busy computer is no failure
 def test_a_league_that_is_disturbed_ends_as_one_that_is_not(tmp_path):
     undisturbed, disturbed = new_home(tmp_path / "undisturbed"), new_home(tmp_path / "disturbed")
     play_to_the_end(undisturbed)
