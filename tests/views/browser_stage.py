@@ -94,6 +94,7 @@ class Stage:
         viewport: dict[str, int] = WIDE,
         color_scheme: str = "light",
         script: str = "",
+        own: str = "",
         **screen: Any,
     ) -> Page:
         """Load a page in an empty tab.
@@ -104,10 +105,11 @@ class Stage:
             viewport: width and height in CSS pixels.
             color_scheme: what the reader prefers, light or dark.
             script: runs before those of the page.
+            own: how addresses begin that the page may ask for; left out: its own.
             screen: other properties of a browser context, as ``has_touch=True``.
         """
         tab = self._empty_tab(script, screen)
-        tab.own = address.partition("#")[0]
+        tab.own = own or address.partition("#")[0]
         tab.page.set_viewport_size(viewport)
         tab.page.emulate_media(media="screen", color_scheme=color_scheme, reduced_motion="reduce")
         tab.page.goto(address)

@@ -21,7 +21,7 @@ from rcj_challenges.views.live.feed import Feed, said
 from rcj_challenges.views.live.pace import Pace
 from rcj_challenges.views.live.server import HOST, SpectatorServer, Stage
 from rcj_challenges.views.live.telling import LiveWatcher, live_facts
-from rcj_challenges.views.replay.page import about_run, logo_address, no_logo, page_text, places
+from rcj_challenges.views.replay.page import LIVE_PAGE, about_run, logo_address, no_logo, page_text, places
 
 _FLUSH_EVERY_S = 0.1
 """Three ticks at real time: fine enough to be smooth, rare enough to cost a fast match nothing."""
@@ -77,7 +77,7 @@ class LiveShow:
         match = secrets.token_urlsafe(9)
         facts = live_facts(scenario, dict(titles), seed)
         self._no_logos = _give_logos(facts, logos or {})
-        page = page_text({**facts, "match": match}, {}, live=True).encode()
+        page = page_text({**facts, "match": match}, {}, kind=LIVE_PAGE).encode()
         self._stage = Stage(page, match, self._feed, self.pace, secrets.token_urlsafe(24))
         try:
             self._server = SpectatorServer(port, self._stage)

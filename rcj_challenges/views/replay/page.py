@@ -6,6 +6,7 @@ import base64
 import hashlib
 import json
 from collections.abc import Collection, Mapping
+from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -47,8 +48,31 @@ SCRIPTS = (
 LIVE_SCRIPTS = (*SCRIPTS[:-1], "live", "livesensors", "spectator", "steward", "startlive")
 """The parts of the page that watches a match while it is played: the same viewer, filled by a feed."""
 
-_STYLES = ("style.css",)
+PREMIERE_SCRIPTS = (*SCRIPTS[:-1], "live", "livesensors", "spectator", "premiere", "startpremiere")
+"""The parts of the page that shows a recorded match at a time that was set: the feed is the recording and the clock."""
+
 _LONGEST_DETAIL = 10_000
+
+
+@dataclass(frozen=True, slots=True)
+class PageKind:
+    """What kind of page the viewer is on.
+
+    Attributes:
+        scripts, styles: its parts, in the order in which they are joined.
+        scripts_from: addresses from which it may load further scripts, as a content security policy has them.
+        connects_to: addresses that it may ask, likewise; empty: none.
+    """
+
+    scripts: tuple[str, ...]
+    styles: tuple[str, ...] = ("style.css",)
+    scripts_from: str = ""
+    connects_to: str = ""
+
+
+REPLAY_PAGE = PageKind(SCRIPTS)
+LIVE_PAGE = PageKind(LIVE_SCRIPTS, ("style.css", "live.css"), connects_to="'self'")
+PREMIERE_PAGE = PageKind(PREMIERE_SCRIPTS, ("style.css", "live.css", "premiere.css"), "'self'", "'self'")
 
 
 def write_replay(folder: Path) -> Path:
@@ -199,7 +223,7 @@ def _problem(run: RunRecord, story: Story) -> str:
 
 
 def page_text(
-    facts: dict[str, Any], blocks: dict[int, str], more: Mapping[str, str] | None = None, *, live: bool = False
+    facts: dict[str, Any], blocks: dict[int, str], more: Mapping[str, str] | None = None, kind: PageKind = REPLAY_PAGE
 ) -> str:
     """Return the page. Every part is put in once, in one pass: no part can smuggle in another's mark.
 
@@ -207,14 +231,13 @@ def page_text(
         facts: what the viewer is told, JSON-able.
         blocks: packed poses by half.
         more: other packed blocks by the id under which the viewer looks for them.
-        live: True makes the page that asks the server it came from for the rest of the match, and nobody else.
+        kind: what the page does; a live page asks the server it came from for the rest of the match, and nobody else.
     """
     viewer = files("rcj_challenges.views.replay") / "viewer"
-    style = "".join((viewer / name).read_text("utf-8") for name in (_STYLES if not live else (*_STYLES, "live.css")))
-    scripts = LIVE_SCRIPTS if live else SCRIPTS
-    script = _script([(viewer / f"{name}.js").read_text("utf-8") for name in scripts])
+    style = "".join((viewer / name).read_text("utf-8") for name in kind.styles)
+    script = _script([(viewer / f"{name}.js").read_text("utf-8") for name in kind.scripts])
     parts = {
-        "CSP": _policy(script, style) + ("; connect-src 'self'" if live else ""),
+        "CSP": _policy(script, style, kind),
         "TITLE": escaped(_title(facts)),
         "STYLE": style,
         "FACTS": inert_json(facts),
@@ -234,12 +257,14 @@ def _script(sources: list[str]) -> str:
     return f'"use strict";\n(() => {{\n{joined}\n}})();\n'
 
 
-def _policy(script: str, style: str) -> str:
-    """Return a policy under which only this script and this style run, and nothing is loaded from anywhere."""
-    return (
-        f"default-src 'none'; script-src 'sha256-{_hash(script)}'; style-src 'sha256-{_hash(style)}'; img-src data:; "
+def _policy(script: str, style: str, kind: PageKind) -> str:
+    """Return a policy under which only this script and this style run, and nothing else is loaded from anywhere."""
+    scripts = f"'sha256-{_hash(script)}' {kind.scripts_from}".strip()
+    policy = (
+        f"default-src 'none'; script-src {scripts}; style-src 'sha256-{_hash(style)}'; img-src data:; "
         "base-uri 'none'; form-action 'none'"
     )
+    return policy + (f"; connect-src {kind.connects_to}" if kind.connects_to else "")
 
 
 def _hash(text: str) -> str:

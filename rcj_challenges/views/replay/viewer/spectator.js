@@ -94,7 +94,8 @@ class LivePlayer extends Player {
 
 /** Holds the page together while the match is played. */
 class Spectator {
-  constructor(facts, begun) {
+  /** openFeed: returns what brings the match, for what takes it and what is told that nothing comes. */
+  constructor(facts, begun, openFeed = (take, lost) => new LiveFeed(facts.match, take, lost)) {
     this.recording = new LiveRecording(facts);
     this.begun = begun;
     this.app = null;
@@ -106,8 +107,8 @@ class Spectator {
     this.badge.addEventListener("click", () => { this.app?.player.follow(); this.app?.changed(); });
     document.querySelector(".time").prepend(this.badge);
     this.notice = document.getElementById("problem");
-    this.feed = new LiveFeed(facts.match, this, (text) => this.tell(text));
-    this.steward = Steward.fromAddress();
+    this.feed = openFeed(this, (text) => this.tell(text));
+    this.steward = facts.match ? Steward.fromAddress() : null;
     this.tell("The match is about to begin…");
   }
 

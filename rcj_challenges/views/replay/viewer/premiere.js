@@ -1,0 +1,119 @@
+// A recorded match, shown to everybody at the same time: a feed whose messages come from the recording when the clock
+// says so. Nothing later than now is on the page, so neither the score nor the time line tells what will happen.
+
+const FEED_EVERY_MS = 100;
+const CLOCK_OFF_MS = 2000;
+
+class PremiereFeed {
+  /**
+   * data: {facts, poses} of a replay page; when: {start, halfTime}: when it begins, in ms, and the length of the breaks,
+   * in s; now: the clock, in ms.
+   */
+  constructor(data, when, now, take, lost) {
+    this.now = now;
+    this.when = when;
+    this.take = take;
+    this.lost = lost;
+    this.facts = data.facts;
+    this.poses = data.poses;
+    this.halves = data.facts.halves.map((facts) => ({ facts, told: -1, news: PremiereFeed.news(data.facts, facts) }));
+  }
+
+  /** What is known before the first tick. */
+  static factsBefore(facts) {
+    const planned = facts.halves.map((half) => half.planned_ticks);
+    while (planned.length < facts.halves_planned) planned.push(planned[planned.length - 1]);
+    return { ...facts, halves: [], events: [], places: [], about: facts.about.slice(0, 1), sensors: {}, half_ticks_planned: planned };
+  }
+
+  /** All that happens in a half, as the messages of a live match say it, in the order of ticks. */
+  static news(facts, half) {
+    const all = [];
+    const add = (tick, what) => all.push({ half: half.half, tick, events: [], ...what });
+    for (const [tick, score] of half.score_changes) add(tick, { score });
+    for (const [tick, counted] of half.counted) add(tick, { counted });
+    for (const [tick, name, waiting] of half.phases) add(tick, { phase: [name, waiting] });
+    for (const [tick, held] of half.held) add(tick, { held });
+    half.jumps.forEach((ticks, entity) => { for (const tick of ticks) add(tick, { jumps: [entity] }); });
+    for (const fault of half.faults) add(fault.tick, { faults: [fault] });
+    for (const event of facts.events) if (event.half === half.half) add(event.tick, { events: [event] });
+    return all.sort((one, other) => one.tick - other.tick);
+  }
+
+  async follow() {
+    for (const half of this.halves) half.track = await this.track(half.facts);
+    return new Promise((done, fail) => {
+      const step = () => {
+        try {
+          if (this.step()) return done();
+        } catch (error) {
+          return fail(error);
+        }
+        return setTimeout(step, FEED_EVERY_MS);
+      };
+      step();
+    });
+  }
+
+  async track(facts) {
+    return Embedded.half(this.facts, facts, await Embedded.inflate(this.poses[facts.half]));
+  }
+
+  /** Bring what has happened by now; returns whether that is all. */
+  step() {
+    const tickSeconds = this.facts.tick_s;
+    let begins = 0;
+    const elapsed = (this.now() - this.when.start) / 1000;
+    for (const half of this.halves) {
+      if (elapsed < begins) {
+        this.lost(`Half-time: it goes on in ${Math.ceil(begins - elapsed)} s.`);
+        this.take.settled();
+        return false;
+      }
+      this.lost(null);
+      this.bring(half, Math.min(half.facts.ticks, Math.floor((elapsed - begins) / tickSeconds)));
+      begins += half.facts.ticks * tickSeconds;
+      if (elapsed < begins) break;
+      begins += this.when.halfTime;
+    }
+    const over = this.halves.every((half) => half.told === half.facts.ticks);
+    if (over) this.take.said({ say: "over", about: this.facts.about, places: this.facts.places, replay: false });
+    this.take.settled();
+    return over;
+  }
+
+  /** Bring a half up to a tick. */
+  bring(half, until) {
+    if (half.told < 0) this.take.said({ say: "half", facts: PremiereFeed.begun(half.facts) });
+    if (until <= half.told) return;
+    this.take.poses(half.facts.half, half.told + 1, this.rows(half.track, half.told + 1, until));
+    half.told = until;
+    while (half.news.length && half.news[0].tick <= until) this.take.said({ say: "news", ...half.news.shift() });
+  }
+
+  static begun(facts) {
+    return { ...facts, ticks: 0, score_changes: [], counted: [], phases: [], held: [], jumps: [], faults: [] };
+  }
+
+  /** Poses as a live match sends them: [tick][channel][entity]. */
+  rows(track, first, last) {
+    const rows = [];
+    for (let tick = first; tick <= last; tick++) {
+      for (const { name } of this.facts.channels) for (const column of track.channels[name]) rows.push(column[tick]);
+    }
+    return rows;
+  }
+}
+
+/** The clock of the web server, if that of this computer is wrong by more than the answer can tell. */
+async function clockOffset() {
+  if (!location.protocol.startsWith("http")) return 0;
+  try {
+    const before = Date.now();
+    const answer = await fetch(location.pathname, { method: "HEAD", cache: "no-store" });
+    const offset = Date.parse(answer.headers.get("Date")) + 500 - (before + Date.now()) / 2;
+    return Math.abs(offset) > CLOCK_OFF_MS ? offset : 0;
+  } catch {
+    return 0;
+  }
+}
