@@ -7,10 +7,13 @@ from contextlib import ExitStack
 from rcj_challenges.controllers.super_team import SuperTeam
 from rcj_challenges.controllers.team import Team, open_team
 from rcj_challenges.match.match import MatchPlan, PlayedMatch, play_match
+from rcj_challenges.records.folder import replaced
+from rcj_challenges.records.lines import json_line
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.tournament.jobs import MatchJob, Program, Workplace, data_file_error, entrants_of
-from rcj_challenges.tournament.records import trim_record
+from rcj_challenges.tournament.records import STATS, trim_record
 from rcj_challenges.views.replay import write_replay
+from rcj_challenges.views.stats import run_stats, stats_as_json
 
 
 def play_job(job: MatchJob, place: Workplace) -> PlayedMatch:
@@ -39,6 +42,8 @@ def play_job(job: MatchJob, place: Workplace) -> PlayedMatch:
         played = play_match(plan)
     if job.records != "result" and any(half["ticks"] for half in played.result["halves"]):
         write_replay(played.folder)
+        with replaced(played.folder / STATS) as file:
+            file.write(json_line(stats_as_json(run_stats(played.folder))))
     trim_record(played.folder, job.records)
     return played
 

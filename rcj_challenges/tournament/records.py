@@ -9,6 +9,9 @@ from pathlib import Path
 from rcj_challenges.records.folder import REPLAY, SENSORS, TRAJECTORY
 from rcj_challenges.tournament.models import Records
 
+STATS = "stats.json"
+"""Of a record: the statistics of the match, so that they outlive the trajectory from which they are counted."""
+
 _DROPPED: Mapping[Records, tuple[str, ...]] = {
     "full": (),
     # The page has all that it shows in itself. Of 17 MB of a match of 20 minutes less than 1 MB is left.
