@@ -119,6 +119,24 @@ def results(
 
 
 @tournament_app.command()
+def publish(
+    file: File,
+    data: Data = None,
+    premiere: Annotated[
+        list[str] | None,
+        typer.Option("--premiere", metavar="STAGE", help="Its matches have a premiere when released. Repeatable."),
+    ] = None,
+    url: Annotated[str, typer.Option("--url", help="Where the site will be, for the feed and the calendar.")] = "",
+) -> None:
+    """Write the site with all results that are released by now, and a private folder for each team."""
+    from rcj_challenges.cli.publish import publish_tournament
+    from rcj_challenges.records.folder import utc_now
+
+    with opened(file, data) as tournament:
+        raise typer.Exit(publish_tournament(tournament, utc_now(), premiere or [], url))
+
+
+@tournament_app.command()
 def decide(
     file: File,
     match: Annotated[

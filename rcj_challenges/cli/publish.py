@@ -1,0 +1,56 @@
+"""``rcj-challenge tournament publish``: the site for everyone, and the folders for teams and organizer."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from datetime import datetime
+from pathlib import Path
+
+from rich.progress import Progress
+
+from rcj_challenges.cli import OK
+from rcj_challenges.facts.amounts import counted
+from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.facts.errors import told_of
+from rcj_challenges.facts.shown import shown
+from rcj_challenges.tournament.opened import OpenTournament
+from rcj_challenges.tournament.site import publish, site_source
+from rcj_challenges.views.console import console_for
+
+_MIN_SEED_LETTERS = 16
+"""What is shorter can be found by trying: its hash keeps no secret."""
+
+
+def publish_tournament(tournament: OpenTournament, now: datetime, premieres: Sequence[str], url: str) -> int:
+    """Publish, and print where everything is; returns the exit code.
+
+    Raises:
+        DiagnosticError: a file cannot be written, or there is no such stage.
+    """
+    source = site_source(tournament, now, premieres, url)
+    data = tournament.store.place.folder
+    console = console_for()
+    try:
+        with Progress(console=console, transient=True, disable=not console.is_terminal) as bars:
+            task = bars.add_task("matches", total=None)
+            published = publish(source, data, lambda done, total: bars.update(task, completed=done, total=total))
+    except OSError as error:
+        message = f"cannot write {shown(error.filename or data)}: {told_of(error)}"
+        help_ = "make room or give access, and publish again; the site of before is still there"
+        raise DiagnosticError(Diagnostic("site-unwritable", message, help_)) from error
+    lines = [
+        f"{counted(published.matches, 'match', 'matches')} published, {published.reused} of them as before",
+        f"for everyone:  {_index(published.site)}",
+        f"for teams:     {published.for_teams} (a folder each; not for others)",
+        f"for you:       {published.organizer}",
+        *(f"upload at {one.at:%Y-%m-%d %H:%M %Z}: {one.file} to premiere/" for one in published.recordings),
+    ]
+    if len(source.seed) < _MIN_SEED_LETTERS and not source.is_over:
+        lines.append("note: the seed is so short that its published hash can be guessed; next time take a longer one")
+    for line in lines:
+        console.print(line, markup=False, highlight=False, soft_wrap=True)
+    return OK
+
+
+def _index(site: Path) -> Path:
+    return site / "index.html"

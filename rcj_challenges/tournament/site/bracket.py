@@ -1,0 +1,138 @@
+"""A knock-out as a picture: rounds from left to right, SVG for screens and for A4 paper."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from itertools import pairwise
+
+from markupsafe import Markup
+
+from rcj_challenges.facts.measures import number_words
+from rcj_challenges.tournament.season import Tie
+from rcj_challenges.tournament.site.model import words
+from rcj_challenges.tournament.site.render import escaped, fitted
+
+_BOX_WIDTH, _BOX_HEIGHT, _GAP_X, _GAP_Y, _HEAD = 196, 46, 36, 18, 34
+_LETTERS, _LETTERS_WITHOUT_SCORE = 22, 26
+_THIRD_PLACE = "third_place"
+
+PRINT_STYLE = """
+.bracket text{font:13px system-ui,"Noto Sans","Noto Sans CJK SC",sans-serif;fill:#16202b}
+.bracket .head{font-weight:700;fill:#5b6876}
+.bracket .box{fill:#fff;stroke:#9aa7b4}
+.bracket .rule{stroke:#d5dce3}
+.bracket .join{fill:none;stroke:#9aa7b4;stroke-width:1.5}
+.bracket .winner{font-weight:700}
+.bracket .open{fill:#5b6876;font-style:italic}
+.bracket .note{font-size:10px;fill:#5b6876}
+"""
+"""For a bracket that stands alone: dark on white."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Placed:
+    tie: Tie
+    x: float
+    y: float
+
+
+def bracket_svg(
+    ties: tuple[Tie, ...], name: Callable[[str], str], title: str, links: Mapping[str, str], *, alone: bool = False
+) -> Markup:
+    """Return the bracket.
+
+    Args:
+        ties: of the stage, round by round.
+        name: returns what a team is called.
+        title: of the stage.
+        links: by fixture id, where its page is.
+        alone: whether the picture is a file of its own, with its style in it.
+    """
+    placed = _placed([tie for tie in ties if tie.round != _THIRD_PLACE])
+    bottom = max((one.y + _BOX_HEIGHT for one in placed), default=_HEAD)
+    right = max((one.x + _BOX_WIDTH for one in placed), default=_BOX_WIDTH)
+    parts = _heads(placed)
+    parts += _joins(placed)
+    for third in (tie for tie in ties if tie.round == _THIRD_PLACE):
+        last_x = right - _BOX_WIDTH
+        final_bottom = max((one.y + _BOX_HEIGHT for one in placed if one.x == last_x), default=_HEAD)
+        at = _Placed(third, last_x, final_bottom + _HEAD + _GAP_Y)
+        placed.append(at)
+        bottom = max(bottom, at.y + _BOX_HEIGHT)
+        parts.append(f'<text class="head" x="{at.x:g}" y="{at.y - 10:g}">Third place</text>')
+    parts += [_box(one, name, links) for one in placed]
+    wide, tall = right + 2, bottom + 16
+    style = f"<style>{PRINT_STYLE}</style>" if alone else ""
+    name_space = ' xmlns="http://www.w3.org/2000/svg"' if alone else ""
+    return Markup(  # noqa: S704 - every text in it was escaped
+        f'<svg class="bracket"{name_space} viewBox="0 0 {wide:g} {tall:g}" width="{wide:g}" height="{tall:g}" '
+        f'role="img" aria-label="Bracket: {escaped(title)}">{style}{"".join(parts)}</svg>'
+    )
+
+
+def _placed(ties: list[Tie]) -> list[_Placed]:
+    """Place each tie in the middle of the two that lead to it; of a round with byes by its numbers."""
+    rounds: dict[str, list[Tie]] = {}
+    for tie in ties:
+        rounds.setdefault(tie.round, []).append(tie)
+    columns = list(rounds.values())
+    slots = max((len(column) << at for at, column in enumerate(columns)), default=0)
+    placed = []
+    for at, column in enumerate(columns):
+        # A round has as many places as halving makes of the widest one: with byes some of them stay empty.
+        share = max(1, slots >> at)
+        step = (slots / share) * (_BOX_HEIGHT + _GAP_Y)
+        spread = max(share, *(tie.number for tie in column))
+        for tie in column:
+            y = _HEAD + (tie.number - 0.5) * step * share / spread - _BOX_HEIGHT / 2
+            placed.append(_Placed(tie, 1 + at * (_BOX_WIDTH + _GAP_X), max(y, _HEAD)))
+    return placed
+
+
+def _heads(placed: list[_Placed]) -> list[str]:
+    columns = {one.x: one.tie.round for one in placed}
+    return [f'<text class="head" x="{x:g}" y="18">{escaped(words(name))}</text>' for x, name in columns.items()]
+
+
+def _joins(placed: list[_Placed]) -> list[str]:
+    columns = sorted({one.x for one in placed})
+    parts = []
+    for x, following in pairwise(columns):
+        later = {one.tie.number: one for one in placed if one.x == following}
+        for one in (one for one in placed if one.x == x):
+            target = later.get((one.tie.number + 1) // 2)
+            if target is not None:
+                begin, end = one.y + _BOX_HEIGHT / 2, target.y + _BOX_HEIGHT / 2
+                middle = following - _GAP_X / 2
+                parts.append(f'<path class="join" d="M{x + _BOX_WIDTH:g} {begin:g}H{middle:g}V{end:g}H{following:g}"/>')
+    return parts
+
+
+def _box(one: _Placed, name: Callable[[str], str], links: Mapping[str, str]) -> str:
+    tie, x, y = one.tie, one.x, one.y
+    middle = y + _BOX_HEIGHT / 2
+    parts = [
+        f'<rect class="box" x="{x:g}" y="{y:g}" width="{_BOX_WIDTH}" height="{_BOX_HEIGHT}" rx="6"/>',
+        f'<line class="rule" x1="{x:g}" x2="{x + _BOX_WIDTH:g}" y1="{middle:g}" y2="{middle:g}"/>',
+    ]
+    for side, team in enumerate(tie.teams):
+        base = y + 16 + side * _BOX_HEIGHT / 2
+        kind = "winner" if team and team == tie.winner else "team" if team else "open"
+        text = name(team) if team else tie.sources[side]
+        letters = _LETTERS_WITHOUT_SCORE if tie.scores is None else _LETTERS
+        parts.append(
+            f'<text class="{kind}" x="{x + 9:g}" y="{base:g}">{escaped(fitted(text, letters))}'
+            f"<title>{escaped(text)}</title></text>"
+        )
+        if tie.scores is not None:
+            score = number_words(tie.scores[side])
+            parts.append(
+                f'<text class="{kind}" x="{x + _BOX_WIDTH - 9:g}" y="{base:g}" text-anchor="end">{score}</text>'
+            )
+    if tie.decided_by not in ("", "match", "bye"):
+        how = escaped(tie.decided_by.replace("_", " "))
+        parts.append(f'<text class="note" x="{x + 9:g}" y="{y + _BOX_HEIGHT + 12:g}">by {how}</text>')
+    link = next((links[fixture] for fixture in reversed(tie.fixtures) if fixture in links), "")
+    content = "".join(parts)
+    return f'<a href="{escaped(link)}">{content}</a>' if link else content

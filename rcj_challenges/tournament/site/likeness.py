@@ -1,0 +1,114 @@
+"""How much code submissions share: a hint for the organizer, never a verdict.
+
+Each program is read as a row of tokens, in which every name is one sign, every number one and every text one: renaming
+and reformatting change nothing. What two submissions share are rows of tokens of a fixed length, without those of the
+sample teams, which everybody may start from.
+"""
+
+from __future__ import annotations
+
+import io
+import keyword
+import tokenize
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from itertools import combinations
+from pathlib import Path, PurePosixPath
+
+from rcj_challenges.controllers.archive import TeamError, read_contents
+from rcj_challenges.scenario.resources import teams_folder
+
+LENGTH = 12
+"""Tokens of a row: shorter ones are in any two programs that drive two wheels."""
+LEAST_SHARE = 0.25
+_MAX_PAIRS = 200
+_MAX_FILES = 3
+_LAYOUT = frozenset(
+    (
+        tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENCODING,
+        tokenize.ENDMARKER,
+    )
+)  # fmt: skip
+
+Rows = frozenset[int]
+
+
+@dataclass(frozen=True, slots=True)
+class LikePair:
+    """Two submissions that share code.
+
+    Attributes:
+        first, second: ids of the teams.
+        share: of the smaller one's rows, how many the other one has.
+        files: pairs of their files with the share of each, the most alike first.
+    """
+
+    first: str
+    second: str
+    share: float
+    files: tuple[tuple[str, str, float], ...]
+
+
+def like_pairs(submissions: Mapping[str, Path]) -> tuple[list[LikePair], list[str]]:
+    """Return the pairs of submissions that share much, most first, and the ids of those that cannot be read.
+
+    Args:
+        submissions: ZIP or folder, by team id.
+    """
+    known = _sample_rows()
+    programs: dict[str, dict[str, Rows]] = {}
+    unread = []
+    for team, path in submissions.items():
+        try:
+            files = _rows_of(read_contents(path).files.items())
+        except TeamError:
+            unread.append(team)
+        else:
+            programs[team] = {name: rows - known for name, rows in files.items() if rows - known}
+    whole = {team: frozenset[int]().union(*files.values()) for team, files in programs.items()}
+    found = []
+    for first, second in combinations(sorted(programs), 2):
+        share = _share(whole[first], whole[second])
+        if share >= LEAST_SHARE:
+            found.append(LikePair(first, second, share, _like_files(programs[first], programs[second])))
+    return sorted(found, key=lambda pair: -pair.share)[:_MAX_PAIRS], unread
+
+
+def token_rows(source: bytes) -> Rows:
+    """Return hashes of all rows of `LENGTH` tokens of a program, as far as it can be read."""
+    signs: list[str] = []
+    try:
+        tokens = tokenize.tokenize(io.BytesIO(source).readline)
+        signs.extend(_sign(token) for token in tokens if token.type not in _LAYOUT)
+    except (tokenize.TokenError, SyntaxError, ValueError):
+        pass  # what comes before the mistake is compared
+    return frozenset(hash(tuple(signs[at : at + LENGTH])) for at in range(len(signs) - LENGTH + 1))
+
+
+def _sign(token: tokenize.TokenInfo) -> str:
+    if token.type == tokenize.NAME:
+        return token.string if keyword.iskeyword(token.string) else "name"
+    if token.type in (tokenize.NUMBER, tokenize.STRING):
+        return "value"
+    return token.string
+
+
+def _share(one: Rows, other: Rows) -> float:
+    smaller = min(len(one), len(other))
+    return len(one & other) / smaller if smaller else 0.0
+
+
+def _like_files(one: Mapping[str, Rows], other: Mapping[str, Rows]) -> tuple[tuple[str, str, float], ...]:
+    pairs = [(a, b, _share(rows, others)) for a, rows in one.items() for b, others in other.items()]
+    return tuple(sorted((pair for pair in pairs if pair[2] >= LEAST_SHARE), key=lambda pair: -pair[2])[:_MAX_FILES])
+
+
+def _rows_of(files: Iterable[tuple[PurePosixPath, bytes]]) -> dict[str, Rows]:
+    return {str(path): token_rows(content) for path, content in files if path.suffix == ".py"}
+
+
+@cache
+def _sample_rows() -> Rows:
+    """Return the rows of all sample teams."""
+    return frozenset[int]().union(*(token_rows(path.read_bytes()) for path in sorted(teams_folder().rglob("*.py"))))

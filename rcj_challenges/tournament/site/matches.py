@@ -1,0 +1,273 @@
+"""The page of a match and the files beside it: replay, result, statistics, each without what is private."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from markupsafe import Markup
+
+from rcj_challenges.facts.measures import number_words
+from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.records.errors import RecordError
+from rcj_challenges.records.folder import REPLAY, TRAJECTORY
+from rcj_challenges.records.reflog import PROGRAM_FAULT
+from rcj_challenges.tournament.records import STATS
+from rcj_challenges.tournament.site.model import MatchView, Season
+from rcj_challenges.tournament.site.plots import score_plot
+from rcj_challenges.tournament.site.public import (
+    ReplayData,
+    fault_moment,
+    fault_words,
+    public_facts,
+    public_result,
+    public_stats,
+    read_replay,
+)
+from rcj_challenges.tournament.site.render import Renderer
+from rcj_challenges.tournament.site.tree import Tree, fingerprint
+from rcj_challenges.views.replay.page import page_text
+from rcj_challenges.views.sentences import clock
+from rcj_challenges.views.stats import DEFINITIONS, run_stats, stats_as_json
+
+_MOST_EVENTS = 400
+_FIGURES = tuple(key for key in DEFINITIONS if key not in ("faults", "calls"))
+_ROUTINE = ("MATCH_START", "MATCH_FINISH", "KICKOFF")
+"""Events that a reader of a report does not miss; the replay has them."""
+
+
+@dataclass(frozen=True, slots=True)
+class Moment:
+    """One event of the report.
+
+    Attributes:
+        half: of the match, from 1.
+        clock: time in the half.
+        name: of the event.
+        about: a sentence.
+        standing: the score after it, if it changed.
+        kind: ``goal``, ``loss``, ``fault``, ``call``.
+        link: to this moment of the replay, or empty.
+    """
+
+    half: int
+    clock: str
+    name: str
+    about: str
+    standing: str
+    kind: str
+    link: str
+
+
+def publish_match(tree: Tree, renderer: Renderer, season: Season, match: MatchView, templates: str) -> None:
+    """Write the folder of one match, unless it is as before.
+
+    Args:
+        tree: of the site.
+        renderer: fills the template.
+        season: the season.
+        match: one with an outcome.
+        templates: hash of what pages are made with.
+    """
+    folder = f"matches/{match.slug}"
+    tree.folder(folder, _made_from(season, match, templates), lambda: _write(tree, renderer, season, match, folder))
+
+
+def _made_from(season: Season, match: MatchView, templates: str) -> str:
+    played = match.played
+    record = played.record if played else None
+    files = [record / name for name in (REPLAY, STATS, TRAJECTORY)] if record else []
+    return fingerprint(
+        [
+            templates, repr(match.fixture), match.stage.title, repr(match.outcome), str(match.at),
+            [season.name(team) for team in match.teams],
+            [match.played.result.get("digest"), match.played.doubtful, repr(match.played.rulings),
+             dict(match.played.submissions), str(match.played.played_at)] if match.played else None,
+            [(path.name, path.stat().st_mtime_ns) for path in files if path.is_file()],
+            season.source.title, str(season.source.time_zone), [stage.title for stage in season.state.stages],
+        ]
+    )  # fmt: skip
+
+
+def _write(tree: Tree, renderer: Renderer, season: Season, match: MatchView, folder: str) -> None:
+    played = match.played
+    result = played.result if played else {}
+    record = played.record if played else None
+    replay = _replay(record)
+    downloads = []
+    if replay is not None:
+        facts = public_facts(replay.facts)
+        tree.write(f"{folder}/replay.html", page_text(facts, replay.poses))
+        replay = ReplayData(facts, replay.poses)
+        downloads.append(("replay.html", "the replay, one file"))
+    if result:
+        tree.write(f"{folder}/result.json", _json(public_result(result)))
+        downloads.append(("result.json", "result and events, JSON"))
+    stats = _stats(record)
+    if stats is not None:
+        tree.write(f"{folder}/{STATS}", _json(stats))
+        downloads.append((STATS, "statistics, JSON"))
+    page = renderer.page(
+        "match.html",
+        f"{folder}/index.html",
+        match=match,
+        moments=moments(replay, result),
+        plot=_plot(season, match, replay),
+        stats=_stats_rows(stats, match, list(result.get("entrants", ()))),
+        definitions=DEFINITIONS,
+        downloads=downloads,
+        has_replay=replay is not None,
+        halves=_halves(match, result),
+        faults=_faults(season, match, result),
+    )
+    tree.write(f"{folder}/index.html", page)
+
+
+def _json(value: Any) -> str:
+    return json.dumps(value, ensure_ascii=True, separators=(",", ":")) + "\n"
+
+
+def _replay(record: Path | None) -> ReplayData | None:
+    """Return the replay of a record; None if there is none, or it cannot be read."""
+    if record is None:
+        return None
+    try:
+        return read_replay((record / REPLAY).read_text("utf-8"))
+    except (OSError, ValueError):
+        return None
+
+
+def _stats(record: Path | None) -> dict[str, Any] | None:
+    """Return the public statistics of a record: those that lie in it, or counted from its trajectory; None without."""
+    if record is None:
+        return None
+    try:
+        return public_stats(json.loads((record / STATS).read_text("utf-8")))
+    except (OSError, ValueError):
+        pass
+    if not (record / TRAJECTORY).is_file():
+        return None
+    try:
+        return public_stats(stats_as_json(run_stats(record)))
+    except RecordError:
+        return None
+
+
+# --- what the page says ----------------------------------------------------------------------------------------------
+
+
+def moments(replay: ReplayData | None, result: Mapping[str, Any]) -> list[Moment]:
+    """Return the events of a match as sentences, with links into the replay if there is one."""
+    if replay is not None:
+        found = [
+            Moment(
+                half=event["half"],
+                clock=clock(s_from_ticks(event["tick"])),
+                name=event["name"],
+                about=" · ".join(filter(None, (event["about"], event["told"]))),
+                standing=event["standing"],
+                kind=event["kind"],
+                link=f"replay.html#h{event['half']}t{event['tick']}",
+            )
+            for event in replay.facts["events"]
+        ]
+    else:
+        found = [
+            Moment(
+                half=event["half"],
+                clock=clock(event["matchtime"]),
+                name=event["event"],
+                about=_about(event),
+                standing="",
+                kind="fault" if event["event"] == PROGRAM_FAULT else "goal" if event["event"] == "GOAL" else "call",
+                link="",
+            )
+            for event in result.get("events", ())
+        ]
+    return [moment for moment in found if moment.name not in _ROUTINE][:_MOST_EVENTS]
+
+
+def _about(event: Mapping[str, Any]) -> str:
+    payload = event["payload"]
+    if event["event"] == PROGRAM_FAULT:
+        return f"The program of {payload.get('robot_name', '')} {fault_words(str(payload.get('kind', '')))}."
+    named = payload.get("robot_name") or payload.get("team_name")
+    return str(named) if named else ""
+
+
+def _plot(season: Season, match: MatchView, replay: ReplayData | None) -> Markup | None:
+    """Return how the score of two sides went; None if the record does not tell."""
+    if replay is None or len(match.fixture.sides) != 2:
+        return None
+    seats = [side.seat for side in match.fixture.sides]
+    halves = []
+    for half in replay.facts["halves"]:
+        changes = [(0.0, [half["scores"].get(seat, 0) for seat in seats])]
+        changes += [
+            (s_from_ticks(tick), [scores.get(seat, 0) for seat in seats]) for tick, scores in half["score_changes"]
+        ]
+        halves.append((s_from_ticks(half["ticks"]), changes))
+    return score_plot([season.label(side.teams) for side in match.fixture.sides], halves)
+
+
+def _halves(match: MatchView, result: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Return the score after each half, in the order of the sides."""
+    seats = [side.seat for side in match.fixture.sides]
+    return [
+        {
+            "half": half["half"],
+            "scores": [number_words(half["score"].get(seat, 0)) for seat in seats],
+            "length": clock(s_from_ticks(half["ticks"])),
+            "ended": half.get("ended") or "",
+        }
+        for half in result.get("halves", ())
+    ]
+
+
+def _faults(season: Season, match: MatchView, result: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Return which programs failed, when, and how: by kind only."""
+    sides = {side.seat: season.label(side.teams) for side in match.fixture.sides}
+    return [
+        {
+            "when": fault_moment(fault),
+            "robot": fault["robot"],
+            "side": sides.get(fault.get("team") or "", ""),
+            "words": fault_words(fault["kind"]),
+        }
+        for fault in result.get("faults", ())
+    ]
+
+
+def _stats_rows(stats: Mapping[str, Any] | None, match: MatchView, seats: list[str]) -> list[dict[str, Any]]:
+    """Return figures as rows with a cell for each side, in the order of the match's sides.
+
+    Args:
+        stats: of the match, its teams in the order of ``seats``.
+        match: the match.
+        seats: of the scenario.
+    """
+    if stats is None or len(stats["teams"]) != len(seats):
+        return []
+    by_seat: Mapping[str, Mapping[str, Any]] = dict(zip(seats, stats["teams"].values(), strict=True))
+    teams = [by_seat[side.seat] for side in match.fixture.sides if side.seat in by_seat]
+    rows = []
+    for key in _FIGURES:
+        if any(key not in team for team in teams):
+            continue
+        definition = DEFINITIONS[key]
+        cells = ["" if team[key] is None else number_words(team[key], 2) for team in teams]
+        total = sum(team[key] or 0 for team in teams)
+        share = round(100 * (teams[0][key] or 0) / total) if total and len(teams) == 2 else 50
+        rows.append(
+            {
+                "title": definition.title,
+                "unit": definition.unit,
+                "text": definition.text,
+                "cells": cells,
+                "share": share,
+            }
+        )
+    return rows

@@ -1,0 +1,260 @@
+"""The season as pages see it: names that are safe to show, matches with their links, who met whom."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from functools import cached_property
+from typing import Any
+
+from rcj_challenges.facts.measures import measured_words, number_words
+from rcj_challenges.tournament.played import PlayedMatch
+from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Ruled, Side, StageState
+from rcj_challenges.tournament.site.public import fault_counts
+from rcj_challenges.tournament.site.source import SiteSource
+from rcj_challenges.views.naming import told_apart
+from rcj_challenges.views.sentences import plain
+
+_LONGEST_NAME = 60
+_LONGEST_SLUG = 120
+_NOT_IN_SLUGS = re.compile(r"[^A-Za-z0-9_.-]")
+
+RULED_WORDS = {
+    Ruled.PLAYED: "",
+    Ruled.FORFEIT: "forfeit",
+    Ruled.CORRECTED: "score corrected",
+    Ruled.WITHDRAWN: "team withdrew",
+    Ruled.ANNULLED: "annulled",
+}
+
+
+def slug(identifier: str) -> str:
+    """Return an id as the name of one file: ``groups.A.round2.ada-bee``. Two ids never share one."""
+    name = identifier.replace("/", ".")
+    if len(name) <= _LONGEST_SLUG and not _NOT_IN_SLUGS.search(name):
+        return name
+    digest = hashlib.sha256(identifier.encode()).hexdigest()[:16]
+    return f"{_NOT_IN_SLUGS.sub('_', name)[:_LONGEST_SLUG]}.{digest}"
+
+
+def _shown(name: str) -> str:
+    """Return a name without what would move its surroundings, or what UTF-8 cannot hold."""
+    return plain(name, _LONGEST_NAME).encode("utf-8", "replace").decode().strip()
+
+
+def words(name: str) -> str:
+    """Return ``Quarter finals`` for ``quarter_finals``."""
+    text = name.replace("_", " ").strip()
+    return text[:1].upper() + text[1:]
+
+
+def group_title(stage: StageState, group: str) -> str:
+    """Return what a group or a challenge is called: ``Group A``."""
+    return f"Group {group}" if stage.kind == "round_robin" and group else words(group)
+
+
+@dataclass(frozen=True, slots=True)
+class MatchView:
+    """One fixture with all that pages say of it.
+
+    Attributes:
+        fixture: the fixture.
+        stage: its stage.
+        outcome: what counts, or None if it is open or not released.
+        played: what is known beside the outcome; None if there is no outcome, so that nothing leaks.
+        at: when it is or was released, if the file says so.
+        slug: name of its folder under ``matches``.
+        premiere: whether it has a page that shows it when it is released.
+    """
+
+    fixture: Fixture
+    stage: StageState
+    outcome: Outcome | None
+    played: PlayedMatch | None
+    at: datetime | None
+    slug: str
+    premiere: bool = False
+
+    @property
+    def title(self) -> str:
+        """What it is: ``Group A, round 2``."""
+        return self.fixture.title or f"{words(self.fixture.group)} round {self.fixture.round}".strip()
+
+    @property
+    def stage_title(self) -> str:
+        """What its stage is called."""
+        return self.stage.title or words(self.stage.name)
+
+    @property
+    def short_title(self) -> str:
+        """The title without that of the stage: ``Semi-final 1``."""
+        short = self.title.removeprefix(self.stage.title).lstrip(" ,:")
+        return short[:1].upper() + short[1:]
+
+    @property
+    def teams(self) -> tuple[str, ...]:
+        """Ids of all its teams."""
+        return tuple(team for side in self.fixture.sides for team in side.teams)
+
+    @property
+    def scores(self) -> tuple[str, ...]:
+        """The scores by side, as text; empty while there is none."""
+        return tuple(number_words(score) for score in self.outcome.scores) if self.outcome else ()
+
+    @property
+    def is_challenge(self) -> bool:
+        """Whether one team plays alone."""
+        return len(self.fixture.sides) == 1
+
+    @property
+    def numbers(self) -> tuple[str, ...]:
+        """What a challenge ranks by, as text; empty while there is none."""
+        return (
+            tuple(number_words(value, 3) for value in self.outcome.values or self.outcome.scores)
+            if self.outcome
+            else ()
+        )
+
+    @property
+    def values(self) -> tuple[str, ...]:
+        """The same with what they are: ``score 2``, ``time 8.75``."""
+        numbers = self.numbers
+        columns = next((table.columns for table in self.stage.tables if table.name == self.fixture.group), ())
+        if len(columns) != len(numbers):
+            return numbers
+        return tuple(measured_words(name, number) for name, number in zip(columns, numbers, strict=True))
+
+    @property
+    def ruled(self) -> str:
+        """What a referee made of it, in a word or two; empty if it was simply played."""
+        return RULED_WORDS[self.outcome.ruled] if self.outcome else ""
+
+    @property
+    def kind(self) -> str:
+        """``extra time``; empty for a match or a challenge."""
+        ordinary = (FixtureKind.MATCH, FixtureKind.CHALLENGE)
+        return "" if self.fixture.kind in ordinary else self.fixture.kind.value.replace("_", " ")
+
+    @property
+    def played_at(self) -> datetime:
+        """When it ended or was ruled on; long ago if nothing says."""
+        if self.played is None:
+            return datetime.min.replace(tzinfo=UTC)
+        ruled = [ruling.at for ruling in self.played.rulings]
+        return self.at or self.played.played_at or max(ruled, default=datetime.min.replace(tzinfo=UTC))
+
+    def result_for(self, team: str) -> str:
+        """Return ``won``, ``drawn`` or ``lost``; empty in a challenge or if it does not count."""
+        if self.outcome is None or self.is_challenge or self.outcome.ruled is Ruled.ANNULLED:
+            return ""
+        own = next((at for at, side in enumerate(self.fixture.sides) if team in side.teams), None)
+        if own is None or len(self.outcome.scores) != 2:
+            return ""
+        ours, theirs = self.outcome.scores[own], self.outcome.scores[1 - own]
+        return "drawn" if ours == theirs else "won" if ours > theirs else "lost"
+
+    def difference_for(self, team: str) -> float:
+        """Return the goals that a team was ahead by; negative if it was behind."""
+        own = next((at for at, side in enumerate(self.fixture.sides) if team in side.teams), 0)
+        scores = self.outcome.scores if self.outcome else (0.0, 0.0)
+        return scores[own] - scores[1 - own]
+
+
+class Season:
+    """A `SiteSource`, looked up in the ways that pages need."""
+
+    def __init__(self, source: SiteSource) -> None:
+        self.source = source
+        self.state = source.state
+        self.teams = source.state.teams
+        shown = {team.id: _shown(team.name) or team.id for team in self.teams.values()}
+        self._names = told_apart(shown)
+
+    def name(self, team: str) -> str:
+        """Return what a team is called: without control characters, never empty, no two alike."""
+        return self._names.get(team, team)
+
+    def label(self, teams: Iterable[str]) -> str:
+        """Return the name of a side: of a super team the names of its teams."""
+        return " + ".join(map(self.name, teams))
+
+    @cached_property
+    def matches(self) -> Mapping[str, MatchView]:
+        """All known fixtures by id, in playing order."""
+        return {fixture.id: self._view(fixture, stage) for stage in self.state.stages for fixture in stage.fixtures}
+
+    @cached_property
+    def released(self) -> tuple[MatchView, ...]:
+        """What has an outcome, in playing order."""
+        return tuple(match for match in self.matches.values() if match.outcome is not None)
+
+    @cached_property
+    def latest(self) -> tuple[MatchView, ...]:
+        """What has an outcome, the newest first."""
+        order = {match.fixture.id: at for at, match in enumerate(self.released)}
+        return tuple(sorted(self.released, key=lambda match: (match.played_at, order[match.fixture.id]), reverse=True))
+
+    @cached_property
+    def coming(self) -> tuple[MatchView, ...]:
+        """What has no outcome yet, the next first; without a time in playing order."""
+        never = datetime.max.replace(tzinfo=UTC)
+        return tuple(
+            sorted((match for match in self.matches.values() if match.outcome is None), key=lambda m: m.at or never)
+        )
+
+    def of_stage(self, stage: StageState) -> tuple[MatchView, ...]:
+        """Return the matches of a stage."""
+        return tuple(self.matches[fixture.id] for fixture in stage.fixtures)
+
+    def of_team(self, team: str) -> tuple[MatchView, ...]:
+        """Return the matches of a team."""
+        return tuple(match for match in self.matches.values() if team in match.teams)
+
+    def faults_of(self, team: str) -> dict[str, int]:
+        """Return how often programs of a team failed, by kind."""
+        faults = [fault for match in self.of_team(team) for fault in team_faults(match, team)]
+        return dict(sorted(fault_counts(faults).items()))
+
+    def played(self, fixture: Fixture) -> PlayedMatch | None:
+        """Return what was played, released or not; of others who stood in its place before only the rulings."""
+        match = self.source.played.matches.get(fixture.id)
+        teams = {team for side in fixture.sides for team in side.teams}
+        if match is None or not match.submissions or set(match.submissions) == teams:
+            return match
+        return PlayedMatch(match.fixture, None, {}, rulings=match.rulings)
+
+    def _view(self, fixture: Fixture, stage: StageState) -> MatchView:
+        outcome = self.state.outcomes.get(fixture.id)
+        return MatchView(
+            fixture=fixture,
+            stage=stage,
+            outcome=outcome,
+            played=self.played(fixture) if outcome is not None else None,
+            at=self.source.releases.get(fixture.id),
+            slug=slug(fixture.id),
+            premiere=outcome is None and stage.name in self.source.premieres and fixture.id in self.source.releases,
+        )
+
+
+def team_faults(match: MatchView, team: str) -> list[Mapping[str, Any]]:
+    """Return the faults of a match that are a team's: of a super team those of its own robot."""
+    if match.played is None:
+        return []
+    return [
+        fault
+        for fault in match.played.result.get("faults", ())
+        for side in match.fixture.sides
+        if side.seat == fault.get("team") and team == driver(side, str(fault["robot"]))
+    ]
+
+
+def driver(side: Side, robot: str) -> str:
+    """Return whose program drives a robot of a side, by id: in a super team by the robot's number."""
+    if len(side.teams) == 1:
+        return side.teams[0]
+    number = re.search(r"\d+$", robot)
+    at = int(number[0]) - 1 if number else -1
+    return side.teams[at] if 0 <= at < len(side.teams) else ""

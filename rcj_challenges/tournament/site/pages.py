@@ -1,0 +1,256 @@
+"""The pages about the whole season, its stages and its teams."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from itertools import groupby
+from typing import Any
+
+from markupsafe import Markup
+
+from rcj_challenges.facts.measures import measure_words
+from rcj_challenges.tournament.season import StageState, Status
+from rcj_challenges.tournament.seeds import seed_hash
+from rcj_challenges.tournament.site.bracket import bracket_svg
+from rcj_challenges.tournament.site.model import MatchView, Season, slug, words
+from rcj_challenges.tournament.site.plots import distribution_plot, form_plot
+from rcj_challenges.tournament.site.render import Renderer, day
+from rcj_challenges.tournament.site.schedule import appointments, as_csv, as_feed, as_ics
+from rcj_challenges.tournament.site.tree import Tree
+
+_ON_OVERVIEW = 8
+
+Cells = dict[tuple[str, str], list[tuple[MatchView, str, str]]]
+
+
+def publish_overview(tree: Tree, renderer: Renderer, season: Season) -> None:
+    """Write what is about the whole season."""
+    stages = season.state.stages
+    running = [stage for stage in stages if stage.status == Status.RUNNING]
+    current = running or [stage for stage in stages if stage.status == Status.FINISHED][-1:]
+    brackets = [
+        (stage, _bracket(season, stage, "")) for stage in stages if stage.ties and stage.status != Status.WAITING
+    ]
+    path = "index.html"
+    tree.write(
+        path,
+        renderer.page(
+            "index.html",
+            path,
+            current=[stage for stage in current if any(match.outcome for match in season.of_stage(stage))],
+            brackets=brackets,
+            winners=_winners(season),
+            latest=_few(season.latest),
+            coming=_few(season.coming),
+        ),
+    )
+    rows = appointments(season)
+    zone = season.source.time_zone
+    days = [(name, list(some)) for name, some in groupby(rows, key=lambda row: day(row.at, zone))]
+    tree.write("schedule.html", renderer.page("schedule.html", "schedule.html", days=days))
+    tree.write("schedule.ics", as_ics(season, rows))
+    tree.write("schedule.csv", "\ufeff" + as_csv(season, rows))  # the mark tells spreadsheets that it is UTF-8
+    tree.write("feed.json", as_feed(season))
+    teams, cells = _met(season.released)
+    path = "head_to_head.html"
+    tree.write(path, renderer.page(path, path, teams=_in_order(season, teams), cells=cells))
+    tree.write(
+        "about.html",
+        renderer.page(
+            "about.html",
+            "about.html",
+            seed_hash=seed_hash(season.source.seed),
+            ruled=[match for match in season.latest if match.played and match.played.rulings],
+            doubtful=any(match.played and match.played.doubtful for match in season.released),
+            versions=_versions(season),
+        ),
+    )
+
+
+def _few(matches: Sequence[MatchView]) -> Sequence[MatchView]:
+    """Return the first of some matches; runs of challenges, of which there are many, only if there is nothing else."""
+    return ([match for match in matches if not match.is_challenge] or matches)[:_ON_OVERVIEW]
+
+
+def _winners(season: Season) -> list[tuple[StageState, list[str]]]:
+    """Return who won each stage; nothing before the end, of stages in groups, and if several share the first place."""
+    found = []
+    for stage in season.state.stages if season.source.is_over else ():
+        first = [row for row in stage.places if row.place == 1]
+        if len(first) == 1 and not (stage.kind == "round_robin" and len(stage.tables) > 1):
+            found.append((stage, first[0].team.split("+")))
+    return found
+
+
+def _versions(season: Season) -> list[str]:
+    found = set()
+    for match in season.released:
+        versions = match.played.result.get("versions") if match.played else None
+        if versions:
+            found.add(
+                f"rcj-challenges {versions['rcj_challenges']}, MuJoCo {versions['mujoco']}, {versions['python']}, "
+                f"{versions['system']} {versions['machine']}"
+            )
+    return sorted(found)
+
+
+# --- stages ----------------------------------------------------------------------------------------------------------
+
+
+def publish_stage(tree: Tree, renderer: Renderer, season: Season, stage: StageState) -> None:
+    """Write the page of a stage, and its bracket as a picture and to print."""
+    name = slug(stage.name)
+    path = f"stages/{name}.html"
+    matches = season.of_stage(stage)
+    tree.write(
+        path,
+        renderer.page(
+            "stage.html",
+            path,
+            stage=stage,
+            matches=matches,
+            times=sorted({time.at for time in season.source.rounds if time.stage == stage.name and not time.round}),
+            picture=_bracket(season, stage, "../") if stage.ties else None,
+            plots=_distributions(season, stage) if stage.kind == "challenge" else [],
+            rounds=_rounds(stage, matches) if stage.kind != "challenge" else [],
+            challenges=_challenges(season, stage) if stage.kind == "challenge" else [],
+            matrices=_matrices(season, stage),
+        ),
+    )
+    if stage.ties:
+        path = f"brackets/{name}.html"
+        tree.write(path, renderer.page("bracket.html", path, stage=stage, picture=_bracket(season, stage, "../")))
+        tree.write(f"brackets/{name}.svg", _bracket(season, stage, None))
+
+
+def _bracket(season: Season, stage: StageState, root: str | None) -> Markup:
+    """Return the bracket of a stage; ``root`` is the way to the site's top, None for a picture without links."""
+    links = (
+        {
+            match.fixture.id: f"{root}matches/{match.slug}/index.html"
+            for match in season.of_stage(stage)
+            if match.outcome
+        }
+        if root is not None
+        else {}
+    )
+    title = stage.title or words(stage.name)
+    return bracket_svg(stage.ties, lambda teams: season.label(teams.split("+")), title, links, alone=root is None)
+
+
+def _rounds(stage: StageState, matches: Sequence[MatchView]) -> list[tuple[str, list[MatchView]]]:
+    """Return the matches of a stage by round."""
+    rounds = {tie.id: words(tie.round) for tie in stage.ties}
+    grouped: dict[tuple[int, str], list[MatchView]] = {}
+    for match in matches:
+        name = rounds.get(match.fixture.tie) or f"Round {match.fixture.round}"
+        grouped.setdefault((match.fixture.round, name), []).append(match)
+    return [(name, some) for (_, name), some in sorted(grouped.items(), key=lambda item: item[0][0])]
+
+
+def _challenges(
+    season: Season, stage: StageState
+) -> list[tuple[str, list[str], list[int], dict[tuple[str, int], MatchView]]]:
+    """Return for each challenge its name, the teams as its table has them, the numbers of its runs, and the runs."""
+    ranked = {table.name: [row.team for row in table.rows] for table in stage.tables}
+    found: dict[str, dict[tuple[str, int], MatchView]] = {}
+    for match in season.of_stage(stage):
+        found.setdefault(match.fixture.group, {})[match.teams[0], match.fixture.leg] = match
+    return [
+        (name, ranked.get(name) or sorted({team for team, _ in runs}), sorted({run for _, run in runs}), runs)
+        for name, runs in found.items()
+    ]
+
+
+def _distributions(season: Season, stage: StageState) -> list[tuple[str, Markup]]:
+    """Return a picture for each challenge that several runs were played of: all values of its first criterion."""
+    columns = {table.name: table.columns for table in stage.tables}
+    rows = {table.name: [row.team for row in table.rows] for table in stage.tables}
+    found = []
+    for name in dict.fromkeys(fixture.group for fixture in stage.fixtures):
+        values: dict[str, list[float]] = {team: [] for team in rows.get(name, stage.teams)}
+        for match in season.of_stage(stage):
+            if match.fixture.group == name and match.outcome is not None:
+                value = (match.outcome.values or match.outcome.scores or (0.0,))[0]
+                values.setdefault(match.teams[0], []).append(value)
+        if any(values.values()):
+            first = next(iter(columns.get(name, ())), "value")
+            shown = {season.name(team): several for team, several in values.items() if several}
+            found.append((name, distribution_plot(shown, measure_words(first))))
+    return found
+
+
+def _matrices(season: Season, stage: StageState) -> list[tuple[str, list[str], Cells]]:
+    """Return who met whom, group by group; nothing for stages in which teams do not meet in groups."""
+    if stage.kind not in ("round_robin", "swiss"):
+        return []
+    found = []
+    for table in stage.tables:
+        inside = [match for match in season.of_stage(stage) if match.outcome and match.fixture.group == table.name]
+        if inside:
+            found.append((table.name, [row.team for row in table.rows], _met(inside)[1]))
+    return found
+
+
+def _met(matches: Iterable[MatchView]) -> tuple[set[str], Cells]:
+    """Return the teams of matches of two single teams, and for each ordered pair (match, score, how it went)."""
+    cells: Cells = {}
+    for match in matches:
+        sides = match.fixture.sides
+        if len(sides) != 2 or match.outcome is None or any(len(side.teams) != 1 for side in sides):
+            continue
+        first, second = sides[0].teams[0], sides[1].teams[0]
+        text = match.scores
+        cells.setdefault((first, second), []).append((match, ":".join(text), match.result_for(first)))
+        cells.setdefault((second, first), []).append((match, ":".join(reversed(text)), match.result_for(second)))
+    return {team for pair in cells for team in pair}, cells
+
+
+def _in_order(season: Season, teams: Iterable[str]) -> list[str]:
+    return sorted(teams, key=lambda team: (season.name(team).casefold(), team))
+
+
+# --- teams -----------------------------------------------------------------------------------------------------------
+
+
+def publish_teams(tree: Tree, renderer: Renderer, season: Season) -> None:
+    """Write the page of each team, and the list of all."""
+    listed = []
+    for team in _in_order(season, season.teams):
+        matches = season.of_team(team)
+        went = [match.result_for(team) for match in matches]
+        listed.append((team, went.count("won"), went.count("drawn"), went.count("lost")))
+        path = f"teams/{slug(team)}.html"
+        tree.write(path, renderer.page("team.html", path, **_team(season, team, matches)))
+    tree.write("teams/index.html", renderer.page("teams.html", "teams/index.html", teams=listed))
+
+
+def _team(season: Season, team: str, matches: Sequence[MatchView]) -> dict[str, Any]:
+    form = [(_against(season, match, team), match.difference_for(team)) for match in matches if match.result_for(team)]
+    places = [
+        (stage, table, row)
+        for stage in season.state.stages
+        for table in stage.tables
+        for row in table.rows
+        if team in row.team.split("+")
+    ]
+    results = []
+    for name in dict.fromkeys(match.stage_title for match in matches):
+        own = [match for match in matches if match.stage_title == name]
+        runs: dict[str, list[MatchView]] = {}
+        for match in (match for match in own if match.is_challenge):
+            runs.setdefault(match.fixture.group, []).append(match)
+        results.append((name, [match for match in own if not match.is_challenge], runs))
+    return {
+        "id": team,
+        "form": form_plot(form) if form else None,
+        "places": places,
+        "faults": season.faults_of(team),
+        "submissions": [one for one in season.source.played.submissions if one.team == team],
+        "results": results,
+    }
+
+
+def _against(season: Season, match: MatchView, team: str) -> str:
+    others = [season.label(side.teams) for side in match.fixture.sides if team not in side.teams]
+    return f"against {', '.join(others)}"

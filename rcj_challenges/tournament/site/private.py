@@ -1,0 +1,148 @@
+"""What belongs to one team, for the organizer to hand out: its logs, its tracebacks, its check report, its replays.
+
+Of a match only what is released is in it, and of the other side nothing that the site does not show.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Collection, Mapping
+from contextlib import suppress
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from rcj_challenges.records.errors import RecordError
+from rcj_challenges.records.folder import LOGS, REPLAY, SCENARIO
+from rcj_challenges.records.sensors import DAMAGE, read_sensors
+from rcj_challenges.tournament.season import Side
+from rcj_challenges.tournament.site.model import MatchView, Season, driver, slug, team_faults
+from rcj_challenges.tournament.site.public import public_facts, read_replay
+from rcj_challenges.tournament.site.render import Renderer
+from rcj_challenges.tournament.site.tree import Tree, fingerprint
+from rcj_challenges.views.replay.page import page_text
+from rcj_challenges.views.replay.sensing import output_block, sensor_block, sensor_facts
+
+_MAX_REPORT_FILES = 200
+
+
+def publish_team(tree: Tree, renderer: Renderer, season: Season, team: str, made_with: str) -> None:
+    """Write the folder of one team.
+
+    Args:
+        tree: of all teams' folders.
+        renderer: fills the template.
+        season: the season.
+        team: id.
+        made_with: hash of what pages are made with.
+    """
+    home = slug(team)
+    matches = [match for match in season.of_team(team) if match.outcome is not None and match.played is not None]
+    for match in matches:
+        folder = f"{home}/{match.slug}"
+        made_from = fingerprint(
+            [made_with, match.played.result.get("digest") if match.played else "", season.name(team)]
+        )
+        tree.folder(folder, made_from, lambda match=match, folder=folder: _write(tree, match, team, folder))  # type: ignore[misc]
+    reports = _copy_reports(tree, season, team, home)
+    rows = [
+        {"match": match, "files": files, "faults": faults}
+        for match in matches
+        if (files := tree.listed(f"{home}/{match.slug}")) + (faults := team_faults(match, team))
+    ]
+    tree.write(f"{home}/style.css", renderer.style)
+    tree.write(
+        f"{home}/index.html",
+        renderer.page("for_team.html", f"{home}/index.html", team=team, rows=rows, reports=reports),
+    )
+
+
+def _write(tree: Tree, match: MatchView, team: str, folder: str) -> None:
+    """Write logs and replay of one match."""
+    record = match.played.record if match.played else None
+    if record is None or match.played is None:
+        return
+    robots = _robots(record, match.played.result, match, team)
+    own = frozenset(robot for _, robot in robots)
+    halves = [half["half"] for half in match.played.result.get("halves", ())]
+    for robot in sorted(own):
+        with suppress(OSError):
+            text = (record / LOGS / f"{robot}.log").read_text("utf-8", "replace")
+            mine = own_log(text, halves, [half for half in halves if (half, robot) in robots])
+            if mine:
+                tree.write(f"{folder}/{robot}.log", mine)
+    with suppress(OSError, ValueError):
+        page = read_replay((record / REPLAY).read_text("utf-8"))
+        facts = public_facts(page.facts, robots)
+        sensing = _sensing(facts, record, robots)
+        if sensing:  # else it would be the one of the site
+            tree.write(f"{folder}/replay.html", page_text(facts, page.poses, sensing))
+
+
+def _robots(record: Path, result: Mapping[str, Any], match: MatchView, team: str) -> frozenset[tuple[int, str]]:
+    """Return (half, robot) for each robot that a team's programs drove."""
+    try:
+        entrants = json.loads((record / SCENARIO).read_text("utf-8"))["entrants"]
+    except (OSError, ValueError, KeyError, TypeError):
+        return frozenset()
+    sides: dict[str, Side] = {side.seat: side for side in match.fixture.sides}
+    return frozenset(
+        (half["half"], robot)
+        for half in result.get("halves", ())
+        for seat, first_seat in half["sides"].items()
+        if first_seat in sides
+        for robot in entrants.get(seat, {}).get("robots", {})
+        if team == driver(sides[first_seat], robot)
+    )
+
+
+def own_log(text: str, halves: Collection[int], own: Collection[int]) -> str:
+    """Return of a robot's log what the team's own program printed: robots change teams with the sides.
+
+    The second half is taken to begin at the last line that says so, wherever it stands in its line: so a program of
+    the first half cannot get more than its own by printing such a line, nor by leaving its last line open, and one of
+    the second half gives away its own at most. In more halves that could not be told, so nothing is returned then.
+
+    Args:
+        text: the whole log.
+        halves: in which the robot played.
+        own: those in which it was the team's.
+    """
+    if set(halves) <= set(own):
+        return text
+    if not own or set(halves) != {1, 2}:
+        return ""
+    begin = text.rfind("--- half 2: ")
+    if begin < 0:
+        return text if 1 in own else ""
+    return text[:begin] if 1 in own else text[begin:]
+
+
+def _sensing(facts: dict[str, Any], record: Path, robots: Collection[tuple[int, str]]) -> dict[str, str]:
+    """Add what the team's own robots sensed and printed to the facts; return the blocks by id."""
+    blocks: dict[str, str] = {}
+    try:
+        halves = read_sensors(record)
+    except (RecordError, *DAMAGE):
+        return blocks
+    for number, half in halves.items():
+        own = replace(half, robots={name: track for name, track in half.robots.items() if (number, name) in robots})
+        if own.robots:
+            facts["sensors"][str(number)] = sensor_facts(own)
+            blocks[f"sensors-{number}"] = sensor_block(own)
+            blocks[f"output-{number}"] = output_block(own)
+    return blocks
+
+
+def _copy_reports(tree: Tree, season: Season, team: str, home: str) -> list[str]:
+    """Copy the check's reports of a team's submissions; return their paths."""
+    found = []
+    for one in season.source.played.submissions:
+        if one.team != team or one.report is None or not one.report.is_dir():
+            continue
+        for file in sorted(one.report.rglob("*"))[:_MAX_REPORT_FILES]:
+            if file.is_file():
+                path = f"check/{one.sha256[:12]}/{file.relative_to(one.report).as_posix()}"
+                tree.copy(file, f"{home}/{path}")
+                found.append(path)
+    return found

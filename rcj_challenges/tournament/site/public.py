@@ -1,0 +1,163 @@
+"""What everyone may see of a match: faults by kind, never in detail, and nothing that programs sensed or printed."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from html.parser import HTMLParser
+from typing import Any
+
+from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.records.reflog import PROGRAM_FAULT
+from rcj_challenges.views.sentences import clock
+
+FAULT_WORDS = {
+    "crash": "crashed",
+    "exit": "ended before the half was over",
+    "start": "could not be started",
+    "start_timeout": "took too long to start",
+    "step_timeout": "took too long for one step",
+    "half_timeout": "took too much time in a half",
+    "memory": "used too much memory",
+    "protocol": "sent something that is not understood",
+    "output_flood": "printed too much",
+}
+"""What a program did, by the kind of its fault."""
+
+_PUBLIC_RESULT = (
+    "record", "scenario", "title", "started", "seed", "entrants", "score", "ranking", "halves", "digest", "simulated_s",
+    "versions", "marks",
+)  # fmt: skip
+
+
+def fault_words(kind: str) -> str:
+    """Return ``crashed``: what the program did."""
+    return FAULT_WORDS.get(kind, kind.replace("_", " "))
+
+
+def fault_moment(fault: Mapping[str, Any]) -> str:
+    """Return ``half 1, 0:09.6``; empty if the record that would tell is damaged."""
+    return f"half {fault['half']}, {clock(s_from_ticks(fault['tick']))}" if "tick" in fault else ""
+
+
+def public_result(result: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what everyone may see of a ``result.json``."""
+    return {
+        **{key: result[key] for key in _PUBLIC_RESULT if key in result},
+        "events": [_public_event(event) for event in result.get("events", ())],
+        "faults": [_public_fault(fault) for fault in result.get("faults", ())],
+    }
+
+
+def public_stats(stats: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what everyone may see of the statistics of a match."""
+    return {key: stats[key] for key in ("simulated_s", "play_s", "teams", "balls", "other_calls") if key in stats}
+
+
+def _public_fault(fault: Mapping[str, Any]) -> dict[str, Any]:
+    return {key: fault[key] for key in ("robot", "team", "half", "tick", "kind") if key in fault}
+
+
+def _public_event(event: Mapping[str, Any]) -> dict[str, Any]:
+    if event["event"] != PROGRAM_FAULT:
+        return dict(event)
+    payload = event["payload"]
+    return {**event, "payload": {key: payload[key] for key in ("robot_name", "kind") if key in payload}}
+
+
+def fault_counts(faults: Iterable[Mapping[str, Any]]) -> Counter[str]:
+    """Return how often each kind of fault happened."""
+    return Counter(str(fault["kind"]) for fault in faults)
+
+
+# --- the replay page --------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class ReplayData:
+    """What a replay page carries.
+
+    Attributes:
+        facts: what the viewer knows of the match.
+        poses: packed poses by half.
+    """
+
+    facts: dict[str, Any]
+    poses: dict[int, str]
+
+
+def read_replay(page: str) -> ReplayData:
+    """Read a replay page back; sensor recordings and printed text are left behind.
+
+    Args:
+        page: as `views.replay` writes it.
+
+    Raises:
+        ValueError: this is no replay page.
+    """
+    reader = _Blocks()
+    reader.feed(page)
+    facts = json.loads(reader.found.get("facts", ""))
+    if not isinstance(facts, dict) or not isinstance(facts.get("halves"), list):
+        raise ValueError("no facts of a replay")  # noqa: TRY004 - of the same kind as text that is not JSON
+    poses = {half["half"]: reader.found.get(f"half-{half['half']}", "") for half in facts["halves"]}
+    return ReplayData(facts, poses)
+
+
+class _Blocks(HTMLParser):
+    """Collects the data blocks of a page: scripts with an id."""
+
+    def __init__(self) -> None:
+        super().__init__(convert_charrefs=False)
+        self.found: dict[str, str] = {}
+        self._id = ""
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self._id = dict(attrs).get("id") or "" if tag == "script" else ""
+
+    def handle_endtag(self, tag: str) -> None:
+        self._id = ""
+
+    def handle_data(self, data: str) -> None:
+        if self._id:
+            self.found[self._id] = self.found.get(self._id, "") + data
+
+
+def public_facts(facts: Mapping[str, Any], own: Iterable[tuple[int, str]] = ()) -> dict[str, Any]:
+    """Return the facts of a replay without details of faults.
+
+    Args:
+        facts: of the replay.
+        own: (half, robot) of which faults may be shown in full, as to their own team.
+    """
+    own = frozenset(own)
+    return {
+        **facts,
+        "sensors": {},
+        "problem": "",
+        "halves": [
+            {
+                **half,
+                "faults": [
+                    fault if (half["half"], fault["robot"]) in own else {**fault, "detail": fault_words(fault["kind"])}
+                    for fault in half["faults"]
+                ],
+            }
+            for half in facts["halves"]
+        ],
+        "events": [_public_moment(event, own) for event in facts["events"]],
+    }
+
+
+def _public_moment(event: Mapping[str, Any], own: frozenset[tuple[int, str]]) -> dict[str, Any]:
+    payload = dict(event["payload"])
+    if event["name"] != PROGRAM_FAULT or (event["half"], payload.get("robot_name")) in own:
+        return dict(event)
+    robot, kind = str(payload.get("robot_name", "")), str(payload.get("kind", ""))
+    about = f"The program of {robot} {fault_words(kind)}."
+    return {
+        **event, "about": about, "told": "", "says": "", "caption": about,
+        "payload": [["robot_name", robot], ["kind", kind]],
+    }  # fmt: skip

@@ -1,0 +1,101 @@
+"""Publishing: builds the site and the teams' folders anew, takes over what has not changed, and swaps them in."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from importlib.resources import files
+from pathlib import Path
+
+from rcj_challenges import __version__
+from rcj_challenges.tournament.played import Submission
+from rcj_challenges.tournament.site.likeness import LEAST_SHARE, LENGTH, like_pairs
+from rcj_challenges.tournament.site.matches import publish_match
+from rcj_challenges.tournament.site.model import Season
+from rcj_challenges.tournament.site.pages import publish_overview, publish_stage, publish_teams
+from rcj_challenges.tournament.site.premiere import Recording, publish_premieres
+from rcj_challenges.tournament.site.private import publish_team
+from rcj_challenges.tournament.site.render import Renderer
+from rcj_challenges.tournament.site.source import SiteSource
+from rcj_challenges.tournament.site.tree import Tree
+
+SITE, FOR_TEAMS, ORGANIZER, PREMIERES = "site", "for_teams", "organizer", "premieres"
+"""Folders in the tournament's data folder."""
+
+
+@dataclass(frozen=True, slots=True)
+class Published:
+    """What was written.
+
+    Attributes:
+        site: the folder for everyone.
+        matches: how many have a page.
+        reused: how many of these are as they were the last time.
+        for_teams: the folder with a folder for each team.
+        organizer: the page for the organizer.
+        recordings: of premieres that are still to come.
+    """
+
+    site: Path
+    matches: int
+    reused: int
+    for_teams: Path
+    organizer: Path
+    recordings: tuple[Recording, ...]
+
+
+def publish(
+    source: SiteSource, data: Path, progress: Callable[[int, int], None] = lambda _done, _total: None
+) -> Published:
+    """Write the site, the folders of the teams, the premieres' data, and the page for the organizer.
+
+    Args:
+        source: what is shown.
+        data: the tournament's data folder.
+        progress: called with how many matches are done, and how many there are.
+
+    Raises:
+        ForeignFolderError: something that is not ours is in the way.
+        OSError: a file cannot be written; the site of before is still there.
+    """
+    season = Season(source)
+    renderer = Renderer(season)
+    made_with = _templates()
+    total = len(season.released)
+    with Tree(data / SITE) as tree, Tree(data / PREMIERES) as premieres:
+        tree.write("style.css", renderer.style)
+        for done, match in enumerate(season.released):
+            progress(done, total)
+            publish_match(tree, renderer, season, match, made_with)
+        progress(total, total)
+        publish_overview(tree, renderer, season)
+        for stage in season.state.stages:
+            publish_stage(tree, renderer, season, stage)
+        publish_teams(tree, renderer, season)
+        recordings = publish_premieres(tree, premieres, season, renderer)
+    with Tree(data / FOR_TEAMS) as own:
+        for team in season.teams:
+            publish_team(own, renderer, season, team, made_with)
+    with Tree(data / ORGANIZER) as page:
+        publish_likeness(page, renderer, source.played.submissions)
+    coming = tuple(one for one in recordings if one.at > source.now)
+    return Published(data / SITE, total, tree.reused, data / FOR_TEAMS, data / ORGANIZER / "likeness.html", coming)
+
+
+def publish_likeness(tree: Tree, renderer: Renderer, submissions: Iterable[Submission]) -> None:
+    """Write the page about submissions that are alike, for the organizer."""
+    current = {one.team: one.path for one in submissions}  # the last one of each team
+    pairs, unread = like_pairs(current)
+    tree.write("style.css", renderer.style)
+    page = renderer.page("likeness.html", "likeness.html", pairs=pairs, unread=unread, least=LEAST_SHARE, length=LENGTH)
+    tree.write("likeness.html", page)
+
+
+def _templates() -> str:
+    """Return a hash of all that decides how a match's page and its replay look."""
+    digest = hashlib.sha256(__version__.encode())
+    for package, folder in (("rcj_challenges.tournament.site", "templates"), ("rcj_challenges.views.replay", "viewer")):
+        for file in sorted((files(package) / folder).iterdir(), key=lambda file: file.name):
+            digest.update(file.read_bytes())
+    return digest.hexdigest()

@@ -1,0 +1,115 @@
+"""From templates to pages: Jinja2 with escaping on, links that work from disk, one policy for all pages."""
+
+from __future__ import annotations
+
+import html
+import unicodedata
+from datetime import datetime, tzinfo
+from importlib.resources import files
+from typing import Any
+from urllib.parse import quote
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup
+
+from rcj_challenges.facts.measures import measure_words, number_words
+from rcj_challenges.facts.shown import shown_block
+from rcj_challenges.tournament.site.model import Season, group_title, slug, words
+from rcj_challenges.tournament.site.public import fault_moment, fault_words
+from rcj_challenges.tournament.site.schedule import page_of
+from rcj_challenges.views.sentences import clock, plain
+
+POLICY = (
+    "default-src 'none'; style-src 'self'; img-src 'self' data:; base-uri 'none'; form-action 'none'; frame-src 'none'"
+)
+"""No script runs on a page, and nothing is loaded from anywhere else. Premieres have a policy of their own."""
+
+
+class Renderer:
+    """Fills the templates with a season."""
+
+    def __init__(self, season: Season) -> None:
+        self._season = season
+        self._environment = Environment(
+            loader=PackageLoader("rcj_challenges.tournament.site"),
+            autoescape=True,
+            undefined=StrictUndefined,
+            trim_blocks=True,
+            lstrip_blocks=True,
+        )
+        zone = season.source.time_zone
+        self._environment.filters |= {
+            "block": shown_block,
+            "clock": clock,
+            "day": lambda at: day(at, zone),
+            "fault": fault_words,
+            "hour": lambda at: f"{at.astimezone(zone):%H:%M %Z}",
+            "measure": measure_words,
+            "moment": fault_moment,
+            "number": number_words,
+            "plain": plain,
+            "slug": slug,
+            "time": lambda at: time_element(at, zone),
+            "url": quote,
+            "words": words,
+        }
+        self._environment.globals |= {
+            "season": season,
+            "source": season.source,
+            "page_of": page_of,
+            "group_title": group_title,
+        }
+
+    @property
+    def style(self) -> str:
+        """The style sheet of all pages."""
+        return (files("rcj_challenges.tournament.site") / "templates" / "style.css").read_text("utf-8")
+
+    def page(self, template: str, path: str, **context: Any) -> str:
+        """Return a page.
+
+        Args:
+            template: its name.
+            path: where the page will lie in the site, so that its links are relative.
+            context: what the template shows.
+        """
+        root = "../" * path.count("/")
+        return self._environment.get_template(template).render(root=root, path=path, policy=POLICY, **context)
+
+
+def day(at: datetime, zone: tzinfo) -> str:
+    """Return ``Sat 26 June 2021``."""
+    local = at.astimezone(zone)
+    return f"{local:%a} {local.day} {local:%B %Y}"
+
+
+def time_element(at: datetime, zone: tzinfo) -> Markup:
+    """Return a time in the tournament's zone, which it names, as HTML that machines read."""
+    local = at.astimezone(zone)
+    text = f"{day(at, zone)}, {local:%H:%M} {local:%Z}"
+    return Markup('<time datetime="{}">{}</time>').format(local.isoformat(timespec="minutes"), text)
+
+
+def width(text: str) -> int:
+    """Return about how many letters wide a text is; those of East Asia and emoji count twice."""
+    return sum(
+        0 if unicodedata.combining(letter) else 2 if unicodedata.east_asian_width(letter) in "WF" else 1
+        for letter in text
+    )
+
+
+def fitted(text: str, letters: int) -> str:
+    """Return a text that is cut to so many letters."""
+    if width(text) <= letters:
+        return text
+    kept = ""
+    for letter in text:
+        if width(kept + letter) >= letters:
+            break
+        kept += letter
+    return kept + "…"
+
+
+def escaped(text: object) -> str:
+    """Return text that is safe in HTML and SVG, also in attributes."""
+    return html.escape(str(text))

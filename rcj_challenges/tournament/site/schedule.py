@@ -1,0 +1,181 @@
+"""The schedule: for the page, for calendars (ICS), for spreadsheets (CSV); and the news as a feed."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Iterable
+from dataclasses import dataclass
+from datetime import UTC, datetime, timedelta
+
+from rcj_challenges.tournament.site.model import MatchView, Season, slug, words
+
+_FOLD_BYTES = 73
+_FORMULA = ("=", "+", "-", "@", "\t", "\r")
+_MOST_NEWS = 100
+
+
+@dataclass(frozen=True, slots=True)
+class Appointment:
+    """Something that happens at a known time.
+
+    Attributes:
+        id: stable, for calendars.
+        at: when, with a time zone.
+        what: the stage, and the round.
+        title: the match, or empty.
+        path: of its page in the site, or empty.
+        match: if it is one.
+    """
+
+    id: str
+    at: datetime
+    what: str
+    title: str
+    path: str
+    match: MatchView | None = None
+
+
+def appointments(season: Season) -> tuple[Appointment, ...]:
+    """Return all that has a time, in order: matches, and challenges and rounds as a whole."""
+    found: list[Appointment] = []
+    timed = [match for match in season.matches.values() if match.at is not None]
+    for match in timed:
+        if match.is_challenge:  # one run of many
+            continue
+        title = " - ".join(season.label(side.teams) for side in match.fixture.sides)
+        found.append(
+            Appointment(match.slug, match.at or season.source.now, what_of(match), title, page_of(match), match)
+        )
+    runs = {(match.stage.name, match.fixture.group, match.at): match for match in timed if match.is_challenge}
+    for (stage, group, at), match in runs.items():
+        what = f"{match.stage_title}: {words(group)}"
+        found.append(Appointment(f"{stage}.{group}", at or season.source.now, what, "", f"stages/{slug(stage)}.html"))
+    known = {(match.stage.name, match.fixture.round) for match in timed}
+    titles = {stage.name: stage.title or words(stage.name) for stage in season.state.stages}
+    for time in season.source.rounds:
+        if any(stage == time.stage and time.round in (0, number) for stage, number in known):
+            continue
+        number = f", round {time.round}" if time.round else ""
+        path = f"stages/{slug(time.stage)}.html"
+        found.append(
+            Appointment(
+                f"{time.stage}.{time.round}", time.at, f"{titles.get(time.stage, time.stage)}{number}", "", path
+            )
+        )
+    return tuple(sorted(found, key=lambda appointment: (appointment.at, appointment.id)))
+
+
+def page_of(match: MatchView) -> str:
+    """Return the path of the page about a match, or of its premiere; empty if there is none yet."""
+    if match.outcome is not None:
+        return f"matches/{match.slug}/index.html"
+    return f"premiere/{match.slug}.html" if match.premiere else ""
+
+
+def what_of(match: MatchView) -> str:
+    """Return what a match is: ``Finals: Semi-final 1``."""
+    return f"{match.stage_title}: {match.short_title}" if match.short_title else match.stage_title
+
+
+def as_csv(season: Season, rows: Iterable[Appointment]) -> str:
+    """Return the schedule as a table; no name in it is taken for a formula."""
+    zone = season.source.time_zone
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\r\n")
+    writer.writerow(["date", "time", "time_zone", "utc", "what", "first", "second", "result"])
+    for row in rows:
+        local = row.at.astimezone(zone)
+        sides = [season.label(side.teams) for side in row.match.fixture.sides] if row.match else []
+        sides += [""] * (2 - len(sides))
+        result = " : ".join(row.match.scores) if row.match else ""
+        fixed = [f"{local:%Y-%m-%d}", f"{local:%H:%M}", str(zone), f"{row.at.astimezone(UTC):%Y-%m-%dT%H:%M:%SZ}"]
+        writer.writerow(fixed + [_inert(text) for text in (row.what, *sides[:2], result)])
+    return out.getvalue()
+
+
+def as_ics(season: Season, rows: Iterable[Appointment]) -> str:
+    """Return the schedule as a calendar (RFC 5545): times in UTC, lines folded within 75 bytes."""
+    source = season.source
+    lines = [
+        "BEGIN:VCALENDAR", "VERSION:2.0", "PRODID:-//rcj-challenges//tournament//EN", "CALSCALE:GREGORIAN",
+        f"X-WR-CALNAME:{_ics_text(source.title)}", f"X-WR-TIMEZONE:{source.time_zone}",
+    ]  # fmt: skip
+    for row in rows:
+        summary = f"{row.title} ({row.what})" if row.title else row.what
+        lines += [
+            "BEGIN:VEVENT",
+            f"UID:{row.id}@{source.id}.rcj-challenges",
+            f"DTSTAMP:{_utc(source.now)}",
+            f"DTSTART:{_utc(row.at)}",
+            f"DTEND:{_utc(row.at + _length(row))}",
+            f"SUMMARY:{_ics_text(summary)}",
+        ]
+        if source.url and row.path:
+            lines.append(f"URL:{source.url}{row.path}")
+        lines.append("END:VEVENT")
+    lines.append("END:VCALENDAR")
+    return "".join(f"{folded}\r\n" for line in lines for folded in _folded(line))
+
+
+def as_feed(season: Season) -> str:
+    """Return the latest results as a JSON Feed 1.1."""
+    source = season.source
+    feed: dict[str, object] = {"version": "https://jsonfeed.org/version/1.1", "title": source.title}
+    if source.description:
+        feed["description"] = source.description
+    if source.url:
+        feed |= {"home_page_url": f"{source.url}index.html", "feed_url": f"{source.url}feed.json"}
+    feed["items"] = [_item(season, match) for match in season.latest[:_MOST_NEWS]]
+    return json.dumps(feed, ensure_ascii=False, indent=1) + "\n"
+
+
+def _item(season: Season, match: MatchView) -> dict[str, object]:
+    sides = [season.label(side.teams) for side in match.fixture.sides]
+    if match.is_challenge:
+        title = f"{sides[0]}: {', '.join(match.values)}"
+    else:
+        title = f"{sides[0]} {' : '.join(match.scores)} {sides[-1]}"
+    told = [what_of(match), match.ruled and f"{match.ruled}: {match.outcome.reason if match.outcome else ''}"]
+    item: dict[str, object] = {
+        "id": f"{season.source.url}{page_of(match)}",
+        "title": title,
+        "content_text": ". ".join(filter(None, told)),
+    }
+    if season.source.url:
+        item["url"] = item["id"]
+    if match.played_at.year > 1:
+        item["date_published"] = match.played_at.astimezone(UTC).isoformat(timespec="seconds")
+    return item
+
+
+def _length(row: Appointment) -> timedelta:
+    played = row.match.played if row.match else None
+    return timedelta(seconds=float(played.result.get("simulated_s", 0))) if played else timedelta(minutes=30)
+
+
+def _utc(at: datetime) -> str:
+    return f"{at.astimezone(UTC):%Y%m%dT%H%M%SZ}"
+
+
+def _inert(text: str) -> str:
+    return f"'{text}" if text.startswith(_FORMULA) else text
+
+
+def _ics_text(text: str) -> str:
+    escaped = text.replace("\\", "\\\\").replace(";", "\\;").replace(",", "\\,")
+    return escaped.replace("\r\n", "\\n").replace("\n", "\\n").replace("\r", "\\n")
+
+
+def _folded(line: str) -> list[str]:
+    """Return a line in pieces that are short enough, without cutting a letter in two."""
+    pieces, piece, size = [], "", 0
+    for letter in line:
+        bytes_of = len(letter.encode("utf-8", "replace"))
+        if size + bytes_of > _FOLD_BYTES:
+            pieces.append(piece)
+            piece, size = " ", 1
+        piece += letter
+        size += bytes_of
+    return [*pieces, piece]
