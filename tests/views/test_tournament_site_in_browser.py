@@ -132,7 +132,7 @@ def test_two_spectators_see_the_same_moment(premiere: Callable[..., Any]) -> Non
 
 
 def test_between_the_halves_a_premiere_pauses_for_everybody(premiere: Callable[..., Any]) -> None:
-    page = premiere(TICKS * TICK_S + HALF_TIME_S - 2)
+    page = premiere(TICKS * TICK_S + HALF_TIME_S - 10)
     assert page.evaluate("replay.half") == 1
     assert page.is_visible("#problem")
     until(page, "replay.recording.halves.length === 2")

@@ -11,12 +11,12 @@ from functools import cached_property
 from typing import Any
 
 from rcj_challenges.facts.measures import measured_words, number_words
+from rcj_challenges.facts.shown import shown
 from rcj_challenges.tournament.played import PlayedMatch
 from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Ruled, Side, StageState
 from rcj_challenges.tournament.site.public import fault_counts
 from rcj_challenges.tournament.site.source import SiteSource
 from rcj_challenges.views.naming import told_apart
-from rcj_challenges.views.sentences import plain
 
 _LONGEST_NAME = 60
 _LONGEST_SLUG = 120
@@ -42,7 +42,7 @@ def slug(identifier: str) -> str:
 
 def _shown(name: str) -> str:
     """Return a name without what would move its surroundings, or what UTF-8 cannot hold."""
-    return plain(name, _LONGEST_NAME).encode("utf-8", "replace").decode().strip()
+    return shown(name, _LONGEST_NAME).encode("utf-8", "replace").decode().strip()
 
 
 def words(name: str) -> str:

@@ -13,11 +13,11 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from rcj_challenges.facts.measures import measure_words, number_words
-from rcj_challenges.facts.shown import shown_block
+from rcj_challenges.facts.shown import shown, shown_block
 from rcj_challenges.tournament.site.model import Season, group_title, slug, words
 from rcj_challenges.tournament.site.public import fault_moment, fault_words
 from rcj_challenges.tournament.site.schedule import page_of
-from rcj_challenges.views.sentences import clock, plain
+from rcj_challenges.views.sentences import clock
 
 POLICY = (
     "default-src 'none'; style-src 'self'; img-src 'self' data:; base-uri 'none'; form-action 'none'; frame-src 'none'"
@@ -47,7 +47,7 @@ class Renderer:
             "measure": measure_words,
             "moment": fault_moment,
             "number": number_words,
-            "plain": plain,
+            "shown": shown,
             "slug": slug,
             "time": lambda at: time_element(at, zone),
             "url": quote,
