@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rcj_challenges.checker.advice.no_device import InsteadOf, asked_in_vain
+from rcj_challenges.checker.advice.devices import DeviceAdvice, missing_devices
 from rcj_challenges.checker.findings import Finding, StageName
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed
 from rcj_challenges.facts.shown import shown
@@ -17,7 +17,7 @@ def asked_by_robots(match: Rehearsed) -> Asked:
     """Return what the robots of the team asked for in vain in a match."""
     asked: Asked = {}
     for robot in match.motions:
-        for found in asked_in_vain(match.log(robot)).items():
+        for found in missing_devices(match.log(robot)).items():
             asked.setdefault(found, []).append(robot)
     return asked
 
@@ -31,7 +31,7 @@ def device_findings(stage: StageName, asked: Asked, rehearsal: Rehearsal, side: 
         rehearsal: what was to be played.
         side: where the team played, as the message begins.
     """
-    instead = InsteadOf(rehearsal.loaded.scenario, rehearsal.team, [name for name, _ in asked])
+    instead = DeviceAdvice(rehearsal.loaded.scenario, rehearsal.team, [name for name, _ in asked])
     findings = []
     for (name, has), robots in list(asked.items())[:_MOST_DEVICES]:
         message = f'{side}asks for a device "{shown(name)}"; there is none'

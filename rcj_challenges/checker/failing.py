@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from rcj_challenges.checker.advice.hints import WHEREABOUTS, Hint, hint_on, on_none
+from rcj_challenges.checker.advice.hints import WHEREABOUTS, hint_for
+from rcj_challenges.checker.advice.table import Hint
 from rcj_challenges.checker.findings import Finding, StageName
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed
 from rcj_challenges.controllers.log import AFTER_ITS_END, ANOTHER_THREAD
@@ -40,7 +41,7 @@ def fault_findings(stage: StageName, rehearsal: Rehearsal, match: Rehearsed, sid
     for fault in match.faults:
         # All that come to their end do so in the same words, each program perhaps for a reason of its own.
         ended = fault["kind"] == "exit"
-        why = hint_on(rehearsal.loaded.scenario, rehearsal.team, fault, "", rehearsal.sandbox) if ended else None
+        why = hint_for(rehearsal.loaded.scenario, rehearsal.team, fault) if ended else None
         alike.setdefault((fault["kind"], fault["detail"], fault["traceback"], why), []).append(fault)
     return [_finding(stage, rehearsal, match, side, faults) for faults in alike.values()]
 
@@ -53,9 +54,8 @@ def _finding(
     kind, detail, traceback = first["kind"], first["detail"], first["traceback"]
     # Of robots that hang, each was somewhere else when its patience ended: one place is enough.
     whereabouts = next(filter(None, (_whereabouts(match.log(robot)) for robot in robots)), "") if not traceback else ""
-    hint = hint_on(rehearsal.loaded.scenario, rehearsal.team, first, whereabouts, rehearsal.sandbox)
-    hint = hint or on_none(rehearsal.loaded.scenario, rehearsal.team, first, match.log(first["robot"]))
-    hint = hint or Hint(_REMEDIES.get(kind, _OTHER_REMEDY))
+    hint = hint_for(rehearsal.loaded.scenario, rehearsal.team, first, match.log(first["robot"]), whereabouts)
+    hint = hint or Hint(kind, _REMEDIES.get(kind, _OTHER_REMEDY))
     when = f"{side}after {s_from_ticks(first['tick']):.1f} s: " if stage == "play" else ""
     report = traceback or whereabouts
     return Finding(

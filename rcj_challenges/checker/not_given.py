@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import PurePath, PurePosixPath, PureWindowsPath
 
-from rcj_challenges.checker.advice.crash_lines import unquoted
+from rcj_challenges.checker.advice.crash_site import unquote
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.shown import shown
 
@@ -26,7 +26,7 @@ def on_not_given(team: Team, detail: str) -> str:
     if (found := _MODULE.match(detail)) is not None:
         return module_not_given(team, found["module"])
     if (found := _FILE.match(detail)) is not None:
-        asked: PurePath = PureWindowsPath(unquoted(found["path"]))
+        asked: PurePath = PureWindowsPath(unquote(found["path"]))
         return _told(team, asked.parts[0]) if asked.parts and not asked.anchor else ""
     return ""
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import PurePosixPath
 from typing import Any
 
-from rcj_challenges.checker.advice.early_ends import why_it_stands
+from rcj_challenges.checker.advice.endings import hidden_error
 from rcj_challenges.checker.devices import Asked, asked_by_robots, device_findings
 from rcj_challenges.checker.failing import fault_findings
 from rcj_challenges.checker.findings import Finding, Level, Stage
@@ -165,7 +165,7 @@ def _standing(rehearsal: Rehearsal, match: Rehearsed, absent: Collection[str], s
         if motion.path_m < _STANDS_M and motion.turned_rad < _STANDS_RAD and robot not in told:
             entry = rehearsal.team.entries[robot]
             if entry not in reasons:
-                reasons[entry] = why_it_stands(rehearsal.team.files, PurePosixPath(entry))
+                reasons[entry] = hidden_error(rehearsal.team.files, PurePosixPath(entry))
             why = reasons[entry]
             standing.setdefault(f"; or an error is hidden: {why}" if why else "", []).append(robot)
     message = f"{side}did not move in {match.simulated_s:.0f} s"

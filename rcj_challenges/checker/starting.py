@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
-from rcj_challenges.checker.advice.no_device import behind_none, ignored_calls
 from rcj_challenges.checker.devices import Asked, asked_by_robots, device_findings
 from rcj_challenges.checker.failing import fault_findings
 from rcj_challenges.checker.findings import Finding, Stage
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed, rehearse
-from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.timing import TICK_S
 
 _TICKS = 4
@@ -44,8 +41,7 @@ def check_start(rehearsal: Rehearsal) -> Started:
     started = rehearse(rehearsal, tuple(rehearsal.seats()), _TICKS * TICK_S)
     asked = asked_by_robots(started)
     stage.findings += device_findings("start", asked, rehearsal)  # before what follows from it
-    for finding in fault_findings("start", rehearsal, started):
-        stage.findings.append(_because_of(asked, _ignored(started), rehearsal.team, finding))
+    stage.findings += fault_findings("start", rehearsal, started)
     slow = _slow(started, rehearsal.loaded.scenario.limits.start_s)
     if slow is not None:
         stage.findings.append(slow)
@@ -72,18 +68,3 @@ def _slow(started: Rehearsed, limit_s: float) -> Finding | None:
         "prepare less before the first step: on a slower computer the program would be stopped",
         ", ".join(slow),
     )
-
-
-def _ignored(started: Rehearsed) -> dict[str, list[str]]:
-    """Return the calls of a supervisor that gave nothing, by robot."""
-    return {robot: ignored_calls(started.log(robot)) for robot in started.motions}
-
-
-def _because_of(asked: Asked, ignored: Mapping[str, list[str]], team: Team, crash: Finding) -> Finding:
-    """Return the finding on a crash, shorter where what the program was not given is told before it."""
-    robots = set(crash.where.split(", "))
-    missing = [name for (name, _), those in asked.items() if robots & set(those)]
-    given = behind_none(crash.message, team, missing, [call for robot in robots for call in ignored.get(robot, ())])
-    if given is None or not given.devices:
-        return crash
-    return replace(crash, remedy=f"{given.told}, see above: ask for a device that there is")

@@ -32,14 +32,13 @@ def advice_on(
     ended = [fault for fault in faults if fault["kind"] in ("crash", "exit") and fault["team"] in teams]
     if not ended:
         return []
-    from rcj_challenges.checker.advice.hints import hint_at_once, on_none
+    from rcj_challenges.checker.advice.hints import hint_for
 
     numbers = {robot: number for seat in scenario.entrants.values() for number, robot in enumerate(seat.robots)}
     robots: dict[str, dict[str, None]] = {}
     for fault in ended:
         team = teams[fault["team"]].driving(numbers[fault["robot"]])
-        hint = hint_at_once(scenario, team, fault)
-        hint = hint or on_none(scenario, team, fault, _beginning(logs, fault["robot"]))
+        hint = hint_for(scenario, team, fault, _beginning(logs, fault["robot"]))
         if hint is not None:
             robots.setdefault(hint.remedy, {})[fault["robot"]] = None
     for remedy, alike in robots.items():

@@ -339,7 +339,7 @@ def test_who_uses_what_the_referee_alone_is_given_is_told_of_the_call_that_gave_
     program = BEGIN.replace("Robot", "Supervisor") + 'ball = robot.getFromDef("BALL")\nball.getPosition()\n' + LOOP
     (crash,) = findings(check_file(pack(program), ALONE, SHORT), "start", "failure")
     assert "'NoneType' object has no attribute 'getPosition'" in crash.message
-    assert "getFromDef gave None" in crash.remedy
+    assert "getFromDef returned None" in crash.remedy
     assert "gps" in crash.remedy
 
 

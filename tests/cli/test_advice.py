@@ -27,9 +27,6 @@ while robot.step(32) != -1:
 """
 
 
-NONE_THERE = "something in this line is None"
-
-
 @pytest.fixture
 def told(tmp_path):
     (tmp_path / "robot.py").write_text("packet = receiver.getData()\n", encoding="utf-8")
@@ -59,9 +56,7 @@ def test_the_end_of_a_match_and_the_log_name_the_messages_that_a_program_was_wri
     (tmp_path / "team.py").write_text(JSON_PROGRAM, encoding="utf-8")
     assert here(monkeypatch, tmp_path, *short("team.py", "--quiet", "--no-replay", *DUEL)) == 0
     (line,) = [line for line in capsys.readouterr().out.splitlines() if line.startswith("hint")]
-    assert line.startswith(
-        "hint for B1, Y2: the referee's packet here is one byte (messages v2.1), your program reads JSON"
-    )
+    assert line.startswith("hint for B1, Y2: ")
     assert "--set kits.v2.messages=v2.2" in line
     for robot in ("B1", "Y2"):
         (log,) = tmp_path.glob(f"runs/*/logs/{robot}.log")
@@ -76,7 +71,7 @@ def test_who_reads_the_result_as_json_is_told_the_same_and_the_record_keeps_what
     told = json.loads(capsys.readouterr().out)
     (hint,) = told["hints"]
     assert hint["robots"] == ["B1", "Y2"]
-    assert hint["remedy"].startswith("the referee's packet here is one byte (messages v2.1), your program reads JSON")
+    assert "--set kits.v2.messages=v2.2" in hint["remedy"]
     RunResult.model_validate(told)
     (result,) = tmp_path.glob("runs/*/result.json")
     assert "hints" not in json.loads(result.read_text(encoding="utf-8"))
@@ -122,49 +117,25 @@ def test_who_gives_one_file_and_not_its_folder_is_told_what_lies_beside_it(
 
 
 @pytest.mark.parametrize(
-    ("program", "told"),
+    ("program", "part"),
     [
-        ("x = math.pi\n", 'write "import math" at the top of team.py'),
-        ("x, y = controller.Robot().getDevice('gps').getValues()\n", "these are three numbers"),
-        ("input('Role? ')\n", "nobody types in a match"),
-        ("open('C:/me/speeds.csv')\n", "a place on your own computer"),
-        (r"""raise FileNotFoundError("[Errno 2] No such file or directory: '\\x'")""", "put x into "),
-        ("for n in xrange(5): pass\n", "Python 2 was the last that had xrange"),
-        ("robot = controller.Robot()\nwhile robot.step(32): pass\n", "the loop in line 3 ends at once"),
-        ("exit()\n", "leave out exit()"),
-        ("from queue import Stack\n", ""),  # to say what hides what, a program would have to be started
-        (
-            "controller.Robot().getDevice('left_wheel_motor').setPosition(0)\n",
-            'gave None: did you mean "left wheel motor"?',
-        ),
-        (
-            "controller.Robot().getDevice('imu').enable(32)\n",
-            'getDevice("imu") gave None: these robots have: left wheel',
-        ),
-        ("controller.Robot().getDevice('lidar')\nball = None\nball.x\n", NONE_THERE),
-        ("controller.Robot().getDevice('lidar')\nball = None\nball.value\n", NONE_THERE),
-        ("controller.Robot().getDevice('lidar')\nball = None\nball.getX()\ndef getX(): pass\n", NONE_THERE),
-        ("controller.Robot().getDevice('lidar')\nnews = None\nnews.getData()\n", NONE_THERE),
-        (
-            "lidar = None\nlidar = controller.Robot().getDevice('lidar')\nlidar.enable(9)\n",
-            'getDevice("lidar") gave None',
-        ),
-        ("lidar = controller.Robot().getDevice('lidar')\nlidar.range_image\n", 'getDevice("lidar") gave None'),
-        (
-            "controller.Robot().getDevice('receiver').enable(64)\n",
-            'this program seems to be written for the robots of 2021; here "supervisor receiver" gets the referee\'s',
-        ),
-        ("motor = None; motor.setPosition(0)\n", NONE_THERE),
+        ("x = math.pi\n", '"import math"'),
+        ("open('C:/me/speeds.csv')\n", "speeds.csv"),
+        ("robot = controller.Robot()\nwhile robot.step(32): pass\n", "line 3"),
+        ("controller.Robot().getDevice('left_wheel_motor').setPosition(0)\n", '"left wheel motor"'),
+        ("lidar = None\nlidar = controller.Robot().getDevice('lidar')\nlidar.enable(9)\n", 'getDevice("lidar")'),
+        ("controller.Robot().getDevice('receiver').enable(64)\n", '"supervisor receiver"'),
+        ("controller.Robot().getDevice('lidar')\nball = None\nball.getX()\n", "if ball is not None"),
         ("1 / 0\n", ""),
     ],
 )
-def test_a_program_that_failed_is_told_what_to_do_where_that_shows(tmp_path, monkeypatch, capsys, program, told):
+def test_run_prints_a_hint_for_a_program_that_failed(tmp_path, monkeypatch, capsys, program, part):
     folder = tmp_path / "mine"
     folder.mkdir()
     (folder / "team.py").write_text("import controller\n" + program, encoding="utf-8")
     assert here(monkeypatch, tmp_path, *short("mine/team.py", "--quiet", "--no-replay", *DUEL)) == 0
     lines = [line for line in capsys.readouterr().out.splitlines() if line.startswith("hint")]
-    assert [told in line for line in lines] == [True] * bool(told)
+    assert [part in line for line in lines] == [True] * bool(part)
 
 
 @pytest.mark.parametrize("program", ["import tools\n", "open('speeds.csv')\n", "open('../secret')\n"])

@@ -1,5 +1,5 @@
-"""What a pupil can do about a program that failed: from the last lines of its log, and from its sources.
+"""What a team can do about a program that failed.
 
-Belongs here: recognizing slips and saying the remedy; `hints` asks them all. Does not belong here: the
-stages of a check.
+Belongs here: the table of hints (`table`), what a table cannot express (`packets`, `devices`, `endings`), and the
+function that asks them all (`hints`). Does not belong here: the stages of a check.
 """

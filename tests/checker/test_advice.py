@@ -1,0 +1,374 @@
+"""What ``check`` and ``run`` advise about a program that failed: which hint, and the data in it."""
+
+from __future__ import annotations
+
+import struct
+import time
+import zipfile
+
+import pytest
+
+from rcj_challenges.checker.advice.hints import hint_for
+from rcj_challenges.checker.advice.table import TABLE
+from rcj_challenges.checker.check import CheckOptions, check_file
+from rcj_challenges.controllers.team import open_team
+from rcj_challenges.scenario.load import load
+from tests.checker.alone import alone
+
+MATCH, MATCH_OF_2021 = load("match").scenario, load("match_2021").scenario
+FAST_SHOOTER, LIDAR = load("fast_shooter").scenario, load("precision_lidar").scenario
+FIRST_DEMO = load("match_2021", ["kits.legacy_2021.packet_has_flag=false"]).scenario
+FOLDER = "rcj_soccer_team_blue"
+ENTRY = f"{FOLDER}/{FOLDER}.py"
+NO_FILE = "FileNotFoundError: [Errno 2] No such file or directory: "
+BEGIN = "from controller import Robot\nrobot = Robot()\n"
+LOOP = "while robot.step(32) != -1:\n    pass\n"
+
+
+@pytest.fixture
+def advise(tmp_path):
+    """Return the hint for a fault of B1's program, or of the only robot of a challenge."""
+
+    def advise(detail="", program="x = 1\n", files=(), scenario=MATCH, log="", whereabouts="", **fault):
+        entry = next(iter(next(iter(scenario.entrants.values())).robots.values()))
+        entry = entry if isinstance(entry, str) else entry[0]
+        for name in (entry, *files):
+            path = tmp_path / "team" / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(program if name == entry else "", encoding="utf-8")
+        robot = next(iter(scenario.robots))
+        fault = {"kind": "crash", "robot": robot, "tick": 2, "detail": detail, "traceback": "", **fault}
+        with open_team(tmp_path / "team", *scenario.entrants.values()) as team:
+            return hint_for(scenario, team, fault, log, whereabouts)
+
+    return advise
+
+
+def code(hint):
+    return hint.code if hint is not None else ""
+
+
+def python_error(program):
+    """Return the last line of the traceback of a program, in the words of the Python that runs here."""
+    with pytest.raises(BaseException) as caught:  # noqa: PT011 - whatever the program raises
+        exec(compile(program, ENTRY, "exec"), {"__name__": "__main__"})  # noqa: S102
+    kind = "struct.error" if caught.type is struct.error else caught.type.__name__
+    return f"{kind}: {caught.value} ({ENTRY}, line {len(program.splitlines())})"
+
+
+@pytest.mark.parametrize(
+    ("program", "expected"),
+    [
+        ("import no_such_module", "missing_module"),
+        ("def f():\n f()\nf()", "recursion"),
+        ("n = 0\ndef f():\n n += 1\nf()", "local_variable"),
+        ("math.pi", "not_imported"),
+        ("np.array([1])", "numpy_not_imported"),
+        ("sqrt(2)", "math_not_imported"),
+        ("spede", "unknown_name"),
+        ("'x'.upper > 0", "no_brackets"),
+        ("0 < [].append", "no_brackets"),
+        ("'x'.split[0]", "no_brackets"),
+        ("x, y, z = 'x'.split", "no_brackets"),
+        ("max = 3\nmax(1, 2)", "not_callable"),
+        ("class Bot:\n def go(speed): pass\nBot().go(5)", "no_self"),
+        ("class Bot:\n def go(): pass\nBot().go()", "no_self"),
+        ("class Bot:\n def go(self): pass\nBot.go()", "no_object"),
+        ("ball = None\nball[0]", "none"),
+        ("ball = None\nball.angle", "none"),
+        ("ball = None\n1.0 - ball", "none"),
+        ("x, y = None", "none"),
+        ("int(None)", "none"),
+        ("'x: ' + 1.5", "add_text"),
+        ("1.5 + ' m'", "add_text"),
+        ("[1, 2] - [0, 0]", "vectors"),
+        ("0.5 * [1, 2]", "vectors"),
+        ("range(10 / 2)", "whole_number"),
+        ("speeds = [1, 2, 3]\nspeeds[4 / 2]", "whole_number"),
+        ("x, y = [1, 2, 3]", "too_many_values"),
+        ("int('B1')", "robot_name"),
+        ("{'B1': 1}['Y1']", "robot_key"),
+        ("{'b': 1}['Y']", "robot_key"),
+        ("b'\\xfc'.decode()", "encoding"),
+        ("b'1,2'.split(',')", "bytes_or_text"),
+        ("b'x: ' + 'y'", "bytes_or_text"),
+        ("'1,2'.decode()", "bytes_or_text"),
+        ("b'1,2'.encode()", "bytes_or_text"),
+        ("import struct\nstruct.unpack('dd', b'xy')", "packet_size"),
+        ("import struct\nstruct.pack('i', 2.5)", "packet_value"),
+        ("import struct\nstruct.pack('ff', 1.5, None)", "packet_value"),
+        ("int(float('nan'))", "not_a_number"),
+        ("round(float('inf'))", "infinite"),
+        ("import math\nmath.acos(1.0000001)", "math_domain"),
+        ("raise EOFError('EOF when reading a line')", "nobody_types"),
+        ('raise RuntimeError("can\'t start new thread")', "threads"),
+        ("raise RuntimeError(\"'receiver': getData was called with an empty queue; ask\")", "empty_queue"),
+        ("raise MemoryError", "out_of_memory"),
+        ("raise PermissionError(1, 'Operation not permitted')", "refused"),
+        ("open('/no/such/folder/x')", "no_file"),
+        ("from collections import Mapping", "old_name"),
+        ("import numpy\nnumpy.mat", "old_name"),
+        ("from scipy.integrate import simps", "old_name"),
+        ("{}.has_key(1)", "old_name"),
+        ("for n in xrange(3): pass", "old_name"),
+        ("1 / 0", ""),
+        ("raise RuntimeError('no ball')", ""),
+        ("{}['ball']", ""),
+    ],
+)
+def test_each_common_crash_gets_its_hint(advise, program, expected):
+    assert code(advise(python_error(program), program)) == expected
+
+
+@pytest.mark.parametrize(
+    ("detail", "expected"),
+    [
+        ("_tkinter.TclError: no display name", "no_screen"),
+        ("bdb.BdbQuit", "debugger"),
+        ("SyntaxError: invalid syntax", "syntax"),
+        ("IndentationError: unexpected indent", "indentation"),
+        ("ImportError: cannot import name 'PID' from 'controller' (x)", "controller_name"),
+        ("ImportError: cannot import name 'Ball' from partially initialized module 'ball' (x)", "circular_import"),
+    ],
+)
+def test_crashes_that_cannot_be_provoked_here_get_their_hint_too(advise, detail, expected):
+    assert code(advise(detail)) == expected
+
+
+def test_every_help_text_can_be_formatted(advise):
+    assert all(row.help.format(name="x") for row in TABLE)
+
+
+@pytest.mark.parametrize(
+    ("detail", "instead"),
+    [
+        ("AttributeError: `np.mat` was removed in the NumPy 2.0 release. Use `np.asmatrix` instead.", "np.asmatrix"),
+        ("AttributeError: 'numpy.ndarray' object has no attribute 'tostring'", ".tobytes()"),
+        ("ModuleNotFoundError: No module named 'scipy.misc'", "numpy"),
+        ("ImportError: cannot import name 'gcd' from 'fractions' (python/fractions.py)", "math.gcd"),
+        ("AttributeError: module 'time' has no attribute 'clock'", "time.perf_counter"),
+        ("AttributeError: module 'scipy.signal' has no attribute 'wiener2'", "successor"),
+    ],
+)
+def test_a_name_that_a_library_no_longer_has_is_replaced(advise, detail, instead):
+    hint = advise(detail)
+    assert hint.code == "old_name"
+    assert instead in hint.remedy
+
+
+def test_a_file_with_the_name_of_a_module_of_python_is_named(advise):
+    detail = "AttributeError: module 'random' has no attribute 'choice'"
+    assert code(advise(detail, files=[f"{FOLDER}/random.py"])) == "hidden_module"
+    assert code(advise("AttributeError: module 'math' has no attribute 'cube'")) == ""
+
+
+@pytest.mark.parametrize(
+    ("asked", "there", "write"),
+    [
+        ("data\\params.json", f"{FOLDER}/data/params.json", '"data/params.json"'),
+        ("C:\\Users\\max\\params.json", f"{FOLDER}/params.json", '"params.json"'),
+        ("Params.JSON", f"{FOLDER}/params.json", '"params.json"'),
+        ("shared.csv", "shared.csv", '"../shared.csv"'),
+        ("model.pkl", f"{FOLDER}/other.pkl", f"put it into {FOLDER}"),
+    ],
+)
+def test_a_file_that_was_not_found_is_named_with_what_to_write(advise, asked, there, write):
+    hint = advise(f"{NO_FILE}{asked!r} ({ENTRY}, line 3)", files=[there])
+    assert hint.code == "no_file"
+    assert write in hint.remedy
+
+
+@pytest.mark.parametrize("quoted", [r"'\x'", r"'\N{no such letter}'", r"'data/\ud800.txt'", r"'\'"], ids=ascii)
+def test_an_error_that_a_program_made_up_itself_is_harmless(advise, quoted):
+    advise(f"{NO_FILE}{quoted} ({ENTRY}, line 3)")
+    advise(f"{NO_FILE}'{'x' * 5000}' (a.py, line {'9' * 5000})")
+
+
+# -- devices ----------------------------------------------------------------------------------------------------------
+
+NONE = f"AttributeError: 'NoneType' object has no attribute 'getValues' ({ENTRY}, line 1)"
+
+
+def device_log(*names):
+    return "".join(f'Warning: "{name}" device not found. This robot has: gps, compass.\n' for name in names)
+
+
+@pytest.mark.parametrize(
+    ("program", "named"),
+    [
+        ("imu.getValues()\nimu = robot.getDevice('imu')\nled = robot.getDevice('led')\n", ['getDevice("imu")']),
+        ("robot.getDevice('imu').getValues()\nrobot.getDevice('led')\n", ['getDevice("imu")']),
+        ("sensors['a'].getValues()\n", ['getDevice("imu")', 'getDevice("led")']),
+    ],
+)
+def test_the_missing_device_behind_a_none_is_named(advise, program, named):
+    hint = advise(NONE, program, log=device_log("imu", "led"))
+    assert hint.code == "no_device"
+    assert [name for name in ('getDevice("imu")', 'getDevice("led")') if name in hint.remedy] == named
+
+
+def test_a_misspelled_device_is_corrected(advise):
+    assert "gps" in advise(NONE, "g.getValues()\ng = robot.getDevice('gpss')\n", log=device_log("gpss")).remedy
+
+
+def test_a_none_from_another_device_or_from_no_device_is_not_blamed_on_a_missing_one(advise):
+    there = "gps.getValues()\ngps = robot.getDevice('gps')\n"
+    assert code(advise(NONE, there, log=device_log("led"))) == "none"
+    ball = NONE.replace("getValues", "angle")
+    assert code(advise(ball, "ball.angle\nball = find()\n", log=device_log("led"))) == "none"
+
+
+def test_a_none_from_a_call_of_a_supervisor_is_named(advise):
+    log = "Warning: getFromDef is ignored and gives None\n"
+    hint = advise(NONE, "ball.getValues()\nball = robot.getFromDef('BALL')\n", log=log)
+    assert hint.code == "no_device"
+    assert hint.remedy.startswith("getFromDef ")
+
+
+@pytest.mark.nightly
+def test_programs_and_logs_of_any_length_are_searched_quickly(advise):
+    began_s = time.process_time()
+    advise(NONE, "x.getValues()\n" + "x=" * 2_000_000 + "1\n", log=device_log(*(f"led {n}" for n in range(3000))))
+    assert time.process_time() - began_s < 5
+
+
+# -- packets of the referee -------------------------------------------------------------------------------------------
+
+READS_JSON = "import json\nr = robot.getDevice('supervisor receiver')\njson.loads(r.getString())\n"
+READS_BYTE = "r = robot.getDevice('supervisor receiver')\nstruct.unpack('?', r.getData())\n"
+V22 = load("match", ["kits.v2.messages=v2.2"]).scenario
+NO_JSON = f"json.decoder.JSONDecodeError: Expecting value: line 1 column 1 (char 0) ({ENTRY}, line 3)"
+NO_BYTES = f"TypeError: a bytes-like object is required, not 'str' ({ENTRY}, line 2)"
+
+
+@pytest.mark.parametrize(
+    ("scenario", "detail", "program", "setting"),
+    [
+        (MATCH, NO_JSON, READS_JSON, "kits.v2.messages=v2.2"),
+        (V22, NO_BYTES, READS_BYTE, "kits.v2.messages=v2.1"),
+        (V22, "struct.error: unpack requires a buffer of 1 bytes", READS_BYTE, "kits.v2.messages=v2.1"),
+    ],
+)
+def test_a_program_for_other_messages_gets_the_setting_that_it_needs(advise, scenario, detail, program, setting):
+    hint = advise(detail, program, scenario=scenario)
+    assert hint.code == "other_messages"
+    assert setting in hint.remedy
+    assert hint.message
+
+
+@pytest.mark.parametrize(
+    ("scenario", "detail", "program", "tick"),
+    [
+        (MATCH, NO_JSON, READS_JSON + "struct.unpack('?', b'')\n", 2),
+        (MATCH, NO_JSON, READS_JSON.replace("r.getString()", "open('x').read()"), 2),
+        (MATCH, NO_JSON, READS_JSON, 400),
+        (V22, NO_BYTES, READS_JSON + READS_BYTE.replace("'?'", "'<d'"), 2),
+    ],
+)
+def test_other_crashes_over_json_or_bytes_say_nothing_about_messages(advise, scenario, detail, program, tick):
+    assert code(advise(detail, program, scenario=scenario, tick=tick)) != "other_messages"
+
+
+def size_error(size):
+    return f"struct.error: unpack requires a buffer of {size} bytes"
+
+
+@pytest.mark.parametrize(
+    ("scenario", "size", "expected", "part"),
+    [
+        (MATCH_OF_2021, 160, "packet_flag", "kits.legacy_2021.packet_has_flag=false"),
+        (FIRST_DEMO, 161, "packet_flag", "kits.legacy_2021.packet_has_flag=true"),
+        (FAST_SHOOTER, 40, "packet_flag", "kits.legacy_2021.packet_has_flag=false"),
+        (FAST_SHOOTER, 161, "other_packets", 'struct.unpack("ddd" * 1 + "dd?", packet)'),
+        (LIDAR, 161, "other_packets", 'struct.unpack("dd?", packet)'),
+        (LIDAR, 41, "other_packets", "--scenario fast_shooter"),
+        (FAST_SHOOTER, 17, "other_packets", "--scenario precision_lidar"),
+        (FAST_SHOOTER, 41, "packet_size", ""),
+        (MATCH, 161, "packets_of_2021", "gps"),
+    ],
+)
+def test_a_packet_of_another_size_is_recognized(advise, scenario, size, expected, part):
+    hint = advise(size_error(size), READS_BYTE, scenario=scenario)
+    assert hint.code == expected
+    assert part in hint.remedy
+
+
+# -- programs that end or hang ----------------------------------------------------------------------------------------
+
+UNCALLED = BEGIN + "def play():\n    while robot.step(32) != -1:\n        pass\n"
+METHOD = BEGIN + "class Bot:\n    def run(self):\n        while robot.step(32) != -1:\n            pass\nbot = Bot()\n"
+
+
+@pytest.mark.parametrize(
+    ("program", "tick", "expected"),
+    [
+        (BEGIN + "while robot.step(32):\n    pass\n", 1, "loop_ends"),
+        (BEGIN + "while robot.step(32) == -1:\n    pass\n", 1, "loop_ends"),
+        (BEGIN + "while robot.step(int(STEP)) > 0:\n    pass\n", 1, "loop_ends"),
+        (UNCALLED, 0, "never_called"),
+        (METHOD, 0, "never_called"),
+        (METHOD + "bot.run()\n", 0, ""),
+        (UNCALLED + LOOP, 9, ""),
+        (UNCALLED + "if __name__ == 'main':\n    play()\n", 0, "wrong_main"),
+        (UNCALLED + "if __name__ == '__main__':\n    play()\n", 0, ""),
+        (BEGIN + "try:\n    1 / 0\nexcept:\n    pass\n", 1, "hidden_error"),
+        (BEGIN + "try:\n    1 / 0\nexcept Exception: return\n", 1, "hidden_error"),
+        (BEGIN + "try:\n    1 / 0\nexcept Exception:\n    raise\n", 1, ""),
+        (BEGIN + "try:\n    1 / 0\nexcept ValueError:\n    pass\n", 1, ""),
+        (BEGIN + "robot.step(32)\n", 1, ""),
+    ],
+)
+def test_a_program_that_ends_early_gets_its_reason(advise, program, tick, expected):
+    assert code(advise("the program came to its end", program, kind="exit", tick=tick)) == expected
+
+
+def test_a_program_that_calls_exit_gets_that_call_as_the_reason(advise):
+    assert code(advise("the program called sys.exit(0)", kind="exit")) == "called_exit"
+
+
+def test_a_program_that_hangs_is_pointed_to_its_line(advise):
+    program = BEGIN + "while True:\n    x = 1\n"
+    hint = advise("", program, kind="step_timeout", whereabouts=f'It was here:\n  File "{ENTRY}", line 4 in <module>\n')
+    assert hint.code == "no_step"
+    assert f"line 4 of {ENTRY} (x = 1)" in hint.remedy
+
+
+@pytest.mark.parametrize(
+    ("whereabouts", "expected"),
+    [
+        ('  File "a.py", line 1\nBeside it, another thread was here:\n  File "a.py", line 2', ""),
+        ("  after its last line: it waited there for its threads to end", "threads_alone"),
+        ("", ""),
+    ],
+)
+def test_with_several_threads_no_line_is_blamed(advise, whereabouts, expected):
+    assert code(advise(kind="step_timeout", whereabouts=whereabouts)) == expected
+
+
+# -- in a whole check -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.usefixtures("sources_read_here")
+@pytest.mark.parametrize(
+    ("program", "finding", "part"),
+    [
+        (BEGIN + "while robot.step(32):\n    pass\n", "start.exit", "line 3"),
+        (BEGIN + "robot.step(32)\nwhile robot.getTime() < 5:\n    x = 1\n", "start.step_timeout", f" of {ENTRY}"),
+        (BEGIN + "int('B1')\n", "start.crash", "robot.getName()[1]"),
+        (
+            BEGIN + "import json\nr = robot.getDevice('supervisor receiver')\nr.enable(32)\n"
+            "while robot.step(32) != -1:\n    if r.getQueueLength() > 0:\n        json.loads(r.getString())\n",
+            "start.crash",
+            "kits.v2.messages=v2.2",
+        ),
+    ],
+)
+def test_a_check_gives_the_hint_as_the_remedy_of_the_failure(tmp_path, program, finding, part):
+    path = tmp_path / "team.zip"
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr(ENTRY, program)
+        archive.writestr("team_name.txt", "Hanse")
+    report = check_file(path, alone("limits.start_s=10", "limits.step_s=0.5"), CheckOptions(play_s=1.0))
+    (failure,) = [one for stage in report.stages for one in stage.findings if one.level == "failure"]
+    assert failure.code == finding
+    assert part in failure.remedy
