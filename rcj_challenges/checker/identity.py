@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 
 from rcj_challenges.checker.findings import Finding
-from rcj_challenges.checker.images import Picture, look_at
+from rcj_challenges.checker.images import Picture, identify
 from rcj_challenges.controllers.team import LOGO_FILE, Opening, may_be_logo
 from rcj_challenges.controllers.troubles import Trouble, told
 from rcj_challenges.records.logos import MOST_LOGO_BYTES, MOST_LOGO_SIDE, LogoError, checked_png
@@ -64,9 +64,9 @@ def find_logo(files: Mapping[PurePosixPath, bytes]) -> Logo:
         picture = checked_png(data)  # whatever it is called: a JPEG is none as logo.png either
         shown = picture if taken else None
     except LogoError as error:
-        findings.append(_refused(path, look_at(data), data, str(error)))
+        findings.append(_refused(path, identify(data), data, str(error)))
     else:
-        findings += _accepted(path, look_at(data))
+        findings += _accepted(path, identify(data))
     return Logo(path, shown, tuple(findings))
 
 

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from rcj_challenges.checker.archives import inspect
 from rcj_challenges.checker.findings import STAGES
 from rcj_challenges.checker.identity import find_logo
-from rcj_challenges.checker.images import PictureError, as_png, look_at
+from rcj_challenges.checker.images import PictureError, as_png, identify
 from rcj_challenges.checker.repair import repair
 from rcj_challenges.controllers.paths import clean, name_troubles
 from rcj_challenges.controllers.team import TeamError, open_team
@@ -258,7 +258,7 @@ PICTURES = [
 @given(st.sampled_from(PICTURES), st.binary(max_size=60), st.integers(0, 200), st.booleans())
 def test_any_bytes_as_logo_are_a_picture_or_none(start: bytes, rest: bytes, at: int, convert: bool) -> None:
     data = start[:at] + rest + start[at + len(rest) :]
-    look_at(data)
+    identify(data)
     logo = find_logo({PurePosixPath("logo.png"): data})
     assert logo.shown is None or find_logo({PurePosixPath("logo.png"): logo.shown}).shown == logo.shown
     if convert:

@@ -17,7 +17,7 @@ import pytest
 from rcj_challenges.checker.archives import Inspection, inspect
 from rcj_challenges.checker.check import CheckOptions, check_file
 from rcj_challenges.checker.findings import Finding
-from rcj_challenges.checker.images import Picture, look_at
+from rcj_challenges.checker.images import Picture, identify
 from rcj_challenges.controllers.team import TeamError, open_team
 from rcj_challenges.scenario.load import load, load_text
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -379,20 +379,14 @@ def test_the_page_for_teams_lists_every_message_with_its_level_and_whether_it_is
     [
         (pictures.png(30, 20), Picture("PNG", 30, 20)),
         (pictures.animated_png(), Picture("PNG", 8, 8, animated=True)),
-        (pictures.jpeg_head(30, 20), Picture("JPEG", 30, 20)),
-        (pictures.jpeg_head(30, 20).replace(b"\xff\xc0", b"\xff\xff\xff\xc2"), Picture("JPEG", 30, 20)),
-        (pictures.jpeg_head(30, 20).replace(b"\xff\xc0", b"\x00\xc0"), Picture("JPEG", 0, 0)),  # no marker there
-        (pictures.jpeg_head(30, 20)[:28], Picture("JPEG", 0, 0)),  # cut off within its size
-        (pictures.gif(), Picture("GIF", 1, 1)),
-        (pictures.bmp(30, 20), Picture("BMP", 30, 20)),
-        (b"BM" + bytes(12) + b"\x0c\0\0\0\x1e\0\x14\0" + bytes(8), Picture("BMP", 30, 20)),
-        (b"RIFF\0\0\0\0WEBPVP8X" + bytes(8) + b"\x1d\0\0\x13\0\0", Picture("WebP", 30, 20)),
-        (b"RIFF\0\0\0\0WEBPVP8L" + bytes(5) + (29 | 19 << 14).to_bytes(4, "little"), Picture("WebP", 30, 20)),
-        (b"RIFF\0\0\0\0WEBPVP8 " + bytes(10) + b"\x1e\0\x14\0", Picture("WebP", 30, 20)),
-        (b"RIFF\0\0\0\0WAVEfmt ", None),
+        (pictures.jpeg_head(30, 20), Picture("JPEG")),
+        (pictures.gif(), Picture("GIF")),
+        (pictures.bmp(30, 20), Picture("BMP")),
+        (b"RIFF\0\0\0\0WEBPVP8X" + bytes(8), Picture("WebP")),
+        (b"RIFF\0\0\0\0WAVEfmt " + bytes(8), None),
         (b"\x89PNG\r\n\x1a\n", None),
         (b"", None),
     ],
 )
-def test_a_picture_is_told_from_its_first_bytes(data: bytes, picture: Picture | None) -> None:
-    assert look_at(data) == picture
+def test_the_kind_of_a_picture_is_read_from_its_first_bytes(data: bytes, picture: Picture | None) -> None:
+    assert identify(data) == picture

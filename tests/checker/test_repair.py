@@ -116,7 +116,7 @@ def test_what_was_done_is_listed(tmp_path: Path) -> None:
         "took everything out of the extra folder My Team",
         "took the team's name from teamname.txt to team_name.txt",
         "wrote team_name.txt anew: Robo Cats, the very best of all",
-        "left out logo.png: it is no picture that is known here",
+        "left out logo.png: it is not a known kind of picture",
     ]
     assert contents(out) == {ENTRY: PROGRAM, "team_name.txt": b"Robo Cats, the very best of all\n"}
 
@@ -247,7 +247,7 @@ def test_without_pillow_such_a_logo_is_left_out_with_a_note(tmp_path: Path, monk
 
 def test_a_picture_bomb_is_not_unpacked(tmp_path: Path) -> None:
     result, _ = repaired(tmp_path, ALL["logo_is_a_bomb"].build())
-    assert result.done == ["left out logo.png: it is too large to be converted (30000 x 30000 pixels)"]
+    assert result.done == ["left out logo.png: it is too large to be converted"]
 
 
 @pytest.mark.parametrize("frame", [(5000, 5000), (10_000, 10_000), (65_535, 65_535)])

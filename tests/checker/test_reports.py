@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import hashlib
 import io
 import json
 import re
@@ -252,6 +253,8 @@ def test_the_page_is_whole_and_loads_nothing(tmp_path):
     policy = next(value for tag, key, value in tags.attributes if tag == "meta" and key == "content")
     assert policy.startswith("default-src 'none'; style-src 'sha256-")
     assert "unsafe" not in policy
+    style = page.partition("<style>")[2].partition("</style>")[0]
+    assert base64.b64encode(hashlib.sha256(style.encode()).digest()).decode() in policy
     assert all(word in page for word in ("it broke", "mend it", "crash", "prefers-color-scheme: dark"))
 
 
