@@ -15,7 +15,7 @@ from functools import cached_property
 from itertools import islice
 from pathlib import PurePosixPath
 
-from rcj_challenges.checker.mains import HIDDEN_ENDING
+from rcj_challenges.checker.renaming import HIDDEN_ENDING
 from rcj_challenges.facts.shown import shown
 
 INSTALLED = ("numpy", "scipy", "controller")

@@ -14,7 +14,8 @@ from pathlib import Path, PurePosixPath
 from rcj_challenges.checker.archives import Inspection, inspect
 from rcj_challenges.checker.identity import find_logo
 from rcj_challenges.checker.images import PictureError, as_png
-from rcj_challenges.checker.layout import empty_programs, plan_moves
+from rcj_challenges.checker.layout import empty_programs
+from rcj_challenges.checker.renaming import plan_moves
 from rcj_challenges.controllers.archive import Files
 from rcj_challenges.controllers.paths import clean, folded
 from rcj_challenges.controllers.private_folders import PrivateFolders
@@ -192,8 +193,8 @@ def _laid_out(opening: Opening, seats: Sequence[Entrant], done: list[str]) -> Fi
     """Return the files with programs and folders where they are asked for."""
     files = opening.files
     if opening.missing:
-        plan = plan_moves(opening, seats)
-        if plan is None or plan.mentioned:
+        plan = plan_moves(opening.contents.files, seats)
+        if plan is None or plan.caution:
             return opening.contents.files
         files = plan.files
         done += [f"as asked: {move}" for move in plan.moves]

@@ -35,7 +35,7 @@ def test_programs_for_a_shipped_challenge_are_told_which_one_fits_before_any_ren
     (found,) = layout(submission("pass_ball_yellow/pass_ball_yellow.py", "pass_ball_blue/pass_ball_blue.py"))
     assert (found.code, found.level) == ("layout.missing", "failure")
     assert found.remedy.startswith("it looks like one for pass_the_ball: rcj-challenge check ")
-    assert found.remedy.index("--scenario pass_the_ball") < found.remedy.index("call the program")
+    assert found.remedy.index("--scenario pass_the_ball") < found.remedy.index("add or rename")
 
 
 def test_where_several_fit_all_are_named(submission):
@@ -52,7 +52,7 @@ def test_programs_for_the_match_are_told_so_where_a_challenge_was_asked_for(subm
 def test_programs_that_fit_no_shipped_scenario_are_told_only_how_to_be_called(submission):
     (found,) = layout(submission("players/everything.py"))
     assert "looks like one for" not in found.remedy
-    assert found.remedy.startswith("call the program ")
+    assert found.remedy.startswith("add or rename the program")
 
 
 OWN = """\

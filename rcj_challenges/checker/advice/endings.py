@@ -9,7 +9,7 @@ import re
 from collections.abc import Iterator, Mapping
 from pathlib import PurePosixPath
 
-from rcj_challenges.checker.mains import reached_from
+from rcj_challenges.checker.reached import reached_from
 from rcj_challenges.facts.shown import shown
 
 _MAX_BYTES = 1_000_000  # a longer file is not written by hand

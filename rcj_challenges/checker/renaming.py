@@ -1,0 +1,224 @@
+"""Which moves of files and folders put every program where the scenario asks for it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import PurePosixPath
+
+from rcj_challenges.checker.likeness import BLANK, alike, like_an_entry, mentioned, of_yellow, same_number
+from rcj_challenges.checker.reached import imported_words
+from rcj_challenges.controllers.archive import Files
+from rcj_challenges.controllers.team import alternatives
+from rcj_challenges.controllers.troubles import told
+from rcj_challenges.scenario.models.robots import Entrant
+
+HIDDEN_ENDING = ".py.txt"
+"""What an editor of Windows makes of ``.py``, and shows as ``.py``."""
+
+_MAX_DEPTH = 3
+_MAX_FOLDERS = 20
+_MAX_PROGRAMS = 200  # among more files names do not show which was meant
+_GENERIC_NAMES = frozenset({"main", "robot", "player"})
+_OF_A_SCENARIO = re.compile(r"rcj_soccer_|score_goal|pass_ball|robot_?\d", re.IGNORECASE)
+
+
+@dataclass(frozen=True)
+class Move:
+    """A folder or file that should be elsewhere.
+
+    Attributes:
+        old: where it is.
+        new: where it belongs; ``.`` for the content of a folder that belongs at the top.
+    """
+
+    old: PurePosixPath
+    new: PurePosixPath
+
+    def __str__(self) -> str:
+        """Return what to do, as a sentence."""
+        if self.new == PurePosixPath():
+            return f"move what is in {told(self.old)} to the top"
+        kind = "file" if self.new.suffix == ".py" else "folder"
+        if kind == "file" and self.old.parent != self.new.parent:
+            return f"move the file {told(self.old)} into a folder {told(self.new.parent)}"
+        return f"rename the {kind} {told(self.old)} to {told(self.new)}"
+
+
+@dataclass(frozen=True)
+class Plan:
+    """How files with other names than asked for would serve.
+
+    Attributes:
+        moves: in this order.
+        files: the result.
+        caution: why this cannot be done without looking into the programs; else empty.
+    """
+
+    moves: tuple[Move, ...]
+    files: Files
+    caution: str = ""
+
+
+def plan_moves(files: Files, seats: Sequence[Entrant]) -> Plan | None:
+    """Return the moves after which every robot has its program, if exactly one way suggests itself.
+
+    Args:
+        files: of the submission, with its extra folders.
+        seats: the entrants for which programs are asked.
+    """
+    if sum(path.suffix == ".py" for path in files) > _MAX_PROGRAMS:
+        return None
+    for folders in _roots(files):
+        plans = [plan for folder in folders if (plan := _plan_from(folder, files, seats)) is not None]
+        if plans:
+            return plans[0] if len(plans) == 1 else None
+    return None
+
+
+def entries_of(files: Mapping[PurePosixPath, bytes], seats: Iterable[Entrant]) -> dict[str, PurePosixPath | None]:
+    """Return the program of each robot: the first entry point that exists."""
+    return {
+        robot: next((PurePosixPath(entry) for entry in alternatives(wanted) if PurePosixPath(entry) in files), None)
+        for seat in seats
+        for robot, wanted in seat.robots.items()
+    }
+
+
+def all_entries(seats: Iterable[Entrant]) -> set[PurePosixPath]:
+    """Return all paths at which a scenario looks for programs."""
+    return {PurePosixPath(entry) for seat in seats for wanted in seat.robots.values() for entry in alternatives(wanted)}
+
+
+def _roots(files: Files) -> Iterator[list[PurePosixPath]]:
+    """Yield the folders in which the folders of programs may lie, by depth, as long as there are few."""
+    programs = [path for path in files if path.suffix == ".py"]
+    above = {PurePosixPath(), *(path.parent for path in programs), *(path.parent.parent for path in programs)}
+    for depth in range(_MAX_DEPTH + 1):
+        yield sorted(folder for folder in above if len(folder.parts) == depth)[:_MAX_FOLDERS]
+
+
+def _plan_from(folder: PurePosixPath, files: Files, seats: Sequence[Entrant]) -> Plan | None:
+    """Return how the files would serve if the content of a folder, maybe the top itself, were moved to the top."""
+    up = (Move(folder, PurePosixPath()),) if folder.parts else ()
+    raised = _moved(files, up)
+    if raised is None or _is_complete(raised, seats):
+        return Plan(up, raised) if raised is not None else None
+    chosen = entries_of(raised, seats)
+    missing = [alternatives(wanted) for seat in seats for robot, wanted in seat.robots.items() if chosen[robot] is None]
+    for choice in range(max(map(len, missing), default=0)):
+        wanted = dict.fromkeys(PurePosixPath(entries[choice]) for entries in missing if choice < len(entries))
+        is_only_one = len(wanted) == 1 and len(missing) == len(chosen)
+        found = [(_find(entry, raised, seats, is_only_one=is_only_one), entry) for entry in wanted]
+        moves = _moves((old, entry) for old, entry in found if old is not None)
+        beside = [Move(PurePosixPath(entry.name), entry) for entry in wanted]
+        if any(old is None for old, _ in found):
+            moves = beside if all(_is_program_at_the_top(move, raised) for move in beside) else None
+        result = _moved(raised, moves) if moves else None
+        if moves and result is not None and _is_complete(result, seats):
+            return Plan((*up, *moves), result, _caution(raised, moves, is_beside=moves is beside))
+    return None
+
+
+def _is_program_at_the_top(move: Move, files: Files) -> bool:
+    return len(move.new.parts) > 1 and bool(files.get(move.old, b"").strip(BLANK))
+
+
+def _caution(files: Files, moves: Sequence[Move], *, is_beside: bool) -> str:
+    if is_beside:
+        return "with a copy of what they import or open beside them"
+    old_names = [
+        move.old.stem if move.old.suffix == ".py" else move.old.name for move in moves if move.old.name != move.new.name
+    ]
+    name = mentioned(files, old_names)
+    return f"the programs mention {told(name)}: change that as well" if name else ""
+
+
+def _find(entry: PurePosixPath, files: Files, seats: Sequence[Entrant], *, is_only_one: bool) -> PurePosixPath | None:
+    """Return the file whose name comes nearest to an entry point, if there is exactly one."""
+    asked = all_entries(seats)
+    wanted = [set(map(PurePosixPath, alternatives(one))) for seat in seats for one in seat.robots.values()]
+    for_all = set.intersection(*wanted)
+    programs = [
+        path
+        for path in files
+        if path.name.casefold().endswith((".py", HIDDEN_ENDING)) and len(path.parts) == len(entry.parts)
+    ]
+    libraries = {
+        word
+        for path in programs
+        for word in set(imported_words(files[path])) - {path.stem.encode("utf-8", "surrogateescape")}
+    }
+    ranks: dict[int, list[PurePosixPath]] = {}
+    for path in programs:
+        is_library = len(entry.parts) == 1 and path.stem.encode("utf-8", "surrogateescape") in libraries
+        if path not in asked and files[path].strip(BLANK) and not is_library:
+            is_alone = sum(other.parent == path.parent for other in programs) == 1
+            rank = _likeness(path, entry, is_alone=is_alone) or int(is_only_one and _may_be_the_only_one(path, for_all))
+            ranks.setdefault(rank, []).append(path)
+    best = ranks[max(ranks)] if ranks and max(ranks) > 0 else []
+    if len(best) > 1 and len({files[path] for path in best}) == 1:
+        best = [path for path in best if not of_yellow(path.stem)]  # one program for both colours
+    return best[0] if len(best) == 1 else None
+
+
+def _likeness(path: PurePosixPath, entry: PurePosixPath, *, is_alone: bool) -> int:
+    """Return how much the names suggest that a file is meant to be an entry point; 0 if too little."""
+    is_same, is_like = path.name == entry.name, alike(path.stem, entry.stem)
+    is_hidden = path.name.casefold() == entry.name + ".txt"
+    if len(entry.parts) == 1:
+        return 3 if is_hidden else 2 * is_like
+    is_in_its_folder = alike(str(path.parent), str(entry.parent))
+    if is_in_its_folder and (is_same or is_like or is_hidden):
+        return 4 + is_hidden
+    if is_same or is_hidden:
+        return 3
+    return 2 * ((is_in_its_folder and is_alone) or (like_an_entry(path) and same_number(path.stem, entry.stem)))
+
+
+def _may_be_the_only_one(path: PurePosixPath, for_all: Iterable[PurePosixPath]) -> bool:
+    """Return whether a file with another name may be the only program of a team.
+
+    Args:
+        path: of the file.
+        for_all: the places of a program that drives every robot.
+    """
+    if _OF_A_SCENARIO.search(str(path)) is None:
+        return path.stem.casefold() in _GENERIC_NAMES or like_an_entry(path)
+    if len(path.parts) == 1:  # named after the folder that it should lie in
+        return any(alike(path.stem, entry.stem) for entry in for_all)
+    return path.stem.casefold() in _GENERIC_NAMES and any(path.parent == entry.parent for entry in for_all)
+
+
+def _moves(pairs: Iterable[tuple[PurePosixPath, PurePosixPath]]) -> list[Move] | None:
+    """Return the renaming of folders, then of files; None if one folder would need two names."""
+    folders: dict[PurePosixPath, PurePosixPath] = {}
+    files = []
+    for old, new in pairs:
+        if folders.setdefault(old.parent, new.parent) != new.parent:
+            return None
+        if old.name != new.name:
+            files.append(Move(new.parent / old.name, new))
+    return [Move(old, new) for old, new in folders.items() if old != new] + files
+
+
+def _moved(files: Files, moves: Iterable[Move]) -> Files | None:
+    """Return the files after moving some; None if two of them would be in one place."""
+    current = dict(files)
+    for move in moves:
+        result: Files = {}
+        for path, content in current.items():
+            new = move.new / path.relative_to(move.old) if path.is_relative_to(move.old) else path
+            if new in result:
+                return None
+            result[new] = content
+        current = result
+    return dict(sorted(current.items()))
+
+
+def _is_complete(files: Files, seats: Sequence[Entrant]) -> bool:
+    """Return whether every robot has its program, and no file lies where a folder is."""
+    if any(entry is None for entry in entries_of(files, seats).values()):
+        return False
+    return files.keys().isdisjoint(folder for path in files for folder in path.parents)
