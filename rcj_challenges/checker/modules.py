@@ -16,7 +16,6 @@ from itertools import islice
 from pathlib import PurePosixPath
 
 from rcj_challenges.checker.renaming import HIDDEN_ENDING
-from rcj_challenges.facts.shown import shown
 
 INSTALLED = ("numpy", "scipy", "controller")
 """What a program can import beside Python's own library (reference, sections 4.3 and 7)."""
@@ -198,23 +197,3 @@ def refused_use(module: str, names: Sequence[str]) -> str:
             if use:
                 return use
     return ""
-
-
-def instead_of_the_folder(module: PurePosixPath, part: str, files: Iterable[PurePosixPath]) -> str:
-    """Return what to do where a file is found in place of the folder of its name, in which it lies.
-
-    Args:
-        module: the file that is found.
-        part: the name that is looked for in the folder.
-        files: paths of all files.
-
-    Returns:
-        nothing if no such name lies beside the file.
-    """
-    folder = module.parent
-    beside = (folder / f"{part}.py", folder / part)
-    if module.stem != folder.name or not any(at in beside for path in files for at in (path, *path.parents)):
-        return ""
-    name = shown(module.stem)
-    others = "the folder's name is for programs in other folders"
-    return f'leave out "{name}.": {shown(part)} lies beside {name}.py; {others}'

@@ -15,7 +15,6 @@ from rcj_challenges.checker.modules import (
     WELL_KNOWN,
     Library,
     Module,
-    instead_of_the_folder,
     is_here,
     is_pythons,
     places_of,
@@ -278,7 +277,7 @@ class _Walk:
             return (
                 "missing_part",
                 f'imports "{whole}", but "{shown(name)}" is a file, not a folder',
-                (module.file and instead_of_the_folder(module.file, part, self._team.files)) or "correct the import",
+                f"correct the import: a file of the same folder is imported as {shown(part)}",
             )
         message = f'imports "{whole}", but there is no {shown(part)}.py in the folder {shown(module.folder)}'
         return "missing_part", message, "add the file to the submission, or correct the import"

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import sys
-
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
@@ -54,36 +52,6 @@ WORDS = st.sampled_from(
 def test_any_words_of_python_are_read_to_an_end(text):
     said = read_source(text.encode(), "robot.py")
     assert all(found["line"] >= 1 for found in said.get("imports", ()))
-
-
-BRACKETS = pytest.mark.skipif(sys.version_info >= (3, 14), reason="Python 3.14 reads several errors without brackets")
-
-
-SEVERAL = "try:\n    x = 1\nexcept (KeyError, ValueError), e:\n    pass\n"
-
-
-ONE = "try:\n    x = 1\nexcept KeyError, error:  # what\n    pass\n"
-
-
-PYTHON_2 = {
-    "several errors with a name": pytest.param(SEVERAL, "except (…) as e", marks=BRACKETS),
-    "one error with a name": pytest.param(ONE, "except … as error", marks=BRACKETS),
-    "exec": ("exec 'x = 1'\n", "exec(…)"),
-    "raise": ("raise ValueError, 'no'\n", "raise ValueError(…)"),
-}
-
-
-@pytest.mark.parametrize(("program", "instead"), PYTHON_2.values(), ids=PYTHON_2)
-def test_what_only_python_2_could_read_is_told_with_what_to_write_now(check, program, instead):
-    found = only(check(program))
-    assert found.code == "sources.syntax"
-    assert found.remedy == f"this was written for Python 2: write {instead}"
-
-
-@BRACKETS
-def test_several_errors_without_brackets_are_not_taken_for_python_2(check):
-    found = only(check("try:\n    x = 1\nexcept KeyError, ValueError:\n    pass\n"))
-    assert "write except (KeyError, ValueError):" in found.remedy
 
 
 def test_for_hundreds_of_modules_that_are_nowhere_not_all_files_are_looked_through_each_time(check, monkeypatch):
