@@ -147,8 +147,8 @@ def _unknown(found: _Findings) -> str:
 
 def crashed_report(named: Called, message: str, details: str = "") -> FileReport:
     """Return the report on a submission whose check itself came to a bad end: nothing is known about it."""
-    told = shown_block(details) if details else ""
-    finding = Finding("check.broken", "unchecked", shown(message, 400), _OUR_REMEDY, details=told)
+    block = shown_block(details) if details else ""
+    finding = Finding("check.broken", "unchecked", shown(message, 400), _OUR_REMEDY, details=block)
     return _report_without_check(named, finding, finding.message)
 
 
@@ -237,17 +237,17 @@ def _run(found: _Findings, options: CheckOptions, named: Called, rehearsal_in: C
 
     with _private_folders() as folders:
         rehearsal = rehearsal_in(folders.place)
-        asked: list[tuple[str, str]] = []  # devices, in vain, when the programs started
+        missing: list[tuple[str, str]] = []  # devices, when the programs started
 
         def start() -> Stage:
             started = check_start(rehearsal)
-            asked.extend(started.asked)
+            missing.extend(started.missing)
             if options.show_output and started.stage.failed:  # else what is played shows it
                 found.started = _outputs(started.match)
             return _unless_full(started.stage, folders.place)
 
         def play() -> Stage:
-            played = check_play(rehearsal, options.play_s, asked)
+            played = check_play(rehearsal, options.play_s, missing)
             found.matches = [_match(match, named, options) for match in played.matches]
             return _unless_full(played.stage, folders.place)
 

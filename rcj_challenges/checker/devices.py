@@ -1,4 +1,4 @@
-"""Devices that the programs of a team asked for in vain, as findings."""
+"""Findings on devices that the programs of a team asked for and their robots do not have."""
 
 from __future__ import annotations
 
@@ -7,36 +7,36 @@ from rcj_challenges.checker.findings import Finding, StageName
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed
 from rcj_challenges.facts.shown import shown
 
-Asked = dict[tuple[str, str], list[str]]
-"""Robots by the name that they asked for in vain, and by what they have."""
+MissingDevices = dict[tuple[str, str], list[str]]
+"""Robots by the name of the device that they lack, and by what they have."""
 
-_MOST_DEVICES = 10
+_MAX_DEVICES = 10
 
 
-def asked_by_robots(match: Rehearsed) -> Asked:
-    """Return what the robots of the team asked for in vain in a match."""
-    asked: Asked = {}
+def missing_by_device(match: Rehearsed) -> MissingDevices:
+    """Return the devices that robots of the team lacked in a match."""
+    missing: MissingDevices = {}
     for robot in match.motions:
         for found in missing_devices(match.log(robot)).items():
-            asked.setdefault(found, []).append(robot)
-    return asked
+            missing.setdefault(found, []).append(robot)
+    return missing
 
 
-def device_findings(stage: StageName, asked: Asked, rehearsal: Rehearsal, side: str = "") -> list[Finding]:
+def device_findings(stage: StageName, missing: MissingDevices, rehearsal: Rehearsal, side: str = "") -> list[Finding]:
     """Return a warning for each device that a program asked for in vain.
 
     Args:
         stage: in which it was found.
-        asked: what was asked for.
+        missing: the devices.
         rehearsal: what was to be played.
         side: where the team played, as the message begins.
     """
-    instead = DeviceAdvice(rehearsal.loaded.scenario, rehearsal.team, [name for name, _ in asked])
+    advice = DeviceAdvice(rehearsal.loaded.scenario, rehearsal.team, [name for name, _ in missing])
     findings = []
-    for (name, has), robots in list(asked.items())[:_MOST_DEVICES]:
+    for (name, has), robots in list(missing.items())[:_MAX_DEVICES]:
         message = f'{side}asks for a device "{shown(name)}"; there is none'
-        if made_for := instead.made_for(name):
+        if made_for := advice.made_for(name):
             message += f": {made_for}"
-        remedy = instead.remedy(name, robots[0], has)
+        remedy = advice.remedy(name, robots[0], has)
         findings.append(Finding(f"{stage}.no_device", "warning", message, remedy, ", ".join(robots)))
     return findings

@@ -8,7 +8,7 @@ from pathlib import PurePosixPath
 
 from rcj_challenges.checker.findings import Finding
 from rcj_challenges.checker.likeness import BLANK, alike, like_an_entry, mentioned
-from rcj_challenges.checker.others import looks_like
+from rcj_challenges.checker.others import suggest_scenarios
 from rcj_challenges.checker.renaming import all_entries, entries_of, plan_moves
 from rcj_challenges.controllers.team import Opening, missing_programs
 from rcj_challenges.controllers.troubles import told
@@ -42,11 +42,11 @@ def layout_findings(opening: Opening, seats: Sequence[Entrant], others: Sequence
         others: the shipped scenarios that it fits, if it does not fit this one.
     """
     if opening.missing:
-        return [*_surroundings(opening), *_missing(opening, seats, others)]
+        return [*_folder_findings(opening), *_missing(opening, seats, others)]
     return [
-        *_surroundings(opening),
-        *_empties(opening, seats),
-        *_served(opening, seats),
+        *_folder_findings(opening),
+        *_empty_findings(opening, seats),
+        *_program_findings(opening, seats),
         *_never_started(opening, seats),
     ]
 
@@ -69,7 +69,7 @@ def empty_programs(files: Mapping[PurePosixPath, bytes], seats: Sequence[Entrant
     return found
 
 
-def _surroundings(opening: Opening) -> list[Finding]:
+def _folder_findings(opening: Opening) -> list[Finding]:
     found = []
     if opening.contents.kind == "program":
         message = f"a single program drives all robots: {told(next(iter(opening.files), ''))}"
@@ -98,7 +98,7 @@ def _missing(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) 
     files = opening.contents.files
     plan = plan_moves(files, seats)
     message = missing_programs(files, opening.missing, hint=plan is None, not_meant=all_entries(seats))
-    elsewhere = f"{looks_like(others)}; if it is for this scenario, " if others else ""
+    elsewhere = f"{suggest_scenarios(others)}; if it is for this scenario, " if others else ""
     if plan is not None:
         remedy = elsewhere + ", ".join(map(str, plan.moves)) + (f"; {plan.caution}" if plan.caution else "")
         return [Finding("layout.misnamed", "failure", message, remedy, told(plan.moves[0].old), not plan.caution)]
@@ -110,7 +110,7 @@ def _missing(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) 
     return [Finding("layout.missing", "failure", message, remedy)]
 
 
-def _empties(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:
+def _empty_findings(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:
     found = []
     for empty in empty_programs(opening.files, seats):
         name = told(empty.path)
@@ -124,7 +124,7 @@ def _empties(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:
     return found
 
 
-def _served(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:
+def _program_findings(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:
     if opening.contents.kind == "program":
         return []
     robots: dict[PurePosixPath, list[str]] = {}

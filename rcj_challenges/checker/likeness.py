@@ -53,11 +53,6 @@ def of_yellow(name: str) -> bool:
     return re.search(r"(?:^|[\W_])(?:y\d?|yellow\d?)$", name.casefold()) is not None
 
 
-def of_blue(name: str) -> bool:
-    """Whether a name says that a program is for blue: ``rcj_soccer_player_b1``."""
-    return re.search(r"(?:^|[\W_])(?:b\d?|blue\d?)$", name.casefold()) is not None
-
-
 def mentioned(files: Mapping[PurePosixPath, bytes], names: Iterable[str]) -> str:
     """Return the first of some names of files or folders that a program imports, or has in a text.
 

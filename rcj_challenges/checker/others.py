@@ -40,7 +40,7 @@ def others_that_fit(
     ]
 
 
-def looks_like(names: Sequence[str]) -> str:
+def suggest_scenarios(names: Sequence[str]) -> str:
     """Return how to check a submission for another scenario, as the beginning of a remedy."""
     return f"it looks like one for {' or '.join(names)}: rcj-challenge check … --scenario {names[0]}"
 

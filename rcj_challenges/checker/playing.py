@@ -9,7 +9,7 @@ from pathlib import PurePosixPath
 from typing import Any
 
 from rcj_challenges.checker.advice.endings import hidden_error
-from rcj_challenges.checker.devices import Asked, asked_by_robots, device_findings
+from rcj_challenges.checker.devices import MissingDevices, device_findings, missing_by_device
 from rcj_challenges.checker.failing import fault_findings
 from rcj_challenges.checker.findings import Finding, Level, Stage
 from rcj_challenges.checker.growth import Growth
@@ -82,13 +82,13 @@ class Played:
     matches: list[Rehearsed] = field(default_factory=list)
 
 
-def check_play(rehearsal: Rehearsal, seconds: float, told: Collection[tuple[str, str]] = ()) -> Played:
+def check_play(rehearsal: Rehearsal, seconds: float, known: Collection[tuple[str, str]] = ()) -> Played:
     """Play on each side that the team can take, and say how its robots did.
 
     Args:
         rehearsal: what is to be played.
         seconds: how long, on each side.
-        told: devices asked for in vain that are told of already, as in `Asked`.
+        known: missing devices that the stage *start* reported, as in `MissingDevices`.
 
     Raises:
         RcjError: it cannot be played for a reason that is not the team's.
@@ -102,29 +102,29 @@ def check_play(rehearsal: Rehearsal, seconds: float, told: Collection[tuple[str,
             # The same match once more: what was slow because this computer was busy will hardly be so twice.
             match.waits.update(_shorter(match.waits, rehearse(rehearsal, (seat,), seconds).waits))
         played.matches.append(match)
-        asked = {found: robots for found, robots in asked_by_robots(match).items() if found not in told}
-        played.stage.findings += _findings(rehearsal, match, side, asked)
+        missing = {found: robots for found, robots in missing_by_device(match).items() if found not in known}
+        played.stage.findings += _findings(rehearsal, match, side, missing)
     return played
 
 
-def _findings(rehearsal: Rehearsal, match: Rehearsed, side: str, asked: Asked) -> list[Finding]:
-    missing = device_findings("play", asked, rehearsal, side)
+def _findings(rehearsal: Rehearsal, match: Rehearsed, side: str, missing: MissingDevices) -> list[Finding]:
+    lacking = device_findings("play", missing, rehearsal, side)
     failed = fault_findings("play", rehearsal, match, side)
     absent = _absent(match)
     rest = [
-        *_told_absent(match, absent, side),
+        *_absent_findings(match, absent, side),
         *_standing(rehearsal, match, absent, side),
         *_away_from_ball(rehearsal, match, side),
         *_slow(rehearsal, match, side),
     ]
     much = _much(rehearsal, match, side)
-    told = [*_threads(match, side), *_complaints(match, side)]
+    logged = [*_threads(match, side), *_complaints(match, side)]
     # What would end a program comes before what may be as it should, and after what it may come from.
-    return [*missing, *failed, *much, *rest, *told, _summary(match, side), *_others_failed(match, side)]
+    return [*lacking, *failed, *much, *rest, *logged, _summary(match, side), *_others_failed(match, side)]
 
 
 def _absent(match: Rehearsed) -> dict[str, int]:
-    """Return the robots whose programs did not fail, but hardly ever called ``step``, and how often they did."""
+    """Return the robots whose programs did not fail, but called ``step`` very rarely, and how often they did."""
     failed = {fault["robot"] for fault in match.faults}
     ticks = ticks_from_s(match.simulated_s)
     return {
@@ -134,7 +134,7 @@ def _absent(match: Rehearsed) -> dict[str, int]:
     }
 
 
-def _told_absent(match: Rehearsed, absent: Mapping[str, int], side: str) -> list[Finding]:
+def _absent_findings(match: Rehearsed, absent: Mapping[str, int], side: str) -> list[Finding]:
     """Return one warning for all robots that took part in equally many ticks."""
     alike: dict[int, list[str]] = {}
     for robot, steps in absent.items():
@@ -157,12 +157,12 @@ def _told_absent(match: Rehearsed, absent: Mapping[str, int], side: str) -> list
 
 
 def _standing(rehearsal: Rehearsal, match: Rehearsed, absent: Collection[str], side: str) -> list[Finding]:
-    """Return warnings if robots did not move: those that failed or were absent have been told of already."""
-    told = {*absent, *(fault["robot"] for fault in match.faults)}
+    """Return warnings if robots did not move: without those that failed or were absent."""
+    known = {*absent, *(fault["robot"] for fault in match.faults)}
     standing: dict[str, list[str]] = {}  # by what else may be the reason
     reasons: dict[str, str] = {}  # by the program: strange ones take long to look through
     for robot, motion in match.motions.items():
-        if motion.path_m < _STANDS_M and motion.turned_rad < _STANDS_RAD and robot not in told:
+        if motion.path_m < _STANDS_M and motion.turned_rad < _STANDS_RAD and robot not in known:
             entry = rehearsal.team.entries[robot]
             if entry not in reasons:
                 reasons[entry] = hidden_error(rehearsal.team.files, PurePosixPath(entry))
@@ -306,8 +306,8 @@ def _complaints(match: Rehearsed, side: str) -> list[Finding]:
     said: dict[tuple[str, str], list[str]] = {}
     for robot in match.motions:
         for line in dict.fromkeys(match.log(robot).splitlines()):
-            if told := _complaint(line):
-                said.setdefault(told, []).append(robot)
+            if complaint := _complaint(line):
+                said.setdefault(complaint, []).append(robot)
     return [
         Finding("play.complaint", "warning", f"{side}{shown(what)}", remedy, ", ".join(robots))
         for (what, remedy), robots in list(said.items())[:_MOST_COMPLAINTS]
@@ -324,10 +324,10 @@ def _summary(match: Rehearsed, side: str) -> Finding:
     against = "".join(f" against {shown(name)}" for name in match.opponents.values())
     score = " : ".join(map(number_words, match.result["score"].values()))
     touches = sum(1 for motion in match.motions.values() if motion.ball_touches)
-    told = f"{side}{match.simulated_s:.0f} s played{against}, score {score}"
+    summary = f"{side}{match.simulated_s:.0f} s played{against}, score {score}"
     if touches:
-        told += f", {touches} of {len(match.motions)} robots touched the ball"
-    return Finding("play.played", "passed", told)
+        summary += f", {touches} of {len(match.motions)} robots touched the ball"
+    return Finding("play.played", "passed", summary)
 
 
 def _others_failed(match: Rehearsed, side: str) -> list[Finding]:
@@ -338,8 +338,8 @@ def _others_failed(match: Rehearsed, side: str) -> list[Finding]:
     robots = ", ".join(dict.fromkeys(fault["robot"] for fault in match.faults_of_others))
     names = " and ".join(map(shown, match.opponents.values()))
     when = f"the first after {s_from_ticks(first['tick']):.1f} s"
-    told = shown(first["detail"], 120) or first["kind"]
-    message = f"{side}programs of the opponent failed ({names}: {robots}; {when}: {told}): the score says little"
+    detail = shown(first["detail"], 120) or first["kind"]
+    message = f"{side}programs of the opponent failed ({names}: {robots}; {when}: {detail}): the score says little"
     if OWN_TEAM in match.opponents.values():
         remedy = "these are your own programs, on the other side"
     else:

@@ -9,6 +9,7 @@ from dataclasses import replace
 from enum import Enum
 from pathlib import PurePosixPath
 
+from rcj_challenges.checker.file_beside import help_for_module_beside
 from rcj_challenges.checker.findings import Finding, Level, Stage
 from rcj_challenges.checker.modules import (
     INSTALLED,
@@ -20,7 +21,6 @@ from rcj_challenges.checker.modules import (
     places_of,
     refused_use,
 )
-from rcj_challenges.checker.not_given import module_not_given
 from rcj_challenges.checker.preloaded import never_read
 from rcj_challenges.checker.reading import Import, Source, read_sources
 from rcj_challenges.checker.unreadable import PYTHON, what_is_wrong
@@ -256,7 +256,7 @@ class _Walk:
         """Return what to do about a module that is nowhere, where ``names`` could be imported."""
         if name in WELL_KNOWN:
             return f"do without it: {_IN_A_MATCH}"
-        beside = module_not_given(self._team, name)
+        beside = help_for_module_beside(self._team, name)
         if beside:
             return beside
         hidden = self._usual.hidden(name)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rcj_challenges.checker.devices import Asked, asked_by_robots, device_findings
+from rcj_challenges.checker.devices import MissingDevices, device_findings, missing_by_device
 from rcj_challenges.checker.failing import fault_findings
 from rcj_challenges.checker.findings import Finding, Stage
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed, rehearse
@@ -23,12 +23,12 @@ class Started:
     Attributes:
         stage: findings.
         match: the few ticks that were played.
-        asked: devices that were asked for in vain, as told in the findings.
+        missing: devices that the robots lack, as in the findings.
     """
 
     stage: Stage
     match: Rehearsed
-    asked: Asked
+    missing: MissingDevices
 
 
 def check_start(rehearsal: Rehearsal) -> Started:
@@ -39,8 +39,8 @@ def check_start(rehearsal: Rehearsal) -> Started:
     """
     stage = Stage("start")
     started = rehearse(rehearsal, tuple(rehearsal.seats()), _TICKS * TICK_S)
-    asked = asked_by_robots(started)
-    stage.findings += device_findings("start", asked, rehearsal)  # before what follows from it
+    missing = missing_by_device(started)
+    stage.findings += device_findings("start", missing, rehearsal)  # before what follows from it
     stage.findings += fault_findings("start", rehearsal, started)
     slow = _slow(started, rehearsal.loaded.scenario.limits.start_s)
     if slow is not None:
@@ -53,7 +53,7 @@ def check_start(rehearsal: Rehearsal) -> Started:
                 "start.ok", "passed", f"all robots start and answer, the slowest after {longest_s:.1f} s", "", robots
             )
         )
-    return Started(stage, started, asked)
+    return Started(stage, started, missing)
 
 
 def _slow(started: Rehearsed, limit_s: float) -> Finding | None:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 
 from rcj_challenges.checker.advice.crash_site import OF_NONE, origins_of_none, programs
-from rcj_challenges.checker.others import looks_like, others_that_fit
+from rcj_challenges.checker.others import others_that_fit, suggest_scenarios
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.likeness import nearest_name
 from rcj_challenges.facts.shown import shown
@@ -121,7 +121,7 @@ class DeviceAdvice:
         return self._format_others(others_that_fit(self._team.files, self._scenario, self._has_all)) + _all_of(has)
 
     def _format_others(self, names: Sequence[str]) -> str:
-        return f"{looks_like(names)}; " if names else ""
+        return f"{suggest_scenarios(names)}; " if names else ""
 
     def _has_all(self, other: Scenario) -> bool:
         """Return whether a robot of another scenario has everything that was asked for in vain."""

@@ -14,7 +14,7 @@ from rcj_challenges.checker.advice.devices import none_hint
 from rcj_challenges.checker.advice.endings import why_it_ended
 from rcj_challenges.checker.advice.packets import packet_hint
 from rcj_challenges.checker.advice.table import Hint, find_old_name, find_row
-from rcj_challenges.checker.not_given import on_not_given
+from rcj_challenges.checker.file_beside import help_for_file_beside
 from rcj_challenges.controllers.log import AFTER_ITS_END, ANOTHER_THREAD
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.shown import shown
@@ -73,7 +73,7 @@ def _crash_hint(
 ) -> Hint | None:
     detail = fault["detail"]
     texts = (
-        ("file_not_given", on_not_given(team, detail)),
+        ("file_not_given", help_for_file_beside(team, detail)),
         ("no_device", none_hint(scenario, team, fault["robot"], detail, log)),
         ("hidden_module", _hidden_module(team, detail)),
         ("old_name", find_old_name(detail)),

@@ -9,7 +9,7 @@ from typing import Any
 
 from rcj_challenges.checker.advice.crash_site import crash_code, programs
 from rcj_challenges.checker.advice.table import Hint
-from rcj_challenges.checker.others import looks_like, others_that_fit
+from rcj_challenges.checker.others import others_that_fit, suggest_scenarios
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.scenario.models.scenario import Scenario
 
@@ -110,7 +110,7 @@ def _hint_of_2021(scenario: Scenario, team: Team, kit: str, wanted_bytes: int) -
     holds = [f"x, y and orientation of {', '.join(listed)}"] * bool(listed)
     holds += [f"x and y of {', '.join(scenario.balls)}"] * bool(scenario.balls) + ["waiting_for_kickoff"] * has_flag
     remedy = (
-        f"{looks_like(others) + '; ' if others else ''}here that packet has {here_bytes} bytes: struct.unpack({robots}"
+        f"{suggest_scenarios(others) + '; ' if others else ''}here that packet has {here_bytes} bytes: struct.unpack({robots}"
         f'"{"dd" * len(scenario.balls)}{"?" * has_flag}", packet) gives {"; ".join(holds)}'
     )
     return Hint("other_packets", remedy, ": this program reads other packets than the referee sends here")

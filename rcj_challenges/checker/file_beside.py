@@ -1,4 +1,4 @@
-"""What a program lacks because it was given as a single file, and not with the folder in which it lies."""
+"""Files that a program needs and does not have because it was given alone, without its folder."""
 
 from __future__ import annotations
 
@@ -16,27 +16,27 @@ _FILE = re.compile(
 )
 
 
-def on_not_given(team: Team, detail: str) -> str:
-    """Return what to do about a crash over what lies beside a single program; nothing if that is not the reason.
+def help_for_file_beside(team: Team, detail: str) -> str:
+    """Return what to do about a crash over a file beside a single program; empty if that is not the reason.
 
     Args:
         team: whose program failed.
-        detail: the last line of what the program told of its end.
+        detail: the last line of the traceback.
     """
     if (found := _MODULE.match(detail)) is not None:
-        return module_not_given(team, found["module"])
+        return help_for_module_beside(team, found["module"])
     if (found := _FILE.match(detail)) is not None:
         asked: PurePath = PureWindowsPath(unquote(found["path"]))
-        return _told(team, asked.parts[0]) if asked.parts and not asked.anchor else ""
+        return _help_for(team, asked.parts[0]) if asked.parts and not asked.anchor else ""
     return ""
 
 
-def module_not_given(team: Team, module: str) -> str:
-    """Return what to do about an import of what lies beside a single program; nothing if there is nothing."""
-    return _told(team, f"{module}.py") or _told(team, module)
+def help_for_module_beside(team: Team, module: str) -> str:
+    """Return what to do about an import of a file beside a single program; empty if there is none."""
+    return _help_for(team, f"{module}.py") or _help_for(team, module)
 
 
-def _told(team: Team, name: str) -> str:
+def _help_for(team: Team, name: str) -> str:
     if not team.leaves_beside(name):
         return ""
     program = next(iter(team.files), PurePosixPath("the program"))
