@@ -109,8 +109,9 @@ def _hint_of_2021(scenario: Scenario, team: Team, kit: str, wanted_bytes: int) -
     robots = f'"ddd" * {len(listed)} + ' if listed else ""
     holds = [f"x, y and orientation of {', '.join(listed)}"] * bool(listed)
     holds += [f"x and y of {', '.join(scenario.balls)}"] * bool(scenario.balls) + ["waiting_for_kickoff"] * has_flag
+    elsewhere = f"{suggest_scenarios(others)}; " if others else ""
     remedy = (
-        f"{suggest_scenarios(others) + '; ' if others else ''}here that packet has {here_bytes} bytes: struct.unpack({robots}"
+        f"{elsewhere}here that packet has {here_bytes} bytes: struct.unpack({robots}"
         f'"{"dd" * len(scenario.balls)}{"?" * has_flag}", packet) gives {"; ".join(holds)}'
     )
     return Hint("other_packets", remedy, ": this program reads other packets than the referee sends here")
