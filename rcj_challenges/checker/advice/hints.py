@@ -100,11 +100,12 @@ def _missing_file(team: Team, detail: str, current: PurePosixPath) -> str:
         return ""
     name = PureWindowsPath(unquote(missing["path"])).name
     found = next((path for path in team.files if path.name.casefold() == name.casefold()), None)
+    root = PurePosixPath("/")  # so that the current folder of this process does not matter
     folder = shown(current) if current.parts else "the folder of the program"
     if found is not None:
         return (
-            f'write "{shown(relpath(found, current))}": the file is {shown(found)}, and the current folder is '
-            f"{folder}; capital and small letters count, and / separates folders"
+            f'write "{shown(relpath(root / found, root / current))}": the file is {shown(found)}, and the current '
+            f"folder is {folder}; capital and small letters count, and / separates folders"
         )
     return (
         f'{shown(name)} is not in the submission: put it into {folder} and open it as "{shown(name)}"; a folder to '
