@@ -17,10 +17,11 @@ SMALLEST = {
     "referee_cost": ["--ticks", "100", "--repeats", "1", "--json"],
     "challenges": ["--rounds", "1", "--json"],
     "watching": ["--rounds", "1", "--json"],
+    "inputs": ["zones", "--json"],
     "__main__": ["--quick", "--json"],
 }
-"""How each is started; the last three measure no less than what their bars are about."""
-WITH_BARS = {"challenges", "watching", "__main__"}
+"""How each is started; the last four measure no less than what their bars are about."""
+WITH_BARS = {"challenges", "watching", "inputs", "__main__"}
 NO_BENCHMARKS = {"__init__", "rows"}
 
 
