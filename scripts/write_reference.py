@@ -18,9 +18,38 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
+from rcj_challenges.rules.actions import Action
+from rcj_challenges.rules.conditions import AllOf, AnyOf, Condition
+from rcj_challenges.rules.fields import Colour, DurationS, EventName, Name, Names, Point
+from rcj_challenges.rules.places import At, Facing, Kick, Mirror, Towards
+from rcj_challenges.rules.triggers import Trigger
+from rcj_challenges.rules.values import (
+    Bound,
+    CounterValue,
+    DistanceValue,
+    DrawValue,
+    FlagValue,
+    HeldValue,
+    Lasts,
+    LastTouchValue,
+    Points,
+    PositionValue,
+    TimerValue,
+    ToldValue,
+    Value,
+    WayValue,
+    WeightedCounter,
+    WeightedDistance,
+    WeightedDraw,
+    WeightedFlag,
+    WeightedTimer,
+    WeightedTold,
+    WeightedWay,
+    WeightedWord,
+    WordValue,
+)
 from rcj_challenges.scenario.json_schema import keywords, sentence_of
-from rcj_challenges.scenario.models import actions, conditions, field, places, robots, scenario, state, triggers
-from rcj_challenges.scenario.models.base import Colour, DurationS, EventName, Name, Names, Point
+from rcj_challenges.scenario.models import field, places, robots, scenario, state
 from rcj_challenges.scenario.shape import bare, fields, is_model, is_union, members, tags, without_none
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -168,13 +197,13 @@ CHAPTERS = (
         "Section `placements`: layouts by name, each a list of these, carried out in order.",
         (
             Word("placements", places.Placing),
-            Word("mirror", places.Mirror),
-            Word("facing", places.Towards),
-            Word("kick", places.Kick),
+            Word("mirror", Mirror),
+            Word("facing", Towards),
+            Word("kick", Kick),
         ),
         "places",
     ),
-    Chapter("Where things go", "What `at:` may be, besides the word `start`.", _tagged(places.At), "places"),
+    Chapter("Where things go", "What `at:` may be, besides the word `start`.", _tagged(At), "places"),
     Chapter(
         "What rules remember",
         "Sections `draws`, `counters`, `flags`, `timers`, `sequences`.",
@@ -192,15 +221,15 @@ CHAPTERS = (
     Chapter(
         "Rules", "Section `rules`, in the order in which they are judged.", (Word("rules", scenario.Rule),), "rules"
     ),
-    Chapter("Triggers", "Moments at which a rule may fire.", _tagged(triggers.Trigger), "triggers", "trigger"),
+    Chapter("Triggers", "Moments at which a rule may fire.", _tagged(Trigger), "triggers", "trigger"),
     Chapter(
         "Conditions",
         "What must hold when a trigger fires; every condition also has `negate`.",
-        _tagged(conditions.Condition),
+        _tagged(Condition),
         "conditions",
         "condition",
     ),
-    Chapter("Actions", "What a rule does when it fires, in order.", _tagged(actions.Action), "actions", "action"),
+    Chapter("Actions", "What a rule does when it fires, in order.", _tagged(Action), "actions", "action"),
     Chapter(
         "Values",
         "What may stand in a payload or a broadcast, besides a literal; in `points:` and `count` too: `counter`, "
@@ -208,25 +237,25 @@ CHAPTERS = (
         "`way`, and `draw` and `word` if they are numbers; in `points:` also a list of which all is added: numbers, "
         "and these with weights.",
         (
-            Word("counter", state.CounterValue, example="counter_value"),
-            Word("flag", state.FlagValue, example="flag_value"),
-            Word("draw", state.DrawValue, example="draw_value"),
-            Word("word", state.WordValue),
-            Word("position_of", state.PositionValue),
-            Word("distance", state.DistanceValue, example="distance_value"),
-            Word("way", state.WayValue, example="way_value"),
-            Word("timer", state.TimerValue, example="timer_value"),
-            Word("held", state.HeldValue, example="held_value"),
-            Word("last_touch", state.LastTouchValue, example="last_touch_value"),
-            Word("told", state.ToldValue, example="told_value"),
-            Word("weighted_counter", state.WeightedCounter, own_example=False),
-            Word("weighted_flag", state.WeightedFlag, own_example=False),
-            Word("weighted_draw", state.WeightedDraw, own_example=False),
-            Word("weighted_word", state.WeightedWord, own_example=False),
-            Word("weighted_distance", state.WeightedDistance, own_example=False),
-            Word("weighted_way", state.WeightedWay, own_example=False),
-            Word("weighted_timer", state.WeightedTimer, own_example=False),
-            Word("weighted_told", state.WeightedTold, own_example=False),
+            Word("counter", CounterValue, example="counter_value"),
+            Word("flag", FlagValue, example="flag_value"),
+            Word("draw", DrawValue, example="draw_value"),
+            Word("word", WordValue),
+            Word("position_of", PositionValue),
+            Word("distance", DistanceValue, example="distance_value"),
+            Word("way", WayValue, example="way_value"),
+            Word("timer", TimerValue, example="timer_value"),
+            Word("held", HeldValue, example="held_value"),
+            Word("last_touch", LastTouchValue, example="last_touch_value"),
+            Word("told", ToldValue, example="told_value"),
+            Word("weighted_counter", WeightedCounter, own_example=False),
+            Word("weighted_flag", WeightedFlag, own_example=False),
+            Word("weighted_draw", WeightedDraw, own_example=False),
+            Word("weighted_word", WeightedWord, own_example=False),
+            Word("weighted_distance", WeightedDistance, own_example=False),
+            Word("weighted_way", WeightedWay, own_example=False),
+            Word("weighted_timer", WeightedTimer, own_example=False),
+            Word("weighted_told", WeightedTold, own_example=False),
         ),
         "rules",
     ),
@@ -320,19 +349,19 @@ def _table(model: type[BaseModel], tag: str) -> Iterator[str]:
 
 _NAMED: tuple[tuple[Any, str], ...] = (
     (Names, "name, or list of names"), (Name, "name"), (EventName, "event"), (DurationS, "duration in s"),
-    (Point, "[x, y] in m"), (Colour, "colour"), (state.Value, "value"),
-    (state.Bound, "number, or {counter, lowest or highest: NAME}"),
-    (state.Lasts, "duration in s, or {draw: NAME}"),
+    (Point, "[x, y] in m"), (Colour, "colour"), (Value, "value"),
+    (Bound, "number, or {counter, lowest or highest: NAME}"),
+    (Lasts, "duration in s, or {draw: NAME}"),
     (
-        state.Points,
+        Points,
         "number, {counter, flag, draw, timer, way or word: NAME}, {distance: [A, B]}, or list of weighted parts",
     ),
-    (places.At, "[where](#where-things-go)"),
-    (places.Facing, "`start`, `keep`, yaw in rad, {towards: …}, or {random: true}"),
-    (triggers.Trigger, "[trigger](#triggers)"), (conditions.Condition, "[condition](#conditions)"),
+    (At, "[where](#where-things-go)"),
+    (Facing, "`start`, `keep`, yaw in rad, {towards: …}, or {random: true}"),
+    (Trigger, "[trigger](#triggers)"), (Condition, "[condition](#conditions)"),
     *((get_args(fields(one)["conditions"])[0], "[condition](#conditions)")
-      for one in (conditions.AnyOf, conditions.AllOf)),
-    (actions.Action, "[action](#actions)"), (robots.Device, "[device](#devices)"), (places.Zone, "[zone](#zones)"),
+      for one in (AnyOf, AllOf)),
+    (Action, "[action](#actions)"), (robots.Device, "[device](#devices)"), (places.Zone, "[zone](#zones)"),
     (field.Obstacle, "[obstacle](#obstacles)"), (places.Layout, "list of [placements](#placements)"),
     (robots.EntryPoints, "path, or list of paths"),
 )  # fmt: skip
@@ -351,7 +380,7 @@ def _type_text(shape: Any) -> str:
         text = " or ".join(dict.fromkeys(_type_text(member) for member in members(shape)))
     elif is_model(kind):
         word = next((word.name for chapter in CHAPTERS for word in chapter.words if word.model is kind), None)
-        is_value = kind in (state.CounterValue, state.FlagValue, state.DrawValue)
+        is_value = kind in (CounterValue, FlagValue, DrawValue)
         text = f"[{word}](#{word}{'-value' * is_value})" if word else f"{{{', '.join(fields(kind))}}}"
     elif get_origin(kind) is dict:
         text = f"mapping: name to {_type_text(arguments[1])}"

@@ -9,9 +9,9 @@ from typing import Any
 
 from rcj_challenges.devices.channels import ANY_CHANNEL, listening_channels, team_channels
 from rcj_challenges.facts.traffic import DeviceSpec, RobotSpec
+from rcj_challenges.rules.fields import Strict
 from rcj_challenges.scenario.heard import referee_listens
 from rcj_challenges.scenario.models import robots as models
-from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.own_devices import devices_of
 from rcj_challenges.scenario.roster import Roster

@@ -9,7 +9,7 @@ from rcj_challenges.facts.errors import told_of
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import SCENARIO, read_file
 from rcj_challenges.records.lines import parsed
-from rcj_challenges.scenario.models.base import AS_RECORDED
+from rcj_challenges.rules.fields import AS_RECORDED
 from rcj_challenges.scenario.models.scenario import Scenario
 
 

@@ -21,12 +21,30 @@ from rcj_challenges.referee.sequences import sequence_watches
 from rcj_challenges.referee.setting_down import Job
 from rcj_challenges.referee.state import Clock, Number
 from rcj_challenges.referee.values import compile_points, compile_value, counter_reader
+from rcj_challenges.rules.actions import (
+    Action,
+    Count,
+    DrawAction,
+    Emit,
+    End,
+    Hold,
+    LastToucher,
+    Place,
+    Release,
+    Remove,
+    Score,
+    SequenceAction,
+    SetFlag,
+    SetPhase,
+    SetSpot,
+    TimerAction,
+    ToggleFlag,
+)
+from rcj_challenges.rules.fields import LONGEST_S
+from rcj_challenges.rules.places import Mirror, OnLine, UniformIn
+from rcj_challenges.rules.values import CounterValue, DrawValue, ToldValue
 from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.floor import floor_parts, on_floor
-from rcj_challenges.scenario.models import actions as models
-from rcj_challenges.scenario.models.base import LONGEST_S
-from rcj_challenges.scenario.models.places import Mirror, OnLine, UniformIn
-from rcj_challenges.scenario.models.state import CounterValue, DrawValue, ToldValue
 
 Act = Callable[[Occasion], None]
 
@@ -34,15 +52,15 @@ _MOST_TRIES = 1000
 """So often chance looks for a point inside the walls, of a zone that may lie outside for the most part."""
 
 
-def compile_action(model: models.Action, workshop: Workshop, rule: StandingRule) -> Act:
+def compile_action(model: Action, workshop: Workshop, rule: StandingRule) -> Act:
     """Return a compiled action of a rule."""
     return ACTIONS[model.action](model, workshop, rule)
 
 
-def _receiver(entrant: str | models.LastToucher, workshop: Workshop, rule: StandingRule) -> Callable[[], str | None]:
+def _receiver(entrant: str | LastToucher, workshop: Workshop, rule: StandingRule) -> Callable[[], str | None]:
     """Return what tells whose the points are: the named entrant's, or those of whoever drives a robot."""
     drivers = workshop.state.entrant_of
-    if isinstance(entrant, models.LastToucher):
+    if isinstance(entrant, LastToucher):
         touched = workshop.thing(entrant.last_touch, rule.each)
         contacts, names = workshop.contacts, workshop.roster.entities
         contacts.follow_last(touched)
@@ -57,7 +75,7 @@ def _receiver(entrant: str | models.LastToucher, workshop: Workshop, rule: Stand
     return lambda: whose
 
 
-def score(model: models.Score, workshop: Workshop, rule: StandingRule) -> Act:
+def score(model: Score, workshop: Workshop, rule: StandingRule) -> Act:
     """Give points to an entrant; to nobody if nobody touched what they are given for."""
     state, receiver = workshop.state, _receiver(model.entrant, workshop, rule)
     points = compile_points(model.points, workshop, rule.each)
@@ -74,7 +92,7 @@ def score(model: models.Score, workshop: Workshop, rule: StandingRule) -> Act:
     return act
 
 
-def count(model: models.Count, workshop: Workshop, rule: StandingRule) -> Act:
+def count(model: Count, workshop: Workshop, rule: StandingRule) -> Act:
     """Change a counter: first ``to``, then ``by``."""
     counters, name, whose = workshop.state.counters, model.counter, workshop.whose(model.entity, rule.each)
     to = None if model.to is None else compile_points(model.to, workshop, rule.each)
@@ -114,18 +132,18 @@ def _change_flag(
     return act
 
 
-def set_flag(model: models.SetFlag, workshop: Workshop, rule: StandingRule) -> Act:
+def set_flag(model: SetFlag, workshop: Workshop, rule: StandingRule) -> Act:
     """Set or clear a flag."""
     to = model.to
     return _change_flag(workshop, rule, model.flag, model.entity, lambda _value: to)
 
 
-def toggle_flag(model: models.ToggleFlag, workshop: Workshop, rule: StandingRule) -> Act:
+def toggle_flag(model: ToggleFlag, workshop: Workshop, rule: StandingRule) -> Act:
     """Turn a flag over."""
     return _change_flag(workshop, rule, model.flag, model.entity, lambda value: not value)
 
 
-def timer(model: models.TimerAction, workshop: Workshop, rule: StandingRule) -> Act:
+def timer(model: TimerAction, workshop: Workshop, rule: StandingRule) -> Act:
     """Start, stop or reset a timer."""
     state, do = workshop.state, model.do
     clocks, whose = state.timers[model.timer], workshop.whose(model.entity, rule.each)
@@ -152,7 +170,7 @@ def timer(model: models.TimerAction, workshop: Workshop, rule: StandingRule) -> 
     return act
 
 
-def sequence(model: models.SequenceAction, workshop: Workshop, rule: StandingRule) -> Act:
+def sequence(model: SequenceAction, workshop: Workshop, rule: StandingRule) -> Act:
     """Begin a sequence anew: that of one, or of all who have one."""
     watches, whose = sequence_watches(workshop, model.sequence), workshop.whose(model.entity, rule.each)
     meant = tuple(watches.values()) if whose is None else (watches[whose],)
@@ -164,7 +182,7 @@ def sequence(model: models.SequenceAction, workshop: Workshop, rule: StandingRul
     return act
 
 
-def set_spot(model: models.SetSpot, workshop: Workshop, rule: StandingRule) -> Act:
+def set_spot(model: SetSpot, workshop: Workshop, rule: StandingRule) -> Act:
     """Set a spot to where something is now, to its mirror image, or where chance says: there only inside the walls.
 
     What is off the field leaves it where it is.
@@ -213,7 +231,7 @@ def _heard(workshop: Workshop, told: ToldValue, rule: StandingRule) -> Callable[
     return lambda: position_in(heard.get(robot, ""))
 
 
-def draw(model: models.DrawAction, workshop: Workshop, rule: StandingRule) -> Act:
+def draw(model: DrawAction, workshop: Workshop, rule: StandingRule) -> Act:
     """Draw anew, or set a draw to a value."""
     state, name = workshop.state, model.draw
     fixed = None if model.as_ is None else workshop.drawn_value(model.as_, rule.each)
@@ -231,7 +249,7 @@ def draw(model: models.DrawAction, workshop: Workshop, rule: StandingRule) -> Ac
     return act
 
 
-def place(model: models.Place, workshop: Workshop, rule: StandingRule) -> Act:
+def place(model: Place, workshop: Workshop, rule: StandingRule) -> Act:
     """Put entities somewhere: by a layout, or one after the other."""
     if isinstance(model.layout, DrawValue):
         state, name = workshop.state, model.layout.draw
@@ -276,11 +294,11 @@ def _ask(workshop: Workshop, jobs: list[Job]) -> None:
             workshop.queue.ask(job)
 
 
-def remove(model: models.Remove, workshop: Workshop, rule: StandingRule) -> Act:
+def remove(model: Remove, workshop: Workshop, rule: StandingRule) -> Act:
     """Take entities off the field, for a time or until something places them."""
     state, queue = workshop.state, workshop.queue
     away = None if model.for_s is None else _staying(model.for_s, workshop, rule)
-    back = models.Place(action="place", entity=model.entity, at=model.back_at, facing=model.facing)
+    back = Place(action="place", entity=model.entity, at=model.back_at, facing=model.facing)
     returns = {
         entity: compile_putting(
             back, workshop, entity, rule.each, f"rule/{rule.name}/{workshop.roster.entities[entity]}"
@@ -297,7 +315,7 @@ def remove(model: models.Remove, workshop: Workshop, rule: StandingRule) -> Act:
     return act
 
 
-def hold(model: models.Hold, workshop: Workshop, rule: StandingRule) -> Act:
+def hold(model: Hold, workshop: Workshop, rule: StandingRule) -> Act:
     """Hold robots, for a time or until something lets them go."""
     state, robots = workshop.state, workshop.entities(model.entity, rule.each)
     if model.for_s is None:
@@ -321,19 +339,19 @@ def _staying(for_s: Any, workshop: Workshop, rule: StandingRule) -> Callable[[],
     return lambda: workshop.state.lasting_ticks(for_s)
 
 
-def release(model: models.Release, workshop: Workshop, rule: StandingRule) -> Act:
+def release(model: Release, workshop: Workshop, rule: StandingRule) -> Act:
     """Let robots go that rules hold."""
     held, lookout, robots = workshop.state.held, workshop.lookout, workshop.entities(model.entity, rule.each)
     return lambda _occasion: lookout.let_go(held.release(robots))
 
 
-def set_phase(model: models.SetPhase, workshop: Workshop, _rule: StandingRule) -> Act:
+def set_phase(model: SetPhase, workshop: Workshop, _rule: StandingRule) -> Act:
     """Enter a phase, at once."""
     phase = model.phase
     return lambda _occasion: workshop.enter_phase(phase)
 
 
-def emit(model: models.Emit, workshop: Workshop, rule: StandingRule) -> Act:
+def emit(model: Emit, workshop: Workshop, rule: StandingRule) -> Act:
     """Write an event."""
     name = model.event
     payload = {key: compile_value(value, workshop, rule.each) for key, value in model.payload.items()}
@@ -345,7 +363,7 @@ def emit(model: models.Emit, workshop: Workshop, rule: StandingRule) -> Act:
     return act
 
 
-def end(model: models.End, workshop: Workshop, rule: StandingRule) -> Act:
+def end(model: End, workshop: Workshop, rule: StandingRule) -> Act:
     """End the half, or the match, after the last firing of this tick.
 
     The first reason stands, but one for the end of the match goes before one for the end of the half.

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from rcj_challenges.facts.amounts import plain
 from rcj_challenges.referee.state import Number
-from rcj_challenges.scenario.models.actions import Bounded
+from rcj_challenges.rules.actions import Bounded
 
 
 def amount_bound(model: Bounded) -> Callable[[Number], Number]:

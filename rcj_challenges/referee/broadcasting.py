@@ -8,8 +8,8 @@ from typing import Any
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.rules import Occasion, StandingRule
 from rcj_challenges.referee.values import Reader, compile_value
+from rcj_challenges.rules.values import Value
 from rcj_challenges.scenario.models.scenario import Broadcast
-from rcj_challenges.scenario.models.state import Value
 
 Told = dict[str, Any]
 

@@ -10,7 +10,7 @@ from typing import Any
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.play import Event
 from rcj_challenges.facts.timing import s_from_ticks
-from rcj_challenges.scenario.models.base import Scalar
+from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.models.scenario import Expectation, ExpectedEvent
 
 _COUNTS_AS_EQUAL = 1e-9

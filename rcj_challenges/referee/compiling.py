@@ -18,9 +18,9 @@ from rcj_challenges.referee.rules import Hits, Listener, StandingRule
 from rcj_challenges.referee.setting_down import Putting, Queue
 from rcj_challenges.referee.state import State
 from rcj_challenges.referee.watching import Lookout, Track, Watch
+from rcj_challenges.rules.fields import Names, Scalar
+from rcj_challenges.rules.places import Mirror
 from rcj_challenges.scenario.catalogue import EACH
-from rcj_challenges.scenario.models.base import Names, Scalar
-from rcj_challenges.scenario.models.places import Mirror
 from rcj_challenges.scenario.remembered import remembered_spots
 from rcj_challenges.scenario.roster import written_for
 

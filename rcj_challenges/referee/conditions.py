@@ -18,12 +18,33 @@ from rcj_challenges.referee.sequences import sequence_watches
 from rcj_challenges.referee.setting_down import Board
 from rcj_challenges.referee.state import Number
 from rcj_challenges.referee.values import compile_bound
-from rcj_challenges.scenario.models import conditions as models
-from rcj_challenges.scenario.models.base import Scalar
-from rcj_challenges.scenario.models.state import DrawValue
+from rcj_challenges.rules.conditions import (
+    AllOf,
+    AnyOf,
+    AtLeast,
+    Condition,
+    CounterIs,
+    Distance,
+    Drawn,
+    FlagIs,
+    HalfIs,
+    InZone,
+    IsHeld,
+    LastTouch,
+    Looks,
+    Message,
+    SequenceAt,
+    Speed,
+    SpotFree,
+    TimerIs,
+    Told,
+    WayIs,
+)
+from rcj_challenges.rules.fields import Scalar
+from rcj_challenges.rules.values import DrawValue
 
 
-def compile_condition(model: models.Condition, workshop: Workshop, each: str | None) -> Test:
+def compile_condition(model: Condition, workshop: Workshop, each: str | None) -> Test:
     """Return the test of a condition, turned over if it is negated."""
     test = CONDITIONS[model.condition](model, workshop, each)
     if model.negate:
@@ -31,21 +52,21 @@ def compile_condition(model: models.Condition, workshop: Workshop, each: str | N
     return test
 
 
-def watched_entities(model: models.Condition, workshop: Workshop, each: str | None) -> tuple[int, ...]:
+def watched_entities(model: Condition, workshop: Workshop, each: str | None) -> tuple[int, ...]:
     """Return the entities whose placement makes a condition begin anew: those whose place it reads."""
     match model:
-        case models.InZone() | models.Speed():
+        case InZone() | Speed():
             return workshop.entities(model.entity, each)
-        case models.LastTouch():
+        case LastTouch():
             touched = workshop.thing(model.entity, each)
             return (touched,) if touched < len(workshop.roster.entities) else ()  # nobody puts a fixed obstacle
-        case models.Distance():
+        case Distance():
             found = workshop.entities(model.entity, each)
             return (*found, *_anchors(model.to, workshop, each))
-        case models.Looks():
+        case Looks():
             found = workshop.entities(model.entity, each)
             return (*found, *(() if model.towards is None else _anchors(model.towards, workshop, each)))
-        case models.AnyOf() | models.AllOf():
+        case AnyOf() | AllOf():
             several = (watched_entities(one, workshop, each) for one in model.conditions)
             return tuple(dict.fromkeys(entity for one in several for entity in one))
         case _:
@@ -97,13 +118,13 @@ def _comparison(
     return holds
 
 
-def _quantified(of: str | models.AtLeast, results: Iterable[bool]) -> bool:
+def _quantified(of: str | AtLeast, results: Iterable[bool]) -> bool:
     if of == "any":
         return any(results)
     if of == "none":
         return not any(results)
     judged = list(results)
-    if isinstance(of, models.AtLeast):
+    if isinstance(of, AtLeast):
         return sum(judged) >= of.at_least
     # "all" of nobody is no statement: with all of them off the field it does not hold.
     return bool(judged) and all(judged)
@@ -112,7 +133,7 @@ def _quantified(of: str | models.AtLeast, results: Iterable[bool]) -> bool:
 # --- the words ------------------------------------------------------------------------------------------------------
 
 
-def in_zone(model: models.InZone, workshop: Workshop, each: str | None) -> Test:
+def in_zone(model: InZone, workshop: Workshop, each: str | None) -> Test:
     """Whether centres are in a zone; entities off the field are not counted."""
     state, of = workshop.state, model.of
     entities, region = workshop.entities(model.entity, each), workshop.region(model.zone, each)
@@ -124,7 +145,7 @@ def in_zone(model: models.InZone, workshop: Workshop, each: str | None) -> Test:
     return test
 
 
-def speed(model: models.Speed, workshop: Workshop, each: str | None) -> Test:
+def speed(model: Speed, workshop: Workshop, each: str | None) -> Test:
     """How fast centres move: the way of the last tick over its time, in m/s."""
     state, of = workshop.state, model.of
     entities, holds = workshop.entities(model.entity, each), _comparison(model, workshop, each)
@@ -140,7 +161,7 @@ def speed(model: models.Speed, workshop: Workshop, each: str | None) -> Test:
     return lambda: _quantified(of, (compares(entity) for entity in entities if state.present[entity]))
 
 
-def distance(model: models.Distance, workshop: Workshop, each: str | None) -> Test:
+def distance(model: Distance, workshop: Workshop, each: str | None) -> Test:
     """How far centres are from another entity (the nearest of a group), a spot, a point, a zone or a gate, in m."""
     state, of = workshop.state, model.of
     entities, holds = workshop.entities(model.entity, each), _comparison(model, workshop, each, counted=_to_mm)
@@ -160,7 +181,7 @@ def distance(model: models.Distance, workshop: Workshop, each: str | None) -> Te
     return lambda: _quantified(of, results())
 
 
-def way(model: models.WayIs, workshop: Workshop, each: str | None) -> Test:
+def way(model: WayIs, workshop: Workshop, each: str | None) -> Test:
     """How far things have driven or rolled in the half, in m; also what is off the field."""
     state, of = workshop.state, model.of
     entities, holds = workshop.entities(model.entity, each), _comparison(model, workshop, each, counted=_to_mm)
@@ -169,7 +190,7 @@ def way(model: models.WayIs, workshop: Workshop, each: str | None) -> Test:
     return lambda: _quantified(of, (holds(state.ways[entity]) for entity in entities))
 
 
-def looks(model: models.Looks, workshop: Workshop, each: str | None) -> Test:
+def looks(model: Looks, workshop: Workshop, each: str | None) -> Test:
     """Whether robots look towards something or in a direction: their front points there within an angle."""
     state, of, within, heading = workshop.state, model.of, model.within_rad, model.heading_rad
     drawn = model.towards in workshop.roster.drawn
@@ -191,40 +212,40 @@ def looks(model: models.Looks, workshop: Workshop, each: str | None) -> Test:
     return lambda: _quantified(of, (looks_there(entity) for entity in entities if state.present[entity]))
 
 
-def held(model: models.IsHeld, workshop: Workshop, each: str | None) -> Test:
+def held(model: IsHeld, workshop: Workshop, each: str | None) -> Test:
     """Whether robots are held, by a rule or by the phase; also those off the field."""
     who, of = workshop.state.held, model.of
     robots = workshop.entities(model.entity, each)
     return lambda: _quantified(of, (who.holds(robot) for robot in robots))
 
 
-def any_of(model: models.AnyOf, workshop: Workshop, each: str | None) -> Test:
+def any_of(model: AnyOf, workshop: Workshop, each: str | None) -> Test:
     """Whether at least one of several conditions holds."""
     tests = tuple(compile_condition(one, workshop, each) for one in model.conditions)
     return lambda: any(test() for test in tests)
 
 
-def all_of(model: models.AllOf, workshop: Workshop, each: str | None) -> Test:
+def all_of(model: AllOf, workshop: Workshop, each: str | None) -> Test:
     """Whether all of several conditions hold."""
     tests = tuple(compile_condition(one, workshop, each) for one in model.conditions)
     return lambda: all(test() for test in tests)
 
 
-def counter(model: models.CounterIs, workshop: Workshop, each: str | None) -> Test:
+def counter(model: CounterIs, workshop: Workshop, each: str | None) -> Test:
     """The value of a counter or of a score; with ``of``: of so many."""
     state, name = workshop.state, model.counter
     holds = _comparison(model, workshop, each, on_paper)
     return _of_kept(model, workshop, each, state.counters.get(name), lambda whose: holds(state.counter(name, whose)))
 
 
-def flag(model: models.FlagIs, workshop: Workshop, each: str | None) -> Test:
+def flag(model: FlagIs, workshop: Workshop, each: str | None) -> Test:
     """Whether a flag is set; with ``of``: so many."""
     state, name = workshop.state, model.flag
     return _of_kept(model, workshop, each, state.flags[name], lambda whose: state.flag(name, whose))
 
 
 def _of_kept(
-    model: models.CounterIs | models.FlagIs | models.TimerIs | models.SequenceAt,
+    model: CounterIs | FlagIs | TimerIs | SequenceAt,
     workshop: Workshop,
     each: str | None,
     kept: object,
@@ -243,13 +264,13 @@ def _of_kept(
     return lambda: test(whose)
 
 
-def drawn(model: models.Drawn, workshop: Workshop, each: str | None) -> Test:
+def drawn(model: Drawn, workshop: Workshop, each: str | None) -> Test:
     """What a draw decided."""
     state, name, value = workshop.state, model.draw, workshop.drawn_value(model.equals, each)
     return lambda: state.draws[name] == value
 
 
-def timer(model: models.TimerIs, workshop: Workshop, each: str | None) -> Test:
+def timer(model: TimerIs, workshop: Workshop, each: str | None) -> Test:
     """How long a timer has run in s (of several the longest); without a comparison: whether one is running."""
     state, clocks = workshop.state, workshop.state.timers[model.timer]
     everyone = tuple(clocks.values())
@@ -265,7 +286,7 @@ def timer(model: models.TimerIs, workshop: Workshop, each: str | None) -> Test:
     return _of_kept(model, workshop, each, clocks, test)
 
 
-def last_touch(model: models.LastTouch, workshop: Workshop, each: str | None) -> Test:
+def last_touch(model: LastTouch, workshop: Workshop, each: str | None) -> Test:
     """Which robot touched something last since it was put where it is."""
     touched, by = workshop.thing(model.entity, each), frozenset(workshop.entities(model.by, each))
     contacts = workshop.contacts
@@ -273,7 +294,7 @@ def last_touch(model: models.LastTouch, workshop: Workshop, each: str | None) ->
     return lambda: contacts.last(touched) in by
 
 
-def compile_message(model: models.Message, workshop: Workshop) -> Callable[[str], bool]:
+def compile_message(model: Message, workshop: Workshop) -> Callable[[str], bool]:
     """Return what tells whether a message is as it must be."""
     draws, text = workshop.state.draws, model.text
     reads = READS[model.is_a]
@@ -291,14 +312,14 @@ def compile_message(model: models.Message, workshop: Workshop) -> Callable[[str]
     return says
 
 
-def told(model: models.Told, workshop: Workshop, each: str | None) -> Test:
+def told(model: Told, workshop: Workshop, each: str | None) -> Test:
     """What a robot has told the referee by radio, the last time."""
     heard, of, says = workshop.state.heard, model.of, compile_message(model, workshop)
     robots = workshop.members(model.entity, each)
     return lambda: _quantified(of, (robot in heard and says(heard[robot]) for robot in robots))
 
 
-def spot_free(model: models.SpotFree, workshop: Workshop, each: str | None) -> Test:
+def spot_free(model: SpotFree, workshop: Workshop, each: str | None) -> Test:
     """Whether no robot's or ball's centre is near a spot."""
     state, bodies, of, clearance = workshop.state, workshop.bodies, model.of, model.clearance_m
     spots = spots_of(workshop, model.spot, each)
@@ -310,7 +331,7 @@ def spot_free(model: models.SpotFree, workshop: Workshop, each: str | None) -> T
     return test
 
 
-def sequence_at(model: models.SequenceAt, workshop: Workshop, each: str | None) -> Test:
+def sequence_at(model: SequenceAt, workshop: Workshop, each: str | None) -> Test:
     """Which step of a sequence was reached last; with ``of``: of so many."""
     watches = sequence_watches(workshop, model.sequence)
     everyone = tuple(watches.values())
@@ -323,7 +344,7 @@ def sequence_at(model: models.SequenceAt, workshop: Workshop, each: str | None) 
     return _of_kept(model, workshop, each, watches, test)
 
 
-def half(model: models.HalfIs, workshop: Workshop, each: str | None) -> Test:
+def half(model: HalfIs, workshop: Workshop, each: str | None) -> Test:
     """Which half is played."""
     now = _comparison(model, workshop, each)(workshop.state.half.half)
     return lambda: now

@@ -6,20 +6,9 @@ from collections.abc import Container, Iterable, Mapping
 from typing import NamedTuple
 
 from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.rules.actions import Action, Count, Emit, End, Hold, Release, Score, SetFlag, SetPhase, ToggleFlag
 from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.messages.written import as_written
-from rcj_challenges.scenario.models.actions import (
-    Action,
-    Count,
-    Emit,
-    End,
-    Hold,
-    Release,
-    Score,
-    SetFlag,
-    SetPhase,
-    ToggleFlag,
-)
 from rcj_challenges.scenario.models.scenario import Scenario
 
 

@@ -25,8 +25,8 @@ from rcj_challenges.referee.state import Number, State
 from rcj_challenges.referee.triggers.holding import HoldWatch
 from rcj_challenges.referee.values import spoken
 from rcj_challenges.referee.watching import NEVER
+from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.drawn import Series
-from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.nearness import targets_of
-from rcj_challenges.scenario.models.state import DistanceValue, TimerValue, WayValue
+from rcj_challenges.rules.values import DistanceValue, TimerValue, WayValue
 
 MM_DIGITS = 3
 """To the millimetre: what is measured is told and counted so, and compared so with what was counted."""

@@ -10,9 +10,26 @@ from typing import Any, NamedTuple, TypeVar
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.random_points import Sampler, point_sampler
 from rcj_challenges.referee.setting_down import Board, Kick, Point, Putting, Request, Where
+from rcj_challenges.rules.places import (
+    MAX_KICK_MPS,
+    AtPoint,
+    AtSpot,
+    Choice,
+    DrawnSpeed,
+    FurthestFree,
+    Mirror,
+    NearestFree,
+    OnLine,
+    RandomFacing,
+    RelativeTo,
+    Towards,
+    UniformIn,
+)
+from rcj_challenges.rules.places import (
+    Kick as KickModel,
+)
+from rcj_challenges.rules.values import CounterValue
 from rcj_challenges.scenario.measured import centre_of, middle_of
-from rcj_challenges.scenario.models import places as models
-from rcj_challenges.scenario.models.state import CounterValue
 from rcj_challenges.scenario.starting import start_noise_m, start_pose
 
 Locate = Callable[[Board], Point]
@@ -131,32 +148,32 @@ def at_start(_model: object, workshop: Workshop, entity: int, _each: str | None)
     return Where(lambda request: request.mirrored((x, y)), noise_m=noise)
 
 
-def at_point(model: models.AtPoint, _workshop: Workshop, _entity: int, _each: str | None) -> Where:
+def at_point(model: AtPoint, _workshop: Workshop, _entity: int, _each: str | None) -> Where:
     """A point."""
     return Where(lambda request: request.mirrored(model.point))
 
 
-def at_spot(model: models.AtSpot, workshop: Workshop, _entity: int, each: str | None) -> Where:
+def at_spot(model: AtSpot, workshop: Workshop, _entity: int, each: str | None) -> Where:
     """A spot, or the spot that a draw decided."""
     read = _spot_or_draw(workshop, workshop.members(model.spot, each)[0])
     return Where(lambda request: request.mirrored(read()))
 
 
-def uniform_in(model: models.UniformIn, workshop: Workshop, _entity: int, each: str | None) -> Where:
+def uniform_in(model: UniformIn, workshop: Workshop, _entity: int, each: str | None) -> Where:
     """A random point of a bounded zone, or of several taken as one."""
     sample = random_point(model, workshop, each)
     return Where(lambda request: request.mirrored(sample(request.rng)), random=True)
 
 
-def on_line(model: models.OnLine, workshop: Workshop, _entity: int, each: str | None) -> Where:
+def on_line(model: OnLine, workshop: Workshop, _entity: int, each: str | None) -> Where:
     """A random point of a segment."""
     sample = random_point(model, workshop, each)
     return Where(lambda request: request.mirrored(sample(request.rng)), random=True)
 
 
-def random_point(model: models.UniformIn | models.OnLine, workshop: Workshop, each: str | None) -> Sampler:
+def random_point(model: UniformIn | OnLine, workshop: Workshop, each: str | None) -> Sampler:
     """Return what draws a point of a zone or a segment, every one equally likely."""
-    if isinstance(model, models.UniformIn):
+    if isinstance(model, UniformIn):
         zones = {name: workshop.scenario.zones[name] for name in workshop.members(model.uniform_in, each)}
         return point_sampler(zones)
     (ax, ay), (bx, by) = model.on_line
@@ -168,7 +185,7 @@ def random_point(model: models.UniformIn | models.OnLine, workshop: Workshop, ea
     return on_segment
 
 
-def choice(model: models.Choice, workshop: Workshop, _entity: int, each: str | None) -> Where:
+def choice(model: Choice, workshop: Workshop, _entity: int, each: str | None) -> Where:
     """One of several spots or points; a draw's name among them stands for the spot that it decided."""
     options: list[Callable[[], Point]] = []
     for option in model.choice:
@@ -179,21 +196,21 @@ def choice(model: models.Choice, workshop: Workshop, _entity: int, each: str | N
     return Where(lambda request: request.mirrored(request.rng.choice(options)()), random=len(options) > 1)
 
 
-def nearest_free(model: models.NearestFree, workshop: Workshop, entity: int, each: str | None) -> Where:
+def nearest_free(model: NearestFree, workshop: Workshop, entity: int, each: str | None) -> Where:
     """A random one of the nearest free spots."""
     reference = _locate(workshop, _own_or(model.to, workshop, entity), each)
     spots = spots_of(workshop, model.nearest_free, each)
     return _free_spot(spots, reference, 1.0, model.choose_among, model.clearance_m)
 
 
-def furthest_free(model: models.FurthestFree, workshop: Workshop, entity: int, each: str | None) -> Where:
+def furthest_free(model: FurthestFree, workshop: Workshop, entity: int, each: str | None) -> Where:
     """A random one of the furthest free spots."""
     reference = _locate(workshop, _own_or(model.from_, workshop, entity), each)
     spots = spots_of(workshop, model.furthest_free, each)
     return _free_spot(spots, reference, -1.0, model.choose_among, model.clearance_m)
 
 
-def relative_to(model: models.RelativeTo, workshop: Workshop, _entity: int, each: str | None) -> Where:
+def relative_to(model: RelativeTo, workshop: Workshop, _entity: int, each: str | None) -> Where:
     """Beside an entity or a spot. Mirroring turns the offset over; a spot is mirrored with it, an entity is not."""
     anchored = _anchored(workshop, model.relative_to, each)
     dx, dy = model.offset_m
@@ -265,7 +282,7 @@ def _compile_facing(
     _, _, start_yaw = start_pose(workshop.scenario, workshop.roster.entities[entity])
     state = workshop.state
     match facing:
-        case models.Towards():
+        case Towards():
             target = _locate(workshop, facing.towards, each)
 
             def towards(board: Board, _entity: int, point: Point, _rng: random.Random) -> float:
@@ -274,7 +291,7 @@ def _compile_facing(
                 return start_yaw if here else atan2(y - point[1], x - point[0])
 
             return towards
-        case models.RandomFacing():
+        case RandomFacing():
             return lambda _board, _entity, _point, rng: rng.uniform(-pi, pi)
         case "keep":
             return lambda _board, whose, _point, _rng: state.poses[whose][2]
@@ -285,7 +302,7 @@ def _compile_facing(
             return lambda _board, _entity, _point, _rng: yaw
 
 
-def _compile_kick(kick: models.Kick | None, workshop: Workshop, entity: int, each: str | None) -> Kick | None:
+def _compile_kick(kick: KickModel | None, workshop: Workshop, entity: int, each: str | None) -> Kick | None:
     if kick is None:
         return None
     towards = compile_place(kick.towards, workshop, entity, each)
@@ -293,11 +310,11 @@ def _compile_kick(kick: models.Kick | None, workshop: Workshop, entity: int, eac
     match speed:
         case tuple():
             return Kick(towards, lambda: speed)
-        case models.DrawnSpeed():
+        case DrawnSpeed():
             return Kick(towards, lambda: _exactly(state.draws[speed.draw]))
         case CounterValue():
             whose = workshop.whose(speed.entity, each)
-            return Kick(towards, lambda: _exactly(min(state.counter(speed.counter, whose), models.MAX_KICK_MPS)))
+            return Kick(towards, lambda: _exactly(min(state.counter(speed.counter, whose), MAX_KICK_MPS)))
         case _:
             return Kick(towards, lambda: _exactly(speed))
 
@@ -306,7 +323,7 @@ def _exactly(speed_mps: Any) -> tuple[float, float]:
     return (float(speed_mps), float(speed_mps))
 
 
-def compile_mirror(mirror: models.Mirror, workshop: Workshop) -> Callable[[], Point]:
+def compile_mirror(mirror: Mirror, workshop: Workshop) -> Callable[[], Point]:
     """Return what tells the signs of x and y now."""
     flipped = (-1.0 if mirror.axis in {"x", "both"} else 1.0, -1.0 if mirror.axis in {"y", "both"} else 1.0)
     state, flag = workshop.state, mirror.when
@@ -317,7 +334,7 @@ def compile_mirror(mirror: models.Mirror, workshop: Workshop) -> Callable[[], Po
 
 def compile_putting(
     model: Any, workshop: Workshop, entity: int, each: str | None, stream: str, *,
-    also: models.Mirror | None = None,
+    also: Mirror | None = None,
 ) -> Putting:  # fmt: skip
     """Return how an entity is put somewhere.
 
@@ -334,8 +351,8 @@ def compile_putting(
         entity=entity,
         where=compile_place(model.at, workshop, entity, each),
         facing=_compile_facing(model.facing, workshop, entity, each),
-        spins=isinstance(model.facing, models.RandomFacing),
-        follows=isinstance(model.facing, models.Towards),
+        spins=isinstance(model.facing, RandomFacing),
+        follows=isinstance(model.facing, Towards),
         noise_m=model.noise_m,
         flips=tuple(compile_mirror(mirror, workshop) for mirror in mirrors),
         clearance_m=model.min_clearance_m,

@@ -12,7 +12,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable
 from math import inf, sqrt
 
-from rcj_challenges.scenario.models.base import Strict
+from rcj_challenges.rules.fields import Strict
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone
 from rcj_challenges.scenario.polygons import distance_to_segment_m
 

@@ -13,12 +13,13 @@ from rcj_challenges.facts.play import HalfInfo, Pose2
 from rcj_challenges.facts.streams import random_stream, stream_seed
 from rcj_challenges.facts.timing import TICK_S, s_from_ticks, ticks_from_s
 from rcj_challenges.referee.held import Held
+from rcj_challenges.rules.fields import LONGEST_S, Scalar
+from rcj_challenges.rules.values import CounterValue, DrawnDuration
 from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.drawn import Series, drawable, series_of
 from rcj_challenges.scenario.halves import half_length_s
-from rcj_challenges.scenario.models.base import LONGEST_S, Scalar
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.models.state import CounterValue, Draw, DrawnDuration, Phase
+from rcj_challenges.scenario.models.state import Draw, Phase
 from rcj_challenges.scenario.roster import Roster
 
 Number = int | float

@@ -14,9 +14,7 @@ from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.measuring import distance_reader, timer_reader, way_reader
 from rcj_challenges.referee.rules import Occasion
 from rcj_challenges.referee.state import Number, State
-from rcj_challenges.scenario.blanks import counted
-from rcj_challenges.scenario.measured import middle_of
-from rcj_challenges.scenario.models.state import (
+from rcj_challenges.rules.values import (
     CounterValue,
     DistanceValue,
     DrawValue,
@@ -34,6 +32,8 @@ from rcj_challenges.scenario.models.state import (
     WayValue,
     WordValue,
 )
+from rcj_challenges.scenario.blanks import counted
+from rcj_challenges.scenario.measured import middle_of
 
 Reader = Callable[[Occasion], Any]
 """Reads a value at the moment of a firing; JSON-able."""

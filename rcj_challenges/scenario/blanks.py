@@ -7,8 +7,8 @@ from collections.abc import Mapping
 
 from rcj_challenges.facts.amounts import on_paper
 from rcj_challenges.facts.measures import number_words
-from rcj_challenges.scenario.models.actions import Score
-from rcj_challenges.scenario.models.base import Scalar
+from rcj_challenges.rules.actions import Score
+from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 
 BLANKS = ("entity", "each", "other", "team", "measured", "limit", "points")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rcj_challenges.scenario.models.base import Scalar
+from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.models.state import Draw
 
 Series = Scalar | tuple[Scalar, ...]

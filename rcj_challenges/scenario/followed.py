@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from rcj_challenges.rules.triggers import SequenceBroken, SequenceCompleted
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import Sequence
-from rcj_challenges.scenario.models.triggers import SequenceBroken, SequenceCompleted
 from rcj_challenges.scenario.visiting import visit
 
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from rcj_challenges.facts.messages import READS, is_said
-from rcj_challenges.scenario.models.base import Scalar
-from rcj_challenges.scenario.models.conditions import Message, Told
+from rcj_challenges.rules.conditions import Message, Told
+from rcj_challenges.rules.fields import Scalar
+from rcj_challenges.rules.triggers import Tells
+from rcj_challenges.rules.values import DrawValue, ToldValue
 from rcj_challenges.scenario.models.robots import TeamEmitterDevice
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.models.state import DrawValue, ToldValue
-from rcj_challenges.scenario.models.triggers import Tells
 from rcj_challenges.scenario.own_devices import devices_of
 from rcj_challenges.scenario.visiting import visit
 

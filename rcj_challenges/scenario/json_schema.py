@@ -20,7 +20,7 @@ from pydantic import BaseModel, StringConstraints
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
-from rcj_challenges.scenario.models.base import DurationS, EventName, Name, Names, Point
+from rcj_challenges.rules.fields import DurationS, EventName, Name, Names, Point
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.resources import schemas_folder
 from rcj_challenges.scenario.shape import Shape, bare, fields, is_model, is_union, members, tags, without_none

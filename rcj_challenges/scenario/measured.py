@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import atan2
 
-from rcj_challenges.scenario.models.actions import SetSpot
-from rcj_challenges.scenario.models.base import Strict
+from rcj_challenges.rules.actions import SetSpot
+from rcj_challenges.rules.fields import Strict
+from rcj_challenges.rules.values import DistanceValue
 from rcj_challenges.scenario.models.field import Box, Cylinder, Obstacle, Wall
 from rcj_challenges.scenario.models.places import CircleZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.models.state import DistanceValue
 from rcj_challenges.scenario.roster import Roster, written_for
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.visiting import Found, visit

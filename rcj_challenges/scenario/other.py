@@ -8,14 +8,14 @@ from __future__ import annotations
 
 from typing import Any
 
+from rcj_challenges.rules.actions import Score
+from rcj_challenges.rules.fields import Names, Strict
+from rcj_challenges.rules.refs import Ref, has_drawn_value, ref_of
+from rcj_challenges.rules.triggers import Touches
+from rcj_challenges.rules.values import WordValue
 from rcj_challenges.scenario.blanks import in_braces
 from rcj_challenges.scenario.catalogue import OTHER
-from rcj_challenges.scenario.models.actions import Score
-from rcj_challenges.scenario.models.base import Names, Strict
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.models.state import WordValue
-from rcj_challenges.scenario.models.triggers import Touches
-from rcj_challenges.scenario.references import DRAWN_NAMES, REFERENCES, Field
 from rcj_challenges.scenario.roster import Roster, written_for
 from rcj_challenges.scenario.visiting import visit
 
@@ -97,9 +97,7 @@ def with_other(value: Any, other: str) -> Any:
     The entrant of ``score`` stays: who drives a robot is known where points are given.
     """
     if isinstance(value, Strict):
-        changed = {
-            name: _field(value, name, info.alias or name, other) for name, info in type(value).model_fields.items()
-        }
+        changed = {name: _field(value, name, other) for name in type(value).model_fields}
         update = {name: field for name, field in changed.items() if field is not getattr(value, name)}
         return value.model_copy(update=update) if update else value
     if isinstance(value, tuple):
@@ -111,12 +109,12 @@ def with_other(value: Any, other: str) -> Any:
     return value
 
 
-def _field(model: Strict, name: str, key: str, other: str) -> Any:
+def _field(model: Strict, name: str, other: str) -> Any:
     value = getattr(model, name)
-    if (type(model), key) in DRAWN_NAMES:
+    if has_drawn_value(type(model), name):
         return other if value == OTHER else value
-    reference = REFERENCES.get((type(model), key))
-    if not isinstance(reference, Field) or not reference.each:
+    reference = ref_of(type(model), name)
+    if not isinstance(reference, Ref) or not reference.each:
         return with_other(value, other)
     if isinstance(value, tuple) and OTHER in value:
         return tuple(other if part == OTHER else part for part in value)

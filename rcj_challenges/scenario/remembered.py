@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from rcj_challenges.rules.actions import SetSpot
+from rcj_challenges.rules.values import ToldValue
 from rcj_challenges.scenario.beginnings import starting_each_half
-from rcj_challenges.scenario.models.actions import SetSpot
 from rcj_challenges.scenario.models.places import Spot
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.models.state import ToldValue
 
 
 def remembered_spots(scenario: Scenario) -> tuple[str, ...]:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from rcj_challenges.rules.fields import Names, Strict
 from rcj_challenges.scenario.catalogue import EACH
-from rcj_challenges.scenario.models.base import Names, Strict
 from rcj_challenges.scenario.models.scenario import Scenario
 
 WALLS = "walls"

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from rcj_challenges.rules.actions import DrawAction
+from rcj_challenges.rules.values import DrawnDuration
 from rcj_challenges.scenario.beginnings import starting_each_half
 from rcj_challenges.scenario.catalogue import BOUND
-from rcj_challenges.scenario.models.actions import DrawAction
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.models.state import DrawnDuration
 
 
 def set_from_the_start(scenario: Scenario) -> frozenset[str]:

@@ -9,11 +9,12 @@ from __future__ import annotations
 import types
 from collections.abc import Callable
 from functools import cache, wraps
-from typing import Any, Literal, NamedTuple, TypeVar, Union, get_args, get_origin, get_type_hints
+from typing import Annotated, Any, Literal, NamedTuple, TypeVar, Union, get_args, get_origin, get_type_hints
 
 from pydantic import BaseModel, Discriminator, Tag
 from pydantic.fields import FieldInfo
 
+from rcj_challenges.rules.refs import DrawnValue, Ref, SectionRef
 from rcj_challenges.scenario.errors import nearest
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, Path, Step, child, plain
 
@@ -94,7 +95,18 @@ def is_model(shape: Shape) -> bool:
 def fields(model: type[BaseModel]) -> dict[str, Shape]:
     """Return the shapes of a model's fields by the key that the file uses."""
     hints = get_type_hints(model, include_extras=True)
-    return {info.alias or name: hints[name] for name, info in model.model_fields.items()}
+    return {info.alias or name: _without_reference(hints[name]) for name, info in model.model_fields.items()}
+
+
+def _without_reference(shape: Shape) -> Shape:
+    """Return a field's shape without what it names, which is of the field and not of the values that it may have."""
+    if not hasattr(shape, "__metadata__"):
+        return shape
+    kind, *extras = get_args(shape)
+    kept = [extra for extra in extras if not isinstance(extra, Ref | SectionRef | DrawnValue)]
+    for extra in kept:
+        kind = Annotated[kind, extra]
+    return kind
 
 
 class _Inside(NamedTuple):

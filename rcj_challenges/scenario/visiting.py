@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from functools import cache
 from typing import Annotated, Any, Literal, NamedTuple, get_args, get_origin
 
-from rcj_challenges.scenario.models.base import Strict
+from rcj_challenges.rules.fields import Strict
 from rcj_challenges.scenario.tree import Path
 
 

@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, StringConstraints
 
-from rcj_challenges.scenario.models.base import Name, One, Scalar, Strict, described
+from rcj_challenges.rules.fields import Name, One, Scalar, Strict, described
 
 TeamId = Annotated[
     str,

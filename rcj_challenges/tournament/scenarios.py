@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from math import inf
 from pathlib import Path
 
-from rcj_challenges.scenario.models.base import Scalar
+from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.resources import shipped_scenarios
 from rcj_challenges.tournament.models import Challenge, KnockOut, MatchesModel, RoundRobin, Swiss, Tournament
 from rcj_challenges.tournament.season import Outcome, Ruled

@@ -8,8 +8,8 @@ from rcj_challenges.facts.play import Event
 from rcj_challenges.records.digest import StatesDigest, given_values, inputs_digest, run_digest
 from rcj_challenges.records.result import read_result
 from rcj_challenges.records.testing import small_scenario, write_made_up_run
+from rcj_challenges.rules.fields import Strict
 from rcj_challenges.scenario.load import load, load_resolved, load_text
-from rcj_challenges.scenario.models.base import Strict
 
 HEAD = "schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\n"
 RULE = "{triggers: [{trigger: half_started}], actions: [{action: emit, event: %s}]}"

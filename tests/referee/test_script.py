@@ -12,11 +12,11 @@ from rcj_challenges.referee.conditions import CONDITIONS
 from rcj_challenges.referee.places import PLACES
 from rcj_challenges.referee.trials import run_expectation
 from rcj_challenges.referee.triggers import TRIGGERS
+from rcj_challenges.rules.actions import Action
+from rcj_challenges.rules.conditions import Condition
+from rcj_challenges.rules.triggers import Trigger
 from rcj_challenges.scenario.load import Loaded, load
-from rcj_challenges.scenario.models.actions import Action
-from rcj_challenges.scenario.models.conditions import Condition
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.models.triggers import Trigger
 from rcj_challenges.scenario.roster import Roster
 
 SCENARIOS = sorted((Path(__file__).parents[2] / "scenarios").glob("*.yaml"))

@@ -3,7 +3,7 @@
 import pytest
 
 from rcj_challenges.referee.values import WORDS
-from rcj_challenges.scenario.models.state import WordValue
+from rcj_challenges.rules.values import WordValue
 
 
 def payload(play, *, fault: str = "Y1") -> dict:

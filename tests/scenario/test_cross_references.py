@@ -4,11 +4,13 @@ import typing
 
 import pytest
 
-from rcj_challenges.scenario.models import actions, conditions, field, places, robots, scenario, state, triggers
-from rcj_challenges.scenario.models.base import Name, Names, Strict
-from rcj_challenges.scenario.references import DEFINITIONS, REFERENCES
+from rcj_challenges.rules.actions import Emit
+from rcj_challenges.rules.fields import Name, Names
+from rcj_challenges.rules.refs import refs_of
+from rcj_challenges.scenario.models import robots, scenario
 from rcj_challenges.scenario.shape import bare, fields, is_model, members, without_none
 from tests.scenario.writing import complaints, loaded, problems_of, rule
+from tests.whole_scenarios.models import all_models
 
 WORLD = """\
 balls: {second: {start_m: [0, -0.1]}}
@@ -472,14 +474,6 @@ def test_what_lies_on_the_field_shares_one_namespace_and_groups_hold_one_kind(bo
 # --- the table is complete --------------------------------------------------------------------------------------------
 
 
-def all_models():
-    for module in (actions, conditions, field, places, robots, scenario, state, triggers):
-        for value in vars(module).values():
-            own = isinstance(value, type) and issubclass(value, Strict) and value.__module__ == module.__name__
-            if own and not value.__name__.startswith("_"):
-                yield value
-
-
 def names_something(shape):
     """Whether a field's shape holds a name, outside of models (which have entries of their own)."""
     shape = without_none(shape)
@@ -492,8 +486,21 @@ def names_something(shape):
     return any(names_something(part) for part in inner if part is not Ellipsis)
 
 
-def test_every_field_that_holds_a_name_is_in_the_table_of_references():
+DEFINING = {
+    *((scenario.Scenario, name) for name in scenario.Scenario.model_fields if name != "first_phase"),
+    (robots.Robot, "colour"),
+    (scenario.Rule, "exclusive"),
+    (scenario.Rule, "repeat_for"),
+    (Emit, "payload"),
+    (scenario.Broadcast, "fields"),
+    (scenario.ExpectedEvent, "payload"),
+}
+"""Fields whose names are chosen there."""
+
+
+def test_every_field_that_holds_a_name_says_what_it_names():
     found = {(model, key) for model in all_models() for key, shape in fields(model).items() if names_something(shape)}
+    referring = {(model, key) for model in all_models() for key, _, _ in refs_of(model)}
     assert len(found) > 70
-    assert {f"{m.__name__}.{k}" for m, k in found - REFERENCES.keys() - DEFINITIONS} == set()
-    assert {f"{m.__name__}.{k}" for m, k in REFERENCES.keys() - found} == set()
+    assert {f"{model.__name__}.{key}" for model, key in found - referring - DEFINING} == set()
+    assert {f"{model.__name__}.{key}" for model, key in referring - found} == set()

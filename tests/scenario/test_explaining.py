@@ -6,11 +6,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from rcj_challenges.rules.fields import Name, Names, Point
+from rcj_challenges.rules.places import At, Facing
+from rcj_challenges.rules.values import Points
 from rcj_challenges.scenario.load import load_text
 from rcj_challenges.scenario.messages.wording import expectation
-from rcj_challenges.scenario.models.base import Name, Names, Point
-from rcj_challenges.scenario.models.places import At, Facing
-from rcj_challenges.scenario.models.state import Points
 from tests.scenario.writing import HEAD, complaints, problems_of, rule
 
 TRIGGERS = (

@@ -2,11 +2,12 @@
 
 import pytest
 
+from rcj_challenges.rules.refs import Ref, refs_of
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.other import with_other
-from rcj_challenges.scenario.references import REFERENCES, Field
 from tests.scenario.test_cross_references import WORLD
 from tests.scenario.writing import kinds, loaded, problems_of
+from tests.whole_scenarios.models import all_models
 
 TOUCH = "{trigger: touches, entity: each, other: %s}"
 
@@ -109,7 +110,9 @@ def test_an_entrant_may_be_called_so_and_is_meant_then():
     assert problems_of(loaded, body + touch) == []
 
 
-EACH_FIELDS = [(model, key) for (model, key), field in REFERENCES.items() if isinstance(field, Field) and field.each]
+EACH_FIELDS = [
+    (model, key) for model in all_models() for key, ref, _ in refs_of(model) if isinstance(ref, Ref) and ref.each
+]
 
 
 @pytest.mark.parametrize(("model", "key"), EACH_FIELDS, ids=lambda part: getattr(part, "__name__", part))

@@ -6,10 +6,10 @@ import re
 
 import pytest
 
+from rcj_challenges.rules.actions import Action
+from rcj_challenges.rules.conditions import Condition
+from rcj_challenges.rules.triggers import Trigger
 from rcj_challenges.scenario.messages.other_names import table
-from rcj_challenges.scenario.models.actions import Action
-from rcj_challenges.scenario.models.conditions import Condition
-from rcj_challenges.scenario.models.triggers import Trigger
 from rcj_challenges.scenario.shape import tags
 from tests.scenario.writing import complaints, rule, scenario
 

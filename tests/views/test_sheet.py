@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
+from rcj_challenges.rules.actions import Action
+from rcj_challenges.rules.conditions import Condition
+from rcj_challenges.rules.places import At
+from rcj_challenges.rules.triggers import Trigger
 from rcj_challenges.scenario.load import load, load_text
-from rcj_challenges.scenario.models.actions import Action
-from rcj_challenges.scenario.models.conditions import Condition
-from rcj_challenges.scenario.models.places import At
-from rcj_challenges.scenario.models.triggers import Trigger
 from rcj_challenges.views.sheet import sheet_html, sheet_markdown
 from rcj_challenges.views.sheet.deeds import ACTIONS, PLACES
 from rcj_challenges.views.sheet.edges import CONDITIONS, TRIGGERS

@@ -8,7 +8,42 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from rcj_challenges.scenario.models import actions, conditions, places, scenario, state, triggers
+from rcj_challenges.rules.actions import (
+    Count,
+    DrawAction,
+    Place,
+    Score,
+    SequenceAction,
+    SetFlag,
+    TimerAction,
+    ToggleFlag,
+)
+from rcj_challenges.rules.conditions import (
+    CounterIs,
+    Distance,
+    Drawn,
+    FlagIs,
+    HalfIs,
+    Looks,
+    SequenceAt,
+    Speed,
+    TimerIs,
+    WayIs,
+)
+from rcj_challenges.rules.triggers import OnEvent, SequenceBroken, SequenceCompleted
+from rcj_challenges.rules.values import (
+    CounterValue,
+    FlagValue,
+    NumberTimer,
+    NumberWord,
+    TimerValue,
+    WeightedCounter,
+    WeightedFlag,
+    WeightedTimer,
+    WeightedWord,
+    WordValue,
+)
+from rcj_challenges.scenario.models import places, scenario
 
 if TYPE_CHECKING:
     from tests.whole_scenarios.making import Maker
@@ -92,7 +127,7 @@ def _place(maker: Maker, data: Data) -> None:
     _kick(maker, data)
     for key in ("entity", "at"):
         if key not in data:
-            data[key] = maker.field(actions.Place, key)
+            data[key] = maker.field(Place, key)
 
 
 def _kick(maker: Maker, data: Data) -> None:
@@ -179,29 +214,29 @@ def _one_for_each(maker: Maker, section: Data) -> None:
 
 
 FIT: dict[type, Callable[[Maker, Data], None]] = {
-    **dict.fromkeys((conditions.Speed, conditions.Distance, conditions.WayIs), _compared),
-    conditions.CounterIs: _both(_kept_each("counter"), _compared),
-    conditions.FlagIs: _kept_each("flag"),
-    conditions.TimerIs: _both(_kept_each("timer"), _timer_is),
-    conditions.HalfIs: _half_is,
-    conditions.Looks: _looks,
-    conditions.Drawn: _drawn("equals"),
-    conditions.SequenceAt: _both(_kept_each("sequence"), _sequence_at),
-    actions.Place: _place,
+    **dict.fromkeys((Speed, Distance, WayIs), _compared),
+    CounterIs: _both(_kept_each("counter"), _compared),
+    FlagIs: _kept_each("flag"),
+    TimerIs: _both(_kept_each("timer"), _timer_is),
+    HalfIs: _half_is,
+    Looks: _looks,
+    Drawn: _drawn("equals"),
+    SequenceAt: _both(_kept_each("sequence"), _sequence_at),
+    Place: _place,
     places.Placing: _kick,
-    actions.Score: _bounded,
-    actions.Count: _both(_kept_each("counter"), _bounded, _count),
-    actions.SetFlag: _kept_each("flag"),
-    actions.ToggleFlag: _kept_each("flag"),
-    actions.TimerAction: _kept_each("timer"),
-    actions.SequenceAction: _kept_each("sequence"),
-    actions.DrawAction: _drawn("as"),
-    triggers.SequenceCompleted: _kept_each("sequence"),
-    triggers.SequenceBroken: _kept_each("sequence"),
-    triggers.OnEvent: _event,
-    **{model: _kept_each("counter") for model in (state.CounterValue, state.WeightedCounter)},
-    **{model: _kept_each("flag") for model in (state.FlagValue, state.WeightedFlag)},
-    **{model: _kept_each("timer") for model in (state.TimerValue, state.NumberTimer, state.WeightedTimer)},
-    **dict.fromkeys((state.WordValue, state.NumberWord, state.WeightedWord), _word),
+    Score: _bounded,
+    Count: _both(_kept_each("counter"), _bounded, _count),
+    SetFlag: _kept_each("flag"),
+    ToggleFlag: _kept_each("flag"),
+    TimerAction: _kept_each("timer"),
+    SequenceAction: _kept_each("sequence"),
+    DrawAction: _drawn("as"),
+    SequenceCompleted: _kept_each("sequence"),
+    SequenceBroken: _kept_each("sequence"),
+    OnEvent: _event,
+    **{model: _kept_each("counter") for model in (CounterValue, WeightedCounter)},
+    **{model: _kept_each("flag") for model in (FlagValue, WeightedFlag)},
+    **{model: _kept_each("timer") for model in (TimerValue, NumberTimer, WeightedTimer)},
+    **dict.fromkeys((WordValue, NumberWord, WeightedWord), _word),
     scenario.Expectation: _expected,
 }

@@ -13,15 +13,18 @@ from typing import Any, Literal, get_args, get_origin
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
-from rcj_challenges.scenario.models import actions, conditions, places, state
+from rcj_challenges.rules.actions import Score
+from rcj_challenges.rules.conditions import AllOf, AnyOf
+from rcj_challenges.rules.places import DrawnSpeed
+from rcj_challenges.rules.refs import KEEPERS, Ref, Reference, SectionRef, ref_of
+from rcj_challenges.rules.values import DrawnDuration, HighestOfOthers, LowestOfOthers, NumberDraw, WeightedDraw
 from rcj_challenges.scenario.models.scenario import Rule
-from rcj_challenges.scenario.references import REFERENCES, Field, Named, Reference
 from rcj_challenges.scenario.shape import Shape, bare, fields, is_model, is_union, members, tags, without_none
 from tests.whole_scenarios.fitting import FIT, sentence
 from tests.whole_scenarios.staging import COLOURS, Data, Stage, point
 
 _BOUNDS = ("gt", "ge", "lt", "le", "min_length", "max_length", "pattern")
-_DRAWN_NUMBERS = {state.NumberDraw: 1e9, state.WeightedDraw: 1e9, state.DrawnDuration: 100, places.DrawnSpeed: 3}
+_DRAWN_NUMBERS = {NumberDraw: 1e9, WeightedDraw: 1e9, DrawnDuration: 100, DrawnSpeed: 3}
 """Where a draw's name stands for a number, and how large that may be."""
 _RARELY = 0.3
 """How often a key is given that may be left out."""
@@ -89,8 +92,8 @@ class Maker:
         Raises:
             ImpossibleError: it would name something that does not exist.
         """
-        info = next(info for name, info in model.model_fields.items() if (info.alias or name) == key)
-        return self.value(fields(model)[key], key, REFERENCES.get((model, key)), info.metadata, model)
+        name, info = next((name, info) for name, info in model.model_fields.items() if (info.alias or name) == key)
+        return self.value(fields(model)[key], key, ref_of(model, name), info.metadata, model)
 
     # --- values -----------------------------------------------------------------------------------------------------
 
@@ -109,7 +112,7 @@ class Maker:
         if is_union(kind):
             options = list(dict.fromkeys(map(_Kept, tags(shape).values() or members(kind))))
             if self._depth > _DEEPEST:
-                options = [one for one in options if bare(one.shape).kind not in (conditions.AnyOf, conditions.AllOf)]
+                options = [one for one in options if bare(one.shape).kind not in (AnyOf, AllOf)]
             self.chance.shuffle(options)
             for option in options:
                 with suppress(ImpossibleError):
@@ -194,7 +197,7 @@ class Maker:
     # --- names ------------------------------------------------------------------------------------------------------
 
     def _name(self, reference: Reference, owner: Any) -> str:
-        if isinstance(reference, Named):
+        if isinstance(reference, SectionRef):
             return self._named(reference, owner)
         stage, chance = self.stage, self.chance
         bound = [
@@ -213,21 +216,21 @@ class Maker:
             known += [draw for draw, values in stage.draws.items() if self._may_be(values, reference)]
         return chance.choice(known) if known else self._refused()
 
-    def _groups_of(self, reference: Field) -> list[str]:
+    def _groups_of(self, reference: Ref) -> list[str]:
         return [group for group, whom in self.stage.groups.items() if whom and self._may_be(list(whom), reference)]
 
-    def _may_be(self, values: list[Any], reference: Field) -> bool:
+    def _may_be(self, values: list[Any], reference: Ref) -> bool:
         return all(isinstance(one, str) and self.stage.kinds.get(one) in reference.kinds for one in values)
 
-    def _named(self, reference: Named, owner: Any) -> str:
+    def _named(self, reference: SectionRef, owner: Any) -> str:
         chance, stage = self.chance, self.stage
-        if owner is actions.Score and self.each and chance.random() < 0.3:
+        if owner is Score and self.each and chance.random() < 0.3:
             return "each"
         if reference.sections == ("draws",) and owner in _DRAWN_NUMBERS:
             known = [draw for draw, values in stage.draws.items() if self._numbers(values, _DRAWN_NUMBERS[owner])]
             return chance.choice(known) if known else self._refused()
         known = [name for section in reference.sections for name in stage.named.get(section, [])]
-        if owner in (state.LowestOfOthers, state.HighestOfOthers):
+        if owner in (LowestOfOthers, HighestOfOthers):
             known = [name for name in known if stage.kept.get(("counter", name))]
         known += [word for word in reference.words if word not in ("each", "other", "any")]
         return chance.choice(known) if known else self._refused()
@@ -255,7 +258,7 @@ class Maker:
         self.each = self.other = None
         try:
             if self.chance.random() < 0.4:
-                group = self._name(REFERENCES[Rule, "for_each"], Rule)
+                group = self._name(KEEPERS, Rule)
                 self.each = self.stage.groups.get(group, (group,))
                 rule["for_each"] = group
             rule["triggers"] = self._some(shapes["triggers"], "triggers")

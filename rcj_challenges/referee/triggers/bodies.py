@@ -10,10 +10,10 @@ from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.contacts import Pair
 from rcj_challenges.referee.rules import Listener, StandingRule
 from rcj_challenges.referee.watching import TickWatch
-from rcj_challenges.scenario.models import triggers as models
+from rcj_challenges.rules.triggers import TipsOver, Touches
 
 
-def touches(model: models.Touches, rule: StandingRule, position: int, workshop: Workshop) -> None:
+def touches(model: Touches, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires when two bodies come into contact that were not in the sub-step before."""
     workshop.contacts.used = True
     watch = workshop.watch(TouchWatch, (), rule, lambda: TouchWatch(workshop))
@@ -86,7 +86,7 @@ class LastingTouchWatch(TickWatch):
         self._times, self._due = times, self._began + ticks_from_s(times * self._every_s)
 
 
-def tips_over(model: models.TipsOver, rule: StandingRule, position: int, workshop: Workshop) -> None:
+def tips_over(model: TipsOver, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires when a robot tilts further than an angle."""
     for entity in workshop.entities(model.entity, rule.each):
         key = (entity, model.angle_rad)

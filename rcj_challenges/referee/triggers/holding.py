@@ -7,10 +7,10 @@ from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.conditions import compile_condition, watched_entities
 from rcj_challenges.referee.rules import Listener, StandingRule, Test
 from rcj_challenges.referee.watching import NEVER, TickWatch
-from rcj_challenges.scenario.models import triggers as models
+from rcj_challenges.rules.triggers import Holds
 
 
-def holds(model: models.Holds, rule: StandingRule, position: int, workshop: Workshop) -> None:
+def holds(model: Holds, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires when a condition has held for a time, and again at intervals if asked."""
     test = compile_condition(model.condition, workshop, rule.each)
     watch = HoldWatch(test, model, workshop)
@@ -30,7 +30,7 @@ class HoldWatch(TickWatch):
         true_before: when it last could not come true because it held already; None: it always could.
     """
 
-    def __init__(self, test: Test, model: models.Holds, workshop: Workshop) -> None:
+    def __init__(self, test: Test, model: Holds, workshop: Workshop) -> None:
         self.listeners: list[Listener] = []
         self.true_before: int | None = None
         self._test = test

@@ -8,31 +8,40 @@ from rcj_challenges.referee.conditions import compile_message
 from rcj_challenges.referee.rules import Listener, StandingRule
 from rcj_challenges.referee.state import Clock
 from rcj_challenges.referee.watching import NEVER, DueWatch
-from rcj_challenges.scenario.models import triggers as models
+from rcj_challenges.rules.triggers import (
+    HalfEnded,
+    HalfStarted,
+    OnEvent,
+    PhaseEntered,
+    ProgramFault,
+    Tells,
+    TimeReached,
+    TimerExpired,
+)
 
 
-def half_started(model: models.HalfStarted, rule: StandingRule, position: int, workshop: Workshop) -> None:
+def half_started(model: HalfStarted, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires at tick 0, after the draws."""
     workshop.moments.half_started.append(workshop.listener(rule, position, model.trigger))
 
 
-def half_ended(model: models.HalfEnded, rule: StandingRule, position: int, workshop: Workshop) -> None:
+def half_ended(model: HalfEnded, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires once after the last tick."""
     workshop.moments.half_ended.append(workshop.listener(rule, position, model.trigger))
 
 
-def phase_entered(model: models.PhaseEntered, rule: StandingRule, position: int, workshop: Workshop) -> None:
+def phase_entered(model: PhaseEntered, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires when a phase is entered: in the tick in which the one before ran out, or one tick after ``set_phase``."""
     listeners = workshop.moments.entered.setdefault(model.phase, [])
     listeners.append((model.from_, workshop.listener(rule, position, model.trigger)))
 
 
-def time_reached(model: models.TimeReached, rule: StandingRule, position: int, workshop: Workshop) -> None:
+def time_reached(model: TimeReached, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires when the clock of the half reaches a time, and again every so often if asked."""
     workshop.moments.wait_for(Appointment(workshop.listener(rule, position, model.trigger), model.at_s, model.every_s))
 
 
-def event(model: models.OnEvent, rule: StandingRule, position: int, workshop: Workshop) -> None:
+def event(model: OnEvent, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires one tick after an event was emitted."""
     events, things = workshop.moments.events, workshop.roster.index
     about = (None,) if model.entity is None else workshop.members(model.entity, rule.each)
@@ -41,14 +50,14 @@ def event(model: models.OnEvent, rule: StandingRule, position: int, workshop: Wo
         events.setdefault((model.event, one), []).append(workshop.listener(rule, position, model.trigger, entity))
 
 
-def program_fault(model: models.ProgramFault, rule: StandingRule, position: int, workshop: Workshop) -> None:
+def program_fault(model: ProgramFault, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires when a robot's program has failed."""
     for entity in workshop.entities(model.robot, rule.each):
         listener = workshop.listener(rule, position, model.trigger, entity)
         workshop.moments.faults.setdefault(workshop.roster.entities[entity], []).append(listener)
 
 
-def tells(model: models.Tells, rule: StandingRule, position: int, workshop: Workshop) -> None:
+def tells(model: Tells, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires when a robot has told the referee something by radio."""
     says = compile_message(model, workshop)
     for entity in workshop.entities(model.entity, rule.each):
@@ -56,7 +65,7 @@ def tells(model: models.Tells, rule: StandingRule, position: int, workshop: Work
         workshop.moments.messages.setdefault(workshop.roster.entities[entity], []).append((says, listener))
 
 
-def timer_expired(model: models.TimerExpired, rule: StandingRule, position: int, workshop: Workshop) -> None:
+def timer_expired(model: TimerExpired, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires when a timer reaches its length; of a timer per entity that of ``each``, else any of them."""
     clocks = workshop.state.timers[model.timer]
     own = rule.each if rule.each in clocks else None

@@ -11,10 +11,10 @@ from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.rules import Listener, StandingRule
 from rcj_challenges.referee.watching import NEVER, DueWatch
-from rcj_challenges.scenario.models import triggers as models
+from rcj_challenges.rules.triggers import NoProgress
 
 
-def no_progress(model: models.NoProgress, rule: StandingRule, position: int, workshop: Workshop) -> None:
+def no_progress(model: NoProgress, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires when the path of a full window falls short of a length."""
     for entity in workshop.entities(model.entity, rule.each):
         key = (entity, model.distance_m, model.within_s)
@@ -36,7 +36,7 @@ class PathWatch(DueWatch):
         listeners: ears.
     """
 
-    def __init__(self, entity: int, model: models.NoProgress, workshop: Workshop) -> None:
+    def __init__(self, entity: int, model: NoProgress, workshop: Workshop) -> None:
         self.entities = (entity,)
         self.listeners: list[Listener] = []
         self._entity = entity

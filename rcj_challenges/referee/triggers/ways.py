@@ -11,12 +11,12 @@ from rcj_challenges.referee.regions import Cell
 from rcj_challenges.referee.rules import Listener, StandingRule
 from rcj_challenges.referee.sequences import GateLine, SequenceWatch, sequence_watches
 from rcj_challenges.referee.watching import PositionWatch
-from rcj_challenges.scenario.models import triggers as models
+from rcj_challenges.rules.triggers import Crosses, SequenceBroken, SequenceCompleted
 
 _WAYS = {"forward": (1,), "backward": (-1,), "either": (1, -1)}
 
 
-def crosses(model: models.Crosses, rule: StandingRule, position: int, workshop: Workshop) -> None:
+def crosses(model: Crosses, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires when a centre crosses a gate."""
     for entity in workshop.entities(model.entity, rule.each):
         for name in workshop.members(model.gate, rule.each):
@@ -77,20 +77,20 @@ class GateWatch(PositionWatch):
                 self._hits.report(self.listeners[way])
 
 
-def sequence_completed(model: models.SequenceCompleted, rule: StandingRule, position: int, workshop: Workshop) -> None:
+def sequence_completed(model: SequenceCompleted, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires when the last step of a sequence is made; measured is the time since its first, in s."""
     for watch in _heard(model, rule, workshop):
         watch.completed.append(workshop.listener(rule, position, model.trigger, watch.entity))
 
 
-def sequence_broken(model: models.SequenceBroken, rule: StandingRule, position: int, workshop: Workshop) -> None:
+def sequence_broken(model: SequenceBroken, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires when a wrong step is made."""
     for watch in _heard(model, rule, workshop):
         watch.broken.append(workshop.listener(rule, position, model.trigger, watch.entity))
 
 
 def _heard(
-    model: models.SequenceCompleted | models.SequenceBroken, rule: StandingRule, workshop: Workshop
+    model: SequenceCompleted | SequenceBroken, rule: StandingRule, workshop: Workshop
 ) -> tuple[SequenceWatch, ...]:
     """Return the watches that a trigger hears: those of the ones it names, else of all who have one."""
     watches = sequence_watches(workshop, model.sequence)

@@ -10,17 +10,17 @@ from rcj_challenges.referee.compiling import Workshop
 from rcj_challenges.referee.regions import Cell, FarFrom, Region
 from rcj_challenges.referee.rules import Listener, StandingRule
 from rcj_challenges.referee.watching import NEVER, DueWatch, PositionWatch
-from rcj_challenges.scenario.models import triggers as models
+from rcj_challenges.rules.triggers import Displaced, Enters, Leaves, StaysIn
 
 
-def enters(model: models.Enters, rule: StandingRule, position: int, workshop: Workshop) -> None:
+def enters(model: Enters, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires when a centre comes into a zone it was not in."""
     for entity in workshop.entities(model.entity, rule.each):
         watch = _zone_watch(entity, workshop.members(model.zone, rule.each), rule, workshop)
         watch.entering.append(workshop.listener(rule, position, model.trigger, entity))
 
 
-def leaves(model: models.Leaves, rule: StandingRule, position: int, workshop: Workshop) -> None:
+def leaves(model: Leaves, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires when a centre leaves a zone it was in."""
     for entity in workshop.entities(model.entity, rule.each):
         watch = _zone_watch(entity, workshop.members(model.zone, rule.each), rule, workshop)
@@ -75,7 +75,7 @@ class ZoneWatch(PositionWatch):
             self._hits.report(self.leaving)
 
 
-def displaced(model: models.Displaced, rule: StandingRule, position: int, workshop: Workshop) -> None:
+def displaced(model: Displaced, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires when an entity is further from where it was put than a distance."""
     for entity in workshop.entities(model.entity, rule.each):
         key = (entity, model.from_, model.distance_m, model.axis)
@@ -90,7 +90,7 @@ class DisplacedWatch(PositionWatch):
         listeners: ears.
     """
 
-    def __init__(self, entity: int, model: models.Displaced, workshop: Workshop) -> None:
+    def __init__(self, entity: int, model: Displaced, workshop: Workshop) -> None:
         self.entity = entity
         self.entities = (entity,)
         self.listeners: list[Listener] = []
@@ -126,7 +126,7 @@ class DisplacedWatch(PositionWatch):
             self._hits.report(self.listeners, furthest, self._limit)
 
 
-def stays_in(model: models.StaysIn, rule: StandingRule, position: int, workshop: Workshop) -> None:
+def stays_in(model: StaysIn, rule: StandingRule, position: int, workshop: Workshop) -> None:
     """Fires while inside, once the stay is longer than a limit."""
     for entity in workshop.entities(model.entity, rule.each):
         zones = workshop.members(model.zone, rule.each)
@@ -144,7 +144,7 @@ class StayWatch(PositionWatch, DueWatch):
         listeners: ears.
     """
 
-    def __init__(self, entity: int, region: Region, model: models.StaysIn, workshop: Workshop) -> None:
+    def __init__(self, entity: int, region: Region, model: StaysIn, workshop: Workshop) -> None:
         self.entity = entity
         self.entities = (entity,)
         self.listeners: list[Listener] = []

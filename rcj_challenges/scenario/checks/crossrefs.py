@@ -10,6 +10,13 @@ from dataclasses import replace
 from typing import Any
 
 from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.rules.actions import DrawAction, Place, Score
+from rcj_challenges.rules.conditions import Drawn, SequenceAt
+from rcj_challenges.rules.fields import LONGEST_S
+from rcj_challenges.rules.places import MAX_KICK_MPS, DrawnSpeed
+from rcj_challenges.rules.refs import Ref, Reference, SectionRef, refs_of
+from rcj_challenges.rules.triggers import Touches
+from rcj_challenges.rules.values import DrawnDuration, HighestOfOthers, LowestOfOthers, NumberDraw, WeightedDraw
 from rcj_challenges.scenario.catalogue import BOUND, EACH, OTHER, Catalogue, texts
 from rcj_challenges.scenario.checks.bound import Bound
 from rcj_challenges.scenario.checks.removal import removal_of
@@ -25,11 +32,9 @@ from rcj_challenges.scenario.messages.ways_out import (
     for_word,
 )
 from rcj_challenges.scenario.messages.wording import found_text, spelled
-from rcj_challenges.scenario.models import actions, conditions, places, state, triggers
-from rcj_challenges.scenario.models.base import LONGEST_S
+from rcj_challenges.scenario.models import places, state
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Expectation, Rule, Scenario
-from rcj_challenges.scenario.references import Field, Named, Reference, references_of
 from rcj_challenges.scenario.shape import Shape, bare, chosen, is_model, step_into
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, child, in_names, mark_of, node_at
 
@@ -39,7 +44,7 @@ _UNKNOWN = {
 }
 _EACH_TIMER = "'each' is known only in a timer with per: there is one for each of a group"
 _WORDED = ("triggers", "conditions", "actions")
-_OF_OTHERS: dict[Any, str] = {state.LowestOfOthers: "lowest", state.HighestOfOthers: "highest"}
+_OF_OTHERS: dict[Any, str] = {LowestOfOthers: "lowest", HighestOfOthers: "highest"}
 _PLACES = ("zone", "gate")
 _STANDING = ("fixed obstacle", "walls")
 _ON_FIELD = ("robots", "balls", "obstacles", "zones", "gates", "spots", "groups")
@@ -109,7 +114,7 @@ class _Walker:
             bound = Bound(tuple(one for text in texts(node.entries["per"]) for one in self.names.expand(text)))
         if model is Kit and path[-1] not in self.kits_in_use:
             return bound  # a preset's kit may list robots that this scenario has not
-        for key, reference, default in references_of(model):
+        for key, reference, default in refs_of(model):
             if key in node.entries:
                 for text, at, mark in self._named_in(reference, node, key, path):
                     self._check(reference, text, at, mark, bound)
@@ -121,7 +126,7 @@ class _Walker:
 
     def _says_that_it_is_gone(self, reference: Reference, key: str, default: str, path: Path) -> bool:
         """Say which key to write in a file whose author took away what the key means where it is left out."""
-        sections = reference.sections if isinstance(reference, Named) else _ON_FIELD
+        sections = reference.sections if isinstance(reference, SectionRef) else _ON_FIELD
         section = next((one for one in sections if (one, default) in self.removed), None)
         mark = mark_of(self.root, path)
         is_own = mark.file == mark_of(self.root, ("id",)).file
@@ -140,9 +145,9 @@ class _Walker:
         if model in NAMING_ONE:
             for wrong in check_whose(model, node, path, bound, self.names):
                 self.add(*wrong)
-        if model is actions.Score:
+        if model is Score:
             self._receiver(node.entries.get("entrant"), (*path, "entrant"), bound)
-        if model in (actions.Place, places.Placing) and "kick" in node.entries:
+        if model in (Place, places.Placing) and "kick" in node.entries:
             self._only_balls(node.entries.get("entity"), (*path, "kick"), bound)
 
     def _bound_in(self, rule: Entries) -> Bound:
@@ -175,7 +180,7 @@ class _Walker:
     def _check(self, reference: Reference, name: str, path: Path, mark: Mark, bound: Bound) -> None:
         if name in reference.words:
             return
-        if isinstance(reference, Named):
+        if isinstance(reference, SectionRef):
             known = [*(known for section in reference.sections for known in self.names.names(section))]
             if name not in known:
                 words = [*(reference.words - {"any", *BOUND}), *known]
@@ -185,7 +190,7 @@ class _Walker:
         else:
             self._check_on_field(reference, name, path, mark)
 
-    def _check_bound(self, reference: Field, name: str, path: Path, mark: Mark, bound: Bound) -> None:
+    def _check_bound(self, reference: Ref, name: str, path: Path, mark: Mark, bound: Bound) -> None:
         members = bound.of(name)
         if name == OTHER and path[2:3] == ("triggers",):
             self.add(path, mark, "'other' is the one that was touched: a trigger says who may be, by name or group")
@@ -202,14 +207,14 @@ class _Walker:
                 wanted = f"{_a(reference.noun)}{way_out}"
                 self.add(path, mark, f"'{name}' stands for '{wrong}', {_a(kinds[wrong])}; expected {wanted}")
 
-    def _to_its_centre(self, name: str, members: Iterable[str], reference: Field) -> str:
+    def _to_its_centre(self, name: str, members: Iterable[str], reference: Ref) -> str:
         """Return what to write where a zone is taken for a point; empty if one of those meant has no centre."""
         names, is_point = self.names, "spot" in reference.kinds and len(reference.kinds) > 1 and not reference.keys
         if not is_point or not all(names.kinds.get(one) == "zone" and names.has_centre(one) for one in members):
             return ""
         return f", and a spot can stand for its centre: {{action: set_spot, spot: NAME, to: {name}}}"
 
-    def _check_on_field(self, reference: Field, name: str, path: Path, mark: Mark) -> None:
+    def _check_on_field(self, reference: Ref, name: str, path: Path, mark: Mark) -> None:
         names = self.names
         kind = names.kinds.get(name)
         if kind is not None and (kind in reference.kinds or name not in names.groups):
@@ -232,17 +237,17 @@ class _Walker:
             known = list(dict.fromkeys(known))  # `walls` is a kind of thing and a group
             self._unknown(reference.noun, name, known, _ON_FIELD, path, mark, reference)
 
-    def _may_decide(self, draw: str, reference: Field) -> bool:
+    def _may_decide(self, draw: str, reference: Ref) -> bool:
         """Return whether all values of a draw are of a kind that is needed."""
         values = texts(node_at(self.root, ("draws", draw, "values")))
         return bool(values) and all(self.names.kinds.get(value) in reference.kinds for value in values)
 
-    def _stranger(self, reference: Field, group: str) -> str | None:
+    def _stranger(self, reference: Ref, group: str) -> str | None:
         """Return a member of a group that is of no kind that is needed; members that do not exist are no strangers."""
         kinds = self.names.kinds
         return next((m for m in self.names.groups[group] if m in kinds and kinds[m] not in reference.kinds), None)
 
-    def _check_group(self, reference: Field, name: str, path: Path, mark: Mark) -> None:
+    def _check_group(self, reference: Ref, name: str, path: Path, mark: Mark) -> None:
         stranger = self._stranger(reference, name)
         if not reference.groups:
             way_out = for_group(name, path, self.root, self.names)
@@ -279,7 +284,7 @@ class _Walker:
 
     def _unknown(
         self, noun: str, name: str, known: list[str], sections: tuple[str, ...], path: Path, mark: Mark,
-        reference: Field | None = None,
+        reference: Ref | None = None,
     ) -> None:  # fmt: skip
         if any(section in self.names.broken for section in sections):
             return  # that the section is none is reported; what might stand in it is unknown
@@ -302,24 +307,24 @@ class _Walker:
     # --- what a table cannot say ------------------------------------------------------------------------------------
 
     def _special(self, model: Any, node: Entries, path: Path, bound: Bound) -> None:
-        if model is actions.Place:
+        if model is Place:
             layout = node.entries.get("layout")
             drawn = child(layout, "draw")
             if isinstance(drawn, Leaf) and drawn.value in self.names.names("draws"):
-                self._check_drawn(Named("layout", ("placements",)), str(drawn.value), (*path, "layout"))
+                self._check_drawn(SectionRef("layout", ("placements",)), str(drawn.value), (*path, "layout"))
         elif model in _DRAWN_NUMBERS:
             self._values(node.entries.get("draw"), path, _DRAWN_NUMBERS[model])
-        elif model is conditions.Drawn:
+        elif model is Drawn:
             self._decided(node, "equals", path, bound)
-        elif model is actions.DrawAction:
+        elif model is DrawAction:
             self._decided(node, "as", path, bound)
         elif model is Expectation:
             self._decided_beforehand(node.entries.get("draws"), (*path, "draws"))
-        elif model is conditions.SequenceAt:
+        elif model is SequenceAt:
             self._among_steps(node, path, bound)
         elif model in _OF_OTHERS:
             self._of_several(node, _OF_OTHERS[model], path)
-        elif model is triggers.Touches:
+        elif model is Touches:
             self._who_moves(node, path, bound)
 
     def _of_several(self, node: Entries, key: str, path: Path) -> None:
@@ -470,20 +475,20 @@ def _no_duration(value: Leaf) -> str:
 def _no_speed(value: Leaf) -> str:
     if isinstance(value.value, (str, bool)) or value.value is None:
         return _no_number(value)
-    wrong = not 0 < value.value <= places.MAX_KICK_MPS
-    return f"a kick's speed is over 0 and at most {places.MAX_KICK_MPS} m/s, found {found_text(value)}" if wrong else ""
+    wrong = not 0 < value.value <= MAX_KICK_MPS
+    return f"a kick's speed is over 0 and at most {MAX_KICK_MPS} m/s, found {found_text(value)}" if wrong else ""
 
 
 _DRAWN_NUMBERS: dict[Any, Callable[[Leaf], str]] = {
-    state.NumberDraw: _no_number,
-    state.WeightedDraw: _no_number,
-    state.DrawnDuration: _no_duration,
-    places.DrawnSpeed: _no_speed,
+    NumberDraw: _no_number,
+    WeightedDraw: _no_number,
+    DrawnDuration: _no_duration,
+    DrawnSpeed: _no_speed,
 }
 """What is wrong with a value of a draw, where its name stands for a number."""
 
 
-def _way_out(kind: str, reference: Field) -> str:
+def _way_out(kind: str, reference: Ref) -> str:
     """Return what to write where an obstacle is taken for something that moves or tips, or a robot for a spot."""
     if reference.instead and kind in reference.instead_of:
         return f"; {reference.instead}"

@@ -8,13 +8,8 @@ from itertools import count
 
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.timing import TICK_S
-from rcj_challenges.scenario.decided import check_decided_spots
-from rcj_challenges.scenario.drawn import never_drawn
-from rcj_challenges.scenario.errors import in_plain_letters, listing, nearest
-from rcj_challenges.scenario.halves import clock_may_stop, half_length_s, longest_half_s
-from rcj_challenges.scenario.models.actions import Bounded, Count, DrawAction, Place
-from rcj_challenges.scenario.models.base import Scalar, Strict
-from rcj_challenges.scenario.models.conditions import (
+from rcj_challenges.rules.actions import Bounded, Count, DrawAction, Place
+from rcj_challenges.rules.conditions import (
     AtLeast,
     CounterIs,
     Distance,
@@ -30,12 +25,18 @@ from rcj_challenges.scenario.models.conditions import (
     Told,
     WayIs,
 )
+from rcj_challenges.rules.fields import Scalar, Strict
+from rcj_challenges.rules.places import Kick
+from rcj_challenges.rules.triggers import Holds, StaysIn, TimeReached
+from rcj_challenges.rules.values import NumberWord
+from rcj_challenges.scenario.decided import check_decided_spots
+from rcj_challenges.scenario.drawn import never_drawn
+from rcj_challenges.scenario.errors import in_plain_letters, listing, nearest
+from rcj_challenges.scenario.halves import clock_may_stop, half_length_s, longest_half_s
 from rcj_challenges.scenario.models.field import Match
-from rcj_challenges.scenario.models.places import Kick
 from rcj_challenges.scenario.models.robots import LidarDevice
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Rule, Scenario
-from rcj_challenges.scenario.models.state import Draw, NumberWord, Sequence
-from rcj_challenges.scenario.models.triggers import Holds, StaysIn, TimeReached
+from rcj_challenges.scenario.models.state import Draw, Sequence
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.visiting import Found, visit

@@ -5,16 +5,27 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
+from rcj_challenges.rules.actions import Count, SequenceAction, SetFlag, TimerAction, ToggleFlag
+from rcj_challenges.rules.conditions import CounterIs, FlagIs, SequenceAt, TimerIs
+from rcj_challenges.rules.triggers import SequenceBroken, SequenceCompleted
+from rcj_challenges.rules.values import (
+    CounterValue,
+    FlagValue,
+    NumberTimer,
+    TimerValue,
+    WeightedCounter,
+    WeightedFlag,
+    WeightedTimer,
+)
 from rcj_challenges.scenario.catalogue import EACH, Catalogue, texts
 from rcj_challenges.scenario.checks.bound import Bound
-from rcj_challenges.scenario.models import actions, conditions, state, triggers
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, child, mark_of, node_at
 
-_HEARS = (triggers.SequenceCompleted, triggers.SequenceBroken)
-_READS = (conditions.CounterIs, conditions.FlagIs, conditions.TimerIs, conditions.SequenceAt, state.CounterValue,
-          state.FlagValue, state.TimerValue, state.NumberTimer)  # fmt: skip
-_WEIGHTED = (state.WeightedCounter, state.WeightedFlag, state.WeightedTimer)
-_WRITES = (actions.Count, actions.SetFlag, actions.ToggleFlag, actions.TimerAction, actions.SequenceAction)
+_HEARS = (SequenceCompleted, SequenceBroken)
+_READS = (CounterIs, FlagIs, TimerIs, SequenceAt, CounterValue,
+          FlagValue, TimerValue, NumberTimer)  # fmt: skip
+_WEIGHTED = (WeightedCounter, WeightedFlag, WeightedTimer)
+_WRITES = (Count, SetFlag, ToggleFlag, TimerAction, SequenceAction)
 _SECTIONS = {"counter": "counters", "flag": "flags", "timer": "timers", "sequence": "sequences"}
 _PLACES = ("zone", "gate")
 _COMPARED = ("at_least", "at_most", "equals")

@@ -8,15 +8,15 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
 
+from rcj_challenges.rules.actions import Place, Remove, SetPhase
+from rcj_challenges.rules.fields import Strict
+from rcj_challenges.rules.refs import Ref, Reference, ref_of
+from rcj_challenges.rules.values import CounterValue, DrawnDuration, DrawValue
 from rcj_challenges.scenario.errors import Problem
 from rcj_challenges.scenario.load import Loaded
-from rcj_challenges.scenario.models.actions import Place, Remove, SetPhase
-from rcj_challenges.scenario.models.base import Strict
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.models.state import CounterValue, DrawnDuration, DrawValue
 from rcj_challenges.scenario.other import meant_in
 from rcj_challenges.scenario.reading.merge import Repeated
-from rcj_challenges.scenario.references import REFERENCES, Field, Reference
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import Entries, Path, file_of
 from rcj_challenges.scenario.visiting import visit
@@ -33,7 +33,7 @@ class Use(NamedTuple):
     @property
     def is_on_field(self) -> bool:
         """Whether it names an entity, a zone, a gate, a spot, or a group."""
-        return isinstance(self.reference, Field)
+        return isinstance(self.reference, Ref)
 
 
 @dataclass
@@ -80,7 +80,7 @@ class LintContext:
         for model, path in self.models:
             for name, info in type(model).model_fields.items():
                 key = info.alias or name
-                reference = REFERENCES.get((type(model), key))
+                reference = ref_of(type(model), name)
                 if reference is not None:
                     at = (*path, key)
                     found += [Use(type(model), at, text, reference) for text in _names(getattr(model, name), reference)]

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from rcj_challenges.rules.actions import Emit, End, Score, SetPhase
+from rcj_challenges.rules.conditions import HalfIs
+from rcj_challenges.rules.triggers import HalfStarted, OnEvent, PhaseEntered, SequenceBroken
+from rcj_challenges.rules.values import WordValue
 from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.lint.base import LintRule, Suspicion
 from rcj_challenges.scenario.lint.context import LintContext, is_active_in
-from rcj_challenges.scenario.models.actions import Emit, End, Score, SetPhase
-from rcj_challenges.scenario.models.conditions import HalfIs
 from rcj_challenges.scenario.models.scenario import Expectation, RankByCounter, RankByScore, RankByTime, Rule
-from rcj_challenges.scenario.models.state import WordValue
-from rcj_challenges.scenario.models.triggers import HalfStarted, OnEvent, PhaseEntered, SequenceBroken
 from rcj_challenges.scenario.tree import Path, node_at
 from rcj_challenges.scenario.visiting import visit
 

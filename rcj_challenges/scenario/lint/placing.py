@@ -5,17 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 
+from rcj_challenges.rules.actions import Place, Remove, SetPhase
+from rcj_challenges.rules.conditions import Distance
+from rcj_challenges.rules.places import AtPoint, AtSpot, FurthestFree, NearestFree, OnLine, UniformIn
+from rcj_challenges.rules.triggers import HalfStarted, Trigger
+from rcj_challenges.rules.values import DistanceValue
 from rcj_challenges.scenario.checks.ground import Floor, obstacle_bodies
 from rcj_challenges.scenario.floor import floor_parts, on_floor
 from rcj_challenges.scenario.floor_shapes import points_in, segment_has_floor, zone_has_floor
 from rcj_challenges.scenario.lint.base import LintRule, Suspicion
 from rcj_challenges.scenario.lint.context import LintContext, is_active_in
 from rcj_challenges.scenario.models import places
-from rcj_challenges.scenario.models.actions import Place, Remove, SetPhase
-from rcj_challenges.scenario.models.conditions import Distance
 from rcj_challenges.scenario.models.scenario import Rule
-from rcj_challenges.scenario.models.state import DistanceValue
-from rcj_challenges.scenario.models.triggers import HalfStarted, Trigger
 from rcj_challenges.scenario.outlines import Part, disc, overlap, robot_outline
 from rcj_challenges.scenario.polygons import Point
 from rcj_challenges.scenario.remembered import fixed_spots
@@ -171,7 +172,7 @@ class _Room:
             names = [name for name in self._names(placing) if name in self._ctx.roster.index]
             if points is None or not names:
                 continue
-            if 1 < len(points) < len(names) and not isinstance(placing.at, places.UniformIn | places.OnLine):
+            if 1 < len(points) < len(names) and not isinstance(placing.at, UniformIn | OnLine):
                 yield path, f"{len(names)} things cannot share {len(points)} spots"
                 continue
             for name in names:
@@ -192,21 +193,21 @@ class _Room:
         if placing.noise_m != (0.0, 0.0) or placing.mirror is not None:
             return None
         at = placing.at
-        if isinstance(at, places.AtPoint):
+        if isinstance(at, AtPoint):
             return [at.point]
-        if isinstance(at, places.UniformIn):
+        if isinstance(at, UniformIn):
             zones = self._ctx.roster.expand(at.uniform_in)
             return [point for name in zones for point in points_in(self._scenario.zones[name])]
-        if isinstance(at, places.OnLine):
+        if isinstance(at, OnLine):
             (ax, ay), (bx, by) = at.on_line
             shares = [index / (self._LINE_SAMPLES - 1) for index in range(self._LINE_SAMPLES)]
             return [(ax + share * (bx - ax), ay + share * (by - ay)) for share in shares]
         names: tuple[str, ...] = ()
-        if isinstance(at, places.AtSpot):
+        if isinstance(at, AtSpot):
             names = (at.spot,)
-        elif isinstance(at, places.NearestFree):
+        elif isinstance(at, NearestFree):
             names = self._ctx.roster.expand(at.nearest_free)
-        elif isinstance(at, places.FurthestFree):
+        elif isinstance(at, FurthestFree):
             names = self._ctx.roster.expand(at.furthest_free)
         return [self._spots[name] for name in names] if names and self._spots.keys() >= {*names} else None
 

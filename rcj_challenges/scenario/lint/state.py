@@ -5,10 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, ClassVar
 
-from rcj_challenges.scenario.blanks import BLANKS, in_braces
-from rcj_challenges.scenario.lint.base import LintRule, Suspicion
-from rcj_challenges.scenario.lint.context import LintContext, Use
-from rcj_challenges.scenario.models.actions import (
+from rcj_challenges.rules.actions import (
     Count,
     DrawAction,
     Hold,
@@ -19,8 +16,11 @@ from rcj_challenges.scenario.models.actions import (
     TimerAction,
     ToggleFlag,
 )
+from rcj_challenges.rules.refs import SectionRef
+from rcj_challenges.scenario.blanks import BLANKS, in_braces
+from rcj_challenges.scenario.lint.base import LintRule, Suspicion
+from rcj_challenges.scenario.lint.context import LintContext, Use
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe
-from rcj_challenges.scenario.references import Named
 from rcj_challenges.scenario.remembered import remembered_spots
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node
 
@@ -179,7 +179,7 @@ def _uses_of(name: str, section: str, ctx: LintContext) -> list[Use]:
 
 
 def _may_name(use: Use, section: str) -> bool:
-    if isinstance(use.reference, Named):
+    if isinstance(use.reference, SectionRef):
         return section in use.reference.sections
     return section == "draws" and use.reference.drawn
 

@@ -7,19 +7,20 @@ from math import pi, radians
 from typing import ClassVar
 
 from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.rules.actions import Hold, Place, Remove
+from rcj_challenges.rules.conditions import Distance, Speed, SpotFree, TimerIs, WayIs
+from rcj_challenges.rules.fields import Strict
+from rcj_challenges.rules.places import MAX_KICK_MPS, FurthestFree, NearestFree
+from rcj_challenges.rules.triggers import Displaced, Holds, NoProgress, StaysIn, TimeReached
 from rcj_challenges.scenario.blanks import BLANKS, in_braces
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.halves import MOST_LENGTHS, clock_may_stop, longest_half_s
 from rcj_challenges.scenario.lint.base import LintRule, Suspicion
 from rcj_challenges.scenario.lint.context import LintContext, is_active_in, longest_s
-from rcj_challenges.scenario.models.actions import Hold, Place, Remove
-from rcj_challenges.scenario.models.base import Strict
-from rcj_challenges.scenario.models.conditions import Distance, Speed, SpotFree, TimerIs, WayIs
-from rcj_challenges.scenario.models.places import MAX_KICK_MPS, FurthestFree, NearestFree, Placing
+from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.robots import StartPose
 from rcj_challenges.scenario.models.scenario import Keyframe, Rule
 from rcj_challenges.scenario.models.state import Phase, Timer
-from rcj_challenges.scenario.models.triggers import Displaced, Holds, NoProgress, StaysIn, TimeReached
 from rcj_challenges.scenario.tree import Path
 
 

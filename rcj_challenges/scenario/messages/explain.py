@@ -12,6 +12,11 @@ from typing import Any, get_args, get_origin
 
 from pydantic import ConfigDict, TypeAdapter, ValidationError
 
+from rcj_challenges.rules.actions import Action
+from rcj_challenges.rules.conditions import Condition
+from rcj_challenges.rules.places import At
+from rcj_challenges.rules.triggers import TimerExpired, Trigger
+from rcj_challenges.rules.values import TimerValue, WordValue
 from rcj_challenges.scenario.catalogue import texts
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem, cut, in_plain_letters, listing, nearest
 from rcj_challenges.scenario.messages.named_places import for_place
@@ -31,11 +36,6 @@ from rcj_challenges.scenario.messages.ways_out import (
     for_several,
 )
 from rcj_challenges.scenario.messages.wording import expectation, expected, found_text, is_fixed, no_name, refusal
-from rcj_challenges.scenario.models.actions import Action
-from rcj_challenges.scenario.models.conditions import Condition
-from rcj_challenges.scenario.models.places import At
-from rcj_challenges.scenario.models.state import TimerValue, WordValue
-from rcj_challenges.scenario.models.triggers import TimerExpired, Trigger
 from rcj_challenges.scenario.shape import (
     Shape,
     bare,

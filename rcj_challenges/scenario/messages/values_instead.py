@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import get_args
 
+from rcj_challenges.rules.values import NumberWord, WordValue
 from rcj_challenges.scenario.catalogue import texts
-from rcj_challenges.scenario.models.state import NumberWord, WordValue
 from rcj_challenges.scenario.tree import Entries, Node, Path, child
 
 _TIMES = ("at_s", "limit_s", "within_s", "for_s", "grace_s", "every_s")

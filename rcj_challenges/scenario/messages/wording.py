@@ -9,11 +9,11 @@ from typing import Any, Literal, get_args, get_origin
 
 from rcj_challenges.facts.colours import CSS_COLOURS
 from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.rules.conditions import SaidText
+from rcj_challenges.rules.fields import Colour, EventName, Name, Names, Point
+from rcj_challenges.rules.places import At
 from rcj_challenges.scenario.catalogue import BOUND
 from rcj_challenges.scenario.errors import cut, listing, nearest
-from rcj_challenges.scenario.models.base import Colour, EventName, Name, Names, Point
-from rcj_challenges.scenario.models.conditions import SaidText
-from rcj_challenges.scenario.models.places import At
 from rcj_challenges.scenario.models.robots import EntryPoint
 from rcj_challenges.scenario.shape import Shape, bare, is_list, is_model, is_named, is_union, members, without_none
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node

@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from rcj_challenges.scenario.models.base import Colour, DurationS, Point, Positive, Strict, described
+from rcj_challenges.rules.fields import Colour, DurationS, Point, Positive, Strict, described
 
 
 class Match(Strict):

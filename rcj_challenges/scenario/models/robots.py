@@ -4,16 +4,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field, StringConstraints
 
-from rcj_challenges.scenario.models.base import (
-    DeviceName,
-    Name,
-    NotNegative,
-    OneOrMinusOne,
-    Point,
-    Positive,
-    Strict,
-    described,
-)
+from rcj_challenges.rules.fields import DeviceName, Name, NotNegative, OneOrMinusOne, Point, Positive, Strict, described
+from rcj_challenges.rules.refs import ONE_ROBOT, Ref, SectionRef
 
 
 class Chassis(Strict):
@@ -155,7 +147,7 @@ class Kit(Strict):
         "v2.1", "what the referee's packets look like: one byte, JSON text, or the 2021 struct of positions"
     )
     packet_every_ticks: int = described(1, "the referee sends a packet every this many ticks", ge=1, le=1000)
-    packet_lists: tuple[Name, ...] = Field(
+    packet_lists: Annotated[tuple[Name, ...], ONE_ROBOT] = Field(
         (), strict=False, description="robots whose positions a 2021 packet lists, in order"
     )
     packet_has_flag: bool = described(True, "whether a 2021 packet ends with waiting_for_kickoff (the first demo: no)")
@@ -185,7 +177,7 @@ class Robot(Strict):
 
     colour: Name = described(..., "its team colour, a CSS colour name; also a group of its robots: blue, yellow")
     number: int = described(..., "number on its lid", ge=0, le=99)
-    kit: Name = described(..., "name of its kit")
+    kit: Annotated[Name, SectionRef("kit", ("kits",))] = described(..., "name of its kit")
     start: StartPose = described(..., "where it starts")
     devices: dict[DeviceName, Device] = described(
         {}, "devices added to those of its kit, or changed: one without 'device' is as in the kit but for what it says"
@@ -201,7 +193,7 @@ EntryPoints = EntryPoint | Annotated[tuple[EntryPoint, ...], Field(strict=False,
 class Entrant(Strict):
     """Who competes: which robots its programs drive. ``check`` demands these entry points of a ZIP."""
 
-    robots: dict[Name, EntryPoints] = described(
+    robots: Annotated[dict[Name, EntryPoints], Ref("robot", frozenset({"robot"}), keys=True)] = described(
         ..., "entry point by robot: a path inside the submission, or several of which the first that exists is taken"
     )
     radio_channel: int = described(

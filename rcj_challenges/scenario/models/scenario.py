@@ -4,24 +4,16 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from rcj_challenges.scenario.models.actions import Action
-from rcj_challenges.scenario.models.base import (
-    DurationS,
-    EventName,
-    Name,
-    One,
-    Point,
-    Scalar,
-    Strict,
-    WallTimeS,
-    described,
-)
-from rcj_challenges.scenario.models.conditions import Condition, Said
+from rcj_challenges.rules.actions import Action
+from rcj_challenges.rules.conditions import Condition, Said
+from rcj_challenges.rules.fields import DurationS, EventName, Name, One, Point, Scalar, Strict, WallTimeS, described
+from rcj_challenges.rules.refs import COUNTER, ENTRANT, FIXED, KEEPERS, MOVING, ONE_ROBOT, PHASE, Ref, SectionRef
+from rcj_challenges.rules.triggers import Trigger
+from rcj_challenges.rules.values import Value
 from rcj_challenges.scenario.models.field import Ball, FieldModel, Match, Obstacle
 from rcj_challenges.scenario.models.places import Gate, Layout, Spot, Zone
 from rcj_challenges.scenario.models.robots import Entrant, Kit, Robot
-from rcj_challenges.scenario.models.state import Counter, Draw, Flag, Phase, Sequence, Timer, Value
-from rcj_challenges.scenario.models.triggers import Trigger
+from rcj_challenges.scenario.models.state import Counter, Draw, Flag, Phase, Sequence, Timer
 
 SCHEMA_VERSION = 1
 MAX_GROUPS = 256
@@ -32,6 +24,10 @@ MAX_ROWS = 64
 RowValues = Annotated[dict[Name, Scalar | tuple[Scalar, ...]], Field(max_length=MAX_ROWS)]
 """What stands beside one of the names for which a rule is repeated."""
 
+_COUNTERS = SectionRef("counter", ("counters",), keys=True)
+_FLAGS = SectionRef("flag", ("flags",), keys=True)
+_SCORES = SectionRef("entrant", ("entrants",), keys=True)
+
 
 class Rule(Strict):
     """One trigger suffices, all conditions must hold, the actions run in order."""
@@ -39,7 +35,7 @@ class Rule(Strict):
     triggers: tuple[Trigger, ...] = Field(..., strict=False, min_length=1, description="edges; one suffices")
     conditions: tuple[Condition, ...] = Field((), strict=False, description="levels; all must hold (any_of is 'or')")
     actions: tuple[Action, ...] = Field(..., strict=False, min_length=1, description="what happens, in order")
-    for_each: Name | None = described(
+    for_each: Annotated[Name | None, KEEPERS] = described(
         None,
         "a group of entities, fixed obstacles, zones or gates, or one of them: the rule exists once for each member, "
         "named `each`",
@@ -55,9 +51,10 @@ class Rule(Strict):
         "that name, {param: KEY} the value that stands beside it under KEY",
         examples=[["yellow", "blue"], {"yellow": {"zone": "blue_goal"}, "blue": {"zone": "yellow_goal"}}],
     )
-    phases: Literal["any"] | Annotated[tuple[Name, ...], Field(strict=False, min_length=1)] = Field(
-        ("play",), description="the phases in which it lives; any: all of them"
-    )
+    phases: Annotated[
+        Literal["any"] | Annotated[tuple[Name, ...], Field(strict=False, min_length=1)],
+        SectionRef("phase", ("phases",), words=frozenset({"play", "any"})),
+    ] = Field(("play",), description="the phases in which it lives; any: all of them")
     priority: int = described(0, "lower fires first; equal ones in the order of the file", ge=-1000, le=1000)
     exclusive: Name | None = described(
         None,
@@ -79,7 +76,9 @@ class Broadcast(Strict):
     """What programs are told beyond the official packet: after it, one JSON object a tick on the same channel."""
 
     fields: dict[Name, Value] = described(..., "values by key, which all robots are told")
-    only: dict[Name, dict[Name, Value]] | None = described(
+    only: Annotated[
+        dict[Name, dict[Name, Value]] | None, Ref("robot", frozenset({"robot"}), groups=True, keys=True)
+    ] = described(
         None,
         "values by key that one robot, or the robots of a group, are told in the same object, and nobody else: by the "
         "name of the robot or group; of two for the same robot and key the later one counts",
@@ -96,7 +95,7 @@ class RankByScore(Strict):
 class PlusPart(Strict):
     """Seconds added to a time for each count of a counter."""
 
-    counter: Name = described(..., "a counter")
+    counter: Annotated[Name, COUNTER] = described(..., "a counter")
     weight: float = described(..., "seconds for each count")
 
 
@@ -110,7 +109,7 @@ class RankByTime(Strict):
 class RankByCounter(Strict):
     """Rank by a counter: kept per entity by the sum over the team's robots, of several halves by the sum of them."""
 
-    counter: Name = described(..., "a counter")
+    counter: Annotated[Name, COUNTER] = described(..., "a counter")
     order: Literal["ascending", "descending"] = described("descending", "which is better first")
 
 
@@ -142,25 +141,36 @@ class Keyframe(Strict):
     """A moment of a scripted play: where things are put by hand, what touches, whose program fails, who tells what."""
 
     at_s: float = described(..., "time in the half in s", ge=0, le=86_400)
-    place: dict[Name, Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]] = described(
+    place: Annotated[
+        dict[Name, Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]],
+        Ref("entity", MOVING, keys=True),
+    ] = described(
         {},
         "entity -> [x, y] or [x, y, yaw] in m and rad: it is there at once; it comes into zones and through gates, but "
         "the jump is no speed: in that tick no comparison of its speed holds",
     )
-    move: dict[Name, Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]] = described(
+    move: Annotated[
+        dict[Name, Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]],
+        Ref("entity", MOVING, keys=True),
+    ] = described(
         {},
         "entity -> [x, y] or [x, y, yaw]: it glides there in a straight line from where it was a keyframe before; "
         "where a rule places it meanwhile it stays",
     )
-    touch: tuple[Annotated[tuple[Name, Name], Field(strict=False)], ...] = Field(
-        (), strict=False, description="pairs that touch in this tick"
-    )
+    touch: Annotated[
+        tuple[Annotated[tuple[Name, Name], Field(strict=False)], ...],
+        Ref("entity or obstacle", MOVING | FIXED | {"walls"}),
+    ] = Field((), strict=False, description="pairs that touch in this tick")
     touch_lasts_s: DurationS | None = described(
         None, "how long these pairs go on touching, in s; left out: in this tick only"
     )
-    tips: tuple[Name, ...] = Field((), strict=False, description="robots that lie on their side from here on")
-    fault: tuple[Name, ...] = Field((), strict=False, description="robots whose program fails here")
-    tells: dict[Name, Said | Point] | None = described(
+    tips: Annotated[tuple[Name, ...], ONE_ROBOT] = Field(
+        (), strict=False, description="robots that lie on their side from here on"
+    )
+    fault: Annotated[tuple[Name, ...], ONE_ROBOT] = Field(
+        (), strict=False, description="robots whose program fails here"
+    )
+    tells: Annotated[dict[Name, Said | Point] | None, Ref("robot", frozenset({"robot"}), keys=True)] = described(
         None, "robot -> what it tells the referee by radio: text, a number, or [x, y] in m"
     )
 
@@ -177,12 +187,12 @@ class ExpectedEvent(Strict):
 class Given(Strict):
     """What a test finds when its half begins, before the first rule: as if a half or a long play went before."""
 
-    score: dict[Name, float] = described({}, "entrant -> points; left out: 0")
-    counters: dict[Name, float | dict[Name, float]] = described(
+    score: Annotated[dict[Name, float], _SCORES] = described({}, "entrant -> points; left out: 0")
+    counters: Annotated[dict[Name, float | dict[Name, float]], _COUNTERS] = described(
         {},
         "counter -> value, of one kept per entity for each of them, or {entity: value, …}; left out: its initial value",
     )
-    flags: dict[Name, bool | dict[Name, bool]] = described(
+    flags: Annotated[dict[Name, bool | dict[Name, bool]], _FLAGS] = described(
         {},
         "flag -> true or false, of one kept per entity for each of them, or {entity: true or false, …}; left out: its "
         "initial value",
@@ -198,12 +208,18 @@ class Expectation(Strict):
 
     seed: int = described(1, "seed of the draws", ge=0)
     half: int = described(1, "which half is played; teams keep their seats' names in all", ge=1)
-    draws: dict[Name, Scalar | Annotated[tuple[Scalar, ...], Field(strict=False, min_length=1)]] = described(
+    draws: Annotated[
+        dict[Name, Scalar | Annotated[tuple[Scalar, ...], Field(strict=False, min_length=1)]],
+        SectionRef("draw", ("draws",), keys=True),
+    ] = described(
         {},
         "draws decided beforehand: a value stands until a rule draws anew; of a list each draw takes the next value, "
         "and chance decides again after the last",
     )
-    spots: dict[Name, Point | Annotated[tuple[Point, ...], Field(strict=False, min_length=1)]] | None = described(
+    spots: Annotated[
+        dict[Name, Point | Annotated[tuple[Point, ...], Field(strict=False, min_length=1)]] | None,
+        Ref("spot", frozenset({"spot"}), keys=True),
+    ] = described(
         None,
         "where chance sets spots, decided beforehand: spot -> [x, y] in m for the first time, or a list of them for "
         "the first times; then chance decides again (where a spot is at the end is compared under poses)",
@@ -219,28 +235,31 @@ class Expectation(Strict):
         strict=False,
         description="events left out of the comparison, unless they are expected by name; a list replaces this one",
     )
-    score: dict[Name, float] = described({}, "score by entrant at the end")
-    counters: dict[Name, float | dict[Name, float]] = described(
+    score: Annotated[dict[Name, float], _SCORES] = described({}, "score by entrant at the end")
+    counters: Annotated[dict[Name, float | dict[Name, float]], _COUNTERS] = described(
         {}, "counters at the end; of one kept per entity the sum, or {entity: value, …}"
     )
-    flags: dict[Name, bool | dict[Name, bool]] = described(
+    flags: Annotated[dict[Name, bool | dict[Name, bool]], _FLAGS] = described(
         {}, "flags at the end; of one kept per entity whether any is set, or {entity: true or false, …}"
     )
-    phase: Name | None = described(None, "the phase at the end")
-    ranking: (
+    phase: Annotated[Name | None, PHASE] = described(None, "the phase at the end")
+    ranking: Annotated[
         Annotated[
             tuple[Name | Annotated[tuple[Name, ...], Field(strict=False, min_length=1)], ...],
             Field(strict=False, min_length=1),
         ]
-        | None
-    ) = described(
+        | None,
+        ENTRANT,
+    ] = described(
         None,
         "all entrants, the best first, as `result` ranks them if the match is over then; those in a list share a place",
     )
-    held: dict[Name, bool] | None = described(
+    held: Annotated[dict[Name, bool] | None, Ref("robot", frozenset({"robot"}), keys=True)] = described(
         None, "robot -> whether it is held at the end, true or false, by a rule or by the phase"
     )
-    told: dict[Name, dict[Name, Scalar | ToldNumbers]] | None = described(
+    told: Annotated[
+        dict[Name, dict[Name, Scalar | ToldNumbers]] | None, Ref("robot", frozenset({"robot"}), groups=True, keys=True)
+    ] = described(
         None,
         "robot or group -> key -> the value that the broadcast has told it last, [x, y] or [x, y, yaw] of a position; "
         "keys that are left out are not compared",
@@ -250,9 +269,10 @@ class Expectation(Strict):
         "what is over at the end: half: the half, by a rule or by its time; match: a rule has ended the match; none: "
         "the half goes on",
     )
-    poses: dict[Name, Annotated[tuple[float, float], Field(strict=False)]] = described(
-        {}, "entity or spot -> [x, y] at the end in m"
-    )
+    poses: Annotated[
+        dict[Name, Annotated[tuple[float, float], Field(strict=False)]],
+        Ref("entity or spot", MOVING | frozenset({"spot"}), keys=True),
+    ] = described({}, "entity or spot -> [x, y] at the end in m")
     tolerance_m: float = described(0.001, "how far off a pose may be, in m", ge=0)
     tolerance_counters: float | None = described(
         None, "how far off a counter may be, such as one that keeps a time; left out: not at all", ge=0
@@ -295,7 +315,7 @@ class Scenario(Strict):
     sequences: dict[Name, Sequence] = described({}, "orders in which things must happen")
     placements: dict[Name, Layout] = described({}, "layouts by name")
     phases: dict[Name, Phase] = described({}, "phases beside play")
-    first_phase: Name = described("play", "the phase in which a half begins")
+    first_phase: Annotated[Name, PHASE] = described("play", "the phase in which a half begins")
     rules: dict[Name, Rule] = described({}, "the rules, in the order in which they are judged")
     broadcast: Broadcast | None = described(None, "what programs are told beyond the official packet")
     result: Result = described(Result(), "how entrants are ranked")

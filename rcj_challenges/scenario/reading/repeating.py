@@ -11,10 +11,10 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
+from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.blanks import BLANKS, filled, in_braces
 from rcj_challenges.scenario.errors import Problem, listing, nearest
 from rcj_challenges.scenario.messages.wording import found_text, no_name
-from rcj_challenges.scenario.models.base import Scalar
 from rcj_challenges.scenario.models.scenario import MAX_ROWS, Rule
 from rcj_challenges.scenario.reading.merge import Merger, Repeated, is_param
 from rcj_challenges.scenario.reading.params import THIS, Resolver, params_of

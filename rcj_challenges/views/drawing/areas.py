@@ -7,10 +7,9 @@ from dataclasses import dataclass
 from itertools import product
 from typing import NamedTuple
 
-from rcj_challenges.scenario.catalogue import EACH, OTHER
-from rcj_challenges.scenario.models.actions import Place, Remove, SetSpot
-from rcj_challenges.scenario.models.base import Names
-from rcj_challenges.scenario.models.places import (
+from rcj_challenges.rules.actions import Place, Remove, SetSpot
+from rcj_challenges.rules.fields import Names
+from rcj_challenges.rules.places import (
     At,
     AtPoint,
     AtSpot,
@@ -19,13 +18,14 @@ from rcj_challenges.scenario.models.places import (
     Mirror,
     NearestFree,
     OnLine,
-    Placing,
     RelativeTo,
     Start,
     UniformIn,
 )
+from rcj_challenges.rules.values import DrawValue, ToldValue
+from rcj_challenges.scenario.catalogue import EACH, OTHER
+from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.models.state import DrawValue, ToldValue
 from rcj_challenges.scenario.other import written_others
 from rcj_challenges.scenario.remembered import fixed_spots
 from rcj_challenges.scenario.roster import Roster, row_of

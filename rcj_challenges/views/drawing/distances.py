@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from rcj_challenges.scenario.models.actions import Count
-from rcj_challenges.scenario.models.conditions import Distance, SpotFree
+from rcj_challenges.rules.actions import Count
+from rcj_challenges.rules.conditions import Distance, SpotFree
+from rcj_challenges.rules.triggers import Displaced
+from rcj_challenges.rules.values import Bound, CounterValue
 from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.models.state import Bound, CounterValue
-from rcj_challenges.scenario.models.triggers import Displaced
 from rcj_challenges.scenario.roster import Roster, row_of, written_for
 from rcj_challenges.scenario.visiting import visit
 from rcj_challenges.views.drawing.shapes import Point, point_words

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 
 from rcj_challenges.facts.colours import hex_colour
+from rcj_challenges.rules.places import OnLine
 from rcj_challenges.scenario.models.field import Box as BoxObstacle
 from rcj_challenges.scenario.models.field import Cylinder, Wall
-from rcj_challenges.scenario.models.places import Gate, OnLine, Zone
+from rcj_challenges.scenario.models.places import Gate, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.remembered import remembered_spots, set_at_once
 from rcj_challenges.scenario.roster import Roster

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from rcj_challenges.scenario.models.state import CounterValue
+from rcj_challenges.rules.values import CounterValue
 from rcj_challenges.views.sheet.nouns import Nouns, Subject, plain, quoted, quoted_measure
 from rcj_challenges.views.sheet.phrases import amount, number
 

@@ -5,10 +5,24 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from rcj_challenges.rules.actions import LastToucher
+from rcj_challenges.rules.places import (
+    MAX_KICK_MPS,
+    AtPoint,
+    AtSpot,
+    Choice,
+    DrawnSpeed,
+    FurthestFree,
+    NearestFree,
+    OnLine,
+    RandomFacing,
+    RelativeTo,
+    Start,
+    Towards,
+    UniformIn,
+)
+from rcj_challenges.rules.values import CounterValue, ToldValue
 from rcj_challenges.scenario.catalogue import BOUND, EACH
-from rcj_challenges.scenario.models import places
-from rcj_challenges.scenario.models.actions import LastToucher
-from rcj_challenges.scenario.models.state import CounterValue, ToldValue
 from rcj_challenges.views.sheet.mirrored import mirrored_aim_words, mirrored_layout_words, mirrored_words
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted, quoted_measure
 from rcj_challenges.views.sheet.phrases import (
@@ -67,7 +81,7 @@ def _stays(placing: Any) -> bool:
 
 
 def _is_beside_itself(placing: Any) -> bool:
-    return isinstance(placing.at, places.RelativeTo) and placing.at.relative_to == placing.entity
+    return isinstance(placing.at, RelativeTo) and placing.at.relative_to == placing.entity
 
 
 def _as_beside_itself(words: str, thing: str) -> str:
@@ -82,7 +96,7 @@ def _as_beside_itself(words: str, thing: str) -> str:
 
 
 def _at_start(at: Any) -> bool:
-    return at == "start" or isinstance(at, places.Start)
+    return at == "start" or isinstance(at, Start)
 
 
 def _facing(nouns: Nouns, action: Any, at: Any, *, plural: bool) -> str:
@@ -90,9 +104,9 @@ def _facing(nouns: Nouns, action: Any, at: Any, *, plural: bool) -> str:
     facing = action.facing
     if facing == "start":
         return ""
-    if isinstance(facing, places.Towards):
+    if isinstance(facing, Towards):
         way = nouns.point(facing.towards)
-    elif isinstance(facing, places.RandomFacing):
+    elif isinstance(facing, RandomFacing):
         way = "a random way"
     else:
         way = "the way it did before" if facing == "keep" else heading(facing)
@@ -121,11 +135,11 @@ def _rolling(nouns: Nouns, placing: Any) -> str:
 
 
 def _how_fast(nouns: Nouns, speed: Any) -> str:
-    if isinstance(speed, places.DrawnSpeed):
+    if isinstance(speed, DrawnSpeed):
         drawn = sorted({float(mps) for mps in nouns.scenario.draws[speed.draw].values})
         return f"at {listed([number(mps) for mps in drawn], 'or')} m/s, as {quoted_measure(speed.draw)} is drawn,"
     if isinstance(speed, CounterValue):
-        return f"at as many m/s as {amount(nouns, speed)} tells, {places.MAX_KICK_MPS} at most,"
+        return f"at as many m/s as {amount(nouns, speed)} tells, {MAX_KICK_MPS} at most,"
     speeds = speed if isinstance(speed, tuple) else (speed,)
     return f"at {' to '.join(dict.fromkeys(map(number, speeds)))} m/s"
 
@@ -244,7 +258,7 @@ def _set_spot(nouns: Nouns, action: Any) -> str:
     elif isinstance(action.to, str):
         of_zone = any(name in nouns.scenario.zones for name in nouns.meant(action.to))
         where = nouns.owned("centre" if of_zone else "place", action.to)
-    elif isinstance(action.to, (places.UniformIn, places.OnLine)):
+    elif isinstance(action.to, (UniformIn, OnLine)):
         where = AIMS[type(action.to)](nouns, action.to)
     else:
         where = nouns.point(action.to)
@@ -317,29 +331,29 @@ ACTIONS: dict[str, Callable[[Nouns, Any], str]] = {
 
 PLACES: dict[type, Callable[[Nouns, Any], str]] = {
     str: lambda _n, _a: "at its start",
-    places.Start: lambda _n, _a: "at its start",
-    places.AtPoint: lambda n, a: f"at {n.point(a.point)}",
-    places.AtSpot: lambda n, a: f"on {n.thing(a.spot)}",
-    places.UniformIn: lambda n, a: f"anywhere in {n.any_of(a.uniform_in)}",
-    places.OnLine: lambda n, a: f"anywhere on the line from {n.point(a.on_line[0])} to {n.point(a.on_line[1])}",
-    places.Choice: lambda n, a: (
+    Start: lambda _n, _a: "at its start",
+    AtPoint: lambda n, a: f"at {n.point(a.point)}",
+    AtSpot: lambda n, a: f"on {n.thing(a.spot)}",
+    UniformIn: lambda n, a: f"anywhere in {n.any_of(a.uniform_in)}",
+    OnLine: lambda n, a: f"anywhere on the line from {n.point(a.on_line[0])} to {n.point(a.on_line[1])}",
+    Choice: lambda n, a: (
         f"on {listed([n.any_of(one) if isinstance(one, str) else n.point(one) for one in a.choice], 'or')}"
     ),
-    places.NearestFree: lambda n, a: _free(n, "nearest", a.nearest_free, a, a.to),
-    places.FurthestFree: lambda n, a: _free(n, "furthest", a.furthest_free, a, a.from_),
-    places.RelativeTo: _beside,
+    NearestFree: lambda n, a: _free(n, "nearest", a.nearest_free, a, a.to),
+    FurthestFree: lambda n, a: _free(n, "furthest", a.furthest_free, a, a.from_),
+    RelativeTo: _beside,
 }
 
 AIMS: dict[type, Callable[[Nouns, Any], str]] = {
     str: lambda _n, _a: "its start",
-    places.Start: lambda _n, _a: "its start",
-    places.AtPoint: lambda n, a: n.point(a.point),
-    places.AtSpot: lambda n, a: n.thing(a.spot),
-    places.UniformIn: lambda n, a: f"a random point of {n.any_of(a.uniform_in)}",
-    places.OnLine: lambda n, a: f"a random point of the line from {n.point(a.on_line[0])} to {n.point(a.on_line[1])}",
-    places.Choice: _aim_on,
-    places.NearestFree: _aim_on,
-    places.FurthestFree: _aim_on,
-    places.RelativeTo: _aim_beside,
+    Start: lambda _n, _a: "its start",
+    AtPoint: lambda n, a: n.point(a.point),
+    AtSpot: lambda n, a: n.thing(a.spot),
+    UniformIn: lambda n, a: f"a random point of {n.any_of(a.uniform_in)}",
+    OnLine: lambda n, a: f"a random point of the line from {n.point(a.on_line[0])} to {n.point(a.on_line[1])}",
+    Choice: _aim_on,
+    NearestFree: _aim_on,
+    FurthestFree: _aim_on,
+    RelativeTo: _aim_beside,
 }
 """The same places as what a kick is aimed at."""

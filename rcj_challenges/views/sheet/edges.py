@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from rcj_challenges.rules.values import CounterValue, DrawValue, HighestOfOthers, LowestOfOthers
 from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.halves import clock_may_stop
-from rcj_challenges.scenario.models.state import CounterValue, DrawValue, HighestOfOthers, LowestOfOthers
 from rcj_challenges.views.sheet.comparing import (
     counter_words,
     distance_words,

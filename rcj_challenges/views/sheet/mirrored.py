@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from rcj_challenges.scenario.models.places import RelativeTo
-from rcj_challenges.scenario.models.state import DrawValue
+from rcj_challenges.rules.places import RelativeTo
+from rcj_challenges.rules.values import DrawValue
 from rcj_challenges.views.sheet.nouns import Nouns, listed
 
 

@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from rcj_challenges.facts.measures import measure_words
+from rcj_challenges.rules.conditions import AtLeast
+from rcj_challenges.rules.fields import Names, Scalar
 from rcj_challenges.scenario.catalogue import BOUND, OTHER
-from rcj_challenges.scenario.models.base import Names, Scalar
-from rcj_challenges.scenario.models.conditions import AtLeast
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.other import names_other, others_of
 from rcj_challenges.scenario.roster import WALLS, Roster, row_of, written_for

@@ -7,11 +7,13 @@ from collections.abc import Iterator
 from collections.abc import Set as AbstractSet
 
 from rcj_challenges.devices.channels import entrant_of
+from rcj_challenges.rules.actions import DrawAction, Hold, Place, Score, SequenceAction, SetPhase
+from rcj_challenges.rules.triggers import NoProgress
+from rcj_challenges.rules.values import CounterValue
 from rcj_challenges.scenario.blanks import description_of
 from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.followed import followed, phases_of
 from rcj_challenges.scenario.halves import clock_may_stop, half_lengths_s
-from rcj_challenges.scenario.models.actions import DrawAction, Hold, Place, Score, SequenceAction, SetPhase
 from rcj_challenges.scenario.models.robots import TeamEmitterDevice
 from rcj_challenges.scenario.models.scenario import (
     Limits,
@@ -22,8 +24,7 @@ from rcj_challenges.scenario.models.scenario import (
     Rule,
     Scenario,
 )
-from rcj_challenges.scenario.models.state import CounterValue, Draw, Phase, Sequence, Timer
-from rcj_challenges.scenario.models.triggers import NoProgress
+from rcj_challenges.scenario.models.state import Draw, Phase, Sequence, Timer
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.drawing.areas import layouts_of
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Table, as_html, as_markdown

@@ -7,8 +7,30 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from rcj_challenges.facts.measures import number_words
-from rcj_challenges.scenario.models import state
-from rcj_challenges.scenario.models.conditions import SpotFree
+from rcj_challenges.rules.conditions import SpotFree
+from rcj_challenges.rules.values import (
+    CounterValue,
+    DistanceValue,
+    DrawnDuration,
+    DrawValue,
+    FlagValue,
+    HeldValue,
+    HighestOfOthers,
+    LastTouchValue,
+    LowestOfOthers,
+    NumberDraw,
+    NumberTimer,
+    NumberTold,
+    NumberWord,
+    PositionValue,
+    TimerValue,
+    ToldValue,
+    WayValue,
+    WeightedDraw,
+    WeightedFlag,
+    WeightedTold,
+    WordValue,
+)
 from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted, quoted_measure
 
 USUALLY_FREE_M = float(SpotFree.model_fields["clearance_m"].default)
@@ -39,11 +61,11 @@ def seconds(value: float) -> str:
     return f"{value / 60:g} min" if value >= 120 and value % 60 == 0 else f"{value:g} s"
 
 
-def lasting(nouns: Nouns, lasts_s: float | state.DrawnDuration | state.CounterValue) -> str:
+def lasting(nouns: Nouns, lasts_s: float | DrawnDuration | CounterValue) -> str:
     """Return how long something lasts: ``15 s``, ``5 s or 8 s, as “pause” is drawn``, as many s as a counter says."""
-    if isinstance(lasts_s, state.CounterValue):
+    if isinstance(lasts_s, CounterValue):
         return f"as many s as {amount(nouns, lasts_s)} says"
-    if not isinstance(lasts_s, state.DrawnDuration):
+    if not isinstance(lasts_s, DrawnDuration):
         return seconds(lasts_s)
     times_s = sorted({float(value) for value in nouns.scenario.draws[lasts_s.draw].values})
     return f"{listed([seconds(time_s) for time_s in times_s], 'or')}, as {quoted_measure(lasts_s.draw)} is drawn"
@@ -93,26 +115,26 @@ def amount(nouns: Nouns, value: Any) -> str:
         return number(value)
     if isinstance(value, tuple):
         return _sum(nouns, value)
-    if isinstance(value, state.LowestOfOthers):
+    if isinstance(value, LowestOfOthers):
         return f"the lowest counter {quoted_measure(value.lowest)} of {nouns.all_but_each(value.lowest)}"
-    if isinstance(value, state.HighestOfOthers):
+    if isinstance(value, HighestOfOthers):
         return f"the highest counter {quoted_measure(value.highest)} of {nouns.all_but_each(value.highest)}"
     return _counted(nouns, value) or nouns.kept("counter", value.counter, value.entity)
 
 
 def _counted(nouns: Nouns, model: Any) -> str:
     """Return for how much a flag or what is told counts; an empty text for anything else."""
-    if isinstance(model, state.FlagValue):
+    if isinstance(model, FlagValue):
         return f"1 if {nouns.kept('flag', model.flag, model.entity)} is set"
-    if isinstance(model, state.NumberWord):
+    if isinstance(model, NumberWord):
         return _seconds(_word(nouns, model), model) if model.word.endswith("_s") else _word(nouns, model)
-    if isinstance(model, state.NumberTimer):
+    if isinstance(model, NumberTimer):
         return _seconds(_ran(nouns, model), model)
-    if isinstance(model, state.DistanceValue):
+    if isinstance(model, DistanceValue):
         return _apart(nouns, model)
-    if isinstance(model, state.WayValue):
+    if isinstance(model, WayValue):
         return _come(nouns, model)
-    return _VALUES[type(model)](nouns, model) if isinstance(model, state.DrawValue | state.NumberTold) else ""
+    return _VALUES[type(model)](nouns, model) if isinstance(model, DrawValue | NumberTold) else ""
 
 
 def _seconds(time: str, model: Any) -> str:
@@ -135,24 +157,24 @@ def _sum(nouns: Nouns, parts: Sequence[Any]) -> str:
 def _part(nouns: Nouns, part: Any, weight: float) -> str:
     if isinstance(part, (int, float)):
         return number(weight)
-    if isinstance(part, state.WeightedFlag):
+    if isinstance(part, WeightedFlag):
         return f"{number(weight)} if {nouns.kept('flag', part.flag, part.entity)} is set"
     counter = _counted(nouns, part) or nouns.kept("counter", part.counter, part.entity)
     return counter if weight == 1 else f"{number(weight)} times {counter}"
 
 
-def _apart(nouns: Nouns, model: state.DistanceValue) -> str:
+def _apart(nouns: Nouns, model: DistanceValue) -> str:
     here, there = model.distance
     one, other = nouns.point(here, there), nouns.point(there, here)
     inside = any(name in nouns.scenario.zones for end in model.distance for name in nouns.meant(end))
     return f"the distance between {one} and {other} in m" + (" (0 inside)" if inside else "")
 
 
-def _come(nouns: Nouns, model: state.WayValue) -> str:
+def _come(nouns: Nouns, model: WayValue) -> str:
     return f"{nouns.owned('way', model.way)} in this half in m"
 
 
-def _ran(nouns: Nouns, model: state.TimerValue) -> str:
+def _ran(nouns: Nouns, model: TimerValue) -> str:
     owners = None if model.entity else nouns.owners("timer", model.timer)
     timer = nouns.kept("timer", model.timer, model.entity)
     if owners is not None:
@@ -160,7 +182,7 @@ def _ran(nouns: Nouns, model: state.TimerValue) -> str:
     return f"the time in s that {timer} has run"
 
 
-def _word(nouns: Nouns, model: state.WordValue) -> str:
+def _word(nouns: Nouns, model: WordValue) -> str:
     words = nouns.measured if model.word == "measured" else _WORDS[model.word]
     return f"{words} of {plain(model.of)}" if model.of else words
 
@@ -184,28 +206,28 @@ _WORDS = {
 }
 
 
-def _number_heard(nouns: Nouns, model: state.NumberTold) -> str:
+def _number_heard(nouns: Nouns, model: NumberTold) -> str:
     return f"the number that {nouns.thing(model.told)} has told the referee last"
 
 
-def _drawn(nouns: Nouns, model: state.DrawValue) -> str:
+def _drawn(nouns: Nouns, model: DrawValue) -> str:
     return nouns.what_drawn(model.draw)
 
 
 _VALUES: dict[type, Callable[[Nouns, Any], str]] = {
-    state.CounterValue: lambda nouns, model: nouns.kept("counter", model.counter, model.entity),
-    state.FlagValue: lambda nouns, model: f"whether {nouns.kept('flag', model.flag, model.entity)} is set",
-    state.DrawValue: _drawn,
-    state.NumberDraw: _drawn,
-    state.WeightedDraw: _drawn,
-    state.WordValue: _word,
-    state.PositionValue: lambda nouns, model: f"the position of {nouns.thing(model.position_of)}",
-    state.DistanceValue: _apart,
-    state.WayValue: _come,
-    state.TimerValue: _ran,
-    state.HeldValue: lambda nouns, model: f"whether {nouns.thing(model.held)} is held",
-    state.LastTouchValue: lambda nouns, model: f"the name of the last to touch {nouns.thing(model.last_touch)}",
-    state.ToldValue: lambda nouns, model: f"what {nouns.thing(model.told)} has told the referee last",
-    state.NumberTold: _number_heard,
-    state.WeightedTold: _number_heard,
+    CounterValue: lambda nouns, model: nouns.kept("counter", model.counter, model.entity),
+    FlagValue: lambda nouns, model: f"whether {nouns.kept('flag', model.flag, model.entity)} is set",
+    DrawValue: _drawn,
+    NumberDraw: _drawn,
+    WeightedDraw: _drawn,
+    WordValue: _word,
+    PositionValue: lambda nouns, model: f"the position of {nouns.thing(model.position_of)}",
+    DistanceValue: _apart,
+    WayValue: _come,
+    TimerValue: _ran,
+    HeldValue: lambda nouns, model: f"whether {nouns.thing(model.held)} is held",
+    LastTouchValue: lambda nouns, model: f"the name of the last to touch {nouns.thing(model.last_touch)}",
+    ToldValue: lambda nouns, model: f"what {nouns.thing(model.told)} has told the referee last",
+    NumberTold: _number_heard,
+    WeightedTold: _number_heard,
 }

@@ -4,22 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rcj_challenges.scenario.catalogue import EACH
-from rcj_challenges.scenario.models.actions import LastToucher, Place, Remove
-from rcj_challenges.scenario.models.conditions import (
-    AllOf,
-    Condition,
-    Distance,
-    InZone,
-    LastTouch,
-    Looks,
-    Speed,
-    SpotFree,
-)
-from rcj_challenges.scenario.models.places import FurthestFree, NearestFree, Placing
-from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.models.state import LastTouchValue
-from rcj_challenges.scenario.models.triggers import (
+from rcj_challenges.rules.actions import LastToucher, Place, Remove
+from rcj_challenges.rules.conditions import AllOf, Condition, Distance, InZone, LastTouch, Looks, Speed, SpotFree
+from rcj_challenges.rules.places import FurthestFree, NearestFree
+from rcj_challenges.rules.triggers import (
     Crosses,
     Displaced,
     Enters,
@@ -31,6 +19,10 @@ from rcj_challenges.scenario.models.triggers import (
     TipsOver,
     Touches,
 )
+from rcj_challenges.rules.values import LastTouchValue
+from rcj_challenges.scenario.catalogue import EACH
+from rcj_challenges.scenario.models.places import Placing
+from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.other import meant_in, names_other, others_of
 from rcj_challenges.scenario.visiting import visit
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rcj_challenges.scenario.models.actions import Score
-from rcj_challenges.scenario.models.base import Names
+from rcj_challenges.rules.actions import Score
+from rcj_challenges.rules.fields import Names
+from rcj_challenges.rules.triggers import Enters
 from rcj_challenges.scenario.models.field import FieldModel
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.models.triggers import Enters
 from rcj_challenges.scenario.roster import Roster, written_for
 
 _AT_THE_END = 0.9

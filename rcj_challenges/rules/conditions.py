@@ -6,8 +6,26 @@ from typing import Annotated, Literal
 from pydantic import Field, StringConstraints
 
 from rcj_challenges.facts.messages import MOST_LETTERS
-from rcj_challenges.scenario.models.base import Name, Names, NotNegative, Point, Scalar, Strict, described
-from rcj_challenges.scenario.models.state import Bound, DrawValue
+from rcj_challenges.rules.fields import Name, Names, NotNegative, Point, Scalar, Strict, described
+from rcj_challenges.rules.refs import (
+    DRAW,
+    ENTITIES,
+    FLAG,
+    MEASURED_TO,
+    MOVING,
+    READABLE,
+    ROBOTS,
+    SEEN,
+    SEQUENCE,
+    SPOTS,
+    THING,
+    TIMER,
+    WHOSE_OF,
+    ZONES,
+    DrawnValue,
+    Ref,
+)
+from rcj_challenges.rules.values import Bound, DrawValue
 
 SaidText = Annotated[
     str,
@@ -50,8 +68,10 @@ class InZone(_Condition):
     """Whether an entity's centre is in a zone; off the field it is in none."""
 
     condition: Literal["in_zone"]
-    entity: Names = described(..., "an entity, each, or a group with `of`")
-    zone: Names = described(..., "a zone, each, or a draw's name; with a list or group: in any of them")
+    entity: Annotated[Names, ENTITIES] = described(..., "an entity, each, or a group with `of`")
+    zone: Annotated[Names, ZONES] = described(
+        ..., "a zone, each, or a draw's name; with a list or group: in any of them"
+    )
     of: Quantifier = described("any", "how many of a group must be in")
 
 
@@ -59,7 +79,7 @@ class Speed(_Compared):
     """How fast an entity's centre moves, in m/s (path of the last tick over its time)."""
 
     condition: Literal["speed"]
-    entity: Names = described(..., "an entity, each, or a group with `of`")
+    entity: Annotated[Names, ENTITIES] = described(..., "an entity, each, or a group with `of`")
     of: Quantifier = described("any", "how many of a group must satisfy it")
 
 
@@ -67,8 +87,17 @@ class Distance(_Compared):
     """How far an entity's centre is from another thing, a place or a point, in m; off the field none holds."""
 
     condition: Literal["distance"]
-    entity: Names = described(..., "an entity, each, or a group with `of`")
-    to: Name | Point = described(
+    entity: Annotated[
+        Names,
+        Ref(
+            "entity",
+            MOVING,
+            groups=True,
+            each=True,
+            instead="name the obstacle in 'to', and in 'entity' who comes near it",
+        ),
+    ] = described(..., "an entity, each, or a group with `of`")
+    to: Annotated[Name | Point, MEASURED_TO] = described(
         ...,
         "an entity, a fixed obstacle (to its centre, to a wall's middle line), each, a spot, a gate or zone (to its "
         "nearest point; inside a zone it is 0), a draw's name, a group (the nearest of it), or [x, y] in m",
@@ -80,7 +109,7 @@ class WayIs(_Compared):
     """How far an entity has driven or rolled in this half, in m; where rules put it is no way. Also off the field."""
 
     condition: Literal["way"]
-    entity: Names = described(..., "an entity, each, or a group with `of`")
+    entity: Annotated[Names, ENTITIES] = described(..., "an entity, each, or a group with `of`")
     of: Quantifier = described("any", "how many of a group must satisfy it")
 
 
@@ -88,8 +117,8 @@ class Looks(_Condition):
     """Whether a robot looks towards something, or in a direction; off the field nobody looks or is looked at."""
 
     condition: Literal["looks"]
-    entity: Names = described(..., "a robot, each, or a group with `of`")
-    towards: Name | Point | None = described(
+    entity: Annotated[Names, ROBOTS] = described(..., "a robot, each, or a group with `of`")
+    towards: Annotated[Name | Point | None, SEEN] = described(
         None, "an entity, a fixed obstacle, each, a spot, a draw's name, or [x, y] in m"
     )
     heading_rad: float | None = described(
@@ -103,7 +132,7 @@ class IsHeld(_Condition):
     """Whether a robot is held, by a rule or because the phase holds all robots; also off the field."""
 
     condition: Literal["held"]
-    entity: Names = described(..., "a robot, each, or a group with `of`")
+    entity: Annotated[Names, ROBOTS] = described(..., "a robot, each, or a group with `of`")
     of: Quantifier = described("any", "how many of a group must be held")
 
 
@@ -111,8 +140,8 @@ class CounterIs(_Compared):
     """The value of a counter, or of an entrant's score."""
 
     condition: Literal["counter"]
-    counter: Name = described(..., "a counter, or an entrant: its score")
-    entity: Names | None = described(
+    counter: Annotated[Name, READABLE] = described(..., "a counter, or an entrant: its score")
+    entity: Annotated[Names | None, WHOSE_OF] = described(
         None,
         "for a counter kept per entity: whose; each: the current one; left out, without for_each: the sum; "
         "with `of` also a group or a list",
@@ -126,8 +155,8 @@ class FlagIs(_Condition):
     """Whether a flag is set."""
 
     condition: Literal["flag"]
-    flag: Name = described(..., "a flag")
-    entity: Names | None = described(
+    flag: Annotated[Name, FLAG] = described(..., "a flag")
+    entity: Annotated[Names | None, WHOSE_OF] = described(
         None,
         "for a flag kept per entity: whose; each: the current one; left out, without for_each: any of them; "
         "with `of` also a group or a list",
@@ -141,8 +170,8 @@ class Drawn(_Condition):
     """What a draw decided."""
 
     condition: Literal["drawn"]
-    draw: Name = described(..., "a draw")
-    equals: Scalar = described(
+    draw: Annotated[Name, DRAW] = described(..., "a draw")
+    equals: Annotated[Scalar, DrawnValue()] = described(
         ...,
         "the value it must have; each: the name of the one for whom the rule is (for_each); other: of the one touched",
     )
@@ -152,8 +181,8 @@ class TimerIs(_Compared):
     """How long a timer has run, in s; without a comparison: whether it is running (run out, it is not)."""
 
     condition: Literal["timer"]
-    timer: Name = described(..., "a timer")
-    entity: Names | None = described(
+    timer: Annotated[Name, TIMER] = described(..., "a timer")
+    entity: Annotated[Names | None, WHOSE_OF] = described(
         None,
         "for a timer kept per entity: whose; each: the current one; left out, without for_each: the longest; "
         "with `of` also a group or a list",
@@ -167,8 +196,8 @@ class LastTouch(_Condition):
     """Which robot touched something last, since it was put where it is."""
 
     condition: Literal["last_touch"]
-    entity: Name = described("ball", "what was touched: an entity, a fixed obstacle, or each")
-    by: Names = described(..., "a robot, each, or a group: any of them")
+    entity: Annotated[Name, THING] = described("ball", "what was touched: an entity, a fixed obstacle, or each")
+    by: Annotated[Names, ROBOTS] = described(..., "a robot, each, or a group: any of them")
 
 
 class Message(Strict):
@@ -191,7 +220,7 @@ class Told(_Condition, Message):
     """
 
     condition: Literal["told"]
-    entity: Names = described(..., "a robot, each, or a group with `of`")
+    entity: Annotated[Names, ROBOTS] = described(..., "a robot, each, or a group with `of`")
     of: Quantifier = described("any", "how many of a group must have said so")
 
 
@@ -199,7 +228,7 @@ class SpotFree(_Condition):
     """Whether a spot is free."""
 
     condition: Literal["spot_free"]
-    spot: Names = described(..., "a spot, or a group with `of`")
+    spot: Annotated[Names, SPOTS] = described(..., "a spot, or a group with `of`")
     of: Quantifier = described("any", "how many of a group must be free")
     clearance_m: NotNegative = described(0.08, "free: no robot's or ball's centre within this, in m")
 
@@ -208,8 +237,8 @@ class SequenceAt(_Condition):
     """At which step a sequence stands."""
 
     condition: Literal["sequence_at"]
-    sequence: Name = described(..., "a sequence")
-    entity: Names | None = described(
+    sequence: Annotated[Name, SEQUENCE] = described(..., "a sequence")
+    entity: Annotated[Names | None, ENTITIES] = described(
         None,
         "for a sequence kept per entity: whose; each: the current one; left out, without for_each: any of them; "
         "with `of` also a group or a list",
@@ -217,7 +246,9 @@ class SequenceAt(_Condition):
     of: Quantifier | None = described(
         None, "how many of a group must stand there; entity left out: of all that have one"
     )
-    step: Name = described(..., "the zone or gate reached last, or each")
+    step: Annotated[Name, Ref("zone or gate", frozenset({"zone", "gate"}), each=True)] = described(
+        ..., "the zone or gate reached last, or each"
+    )
 
 
 class HalfIs(_Condition):

@@ -4,16 +4,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from rcj_challenges.scenario.models.base import (
-    EventName,
-    Name,
-    Names,
-    Point,
-    Scalar,
-    Strict,
-    described,
-)
-from rcj_challenges.scenario.models.places import (
+from rcj_challenges.rules.fields import EventName, Name, Names, Point, Scalar, Strict, described
+from rcj_challenges.rules.places import (
     At,
     Attempts,
     ClearanceM,
@@ -26,20 +18,41 @@ from rcj_challenges.scenario.models.places import (
     UniformIn,
     WithoutRoom,
 )
-from rcj_challenges.scenario.models.state import DrawValue, Lasts, Points, ToldValue, Value
+from rcj_challenges.rules.refs import (
+    COUNTER,
+    DRAW,
+    ENTITIES,
+    ENTITY,
+    FIXED,
+    FLAG,
+    MOVING,
+    PHASE,
+    ROBOTS,
+    SEQUENCE,
+    SPOT,
+    THING,
+    TIMER,
+    WHOSE,
+    DrawnValue,
+    Ref,
+    SectionRef,
+)
+from rcj_challenges.rules.values import DrawValue, Lasts, Points, ToldValue, Value
+
+_RECEIVER = SectionRef("entrant", ("entrants",), words=frozenset({"each", "other"}))
 
 
 class LastToucher(Strict):
     """The entrant of the robot that touched something last, since it was put where it is."""
 
-    last_touch: Name = described(..., "what was touched: an entity, a fixed obstacle, or each")
+    last_touch: Annotated[Name, THING] = described(..., "what was touched: an entity, a fixed obstacle, or each")
 
 
 class Score(Strict):
     """Give points to an entrant."""
 
     action: Literal["score"]
-    entrant: Name | LastToucher = described(
+    entrant: Annotated[Name | LastToucher, _RECEIVER] = described(
         ...,
         "who gets them (the seat as played in this half); each: who drives the robot of for_each; other: who drives "
         "the robot touched; "
@@ -65,8 +78,10 @@ class Count(Strict):
     """Change a counter."""
 
     action: Literal["count"]
-    counter: Name = described(..., "the counter")
-    entity: Name | None = described(None, "for a counter kept per entity: whose; each; left out: all of them")
+    counter: Annotated[Name, COUNTER] = described(..., "the counter")
+    entity: Annotated[Name | None, WHOSE] = described(
+        None, "for a counter kept per entity: whose; each; left out: all of them"
+    )
     by: Points | None = described(
         None,
         "what is added, a number, {counter, flag, draw, timer, way or word: NAME} or {distance: [A, B]}, or a list "
@@ -95,8 +110,10 @@ class SetFlag(Strict):
     """Set or clear a flag."""
 
     action: Literal["set_flag"]
-    flag: Name = described(..., "the flag")
-    entity: Name | None = described(None, "for a flag kept per entity: whose; each; left out: all of them")
+    flag: Annotated[Name, FLAG] = described(..., "the flag")
+    entity: Annotated[Name | None, WHOSE] = described(
+        None, "for a flag kept per entity: whose; each; left out: all of them"
+    )
     to: bool = described(True, "the new value")
 
 
@@ -104,16 +121,20 @@ class ToggleFlag(Strict):
     """Turn a flag over."""
 
     action: Literal["toggle_flag"]
-    flag: Name = described(..., "the flag")
-    entity: Name | None = described(None, "for a flag kept per entity: whose; each; left out: all of them")
+    flag: Annotated[Name, FLAG] = described(..., "the flag")
+    entity: Annotated[Name | None, WHOSE] = described(
+        None, "for a flag kept per entity: whose; each; left out: all of them"
+    )
 
 
 class TimerAction(Strict):
     """Start, stop or reset a timer."""
 
     action: Literal["timer"]
-    timer: Name = described(..., "the timer")
-    entity: Name | None = described(None, "for a timer kept per entity: whose; each; left out: all of them")
+    timer: Annotated[Name, TIMER] = described(..., "the timer")
+    entity: Annotated[Name | None, WHOSE] = described(
+        None, "for a timer kept per entity: whose; each; left out: all of them"
+    )
     do: Literal["restart", "start", "stop", "reset"] = described(
         "restart", "restart: from 0; start: go on; stop: hold; reset: to 0 and stopped"
     )
@@ -123,8 +144,10 @@ class SequenceAction(Strict):
     """Begin a sequence anew: the steps made so far are forgotten."""
 
     action: Literal["sequence"]
-    sequence: Name = described(..., "the sequence")
-    entity: Name | None = described(None, "for a sequence kept per entity: whose; each; left out: all of them")
+    sequence: Annotated[Name, SEQUENCE] = described(..., "the sequence")
+    entity: Annotated[Name | None, ENTITY] = described(
+        None, "for a sequence kept per entity: whose; each; left out: all of them"
+    )
     do: Literal["reset"] = described("reset", "reset: it stands before its first step, or at it if the entity is in it")
 
 
@@ -136,8 +159,16 @@ class SetSpot(Strict):
     """
 
     action: Literal["set_spot"]
-    spot: Name = described(..., "the spot")
-    to: Name | Point | ToldValue | UniformIn | OnLine = described(
+    spot: Annotated[Name, SPOT] = described(..., "the spot")
+    to: Annotated[
+        Name | Point | ToldValue | UniformIn | OnLine,
+        Ref(
+            "entity, obstacle, spot or zone",
+            MOVING | FIXED | frozenset({"spot"}) | frozenset({"zone"}),
+            each=True,
+            drawn=True,
+        ),
+    ] = described(
         ...,
         "an entity, each, a spot, a zone with a centre (a circle, a rect with four sides), a draw's name, [x, y] in m, "
         "{told: NAME}: the position that a robot has told by radio, {uniform_in: ZONES} or {on_line: [[x, y], [x, y]]}"
@@ -150,8 +181,8 @@ class DrawAction(Strict):
     """Draw anew, or set a draw to a value."""
 
     action: Literal["draw"]
-    draw: Name = described(..., "the draw")
-    as_: Scalar | None = Field(
+    draw: Annotated[Name, DRAW] = described(..., "the draw")
+    as_: Annotated[Scalar | None, DrawnValue()] = Field(
         None,
         alias="as",
         description="set it to this value instead of drawing; each: to the name of the one for whom the rule is "
@@ -163,8 +194,10 @@ class Place(MayKick):
     """Put entities somewhere: either one placement, or a layout by its name."""
 
     action: Literal["place"]
-    layout: Name | DrawValue | None = described(None, "a layout of `placements`, or {draw: NAME} whose values are")
-    entity: Names | None = described(None, "what is put there: entities, groups, or each")
+    layout: Annotated[Name | DrawValue | None, SectionRef("layout", ("placements",))] = described(
+        None, "a layout of `placements`, or {draw: NAME} whose values are"
+    )
+    entity: Annotated[Names | None, ENTITIES] = described(None, "what is put there: entities, groups, or each")
     at: At | None = described(None, "where")
     facing: Facing = described("start", "which way it looks afterwards")
     noise_m: NoiseM = (0.0, 0.0)
@@ -181,7 +214,7 @@ class Remove(Strict):
     """Take an entity off the field: parked, silent, invisible; any later placement brings it back."""
 
     action: Literal["remove"]
-    entity: Names = described(..., "what is taken off: entities, groups, or each")
+    entity: Annotated[Names, ENTITIES] = described(..., "what is taken off: entities, groups, or each")
     for_s: Lasts | None = described(
         None,
         "it comes back after this time, in s: a number, {draw: NAME} or {counter: NAME}, read in that moment (0 or "
@@ -200,7 +233,7 @@ class Hold(Strict):
     """
 
     action: Literal["hold"]
-    entity: Names = described(..., "who is held: robots, groups, or each")
+    entity: Annotated[Names, ROBOTS] = described(..., "who is held: robots, groups, or each")
     for_s: Lasts | None = described(
         None,
         "how long, in s, also while it is off the field: a number, {draw: NAME} or {counter: NAME}, read in that "
@@ -216,14 +249,14 @@ class Release(Strict):
     """
 
     action: Literal["release"]
-    entity: Names = described(..., "who is let go: robots, groups, or each")
+    entity: Annotated[Names, ROBOTS] = described(..., "who is let go: robots, groups, or each")
 
 
 class SetPhase(Strict):
     """Enter a phase at once; the one that it is already begins anew."""
 
     action: Literal["set_phase"]
-    phase: Name = described(..., "the phase")
+    phase: Annotated[Name, PHASE] = described(..., "the phase")
 
 
 class Emit(Strict):

@@ -4,7 +4,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from rcj_challenges.scenario.models.base import (
+from rcj_challenges.rules.conditions import Condition, Message
+from rcj_challenges.rules.fields import (
     DurationS,
     EventName,
     Name,
@@ -15,7 +16,20 @@ from rcj_challenges.scenario.models.base import (
     Strict,
     described,
 )
-from rcj_challenges.scenario.models.conditions import Condition, Message
+from rcj_challenges.rules.refs import (
+    ENTITIES,
+    FIXED,
+    GATES,
+    KEEPING,
+    MOVING,
+    PHASE,
+    ROBOTS,
+    SEQUENCE,
+    THINGS,
+    TIMER,
+    ZONES,
+    Ref,
+)
 
 _ENTITY = "whose: an entity (a robot, a ball or a movable obstacle), a group (any of them), or each"
 _WHOSE_SEQUENCE = (
@@ -40,8 +54,8 @@ class PhaseEntered(Strict):
     """Fires when a phase is entered, after `set_phase` one tick later; not for the first of a half (`half_started`)."""
 
     trigger: Literal["phase_entered"]
-    phase: Name = described(..., "the phase entered")
-    from_: Name | None = Field(None, alias="from", description="only when it comes from this phase")
+    phase: Annotated[Name, PHASE] = described(..., "the phase entered")
+    from_: Annotated[Name | None, PHASE] = Field(None, alias="from", description="only when it comes from this phase")
 
 
 class TimeReached(Strict):
@@ -58,7 +72,7 @@ class TimerExpired(Strict):
     """Fires when a timer reaches its length."""
 
     trigger: Literal["timer_expired"]
-    timer: Name = described(
+    timer: Annotated[Name, TIMER] = described(
         ..., "the timer; of one kept per entity: with for_each over those that of the current one, else any of them"
     )
 
@@ -67,8 +81,8 @@ class Enters(Strict):
     """Fires when an entity's centre comes into a zone it was not in."""
 
     trigger: Literal["enters"]
-    entity: Names = described(..., _ENTITY)
-    zone: Names = described(
+    entity: Annotated[Names, ENTITIES] = described(..., _ENTITY)
+    zone: Annotated[Names, ZONES] = described(
         ..., "a zone, each, or a draw's name; with a list or group: into any of them from none of them"
     )
 
@@ -77,8 +91,8 @@ class Leaves(Strict):
     """Fires when an entity's centre leaves a zone it was in."""
 
     trigger: Literal["leaves"]
-    entity: Names = described(..., _ENTITY)
-    zone: Names = described(
+    entity: Annotated[Names, ENTITIES] = described(..., _ENTITY)
+    zone: Annotated[Names, ZONES] = described(
         ..., "a zone, each, or a draw's name; with a list or group: from any of them to none of them"
     )
 
@@ -87,8 +101,8 @@ class Crosses(Strict):
     """Fires when an entity's centre crosses a gate."""
 
     trigger: Literal["crosses"]
-    entity: Names = described(..., _ENTITY)
-    gate: Names = described(..., "a gate, each, a draw's name, or several: any of them")
+    entity: Annotated[Names, ENTITIES] = described(..., _ENTITY)
+    gate: Annotated[Names, GATES] = described(..., "a gate, each, a draw's name, or several: any of them")
     direction: Literal["forward", "backward", "either"] = described("either", "which way, seen from the gate")
 
 
@@ -96,11 +110,11 @@ class Touches(Strict):
     """Fires when two bodies come into contact that were not in the sub-step before."""
 
     trigger: Literal["touches"]
-    entity: Names = described(
+    entity: Annotated[Names, THINGS] = described(
         ...,
         "whose: an entity (a robot, a ball or a movable obstacle), a fixed obstacle, a group (any of them), or each",
     )
-    other: Names = described(
+    other: Annotated[Names, Ref("entity or obstacle", MOVING | FIXED | {"walls"}, groups=True, each=True)] = described(
         ...,
         "what it touches: entities, obstacles, walls, or a group; where all triggers of a rule are touches, its "
         "conditions and actions can name the one touched: other, as each",
@@ -114,7 +128,7 @@ class Displaced(Strict):
     """Fires when an entity has been moved further than a distance from where it was put."""
 
     trigger: Literal["displaced"]
-    entity: Names = described(..., _ENTITY)
+    entity: Annotated[Names, ENTITIES] = described(..., _ENTITY)
     from_: Literal["last_placement"] | Point = Field(
         "last_placement",
         alias="from",
@@ -133,7 +147,7 @@ class NoProgress(Strict):
     """
 
     trigger: Literal["no_progress"]
-    entity: Names = described(..., _ENTITY)
+    entity: Annotated[Names, ENTITIES] = described(..., _ENTITY)
     distance_m: Positive = described(..., "path length that is expected, in m")
     within_s: DurationS = described(
         ..., "length of the window in s; of a robot that a rule holds it begins when it is let go"
@@ -144,8 +158,10 @@ class StaysIn(Strict):
     """Fires while inside, once the stay is longer than a limit; short excursions count as inside."""
 
     trigger: Literal["stays_in"]
-    entity: Names = described(..., _ENTITY)
-    zone: Names = described(..., "a zone, each, or a draw's name; with a list or group: in any of them")
+    entity: Annotated[Names, ENTITIES] = described(..., _ENTITY)
+    zone: Annotated[Names, ZONES] = described(
+        ..., "a zone, each, or a draw's name; with a list or group: in any of them"
+    )
     limit_s: DurationS = described(..., "fires as soon as the stay is longer than this, in s")
     grace_s: NotNegative = described(0.0, "an absence of up to this time counts as inside, in s")
 
@@ -154,7 +170,16 @@ class TipsOver(Strict):
     """Fires when a robot tilts further than an angle."""
 
     trigger: Literal["tips_over"]
-    entity: Names = described(..., "whose: a robot, a group of robots (any of them), or each")
+    entity: Annotated[
+        Names,
+        Ref(
+            "robot",
+            frozenset({"robot"}),
+            groups=True,
+            each=True,
+            instead="an obstacle does not tip over: of a movable one 'displaced' tells that it was pushed away",
+        ),
+    ] = described(..., "whose: a robot, a group of robots (any of them), or each")
     angle_rad: Positive = described(0.7854, "tilt of its vertical axis in rad", lt=3.1416)
 
 
@@ -162,8 +187,8 @@ class SequenceCompleted(Strict):
     """Fires when the last step of a sequence is made."""
 
     trigger: Literal["sequence_completed"]
-    sequence: Name = described(..., "the sequence")
-    entity: Names | None = described(None, _WHOSE_SEQUENCE)
+    sequence: Annotated[Name, SEQUENCE] = described(..., "the sequence")
+    entity: Annotated[Names | None, ENTITIES] = described(None, _WHOSE_SEQUENCE)
 
 
 class SequenceBroken(Strict):
@@ -173,8 +198,8 @@ class SequenceBroken(Strict):
     """
 
     trigger: Literal["sequence_broken"]
-    sequence: Name = described(..., "the sequence")
-    entity: Names | None = described(None, _WHOSE_SEQUENCE)
+    sequence: Annotated[Name, SEQUENCE] = described(..., "the sequence")
+    entity: Annotated[Names | None, ENTITIES] = described(None, _WHOSE_SEQUENCE)
 
 
 class OnEvent(Strict):
@@ -182,7 +207,7 @@ class OnEvent(Strict):
 
     trigger: Literal["event"]
     event: EventName = described(..., "the event")
-    entity: Names | None = described(
+    entity: Annotated[Names | None, Ref("entity, obstacle, zone or gate", KEEPING, groups=True, each=True)] = described(
         None,
         "only if it is about this one (whom the rule that emits it is for, or its trigger found): an entity, a fixed "
         "obstacle, a zone or gate that the rule is for, a group (any of them), or each; left out: whatever it is about",
@@ -193,7 +218,7 @@ class ProgramFault(Strict):
     """Fires when a robot's program has failed."""
 
     trigger: Literal["program_fault"]
-    robot: Names = described("robots", "which robot, a group, or each")
+    robot: Annotated[Names, ROBOTS] = described("robots", "which robot, a group, or each")
 
 
 class Tells(Message):
@@ -203,7 +228,7 @@ class Tells(Message):
     """
 
     trigger: Literal["tells"]
-    entity: Names = described("robots", "whose: a robot, a group (any of them), or each")
+    entity: Annotated[Names, ROBOTS] = described("robots", "whose: a robot, a group (any of them), or each")
 
 
 class Holds(Strict):

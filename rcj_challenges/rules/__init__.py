@@ -1,0 +1,1 @@
+"""The words of the scenario language: what a rule may consist of, one file for each word."""

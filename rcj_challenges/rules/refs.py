@@ -1,0 +1,131 @@
+"""What a field of a model names: `Ref` for what is on the field, `SectionRef` for an entry of a section.
+
+A field says so in its annotation, ``entity: Annotated[Names, ENTITIES]``. The check of names, lint, the substitution of
+``other`` and the made-up scenarios of the tests read it from there.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from pydantic import BaseModel
+
+
+@dataclass(frozen=True)
+class Ref:
+    """A reference to something on the field: entities, zones, gates, spots, or groups of them.
+
+    Attributes:
+        noun: what is named, for messages.
+        kinds: what it may be.
+        groups: whether a group's name may stand for its members.
+        each: whether ``each`` may stand there, within a rule with ``for_each``, and ``other``, within one of touches.
+        drawn: whether a draw's name may stand for what it decided.
+        words: words that are not names.
+        keys: True if the names are the keys of the mapping.
+        instead: what to write in place of what is of these kinds, such as of an obstacle, where something that moves or
+            tips is needed; empty: the usual.
+        instead_of: those kinds.
+    """
+
+    noun: str
+    kinds: frozenset[str]
+    groups: bool = False
+    each: bool = False
+    drawn: bool = False
+    words: frozenset[str] = frozenset()
+    keys: bool = False
+    instead: str = ""
+    instead_of: frozenset[str] = frozenset({"obstacle", "fixed obstacle"})
+
+
+@dataclass(frozen=True)
+class SectionRef:
+    """A reference to an entry of some sections: a counter, a phase, a kit.
+
+    Attributes:
+        noun: what is named, for messages.
+        sections: where it may be defined.
+        words: names that exist without being defined.
+        keys: True if the names are the keys of the mapping.
+    """
+
+    noun: str
+    sections: tuple[str, ...]
+    words: frozenset[str] = frozenset()
+    keys: bool = False
+
+
+@dataclass(frozen=True)
+class DrawnValue:
+    """Marks a field with a value of a draw: any text, but ``each`` and ``other`` stand for names."""
+
+
+Reference = Ref | SectionRef
+
+
+def ref_of(model: type[BaseModel], field: str) -> Reference | None:
+    """Return what a field of a model names; None if it names nothing."""
+    metadata = model.model_fields[field].metadata
+    return next((extra for extra in metadata if isinstance(extra, Ref | SectionRef)), None)
+
+
+def has_drawn_value(model: type[BaseModel], field: str) -> bool:
+    """Return whether a field has a value of a draw."""
+    return any(isinstance(extra, DrawnValue) for extra in model.model_fields[field].metadata)
+
+
+@cache
+def refs_of(model: type[BaseModel]) -> list[tuple[str, Reference, Any]]:
+    """Return the fields of a model that name something: the key in the file, what it may name, and the default."""
+    return list(_refs_of(model))
+
+
+def _refs_of(model: type[BaseModel]) -> Iterator[tuple[str, Reference, Any]]:
+    for name, info in model.model_fields.items():
+        reference = ref_of(model, name)
+        if reference is not None:
+            yield info.alias or name, reference, info.default
+
+
+# --- what words name --------------------------------------------------------------------------------------------------
+
+MOVING = frozenset({"robot", "ball", "obstacle"})
+FIXED = frozenset({"fixed obstacle"})
+KEEPING = MOVING | FIXED | {"zone", "gate"}
+"""What a rule, a counter, a flag or a timer can be kept for, one each."""
+
+_ROBOT, _ZONE, _GATE, _SPOT = frozenset({"robot"}), frozenset({"zone"}), frozenset({"gate"}), frozenset({"spot"})
+
+ENTITIES = Ref("entity", MOVING, groups=True, each=True)
+ENTITY = Ref("entity", MOVING, each=True)
+ONE_ENTITY = Ref("entity", MOVING)
+MEMBERS = Ref("entity", MOVING, groups=True)
+THINGS = Ref("entity or obstacle", MOVING | FIXED, groups=True, each=True)
+THING = Ref("entity or obstacle", MOVING | FIXED, each=True)
+ROBOTS = Ref("robot", _ROBOT, groups=True, each=True)
+ROBOT = Ref("robot", _ROBOT, each=True)
+ONE_ROBOT = Ref("robot", _ROBOT)
+ZONES = Ref("zone", _ZONE, groups=True, each=True, drawn=True)
+GATES = Ref("gate", _GATE, groups=True, each=True, drawn=True)
+SPOTS = Ref("spot", _SPOT, groups=True)
+SPOT = Ref("spot", _SPOT)
+MEASURED_TO = Ref(
+    "entity, obstacle, spot, zone or gate", MOVING | FIXED | _SPOT | _ZONE | _GATE, groups=True, each=True, drawn=True
+)
+SEEN = Ref("entity, obstacle or spot", MOVING | FIXED | _SPOT, each=True, drawn=True)
+ANCHOR = Ref("entity or spot", MOVING | _SPOT, each=True, drawn=True)
+WHOSE = Ref("entity", KEEPING, each=True)
+WHOSE_OF = Ref("entity", KEEPING, groups=True, each=True)
+KEEPERS = Ref("entity, obstacle, zone or gate", KEEPING, groups=True)
+STEP = Ref("zone or gate", _ZONE | _GATE)
+
+COUNTER = SectionRef("counter", ("counters",))
+READABLE = SectionRef("counter or entrant", ("counters", "entrants"))
+FLAG = SectionRef("flag", ("flags",))
+TIMER = SectionRef("timer", ("timers",))
+DRAW = SectionRef("draw", ("draws",))
+PHASE = SectionRef("phase", ("phases",), words=frozenset({"play"}))
+SEQUENCE = SectionRef("sequence", ("sequences",))
+ENTRANT = SectionRef("entrant", ("entrants",))
