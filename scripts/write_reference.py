@@ -1,6 +1,7 @@
 """Write docs/reference-scenario.md: every word of the scenario language, from the models and the examples.
 
-Sentences, types, units and defaults come from the models; the examples from ``docs/words/*.yaml``, which tests run.
+Sentences, types, units and defaults come from the models; the examples from the words themselves
+and, for what is not a word of rules, from ``docs/words/*.yaml``. Tests run all of them.
 
 Usage: ``python scripts/write_reference.py [--check]``; with ``--check`` nothing is written, exit status 1 if stale.
 """
@@ -22,7 +23,7 @@ from rcj_challenges.rules.actions import Action
 from rcj_challenges.rules.conditions import AllOf, AnyOf, Condition
 from rcj_challenges.rules.fields import Colour, DurationS, EventName, Name, Names, Point
 from rcj_challenges.rules.places import At, Facing, Kick, Mirror, Towards
-from rcj_challenges.rules.triggers import Trigger
+from rcj_challenges.rules.triggers import TRIGGERS, AnyTrigger
 from rcj_challenges.rules.values import (
     Bound,
     CounterValue,
@@ -55,6 +56,8 @@ from rcj_challenges.scenario.shape import bare, fields, is_model, is_union, memb
 ROOT = Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs" / "reference-scenario.md"
 WORDS = ROOT / "docs" / "words"
+VOCABULARIES = {"triggers": TRIGGERS}
+"""The words with an example of their own, by kind."""
 STAGE = """schema_version: 1
 id: example
 title: An example
@@ -86,7 +89,7 @@ class Example:
     """A piece of a scenario that shows some words.
 
     Attributes:
-        file: the stem of its file.
+        file: the stem of its file, or the kind of its word.
         words: what it shows.
         text: the sections, without the lines of `STAGE`.
     """
@@ -221,7 +224,7 @@ CHAPTERS = (
     Chapter(
         "Rules", "Section `rules`, in the order in which they are judged.", (Word("rules", scenario.Rule),), "rules"
     ),
-    Chapter("Triggers", "Moments at which a rule may fire.", _tagged(Trigger), "triggers", "trigger"),
+    Chapter("Triggers", "Moments at which a rule may fire.", _tagged(AnyTrigger), "triggers", "trigger"),
     Chapter(
         "Conditions",
         "What must hold when a trigger fires; every condition also has `negate`.",
@@ -287,8 +290,12 @@ CHAPTERS = (
 
 
 def read_examples() -> list[Example]:
-    """Return all examples, in the order of files and lines."""
-    found = []
+    """Return all examples: of the words, then those in files, in the order of files and lines."""
+    found = [
+        Example(kind, (word.name(),), word.EXAMPLE.strip("\n") + "\n")
+        for kind, vocabulary in VOCABULARIES.items()
+        for word in vocabulary.words()
+    ]
     for path in sorted(WORDS.glob("*.yaml")):
         text = path.read_text(encoding="utf-8")
         parts = re.split(r"^--- # (.+)\n", text, flags=re.MULTILINE)[1:]
@@ -317,17 +324,17 @@ def page() -> str:
         lines += [f"\nAn example of `{name}`:\n", "```yaml", example.text.rstrip(), "```"]
     for chapter in CHAPTERS:
         lines += [f"\n## {chapter.title}\n", chapter.about]
-        shown: dict[Example, str] = {}
+        shown: dict[str, str] = {}
         for word in chapter.words:
             heading = f"{word.name} (value)" if chapter.title == "Values" else word.name
             lines += [f"\n### {heading}\n", sentence_of(word.model) + "\n", *_table(word.model, chapter.tag)]
             example = example_of(word, chapter, examples)
             if example is None:
                 continue
-            if example in shown:
-                lines.append(f"\nThe example of `{shown[example]}` shows it.")
+            if example.text in shown:
+                lines.append(f"\nThe example of `{shown[example.text]}` shows it.")
             else:
-                shown[example] = word.name
+                shown[example.text] = word.name
                 lines += ["\n```yaml", example.text.rstrip(), "```"]
     return "\n".join(lines) + "\n"
 
@@ -358,7 +365,7 @@ _NAMED: tuple[tuple[Any, str], ...] = (
     ),
     (At, "[where](#where-things-go)"),
     (Facing, "`start`, `keep`, yaw in rad, {towards: …}, or {random: true}"),
-    (Trigger, "[trigger](#triggers)"), (Condition, "[condition](#conditions)"),
+    (AnyTrigger, "[trigger](#triggers)"), (Condition, "[condition](#conditions)"),
     *((get_args(fields(one)["conditions"])[0], "[condition](#conditions)")
       for one in (AnyOf, AllOf)),
     (Action, "[action](#actions)"), (robots.Device, "[device](#devices)"), (places.Zone, "[zone](#zones)"),

@@ -9,63 +9,64 @@ from dataclasses import replace
 
 from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.referee.actions import compile_action
-from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.referee.binding import RuleBinder
+from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.referee.conditions import compile_condition
-from rcj_challenges.referee.rules import StandingRule
-from rcj_challenges.referee.triggers import TRIGGERS
 from rcj_challenges.scenario.blanks import partly_filled
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.other import for_other, names_other, others_of
+from rcj_challenges.tracking.bound_rules import BoundRule
 
 
-def assemble(workshop: Workshop) -> None:
-    """Compile all rules of a workshop's scenario into it: lower priority first, then file order, then entity order."""
-    rules = workshop.scenario.rules
+def assemble(context: CompileContext) -> None:
+    """Compile all rules of the context's scenario into it: lower priority first, then file order, then entity order."""
+    rules = context.scenario.rules
     standing = [
         (rule.priority, number, place, turn, one)
         for number, (name, rule) in enumerate(rules.items())
-        for place, each in enumerate(_members(rule, workshop))
-        for turn, one in enumerate(_for_others(rule, _standing(name, rule, each, workshop), workshop))
+        for place, each in enumerate(_members(rule, context))
+        for turn, one in enumerate(_for_others(rule, _standing(name, rule, each, context), context))
     ]
     standing.sort(key=lambda entry: entry[:4])
     for rank, (*_, rule) in enumerate(standing):
         rule.rank = rank
     for *_, rule in standing:
-        _compile(rules[rule.name], rule, workshop)
+        _compile(rules[rule.name], rule, context)
 
 
-def _members(rule: Rule, workshop: Workshop) -> tuple[str | None, ...]:
+def _members(rule: Rule, context: CompileContext) -> tuple[str | None, ...]:
     if rule.for_each is None:
         return (None,)
     # Entity order is that of the roster; zones and gates keep the order of their group.
-    index = workshop.roster.index
-    return tuple(sorted(workshop.members(rule.for_each, None), key=lambda name: index.get(name, 0)))
+    index = context.roster.index
+    return tuple(sorted(context.members(rule.for_each, None), key=lambda name: index.get(name, 0)))
 
 
-def _for_others(model: Rule, rule: StandingRule, workshop: Workshop) -> list[StandingRule]:
+def _for_others(model: Rule, rule: BoundRule, context: CompileContext) -> list[BoundRule]:
     """Return a rule for each that ``other`` may stand for in it; they share its past, and so its limits."""
-    if not names_other(model, workshop.scenario):
+    if not names_other(model, context.scenario):
         return [rule]
-    return [replace(rule, other=other) for other in others_of(model, rule.each, workshop.roster)]
+    return [replace(rule, other=other) for other in others_of(model, rule.each, context.roster)]
 
 
-def _standing(name: str, rule: Rule, each: str | None, workshop: Workshop) -> StandingRule:
-    return StandingRule(
+def _standing(name: str, rule: Rule, each: str | None, context: CompileContext) -> BoundRule:
+    return BoundRule(
         name=name,
         each=each,
-        about=each if each in workshop.roster.things else None,
+        about=each if each in context.roster.things else None,
         phases=None if rule.phases == "any" else frozenset(rule.phases),
         exclusive=None if rule.exclusive is None else (rule.exclusive, each),
         cooldown=0 if rule.cooldown_s is None else ticks_from_s(rule.cooldown_s),
         max_executions=rule.max_executions,
-        says=partly_filled(rule, workshop.scenario.params),
+        says=partly_filled(rule, context.scenario.params),
     )
 
 
-def _compile(model: Rule, rule: StandingRule, workshop: Workshop) -> None:
+def _compile(model: Rule, rule: BoundRule, context: CompileContext) -> None:
     if rule.other is not None:
         model = for_other(model, rule.other)
+    binder = RuleBinder(context, rule)
     for position, trigger in enumerate(model.triggers):
-        TRIGGERS[trigger.trigger](trigger, rule, position, workshop)
-    rule.tests = tuple(compile_condition(condition, workshop, rule.each) for condition in model.conditions)
-    rule.actions = tuple(compile_action(action, workshop, rule) for action in model.actions)
+        binder.bind(position, trigger)
+    rule.tests = tuple(compile_condition(condition, context, rule.each) for condition in model.conditions)
+    rule.actions = tuple(compile_action(action, context, rule) for action in model.actions)

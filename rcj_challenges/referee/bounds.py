@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from rcj_challenges.facts.amounts import plain
-from rcj_challenges.referee.state import Number
 from rcj_challenges.rules.actions import Bounded
+from rcj_challenges.tracking.state import Number
 
 
 def amount_bound(model: Bounded) -> Callable[[Number], Number]:

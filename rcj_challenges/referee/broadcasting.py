@@ -5,35 +5,35 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from rcj_challenges.referee.compiling import Workshop
-from rcj_challenges.referee.rules import Occasion, StandingRule
+from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.referee.values import Reader, compile_value
 from rcj_challenges.rules.values import Value
 from rcj_challenges.scenario.models.scenario import Broadcast
+from rcj_challenges.tracking.bound_rules import BoundRule, Firing
 
 Told = dict[str, Any]
 
-_NOBODY = Occasion(StandingRule("", None, None, None, 0, None, ""), None, "")
+_NOBODY = Firing(BoundRule("", None, None, None, 0, None, ""), None, "")
 """A broadcast is about no rule that fires, and about nobody."""
 
 
 class Broadcasting:
     """Reads the values of a scenario's broadcast."""
 
-    def __init__(self, broadcast: Broadcast, workshop: Workshop) -> None:
+    def __init__(self, broadcast: Broadcast, context: CompileContext) -> None:
         """Compile it.
 
         Args:
             broadcast: of the scenario.
-            workshop: whose state the values are read from.
+            context: whose state the values are read from.
         """
         self._every_ticks = broadcast.every_ticks
-        self._to_all = _readers(broadcast.fields, workshop)
+        self._to_all = _readers(broadcast.fields, context)
         self._to_some: dict[int, dict[str, Reader]] = {}
         for name, fields in (broadcast.only or {}).items():
-            readers = _readers(fields, workshop)
-            for robot in workshop.roster.expand(name) if readers else ():
-                self._to_some.setdefault(workshop.roster.index[robot], {}).update(readers)
+            readers = _readers(fields, context)
+            for robot in context.roster.expand(name) if readers else ():
+                self._to_some.setdefault(context.roster.index[robot], {}).update(readers)
 
     def told(self, tick: int) -> tuple[Told | None, dict[int, Told] | None]:
         """Return what all are told at a tick, and what some are told too, by index of the robot; None: nothing."""
@@ -43,8 +43,8 @@ class Broadcasting:
         return _read(self._to_all), to_some or None
 
 
-def _readers(fields: Mapping[str, Value], workshop: Workshop) -> dict[str, Reader]:
-    return {key: compile_value(value, workshop, None) for key, value in fields.items()}
+def _readers(fields: Mapping[str, Value], context: CompileContext) -> dict[str, Reader]:
+    return {key: compile_value(value, context, None) for key, value in fields.items()}
 
 
 def _read(readers: Mapping[str, Reader]) -> Told:

@@ -1,120 +1,72 @@
-"""From the names of a scenario to indices, regions and closures: what every word needs to be compiled, once.
-
-A word's compiler gets the `Workshop`: it resolves names (``each`` included), shares watches between rules that follow
-the same thing, and keeps the ears of the moments that have no place on the field.
-"""
+"""From the names of a scenario to indices, regions and trackers: what every word needs to be compiled, once."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
-from typing import NamedTuple, TypeVar
+from typing import TypeVar
 
-from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.geometry.regions import AnyOf, Drawn, Outlined, Region
 from rcj_challenges.referee.bodies import Bodies
-from rcj_challenges.referee.contacts import Contacts
-from rcj_challenges.referee.regions import AnyOf, Drawn, Outlined, Region, region_of
-from rcj_challenges.referee.rules import Hits, Listener, StandingRule
 from rcj_challenges.referee.setting_down import Putting, Queue
 from rcj_challenges.referee.state import State
-from rcj_challenges.referee.watching import Lookout, Track, Watch
+from rcj_challenges.referee.zones import region_of
 from rcj_challenges.rules.fields import Names, Scalar
 from rcj_challenges.rules.places import Mirror
 from rcj_challenges.scenario.catalogue import EACH
+from rcj_challenges.scenario.followed import followed, phases_of
+from rcj_challenges.scenario.models.state import Sequence
 from rcj_challenges.scenario.remembered import remembered_spots
 from rcj_challenges.scenario.roster import written_for
+from rcj_challenges.tracking.bound_rules import HitBuffer
+from rcj_challenges.tracking.clock_events import ClockEvents
+from rcj_challenges.tracking.contacts import Contacts
+from rcj_challenges.tracking.gates import GateLine
+from rcj_challenges.tracking.pose_history import PoseHistory
+from rcj_challenges.tracking.sequences import SequencePath, SequenceTracker
+from rcj_challenges.tracking.trackers import Tracker, TrackerManager
 
-_W = TypeVar("_W", bound=Watch)
-_DECIMALS = 9
-"""Of times that are told: 3 times 0.1 s are 0.3 s."""
-
-
-class Appointment(NamedTuple):
-    """A time, or a row of times, of the half's clock for which a rule waits.
-
-    Attributes:
-        listener: its ear.
-        at_s: the first time.
-        every_s: how long after one the next comes; None: there is no other.
-        past: how many have come.
-    """
-
-    listener: Listener
-    at_s: float
-    every_s: float | None
-    past: int = 0
-
-    @property
-    def next_s(self) -> float:
-        """The next time, counted from the first: times that are no whole ticks do not add up to a delay."""
-        return self.at_s if self.every_s is None else round(self.at_s + self.past * self.every_s, _DECIMALS)
+_T = TypeVar("_T", bound=Tracker)
 
 
-@dataclass
-class Moments:
-    """Ears for what happens at no place: by what they wait for; of an event also by whom it is about, None: anybody."""
-
-    half_started: list[Listener] = field(default_factory=list)
-    half_ended: list[Listener] = field(default_factory=list)
-    entered: dict[str, list[tuple[str | None, Listener]]] = field(default_factory=dict)
-    events: dict[tuple[str, str | None], list[Listener]] = field(default_factory=dict)
-    times: dict[int, list[Appointment]] = field(default_factory=dict)
-    faults: dict[str, list[Listener]] = field(default_factory=dict)
-    messages: dict[str, list[tuple[Callable[[str], bool], Listener]]] = field(default_factory=dict)
-
-    def wait_for(self, appointment: Appointment, after: int = 0) -> None:
-        """Let a rule hear the half's clock when it next shows what the rule waits for, later than a tick."""
-        self.times.setdefault(max(after + 1, ticks_from_s(appointment.next_s)), []).append(appointment)
-
-    def due_at(self, clock: int) -> list[Appointment]:
-        """Return who waits for what the clock shows now; those who wait for more than one time go on waiting."""
-        due = self.times.pop(clock, [])
-        for one in due:
-            if one.every_s is not None:
-                self.wait_for(one._replace(past=one.past + 1), after=clock)
-        return due
-
-
-class Workshop:
-    """All that compilers of words share.
+class CompileContext:
+    """What the compilers of all words share.
 
     Attributes:
         state: the referee's memory; closures read it when they run.
-        hits: where watches report.
-        lookout: where watches are followed.
-        track: judged poses of the past.
-        moments: ears for moments.
-        contacts: who touches whom.
+        hits: where trackers report.
+        trackers: the trackers of all rules.
+        pose_history: judged poses of the past.
+        clock_events: triggers that no tracker follows.
+        contacts: what touches what.
         bodies: outlines.
         queue: placements asked for.
         emit: writes an event; set by the engine.
         enter_phase: enters a phase; set by the engine.
-        sequences: their watches, by name and whose way they follow.
         layouts: compiled layouts by name, what ``each`` stands for, and mirror.
-        timers_changed: to be called after a timer was started or stopped; the lookout reckons anew.
-        remembered: the spots that rules set: they are to be read anew each time.
+        timers_changed: to be called after a timer was started or stopped; trackers are rescheduled.
+        remembered: the spots that rules set: they are read each time.
     """
 
     def __init__(self, state: State) -> None:
         self.state = state
         self.scenario = state.scenario
         self.roster = state.roster
-        self.hits = Hits()
-        self.track = Track()
-        self.lookout = Lookout(state)
-        self.moments = Moments()
+        self.hits = HitBuffer()
+        self.pose_history = PoseHistory()
+        self.trackers = TrackerManager(state)
+        self.clock_events = ClockEvents()
         self.contacts = Contacts(state.roster.robots)
         self.bodies = Bodies(state.scenario, state.roster)
         self.queue = Queue()
         self.emit: Callable[[str, dict[str, object], tuple[str, ...]], None] = lambda _name, _payload, _about: None
         self.enter_phase: Callable[[str], None] = lambda _phase: None
-        self.timers_changed: Callable[[], None] = self.lookout.reckon
-        self._by_draw: dict[str, list[Watch]] = {}
+        self.timers_changed: Callable[[], None] = self.trackers.reschedule
+        self._by_draw: dict[str, list[Tracker]] = {}
         self.remembered = frozenset(remembered_spots(state.scenario))
-        self.sequences: dict[tuple[str, str], Watch] = {}
+        self._sequences: dict[tuple[str, str], SequenceTracker] = {}
         self.layouts: dict[tuple[str, str | None, Mirror | None], list[Putting]] = {}
         self._members: dict[tuple[Names, str | None], tuple[str, ...]] = {}
-        self._shared: dict[tuple[object, ...], Watch] = {}
+        self._shared: dict[tuple[object, ...], Tracker] = {}
 
     # --- names ------------------------------------------------------------------------------------------------------
 
@@ -189,15 +141,15 @@ class Workshop:
         draws, regions = self.state.draws, {zone: self.zone(zone) for zone in among}
         return Drawn(lambda: regions[str(draws[name])])
 
-    def follow_draws(self, watch: Watch, names: tuple[str, ...]) -> None:
-        """Let a watch begin anew whenever one of the draws among these names decides otherwise."""
+    def reset_with_draws(self, tracker: Tracker, names: tuple[str, ...]) -> None:
+        """Reset a tracker whenever one of the draws among these names decides otherwise."""
         for name in names:
-            if name in self.roster.drawn and watch not in self._by_draw.setdefault(name, []):
-                self._by_draw[name].append(watch)
+            if name in self.roster.drawn and tracker not in self._by_draw.setdefault(name, []):
+                self._by_draw[name].append(tracker)
 
     def has_drawn(self, name: str) -> None:
-        """Let all that follows what a draw decided begin anew: its change is no edge."""
-        self.lookout.restart(*self._by_draw.get(name, ()))
+        """Reset all that follows what a draw decided: its change is not an edge."""
+        self.trackers.reset(*self._by_draw.get(name, ()))
 
     def zone(self, name: str) -> Outlined:
         """Return the region of one zone.
@@ -211,31 +163,57 @@ class Workshop:
             raise ValueError(message)
         return region_of(zone)
 
-    # --- watches and ears -------------------------------------------------------------------------------------------
+    # --- trackers ---------------------------------------------------------------------------------------------------
 
-    def listener(self, rule: StandingRule, position: int, trigger: str, entity: int | None = None) -> Listener:
-        """Return the ear of a rule's trigger (its place in the rule is ``position``).
-
-        What is about a zone or gate comes last: of an event about a robot and a gate, which both are heard, the robot
-        can be told.
-        """
-        things = self.roster.things
-        name, turn = (None, len(things)) if entity is None else (things[entity], entity)
-        return Listener(rule, name, trigger, (rule.rank, position, turn))
-
-    def watch(self, kind: type[_W], key: tuple[object, ...], rule: StandingRule, make: Callable[[], _W]) -> _W:
-        """Return the watch that follows ``key`` in the phases of the rule; rules that follow the same share it."""
-        full = (kind, *key, rule.phases)
-        found = self._shared.get(full)
-        if found is None:
-            found = make()
-            found.phases = rule.phases
-            self._shared[full] = found
-            self.lookout.add(found)
-        if not isinstance(found, kind):
-            message = f"two kinds of watches under one key: {full}"
+    def track(
+        self, kind: type[_T], key: tuple[object, ...], phases: frozenset[str] | None, make: Callable[[], _T]
+    ) -> _T:
+        """Return the tracker that follows ``key`` in some phases; rules that follow the same share it."""
+        full = (kind, *key, phases)
+        tracker = self._shared.get(full)
+        if tracker is None:
+            tracker = self._shared[full] = make()
+            self.track_alone(tracker, phases)
+        if not isinstance(tracker, kind):
+            message = f"two kinds of trackers under one key: {full}"
             raise TypeError(message)
-        return found
+        return tracker
+
+    def track_alone(self, tracker: Tracker, phases: frozenset[str] | None) -> None:
+        """Follow a tracker that is not shared."""
+        tracker.phases = phases
+        self.trackers.add(tracker)
+
+    def gate(self, name: str) -> GateLine:
+        """Return a gate.
+
+        Raises:
+            KeyError: there is none of this name.
+        """
+        gate = self.scenario.gates[name]
+        anchor = None if gate.anchor is None else self.entity(gate.anchor, None)
+        return GateLine(gate.from_m, gate.to_m, anchor, self.state)
+
+    def sequence_trackers(self, name: str) -> dict[str | None, SequenceTracker]:
+        """Return the trackers of a sequence by whose it is; None for one that is not kept per entity.
+
+        All rules share them, and they are active wherever one of these is.
+        """
+        sequence = self.scenario.sequences[name]
+        members = self.members(followed(sequence), None)
+        for member in members:
+            if (name, member) not in self._sequences:
+                tracker = self._sequences[name, member] = self._sequence_tracker(sequence, member)
+                self.track_alone(tracker, phases_of(self.scenario, name))
+        return {None if sequence.per is None else member: self._sequences[name, member] for member in members}
+
+    def _sequence_tracker(self, sequence: Sequence, member: str) -> SequenceTracker:
+        steps = tuple(self.members(places, None) for places in sequence.places())
+        names = tuple(dict.fromkeys(name for step in steps for name in step))
+        zones: dict[str, Region] = {name: self.zone(name) for name in names if name in self.scenario.zones}
+        gates = {name: self.gate(name) for name in names if name not in zones}
+        path = SequencePath(steps, sequence.cyclic, sequence.wrong_step == "break", sequence.when_placed == "goes_on")
+        return SequenceTracker(self.entity(member, None), path, zones, gates, self.state, self.hits)
 
 
 def any_of(regions: tuple[Region, ...]) -> Region:

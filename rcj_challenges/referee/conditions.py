@@ -7,16 +7,12 @@ from math import atan2, cos, sin, sqrt
 from typing import Any
 
 from rcj_challenges.facts.amounts import on_paper
-from rcj_challenges.facts.messages import READS, is_said
 from rcj_challenges.facts.timing import TICK_S, s_from_ticks
-from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.referee.measuring import MM_DIGITS
 from rcj_challenges.referee.nearness import targets_of
 from rcj_challenges.referee.places import spots_of, where_now
-from rcj_challenges.referee.rules import Test
-from rcj_challenges.referee.sequences import sequence_watches
 from rcj_challenges.referee.setting_down import Board
-from rcj_challenges.referee.state import Number
 from rcj_challenges.referee.values import compile_bound
 from rcj_challenges.rules.conditions import (
     AllOf,
@@ -32,7 +28,6 @@ from rcj_challenges.rules.conditions import (
     IsHeld,
     LastTouch,
     Looks,
-    Message,
     SequenceAt,
     Speed,
     SpotFree,
@@ -40,42 +35,42 @@ from rcj_challenges.rules.conditions import (
     Told,
     WayIs,
 )
-from rcj_challenges.rules.fields import Scalar
-from rcj_challenges.rules.values import DrawValue
+from rcj_challenges.tracking.bound_rules import Test
+from rcj_challenges.tracking.state import Number
 
 
-def compile_condition(model: Condition, workshop: Workshop, each: str | None) -> Test:
+def compile_condition(model: Condition, context: CompileContext, each: str | None) -> Test:
     """Return the test of a condition, turned over if it is negated."""
-    test = CONDITIONS[model.condition](model, workshop, each)
+    test = CONDITIONS[model.condition](model, context, each)
     if model.negate:
         return lambda: not test()
     return test
 
 
-def watched_entities(model: Condition, workshop: Workshop, each: str | None) -> tuple[int, ...]:
+def watched_entities(model: Condition, context: CompileContext, each: str | None) -> tuple[int, ...]:
     """Return the entities whose placement makes a condition begin anew: those whose place it reads."""
     match model:
         case InZone() | Speed():
-            return workshop.entities(model.entity, each)
+            return context.entities(model.entity, each)
         case LastTouch():
-            touched = workshop.thing(model.entity, each)
-            return (touched,) if touched < len(workshop.roster.entities) else ()  # nobody puts a fixed obstacle
+            touched = context.thing(model.entity, each)
+            return (touched,) if touched < len(context.roster.entities) else ()  # nobody puts a fixed obstacle
         case Distance():
-            found = workshop.entities(model.entity, each)
-            return (*found, *_anchors(model.to, workshop, each))
+            found = context.entities(model.entity, each)
+            return (*found, *_anchors(model.to, context, each))
         case Looks():
-            found = workshop.entities(model.entity, each)
-            return (*found, *(() if model.towards is None else _anchors(model.towards, workshop, each)))
+            found = context.entities(model.entity, each)
+            return (*found, *(() if model.towards is None else _anchors(model.towards, context, each)))
         case AnyOf() | AllOf():
-            several = (watched_entities(one, workshop, each) for one in model.conditions)
+            several = (watched_entities(one, context, each) for one in model.conditions)
             return tuple(dict.fromkeys(entity for one in several for entity in one))
         case _:
             return ()
 
 
-def _anchors(to: str | tuple[float, float], workshop: Workshop, each: str | None) -> tuple[int, ...]:
+def _anchors(to: str | tuple[float, float], context: CompileContext, each: str | None) -> tuple[int, ...]:
     """Return the entities among what is measured or looked to, and those with which its gates move."""
-    found = (target.entity for target in targets_of(to, workshop, each))
+    found = (target.entity for target in targets_of(to, context, each))
     return tuple(dict.fromkeys(entity for entity in found if entity is not None))
 
 
@@ -91,7 +86,7 @@ def _to_mm(metres: Number) -> Number:
 
 
 def _comparison(
-    model: Any, workshop: Workshop, each: str | None,
+    model: Any, context: CompileContext, each: str | None,
     rounded: Callable[[Number], Number] = _as_it_is, counted: Callable[[Number], Number] = _as_it_is,
 ) -> Callable[[Number], bool]:  # fmt: skip
     """Return the comparison of a model with at_least, at_most and equals, of which it has one at least.
@@ -100,7 +95,7 @@ def _comparison(
     says: as it would be counted.
     """
     least, most, equals = (
-        None if bound is None else compile_bound(bound, workshop, each)
+        None if bound is None else compile_bound(bound, context, each)
         for bound in (model.at_least, model.at_most, model.equals)
     )
     for_least, for_most, for_equals = (
@@ -133,10 +128,10 @@ def _quantified(of: str | AtLeast, results: Iterable[bool]) -> bool:
 # --- the words ------------------------------------------------------------------------------------------------------
 
 
-def in_zone(model: InZone, workshop: Workshop, each: str | None) -> Test:
+def in_zone(model: InZone, context: CompileContext, each: str | None) -> Test:
     """Whether centres are in a zone; entities off the field are not counted."""
-    state, of = workshop.state, model.of
-    entities, region = workshop.entities(model.entity, each), workshop.region(model.zone, each)
+    state, of = context.state, model.of
+    entities, region = context.entities(model.entity, each), context.region(model.zone, each)
 
     def test() -> bool:
         poses = state.poses
@@ -145,10 +140,10 @@ def in_zone(model: InZone, workshop: Workshop, each: str | None) -> Test:
     return test
 
 
-def speed(model: Speed, workshop: Workshop, each: str | None) -> Test:
+def speed(model: Speed, context: CompileContext, each: str | None) -> Test:
     """How fast centres move: the way of the last tick over its time, in m/s."""
-    state, of = workshop.state, model.of
-    entities, holds = workshop.entities(model.entity, each), _comparison(model, workshop, each)
+    state, of = context.state, model.of
+    entities, holds = context.entities(model.entity, each), _comparison(model, context, each)
 
     def mps(entity: int) -> float:
         (x, y, _), (was_x, was_y, _) = state.poses[entity], state.before[entity]
@@ -161,11 +156,11 @@ def speed(model: Speed, workshop: Workshop, each: str | None) -> Test:
     return lambda: _quantified(of, (compares(entity) for entity in entities if state.present[entity]))
 
 
-def distance(model: Distance, workshop: Workshop, each: str | None) -> Test:
+def distance(model: Distance, context: CompileContext, each: str | None) -> Test:
     """How far centres are from another entity (the nearest of a group), a spot, a point, a zone or a gate, in m."""
-    state, of = workshop.state, model.of
-    entities, holds = workshop.entities(model.entity, each), _comparison(model, workshop, each, counted=_to_mm)
-    targets = targets_of(model.to, workshop, each)
+    state, of = context.state, model.of
+    entities, holds = context.entities(model.entity, each), _comparison(model, context, each, counted=_to_mm)
+    targets = targets_of(model.to, context, each)
     # Nothing is measured from itself.
     others = {entity: tuple(target.away_m for target in targets if not target.is_with(entity)) for entity in entities}
 
@@ -181,22 +176,22 @@ def distance(model: Distance, workshop: Workshop, each: str | None) -> Test:
     return lambda: _quantified(of, results())
 
 
-def way(model: WayIs, workshop: Workshop, each: str | None) -> Test:
+def way(model: WayIs, context: CompileContext, each: str | None) -> Test:
     """How far things have driven or rolled in the half, in m; also what is off the field."""
-    state, of = workshop.state, model.of
-    entities, holds = workshop.entities(model.entity, each), _comparison(model, workshop, each, counted=_to_mm)
+    state, of = context.state, model.of
+    entities, holds = context.entities(model.entity, each), _comparison(model, context, each, counted=_to_mm)
     for entity in entities:
         state.follow_way(entity)
     return lambda: _quantified(of, (holds(state.ways[entity]) for entity in entities))
 
 
-def looks(model: Looks, workshop: Workshop, each: str | None) -> Test:
+def looks(model: Looks, context: CompileContext, each: str | None) -> Test:
     """Whether robots look towards something or in a direction: their front points there within an angle."""
-    state, of, within, heading = workshop.state, model.of, model.within_rad, model.heading_rad
-    drawn = model.towards in workshop.roster.drawn
-    itself = () if model.towards is None or drawn else _anchors(model.towards, workshop, each)
-    entities = tuple(entity for entity in workshop.entities(model.entity, each) if entity not in itself)
-    target = (lambda: None) if model.towards is None else where_now(workshop, model.towards, each)
+    state, of, within, heading = context.state, model.of, model.within_rad, model.heading_rad
+    drawn = model.towards in context.roster.drawn
+    itself = () if model.towards is None or drawn else _anchors(model.towards, context, each)
+    entities = tuple(entity for entity in context.entities(model.entity, each) if entity not in itself)
+    target = (lambda: None) if model.towards is None else where_now(context, model.towards, each)
 
     def looks_there(entity: int) -> bool:
         x, y, yaw = state.poses[entity]
@@ -212,41 +207,41 @@ def looks(model: Looks, workshop: Workshop, each: str | None) -> Test:
     return lambda: _quantified(of, (looks_there(entity) for entity in entities if state.present[entity]))
 
 
-def held(model: IsHeld, workshop: Workshop, each: str | None) -> Test:
+def held(model: IsHeld, context: CompileContext, each: str | None) -> Test:
     """Whether robots are held, by a rule or by the phase; also those off the field."""
-    who, of = workshop.state.held, model.of
-    robots = workshop.entities(model.entity, each)
+    who, of = context.state.held, model.of
+    robots = context.entities(model.entity, each)
     return lambda: _quantified(of, (who.holds(robot) for robot in robots))
 
 
-def any_of(model: AnyOf, workshop: Workshop, each: str | None) -> Test:
+def any_of(model: AnyOf, context: CompileContext, each: str | None) -> Test:
     """Whether at least one of several conditions holds."""
-    tests = tuple(compile_condition(one, workshop, each) for one in model.conditions)
+    tests = tuple(compile_condition(one, context, each) for one in model.conditions)
     return lambda: any(test() for test in tests)
 
 
-def all_of(model: AllOf, workshop: Workshop, each: str | None) -> Test:
+def all_of(model: AllOf, context: CompileContext, each: str | None) -> Test:
     """Whether all of several conditions hold."""
-    tests = tuple(compile_condition(one, workshop, each) for one in model.conditions)
+    tests = tuple(compile_condition(one, context, each) for one in model.conditions)
     return lambda: all(test() for test in tests)
 
 
-def counter(model: CounterIs, workshop: Workshop, each: str | None) -> Test:
+def counter(model: CounterIs, context: CompileContext, each: str | None) -> Test:
     """The value of a counter or of a score; with ``of``: of so many."""
-    state, name = workshop.state, model.counter
-    holds = _comparison(model, workshop, each, on_paper)
-    return _of_kept(model, workshop, each, state.counters.get(name), lambda whose: holds(state.counter(name, whose)))
+    state, name = context.state, model.counter
+    holds = _comparison(model, context, each, on_paper)
+    return _of_kept(model, context, each, state.counters.get(name), lambda whose: holds(state.counter(name, whose)))
 
 
-def flag(model: FlagIs, workshop: Workshop, each: str | None) -> Test:
+def flag(model: FlagIs, context: CompileContext, each: str | None) -> Test:
     """Whether a flag is set; with ``of``: so many."""
-    state, name = workshop.state, model.flag
-    return _of_kept(model, workshop, each, state.flags[name], lambda whose: state.flag(name, whose))
+    state, name = context.state, model.flag
+    return _of_kept(model, context, each, state.flags[name], lambda whose: state.flag(name, whose))
 
 
 def _of_kept(
     model: CounterIs | FlagIs | TimerIs | SequenceAt,
-    workshop: Workshop,
+    context: CompileContext,
     each: str | None,
     kept: object,
     test: Callable[[str | None], bool],
@@ -255,27 +250,27 @@ def _of_kept(
     entity, of = model.entity, model.of
     if of is not None:
         keepers = kept if isinstance(kept, dict) else ()
-        members = tuple(keepers) if entity is None else workshop.members(entity, each)
+        members = tuple(keepers) if entity is None else context.members(entity, each)
         return lambda: _quantified(of, (test(member) for member in members))
     if isinstance(entity, tuple):
         message = f"{model.condition}: several entities need 'of'"
         raise ValueError(message)  # noqa: TRY004 - refused when the scenario is loaded
-    whose = workshop.whose(entity, each)
+    whose = context.whose(entity, each)
     return lambda: test(whose)
 
 
-def drawn(model: Drawn, workshop: Workshop, each: str | None) -> Test:
+def drawn(model: Drawn, context: CompileContext, each: str | None) -> Test:
     """What a draw decided."""
-    state, name, value = workshop.state, model.draw, workshop.drawn_value(model.equals, each)
+    state, name, value = context.state, model.draw, context.drawn_value(model.equals, each)
     return lambda: state.draws[name] == value
 
 
-def timer(model: TimerIs, workshop: Workshop, each: str | None) -> Test:
+def timer(model: TimerIs, context: CompileContext, each: str | None) -> Test:
     """How long a timer has run in s (of several the longest); without a comparison: whether one is running."""
-    state, clocks = workshop.state, workshop.state.timers[model.timer]
+    state, clocks = context.state, context.state.timers[model.timer]
     everyone = tuple(clocks.values())
     runs = model.at_least is None and model.at_most is None and model.equals is None
-    holds = _comparison(model, workshop, each)
+    holds = _comparison(model, context, each)
 
     def test(whose: str | None) -> bool:
         meant = everyone if whose is None else (clocks[whose],)
@@ -283,46 +278,28 @@ def timer(model: TimerIs, workshop: Workshop, each: str | None) -> Test:
             return any(clock.running(state.tick) for clock in meant)
         return holds(s_from_ticks(max(clock.ticks(state.tick) for clock in meant)))
 
-    return _of_kept(model, workshop, each, clocks, test)
+    return _of_kept(model, context, each, clocks, test)
 
 
-def last_touch(model: LastTouch, workshop: Workshop, each: str | None) -> Test:
+def last_touch(model: LastTouch, context: CompileContext, each: str | None) -> Test:
     """Which robot touched something last since it was put where it is."""
-    touched, by = workshop.thing(model.entity, each), frozenset(workshop.entities(model.by, each))
-    contacts = workshop.contacts
+    touched, by = context.thing(model.entity, each), frozenset(context.entities(model.by, each))
+    contacts = context.contacts
     contacts.follow_last(touched)
     return lambda: contacts.last(touched) in by
 
 
-def compile_message(model: Message, workshop: Workshop) -> Callable[[str], bool]:
-    """Return what tells whether a message is as it must be."""
-    draws, text = workshop.state.draws, model.text
-    reads = READS[model.is_a]
-
-    def wanted() -> tuple[Scalar, ...]:
-        if isinstance(text, DrawValue):
-            return (draws[text.draw],)
-        return text if isinstance(text, tuple) else (text,) if text is not None else ()
-
-    def says(message: str) -> bool:
-        if reads(message) is None:
-            return False
-        return text is None or any(is_said(message, one) for one in wanted())
-
-    return says
-
-
-def told(model: Told, workshop: Workshop, each: str | None) -> Test:
+def told(model: Told, context: CompileContext, each: str | None) -> Test:
     """What a robot has told the referee by radio, the last time."""
-    heard, of, says = workshop.state.heard, model.of, compile_message(model, workshop)
-    robots = workshop.members(model.entity, each)
+    heard, of, says = context.state.heard, model.of, model.matcher(context.state.draws)
+    robots = context.members(model.entity, each)
     return lambda: _quantified(of, (robot in heard and says(heard[robot]) for robot in robots))
 
 
-def spot_free(model: SpotFree, workshop: Workshop, each: str | None) -> Test:
+def spot_free(model: SpotFree, context: CompileContext, each: str | None) -> Test:
     """Whether no robot's or ball's centre is near a spot."""
-    state, bodies, of, clearance = workshop.state, workshop.bodies, model.of, model.clearance_m
-    spots = spots_of(workshop, model.spot, each)
+    state, bodies, of, clearance = context.state, context.bodies, model.of, model.clearance_m
+    spots = spots_of(context, model.spot, each)
 
     def test() -> bool:
         board = Board(state, bodies, set())
@@ -331,26 +308,26 @@ def spot_free(model: SpotFree, workshop: Workshop, each: str | None) -> Test:
     return test
 
 
-def sequence_at(model: SequenceAt, workshop: Workshop, each: str | None) -> Test:
+def sequence_at(model: SequenceAt, context: CompileContext, each: str | None) -> Test:
     """Which step of a sequence was reached last; with ``of``: of so many."""
-    watches = sequence_watches(workshop, model.sequence)
-    everyone = tuple(watches.values())
-    (step,) = workshop.members(model.step, each)
+    trackers = context.sequence_trackers(model.sequence)
+    everyone = tuple(trackers.values())
+    (step,) = context.members(model.step, each)
 
     def test(whose: str | None) -> bool:
-        meant = everyone if whose is None else (watches[whose],)
-        return any(watch.reached == step for watch in meant)
+        meant = everyone if whose is None else (trackers[whose],)
+        return any(tracker.reached == step for tracker in meant)
 
-    return _of_kept(model, workshop, each, watches, test)
+    return _of_kept(model, context, each, trackers, test)
 
 
-def half(model: HalfIs, workshop: Workshop, each: str | None) -> Test:
+def half(model: HalfIs, context: CompileContext, each: str | None) -> Test:
     """Which half is played."""
-    now = _comparison(model, workshop, each)(workshop.state.half.half)
+    now = _comparison(model, context, each)(context.state.half.half)
     return lambda: now
 
 
-CONDITIONS: dict[str, Callable[[Any, Workshop, str | None], Test]] = {
+CONDITIONS: dict[str, Callable[[Any, CompileContext, str | None], Test]] = {
     "in_zone": in_zone,
     "speed": speed,
     "distance": distance,

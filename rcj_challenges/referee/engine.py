@@ -11,26 +11,27 @@ from dataclasses import replace
 from typing import Any
 
 from rcj_challenges.facts.messages import number_in
-from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Snapshot, Verdict
+from rcj_challenges.facts.play import Event, Fault, HalfInfo, Placement, Snapshot, Verdict
+from rcj_challenges.facts.play import Firing as FiringRecord
 from rcj_challenges.referee.assembling import assemble
 from rcj_challenges.referee.broadcasting import Broadcasting
-from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.referee.denied import Denial, Denied
 from rcj_challenges.referee.no_room import no_room_sentence
 from rcj_challenges.referee.places import compile_putting
 from rcj_challenges.referee.ranking import ranked_counters
-from rcj_challenges.referee.rules import Hit, Occasion, StandingRule
 from rcj_challenges.referee.setting_down import Job, set_down
-from rcj_challenges.referee.state import Number, State
-from rcj_challenges.referee.triggers.holding import HoldWatch
+from rcj_challenges.referee.state import State
 from rcj_challenges.referee.values import spoken
-from rcj_challenges.referee.watching import NEVER
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.drawn import Series
 from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.starting import start_noise_m
+from rcj_challenges.tracking.bound_rules import BoundRule, Firing, TriggerHit
+from rcj_challenges.tracking.state import Number
+from rcj_challenges.tracking.trackers import NEVER
 
 
 class Referee:
@@ -60,15 +61,15 @@ class Referee:
     ) -> None:  # fmt: skip
         self._state = State(scenario, roster, half)
         self._half = half
-        self._workshop = Workshop(self._state)
-        self._workshop.emit = self._emit
-        self._workshop.enter_phase = self._enter_phase
-        assemble(self._workshop)
+        self._context = CompileContext(self._state)
+        self._context.emit = self._emit
+        self._context.enter_phase = self._enter_phase
+        assemble(self._context)
         self._state.decide_draws(draws or {})
         self._state.decide_spots(spots or {})
-        self._lookout, self._hits = self._workshop.lookout, self._workshop.hits
-        self._contacts, self._queue = self._workshop.contacts, self._workshop.queue
-        self._moments, self._track = self._workshop.moments, self._workshop.track
+        self._trackers, self._hits = self._context.trackers, self._context.hits
+        self._contacts, self._queue = self._context.contacts, self._context.queue
+        self._clock_events, self._pose_history = self._context.clock_events, self._context.pose_history
         self._all_present = True
         self._clock_runs = self._clock_ran = True
         self._waiting = False
@@ -76,10 +77,10 @@ class Referee:
         self._entered: list[tuple[str, str]] = []
         self._emitted: list[tuple[str, tuple[str, ...]]] = []
         self._events: list[Event] = []
-        self._firings: list[Firing] = []
+        self._firings: list[FiringRecord] = []
         self._quiet: dict[str, Verdict] = {}
         broadcast = scenario.broadcast
-        self._broadcast = None if broadcast is None else Broadcasting(broadcast, self._workshop)
+        self._broadcast = None if broadcast is None else Broadcasting(broadcast, self._context)
         self._ranked_by = ranked_counters(scenario)
         self.denied: Denied | None = None
         self._counted: dict[str, Any] | None = None
@@ -131,11 +132,11 @@ class Referee:
     def true_before(self) -> dict[str, int]:
         """By rule the tick at which a `holds` of it held already, so that it could not come true."""
         found: dict[str, int] = {}
-        for watch in self._lookout.watches:
-            if isinstance(watch, HoldWatch) and watch.true_before is not None:
-                for listener in watch.listeners:
-                    name = listener.rule.name
-                    found[name] = min(watch.true_before, found.get(name, watch.true_before))
+        for tracker in self._trackers.trackers:
+            if tracker.true_before is not None:
+                for binding in tracker.bindings:
+                    name = binding.rule.name
+                    found[name] = min(tracker.true_before, found.get(name, tracker.true_before))
         return found
 
     @property
@@ -166,10 +167,10 @@ class Referee:
         state.poses = state.before = list(snapshot.substeps[-1])
         state.uprights = snapshot.uprights
         state.put_at = [(x, y) for x, y, _ in state.poses]
-        self._track.add(state.poses)
+        self._pose_history.add(state.poses)
         self._set_phase(state.phase)
-        self._lookout.enter(state.phase, None)
-        self._hits.report(self._moments.half_started)
+        self._trackers.enter(state.phase, None)
+        self._hits.report(self._clock_events.half_started)
         self._hear_faults(snapshot.faults)
         self._fire()
         self._scatter_starts()
@@ -188,7 +189,7 @@ class Referee:
         substeps = snapshot.substeps
         changed_phase = tick >= self._phase_ends
         if tick >= state.held.ends:
-            self._lookout.let_go(state.held.let_go_at(tick))
+            self._trackers.release(state.held.let_go_at(tick))
         self._clock_ran = self._clock_runs
         if self._clock_ran:
             state.clock += 1
@@ -196,8 +197,8 @@ class Referee:
         heard = self._entered or self._emitted
         if changed_phase:
             self._enter_phase(state.scenario.phases[state.phase].next)
-        self._lookout.advance(substeps, changed_phase=changed_phase)
-        if heard or changed_phase or snapshot.faults or self._moments.times:
+        self._trackers.advance(substeps, changed_phase=changed_phase)
+        if heard or changed_phase or snapshot.faults or self._clock_events.times:
             self._hear(snapshot.faults)
         if self._hits:
             self._fire()
@@ -213,8 +214,8 @@ class Referee:
         state.uprights = snapshot.uprights
         if state.ways:
             state.add_ways()
-        if self._track.used:
-            self._track.add(judged)
+        if self._pose_history.used:
+            self._pose_history.add(judged)
         if self._contacts.used:
             self._contacts.advance(snapshot.touches)
         if snapshot.heard:
@@ -222,7 +223,7 @@ class Referee:
 
     def finish(self) -> Verdict:
         """Run the ``half_ended`` rules after the last tick; one of them may still end the match."""
-        self._hits.report(self._moments.half_ended)
+        self._hits.report(self._clock_events.half_ended)
         self._fire()
         return self._verdict()
 
@@ -238,22 +239,22 @@ class Referee:
         entered, self._entered = self._entered, []
         emitted, self._emitted = self._emitted, []
         for phase, left in entered:
-            for wanted, listener in self._moments.entered.get(phase, ()):
+            for wanted, binding in self._clock_events.entered.get(phase, ()):
                 if wanted is None or wanted == left:
-                    self._hits.report([listener])
-        events = self._moments.events
+                    self._hits.report([binding])
+        events = self._clock_events.events
         for name in dict.fromkeys(name for name, _ in emitted):
             self._hits.report(events.get((name, None), []))
         for heard_of in dict.fromkeys((name, one) for name, about in emitted for one in about):
             self._hits.report(events.get(heard_of, []))
         if self._clock_ran:
-            for one in self._moments.due_at(self._state.clock):
-                self._hits.report([one.listener], one.next_s, one.at_s)
+            for one in self._clock_events.due_at(self._state.clock):
+                self._hits.report([one.binding], one.next_s, one.at_s)
         self._hear_faults(faults)
 
     def _hear_faults(self, faults: tuple[Fault, ...]) -> None:
         for fault in faults:
-            self._hits.report(self._moments.faults.get(fault.robot, []))
+            self._hits.report(self._clock_events.faults.get(fault.robot, []))
 
     def _listen(self, heard: tuple[tuple[int, str], ...]) -> None:
         """Take in what robots have told by radio; those off the field are not heard."""
@@ -262,9 +263,9 @@ class Referee:
             if state.present[entity]:
                 name = state.roster.entities[entity]
                 state.heard[name] = text
-                for says, listener in self._moments.messages.get(name, ()):
+                for says, binding in self._clock_events.messages.get(name, ()):
                     if says(text):
-                        self._hits.report([listener], number_in(text))
+                        self._hits.report([binding], number_in(text))
 
     # --- firing -----------------------------------------------------------------------------------------------------
 
@@ -274,7 +275,7 @@ class Referee:
         chosen = [
             hit
             for hit in self._hits.first_by_rule()
-            if hit.listener.rule.lives_in(phase) and all(test() for test in hit.listener.rule.tests)
+            if hit.binding.rule.lives_in(phase) and all(test() for test in hit.binding.rule.tests)
         ]
         denied = self._denied_of(chosen) if self.denied is not None else ()
         self._hits.clear()
@@ -284,25 +285,25 @@ class Referee:
         for rule, place in denied:
             self._note_denial(rule, place)
 
-    def _denied_of(self, chosen: list[Hit]) -> list[tuple[StandingRule, int]]:
+    def _denied_of(self, chosen: list[TriggerHit]) -> list[tuple[BoundRule, int]]:
         """Return the triggered rules that do not fire, each with the place of the condition that does not hold."""
-        fire = {hit.listener.rule.rank for hit in chosen}
-        triggered = (hit.listener.rule for hit in self._hits.first_by_rule())
+        fire = {hit.binding.rule.rank for hit in chosen}
+        triggered = (hit.binding.rule for hit in self._hits.first_by_rule())
         return [
             (rule, next(place for place, test in enumerate(rule.tests) if not test()))
             for rule in triggered
             if rule.rank not in fire and rule.lives_in(self._state.phase)
         ]
 
-    def _note_denial(self, rule: StandingRule, place: int) -> None:
+    def _note_denial(self, rule: BoundRule, place: int) -> None:
         """Note what kept a rule from firing, in a test; of several that it is for, what kept the first of them."""
         if self.denied is not None:
             held_after = rule.tests[place]()
             self.denied.setdefault(rule.name, {}).setdefault(self._state.tick, Denial(place, held_after))
 
-    def _run(self, hit: Hit, won: set[tuple[str, str | None]]) -> None:
-        rule, state = hit.listener.rule, self._state
-        occasion = Occasion(rule, hit.listener.entity, hit.listener.trigger, hit.measured, hit.limit)
+    def _run(self, hit: TriggerHit, won: set[tuple[str, str | None]]) -> None:
+        rule, state = hit.binding.rule, self._state
+        firing = Firing(rule, hit.binding.entity, hit.binding.trigger, hit.measured, hit.limit)
         suppressed = self._suppressed(rule, won)
         if suppressed is None:
             if rule.exclusive is not None:
@@ -310,24 +311,24 @@ class Referee:
             rule.past.executions += 1
             rule.past.rests_until = state.tick + rule.cooldown
             for act in rule.actions:
-                act(occasion)
+                act(firing)
         self._firings.append(
-            Firing(
+            FiringRecord(
                 tick=state.tick,
                 rule=rule.name,
-                entity=occasion.subject,
+                entity=firing.subject,
                 other=rule.other,
-                trigger=occasion.trigger,
-                measured=occasion.measured,
-                limit=occasion.limit,
-                scored=occasion.scored,
+                trigger=firing.trigger,
+                measured=firing.measured,
+                limit=firing.limit,
+                scored=firing.scored,
                 suppressed=suppressed,
-                says=spoken(rule.says, state, occasion),
-                place=occasion.place,
+                says=spoken(rule.says, state, firing),
+                place=firing.place,
             )
         )
 
-    def _suppressed(self, rule: StandingRule, won: set[tuple[str, str | None]]) -> str | None:
+    def _suppressed(self, rule: BoundRule, won: set[tuple[str, str | None]]) -> str | None:
         if not rule.lives_in(self._state.phase):
             return "phase"
         if rule.exclusive in won:
@@ -350,7 +351,7 @@ class Referee:
         self._entered.append((phase, left))
         self._state.phase = phase
         self._set_phase(phase)
-        self._lookout.enter(phase, left)
+        self._trackers.enter(phase, left)
 
     def _set_phase(self, phase: str) -> None:
         model = self._state.phase_model(phase)
@@ -368,7 +369,7 @@ class Referee:
         for entity, name in enumerate(self._state.roster.entities):
             if start_noise_m(self._state.scenario, name) != (0.0, 0.0) and not self._queue.concerns(entity):
                 placing = Placing(entity=name, at="start")
-                putting = compile_putting(placing, self._workshop, entity, None, f"placement/start/{name}")
+                putting = compile_putting(placing, self._context, entity, None, f"placement/start/{name}")
                 self._queue.ask(Job(entity, putting, None))
 
     def _set_down(self) -> tuple[Placement, ...]:
@@ -376,7 +377,7 @@ class Referee:
         jobs = self._queue.take(state)
         if not jobs:
             return ()
-        placements, failed = set_down(jobs, state, self._workshop.bodies)
+        placements, failed = set_down(jobs, state, self._context.bodies)
         for job in failed:
             self._tell_no_room(job)
             if job.putting is not None and job.putting.retry:
@@ -388,7 +389,7 @@ class Referee:
         if moved:
             self._all_present = all(state.present)
             self._contacts.forget(moved)
-            self._lookout.begin_anew(moved)
+            self._trackers.begin_anew(moved)
         return tuple(placements)
 
     def _tell_no_room(self, job: Job) -> None:
@@ -396,9 +397,11 @@ class Referee:
         state = self._state
         if job.told or job.rule is None or job.putting is None:
             return
-        says = no_room_sentence(job, job.putting, state, self._workshop.bodies)
+        says = no_room_sentence(job, job.putting, state, self._context.bodies)
         name = state.roster.entities[job.entity]
-        told = Firing(state.tick, job.rule.name, name, "place", suppressed="no_room", says=says, other=job.rule.other)
+        told = FiringRecord(
+            state.tick, job.rule.name, name, "place", suppressed="no_room", says=says, other=job.rule.other
+        )
         self._firings.append(told)
 
     # --- answering --------------------------------------------------------------------------------------------------

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from rcj_challenges.facts.timing import s_from_ticks
-from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.referee.nearness import targets_of
 from rcj_challenges.rules.values import DistanceValue, TimerValue, WayValue
 
@@ -13,9 +13,9 @@ MM_DIGITS = 3
 """To the millimetre: what is measured is told and counted so, and compared so with what was counted."""
 
 
-def distance_reader(value: DistanceValue, workshop: Workshop, each: str | None) -> Callable[[], float | None]:
+def distance_reader(value: DistanceValue, context: CompileContext, each: str | None) -> Callable[[], float | None]:
     """Return what measures in m, to the millimetre, how far two things are apart now; None if one is off the field."""
-    here, there = (targets_of(end, workshop, each) for end in value.distance)
+    here, there = (targets_of(end, context, each) for end in value.distance)
     if any(one.place is None for one in here):
         here, there = there, here  # from what is a point to a zone or a gate
     pairs = [
@@ -34,16 +34,16 @@ def distance_reader(value: DistanceValue, workshop: Workshop, each: str | None) 
     return read
 
 
-def way_reader(value: WayValue, workshop: Workshop, each: str | None) -> Callable[[], float]:
+def way_reader(value: WayValue, context: CompileContext, each: str | None) -> Callable[[], float]:
     """Return what tells in m, to the millimetre, how far an entity has driven or rolled in the half."""
-    ways, entity = workshop.state.ways, workshop.entity(value.way, each)
-    workshop.state.follow_way(entity)
+    ways, entity = context.state.ways, context.entity(value.way, each)
+    context.state.follow_way(entity)
     return lambda: round(ways[entity], MM_DIGITS)
 
 
-def timer_reader(value: TimerValue, workshop: Workshop, each: str | None) -> Callable[[], float]:
+def timer_reader(value: TimerValue, context: CompileContext, each: str | None) -> Callable[[], float]:
     """Return what tells in s how long a timer has run; of several the longest."""
-    state, clocks = workshop.state, workshop.state.timers[value.timer]
-    whose = workshop.whose(value.entity, each)
+    state, clocks = context.state, context.state.timers[value.timer]
+    whose = context.whose(value.entity, each)
     meant = tuple(clocks.values()) if whose is None else (clocks[whose],)
     return lambda: s_from_ticks(max(clock.ticks(state.tick) for clock in meant))

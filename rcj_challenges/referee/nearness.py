@@ -6,11 +6,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from math import sqrt
 
-from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.geometry.polygons import distance_to_segment_m
+from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.referee.places import spot_name
-from rcj_challenges.referee.sequences import GateLine
 from rcj_challenges.scenario.models.field import Obstacle, Wall
-from rcj_challenges.scenario.polygons import distance_to_segment_m
 
 _Point = tuple[float, float]
 
@@ -35,7 +34,7 @@ class Target:
         return entity is not None and self.entity == entity
 
 
-def targets_of(named: str | _Point, workshop: Workshop, each: str | None) -> tuple[Target, ...]:
+def targets_of(named: str | _Point, context: CompileContext, each: str | None) -> tuple[Target, ...]:
     """Return what a name stands for, groups expanded, or a point.
 
     Raises:
@@ -44,15 +43,15 @@ def targets_of(named: str | _Point, workshop: Workshop, each: str | None) -> tup
     if isinstance(named, tuple):
         return (_standing(lambda: named),)
     found: list[Target] = []
-    for name in workshop.members(named, each):
-        among = workshop.roster.drawn.get(name)
-        found += [_target(name, workshop)] if among is None else [_if_drawn(name, one, workshop) for one in among]
+    for name in context.members(named, each):
+        among = context.roster.drawn.get(name)
+        found += [_target(name, context)] if among is None else [_if_drawn(name, one, context) for one in among]
     return tuple(found)
 
 
-def _if_drawn(draw: str, name: str, workshop: Workshop) -> Target:
+def _if_drawn(draw: str, name: str, context: CompileContext) -> Target:
     """Return one of those among which a draw decides: it is nowhere while another one is drawn."""
-    draws, target = workshop.state.draws, _target(name, workshop)
+    draws, target = context.state.draws, _target(name, context)
     place = target.place
     return Target(
         lambda x_m, y_m: target.away_m(x_m, y_m) if draws[draw] == name else None,
@@ -61,18 +60,18 @@ def _if_drawn(draw: str, name: str, workshop: Workshop) -> Target:
     )
 
 
-def _target(name: str, workshop: Workshop) -> Target:
-    scenario, state = workshop.scenario, workshop.state
-    if name in workshop.roster.entities:
-        return _entity(workshop.roster.index[name], workshop)
+def _target(name: str, context: CompileContext) -> Target:
+    scenario, state = context.scenario, context.state
+    if name in context.roster.entities:
+        return _entity(context.roster.index[name], context)
     if name in scenario.zones:
-        return Target(workshop.zone(name).away_m, None)
+        return Target(context.zone(name).away_m, None)
     if name in scenario.gates:
-        gate = GateLine(scenario.gates[name], workshop)
+        gate = context.gate(name)
         return Target(gate.distance_m, None, gate.anchor)
     if name in scenario.obstacles:
         return _fixed(scenario.obstacles[name])
-    spot = spot_name(workshop, name)
+    spot = spot_name(context, name)
     return _standing(lambda: state.spots[spot])
 
 
@@ -85,8 +84,8 @@ def _fixed(obstacle: Obstacle) -> Target:
     return _standing(lambda: centre)
 
 
-def _entity(index: int, workshop: Workshop) -> Target:
-    state = workshop.state
+def _entity(index: int, context: CompileContext) -> Target:
+    state = context.state
 
     def place() -> _Point | None:
         return state.poses[index][:2] if state.present[index] else None

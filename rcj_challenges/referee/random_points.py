@@ -7,7 +7,8 @@ from collections.abc import Callable, Mapping
 from itertools import accumulate
 from math import cos, pi, sin, sqrt, tau
 
-from rcj_challenges.referee.regions import Polygon, region_of
+from rcj_challenges.geometry.regions import Polygon
+from rcj_challenges.referee.zones import region_of
 from rcj_challenges.scenario.models import places as models
 
 Point = tuple[float, float]

@@ -10,8 +10,8 @@ from math import sqrt
 
 from rcj_challenges.facts.play import Placement, Pose2
 from rcj_challenges.referee.bodies import Bodies
-from rcj_challenges.referee.rules import StandingRule
 from rcj_challenges.referee.state import State, float32
+from rcj_challenges.tracking.bound_rules import BoundRule
 
 Point = tuple[float, float]
 Velocity = tuple[float, float]
@@ -240,7 +240,7 @@ class Job:
 
     entity: int
     putting: Putting | None
-    rule: StandingRule | None
+    rule: BoundRule | None
     due: int = 0
     signs: Point = (1.0, 1.0)
     comes_back: bool = False

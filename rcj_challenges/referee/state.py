@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
-import random
 import struct
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from math import sqrt
 
 from rcj_challenges.facts.amounts import on_paper, plain
-from rcj_challenges.facts.play import HalfInfo, Pose2
-from rcj_challenges.facts.streams import random_stream, stream_seed
+from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.timing import TICK_S, s_from_ticks, ticks_from_s
-from rcj_challenges.referee.held import Held
 from rcj_challenges.rules.fields import LONGEST_S, Scalar
 from rcj_challenges.rules.values import CounterValue, DrawnDuration
 from rcj_challenges.scenario.catalogue import EACH
@@ -21,8 +16,7 @@ from rcj_challenges.scenario.halves import half_length_s
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.models.state import Draw, Phase
 from rcj_challenges.scenario.roster import Roster
-
-Number = int | float
+from rcj_challenges.tracking.state import Clock, Number, RefereeState
 
 Lasting = float | DrawnDuration | CounterValue
 """How long something lasts, as the scenario's models have it."""
@@ -35,85 +29,24 @@ def float32(value: float) -> float:
     return float(_FLOAT32.unpack(_FLOAT32.pack(value))[0])
 
 
-@dataclass(slots=True)
-class Clock:
-    """One timer: it runs up to its length and stands there.
+class State(RefereeState):
+    """The referee's memory of one half, filled from a scenario.
 
     Attributes:
-        length: in ticks.
-        length_s: as the scenario says it, or its draw; whole ticks may be a little longer.
-        elapsed: ticks run until it was last started or held.
-        since: tick from which it runs, None while it is held.
-    """
-
-    length: int
-    elapsed: int = 0
-    since: int | None = None
-    length_s: float = 0.0
-
-    def ticks(self, tick: int) -> int:
-        """Return how long it has run."""
-        return min(self.length, self.elapsed + (tick - self.since if self.since is not None else 0))
-
-    def running(self, tick: int) -> bool:
-        """Return whether it runs and has not reached its length."""
-        return self.since is not None and self.ticks(tick) < self.length
-
-
-class State:
-    """What the referee knows at a tick.
-
-    Attributes:
-        tick: tick of the half.
-        clock: ticks of the half's clock: those of phases whose clock stops are not in it.
-        phase: the phase now.
-        poses: by entity, where it is now (after a placement: where it was put).
-        before: by entity, where it was a tick ago (or was put then).
-        by_hand: who was put where it is by hand since a tick ago, which tests do: its speed is unknown then.
-        uprights: by entity, cosine of the tilt.
-        present: by entity, whether it is on the field.
-        held: who is held, by the phase or by rules; also of those off the field.
-        put_at: by entity, [x, y] where it was last put, or started.
-        ways: by entity whose way somebody asks for, how far it has driven or rolled in the half, in m.
-        spots: by name, [x, y] where it is now: where the scenario says, until a rule sets it.
-        scores: by entrant, as seated in this half.
-        heard: by robot, what it has told the referee by radio, the last time in this half.
-        counters, flags: by name; a mapping by entity for those kept per entity.
-        timers: by name, then entity (None for one that is not kept per entity).
-        draws: by name, the value drawn.
-        ended: None, or why an ``end`` action ended the half.
-        match_over: whether that action ended the whole match.
+        scenario: the scenario.
+        roster: its roster.
     """
 
     def __init__(self, scenario: Scenario, roster: Roster, half: HalfInfo) -> None:
+        super().__init__(half, scenario.first_phase, len(roster.entities))
         self.scenario = scenario
         self.roster = roster
-        self.half = half
-        self.tick = 0
-        self.clock = 0
-        self.phase = scenario.first_phase
-        self.poses: list[Pose2] = []
-        self.before: list[Pose2] = []
-        self.by_hand: frozenset[int] = frozenset()
-        self.ways: dict[int, float] = {}
         self.spots = {name: (spot.x_m, spot.y_m) for name, spot in scenario.spots.items()}
-        self.uprights: list[float] = []
-        self.present = [True] * len(roster.entities)
-        self.held = Held()
-        self.put_at: list[tuple[float, float]] = []
-        self.heard: dict[str, str] = {}
-        self.scores: dict[str, Number] = {name: half.scores.get(name, 0) for name in scenario.entrants}
-        self.counters: dict[str, Number | dict[str, Number]] = {}
-        self.flags: dict[str, bool | dict[str, bool]] = {}
-        self.timers: dict[str, dict[str | None, Clock]] = {}
-        self.draws: dict[str, Scalar] = {}
+        self.scores = {name: half.scores.get(name, 0) for name in scenario.entrants}
         self._undrawn: dict[str, list[Scalar]] = {}
         self._decided: dict[str, list[Scalar]] = {}
         self._decided_spots: dict[str, list[tuple[float, float]]] = {}
-        self.ended: str | None = None
-        self.match_over = False
         self.entrant_of = {robot: name for name, entrant in scenario.entrants.items() for robot in entrant.robots}
-        self._streams: dict[str, random.Random] = {}
         self._fill()
 
     def _fill(self) -> None:
@@ -141,14 +74,6 @@ class State:
 
     def _members(self, group: str) -> tuple[str, ...]:
         return self.roster.expand(group)
-
-    def stream(self, use: str) -> random.Random:
-        """Return the random stream of a use in this half."""
-        found = self._streams.get(use)
-        if found is None:
-            found = random_stream(self.half.match_seed, f"{use}/half-{self.half.half}")
-            self._streams[use] = found
-        return found
 
     def decide_draws(self, decided: Mapping[str, Series]) -> None:
         """Draw everything at the start of the half, but for what is decided beforehand or kept from the last half.
@@ -262,35 +187,9 @@ class State:
             **({"counters": counters} if counters else {}),
         }  # fmt: skip
 
-    def follow_way(self, entity: int) -> None:
-        """Add up the way of an entity from now on."""
-        self.ways.setdefault(entity, 0.0)
-
-    def add_ways(self) -> None:
-        """Add the ways of the last tick; where something was put, its way begins."""
-        for entity in self.ways:
-            (x, y, _), (was_x, was_y, _) = self.poses[entity], self.before[entity]
-            self.ways[entity] += sqrt((x - was_x) ** 2 + (y - was_y) ** 2)
-
     def phase_model(self, name: str) -> Phase:
         """Return a phase of the scenario; ``play`` need not be written."""
         return self.scenario.phases.get(name) or Phase()
-
-    def counter(self, name: str, entity: str | None) -> Number:
-        """Return a counter; one kept per entity without an entity is the sum; an entrant's name is its score."""
-        value = self.counters.get(name)
-        if value is None:
-            return self.scores[name]
-        if isinstance(value, dict):
-            return value[entity] if entity is not None else on_paper(sum(value.values()))
-        return value
-
-    def flag(self, name: str, entity: str | None) -> bool:
-        """Return a flag; one kept per entity without an entity is whether any of them is set."""
-        value = self.flags[name]
-        if isinstance(value, dict):
-            return value[entity] if entity is not None else any(value.values())
-        return value
 
     def half_length_s(self) -> Number:
         """Return the length of the half in s as the record prints it.
@@ -299,7 +198,3 @@ class State:
         """
         nominal = half_length_s(self.scenario.match, self.half.half)
         return plain(nominal if ticks_from_s(nominal) == self.half.ticks else s_from_ticks(self.half.ticks))
-
-    def seed_id(self) -> str:
-        """Return eight hexadecimal digits that tell two seeds apart without telling the seed."""
-        return f"{stream_seed(self.half.match_seed, 'seed_id') & 0xFFFFFFFF:08x}"

@@ -10,10 +10,9 @@ from typing import Any
 from rcj_challenges.facts.amounts import on_paper, plain, within_most
 from rcj_challenges.facts.messages import number_in
 from rcj_challenges.facts.timing import s_from_ticks
-from rcj_challenges.referee.compiling import Workshop
+from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.referee.measuring import distance_reader, timer_reader, way_reader
-from rcj_challenges.referee.rules import Occasion
-from rcj_challenges.referee.state import Number, State
+from rcj_challenges.referee.state import State
 from rcj_challenges.rules.values import (
     CounterValue,
     DistanceValue,
@@ -34,91 +33,93 @@ from rcj_challenges.rules.values import (
 )
 from rcj_challenges.scenario.blanks import counted
 from rcj_challenges.scenario.measured import middle_of
+from rcj_challenges.tracking.bound_rules import Firing
+from rcj_challenges.tracking.state import Number
 
-Reader = Callable[[Occasion], Any]
+Reader = Callable[[Firing], Any]
 """Reads a value at the moment of a firing; JSON-able."""
 
 
-def compile_value(value: Any, workshop: Workshop, each: str | None) -> Reader:
+def compile_value(value: Any, context: CompileContext, each: str | None) -> Reader:
     """Return the reader of a value of an event's payload or of the broadcast."""
-    state = workshop.state
-    read_now = _reader_of_now(value, workshop, each)
+    state = context.state
+    read_now = _reader_of_now(value, context, each)
     if read_now is not None:
-        return lambda _occasion: read_now()
+        return lambda _firing: read_now()
     match value:
         case FlagValue():
-            flag, flag_of = value.flag, workshop.whose(value.entity, each)
-            return lambda _occasion: state.flag(flag, flag_of)
+            flag, flag_of = value.flag, context.whose(value.entity, each)
+            return lambda _firing: state.flag(flag, flag_of)
         case DrawValue():
             draw = value.draw
-            return lambda _occasion: state.draws[draw]
+            return lambda _firing: state.draws[draw]
         case WordValue():
             read, of = WORDS[value.word], value.of
-            return lambda occasion: read(state, occasion, of)
+            return lambda firing: read(state, firing, of)
         case PositionValue():
-            return _position_reader(value, workshop, each)
+            return _position_reader(value, context, each)
         case _:
-            return lambda _occasion: value
+            return lambda _firing: value
 
 
-def _reader_of_now(value: Any, workshop: Workshop, each: str | None) -> Callable[[], Any] | None:
+def _reader_of_now(value: Any, context: CompileContext, each: str | None) -> Callable[[], Any] | None:
     """Return the reader of a value that is the same whichever rule fires; None for any other."""
     makers = (make for kind, make in _READERS_OF_NOW.items() if isinstance(value, kind))
     make = next(makers, None)
-    return None if make is None else make(value, workshop, each)
+    return None if make is None else make(value, context, each)
 
 
-def _position_reader(value: PositionValue, workshop: Workshop, each: str | None) -> Reader:
-    state, name = workshop.state, value.position_of
-    if name in workshop.roster.drawn:
-        positions = {one: PositionValue(position_of=one) for one in workshop.roster.drawn[name]}
-        readers = {one: _position_reader(position, workshop, None) for one, position in positions.items()}
+def _position_reader(value: PositionValue, context: CompileContext, each: str | None) -> Reader:
+    state, name = context.state, value.position_of
+    if name in context.roster.drawn:
+        positions = {one: PositionValue(position_of=one) for one in context.roster.drawn[name]}
+        readers = {one: _position_reader(position, context, None) for one, position in positions.items()}
 
-        def decided(occasion: Occasion) -> Any:
-            return readers[str(state.draws[name])](occasion)
+        def decided(firing: Firing) -> Any:
+            return readers[str(state.draws[name])](firing)
 
         return decided
     if name in state.spots:
-        return lambda _occasion: [round(number, 6) for number in state.spots[name]]
-    thing = workshop.thing(name, each)
-    if thing >= len(workshop.roster.entities):
-        standing = middle_of(workshop.scenario.obstacles[workshop.roster.things[thing]])
-        return lambda _occasion: [round(number, 6) for number in standing]
-    return lambda _occasion: _position(state, thing)
+        return lambda _firing: [round(number, 6) for number in state.spots[name]]
+    thing = context.thing(name, each)
+    if thing >= len(context.roster.entities):
+        standing = middle_of(context.scenario.obstacles[context.roster.things[thing]])
+        return lambda _firing: [round(number, 6) for number in standing]
+    return lambda _firing: _position(state, thing)
 
 
-def _last_toucher(value: LastTouchValue, workshop: Workshop, each: str | None) -> Callable[[], str | None]:
+def _last_toucher(value: LastTouchValue, context: CompileContext, each: str | None) -> Callable[[], str | None]:
     """Return what tells the name of the robot that touched something last; None if none has."""
-    contacts, touched = workshop.contacts, workshop.thing(value.last_touch, each)
+    contacts, touched = context.contacts, context.thing(value.last_touch, each)
     contacts.follow_last(touched)
 
     def read() -> str | None:
         robot = contacts.last(touched)
-        return None if robot is None else workshop.roster.entities[robot]
+        return None if robot is None else context.roster.entities[robot]
 
     return read
 
 
-def _heard(value: ToldValue, workshop: Workshop, each: str | None) -> Callable[[], str | Number | None]:
+def _heard(value: ToldValue, context: CompileContext, each: str | None) -> Callable[[], str | Number | None]:
     """Return what tells what a robot has told the referee last; where a number is counted, 0 if it was none."""
-    told, robot = workshop.state.heard, workshop.members(value.told, each)[0]
+    told, robot = context.state.heard, context.members(value.told, each)[0]
     if isinstance(value, NumberTold):
         return lambda: on_paper(number_in(told.get(robot, "")) or 0)
     return lambda: told.get(robot)
 
 
-def _whether_held(value: HeldValue, workshop: Workshop, each: str | None) -> Callable[[], bool]:
+def _whether_held(value: HeldValue, context: CompileContext, each: str | None) -> Callable[[], bool]:
     """Return what tells whether a robot is held."""
-    return partial(workshop.state.held.holds, workshop.entity(value.held, each))
+    return partial(context.state.held.holds, context.entity(value.held, each))
 
 
-def counter_reader(value: CounterValue, workshop: Workshop, each: str | None) -> Callable[[], Number]:
+def counter_reader(value: CounterValue, context: CompileContext, each: str | None) -> Callable[[], Number]:
     """Return what reads a counter, or an entrant's score."""
-    state, name, whose = workshop.state, value.counter, workshop.whose(value.entity, each)
+    state, name, whose = context.state, value.counter, context.whose(value.entity, each)
     return lambda: state.counter(name, whose)
 
 
-_READERS_OF_NOW: dict[type, Callable[[Any, Workshop, str | None], Callable[[], Any]]] = {
+_READERS_OF_NOW: dict[type, Callable[[Any, CompileContext, str | None], Callable[[], Any]]] = {
     CounterValue: counter_reader,
     DistanceValue: distance_reader,
     WayValue: way_reader,
@@ -132,27 +133,27 @@ Bound = Number | CounterValue | LowestOfOthers | HighestOfOthers
 """What is compared with, as the scenario's models have it."""
 
 
-def compile_bound(bound: Bound, workshop: Workshop, each: str | None) -> Callable[[], Number]:
+def compile_bound(bound: Bound, context: CompileContext, each: str | None) -> Callable[[], Number]:
     """Return what reads what is compared with: a number, a counter, or the lowest or highest of others."""
     match bound:
         case CounterValue():
-            return counter_reader(bound, workshop, each)
+            return counter_reader(bound, context, each)
         case LowestOfOthers():
-            return _of_others(min, bound.lowest, workshop, each)
+            return _of_others(min, bound.lowest, context, each)
         case HighestOfOthers():
-            return _of_others(max, bound.highest, workshop, each)
+            return _of_others(max, bound.highest, context, each)
     number = plain(bound)
     return lambda: number
 
 
 def _of_others(
-    pick: Callable[[list[Number]], Number], name: str, workshop: Workshop, each: str | None
+    pick: Callable[[list[Number]], Number], name: str, context: CompileContext, each: str | None
 ) -> Callable[[], Number]:
     """Return what reads the lowest or highest value of a counter but that of ``each``.
 
     It is not a number, with which nothing compares, where nobody else is on the field, or ``each`` is not.
     """
-    state, entities = workshop.state, workshop.roster.entities
+    state, entities = context.state, context.roster.entities
     index = {entity: number for number, entity in enumerate(entities)}
 
     def is_there(member: str) -> bool:
@@ -168,14 +169,14 @@ def _of_others(
     return read
 
 
-def compile_amount(amount: Any, workshop: Workshop, each: str | None) -> Callable[[Occasion], Number]:
+def compile_amount(amount: Any, context: CompileContext, each: str | None) -> Callable[[Firing], Number]:
     """Return what reads a number, a counter, a flag (1 if it is set, else 0), a draw, or a number of the match."""
     if isinstance(amount, int | float):
         number = plain(amount)
-        return lambda _occasion: number
-    read = compile_value(amount, workshop, each)
+        return lambda _firing: number
+    read = compile_value(amount, context, each)
     counted = _counted(amount)
-    return read if counted is None else lambda occasion: counted(read(occasion))
+    return read if counted is None else lambda firing: counted(read(firing))
 
 
 def _counted(amount: Any) -> Callable[[Any], Number] | None:
@@ -187,16 +188,16 @@ def _counted(amount: Any) -> Callable[[Any], Number] | None:
     return _or_zero if isinstance(amount, NumberWord | DistanceValue) else None
 
 
-def compile_points(points: Any, workshop: Workshop, each: str | None) -> Callable[[Occasion], Number]:
+def compile_points(points: Any, context: CompileContext, each: str | None) -> Callable[[Firing], Number]:
     """Return what reads a number of points: one amount, or the sum of numbers and weighted ones."""
     if not isinstance(points, tuple):
-        return compile_amount(points, workshop, each)
-    parts = [(compile_amount(part, workshop, each), getattr(part, "weight", 1)) for part in points]
+        return compile_amount(points, context, each)
+    parts = [(compile_amount(part, context, each), getattr(part, "weight", 1)) for part in points]
 
-    def total(occasion: Occasion) -> Number:
+    def total(firing: Firing) -> Number:
         summed: Number = 0
         for read, weight in parts:
-            summed += within_most(read(occasion) * weight)  # each part: of ∞ - ∞ nothing could be told
+            summed += within_most(read(firing) * weight)  # each part: of ∞ - ∞ nothing could be told
         return on_paper(summed)
 
     return total
@@ -211,45 +212,45 @@ def _position(state: State, entity: int) -> list[float] | None:
     return [round(number, 6) for number in state.poses[entity]] if state.present[entity] else None
 
 
-def _entrant(state: State, occasion: Occasion, of: str | None) -> str:
+def _entrant(state: State, firing: Firing, of: str | None) -> str:
     """Return the entrant meant: the named one, else that of the robot that the firing is about."""
     if of is not None:
         return of
-    owners = (state.entrant_of.get(name) for name in (occasion.rule.each, occasion.entity) if name is not None)
+    owners = (state.entrant_of.get(name) for name in (firing.rule.each, firing.entity) if name is not None)
     return next((owner for owner in owners if owner is not None), "")
 
 
-def _robot_name(state: State, occasion: Occasion, _of: str | None) -> str:
-    names = (name for name in (occasion.rule.each, occasion.entity) if name in state.scenario.robots)
+def _robot_name(state: State, firing: Firing, _of: str | None) -> str:
+    names = (name for name in (firing.rule.each, firing.entity) if name in state.scenario.robots)
     return next((name for name in names if name is not None), "")
 
 
-def _team_name(state: State, occasion: Occasion, of: str | None) -> str:
-    entrant = _entrant(state, occasion, of)
+def _team_name(state: State, firing: Firing, of: str | None) -> str:
+    entrant = _entrant(state, firing, of)
     return state.half.team_names.get(entrant, entrant)
 
 
-def _score(state: State, occasion: Occasion, of: str | None) -> Number:
-    return state.scores.get(_entrant(state, occasion, of), 0)
+def _score(state: State, firing: Firing, of: str | None) -> Number:
+    return state.scores.get(_entrant(state, firing, of), 0)
 
 
-WORDS: dict[str, Callable[[State, Occasion, str | None], Any]] = {
+WORDS: dict[str, Callable[[State, Firing, str | None], Any]] = {
     "robot_name": _robot_name,
-    "entity_name": lambda _state, occasion, _of: occasion.subject or "",
-    "each_name": lambda _state, occasion, _of: occasion.rule.each or "",
-    "other_name": lambda _state, occasion, _of: occasion.rule.other or "",
+    "entity_name": lambda _state, firing, _of: firing.subject or "",
+    "each_name": lambda _state, firing, _of: firing.rule.each or "",
+    "other_name": lambda _state, firing, _of: firing.rule.other or "",
     "team_name": _team_name,
     "entrant": _entrant,
     "score": _score,
-    "halftime": lambda state, _occasion, _of: state.half.half,
-    "match_id": lambda state, _occasion, _of: state.half.match_id,
-    "total_match_time_s": lambda state, _occasion, _of: state.half_length_s(),
-    "time_s": lambda state, _occasion, _of: s_from_ticks(state.clock),
-    "time_left_s": lambda state, _occasion, _of: s_from_ticks(max(0, state.half.ticks - state.clock)),
-    "measured": lambda _state, occasion, _of: _rounded(occasion.measured),
-    "limit": lambda _state, occasion, _of: _rounded(occasion.limit),
-    "phase": lambda state, _occasion, _of: state.phase,
-    "seed_id": lambda state, _occasion, _of: state.seed_id(),
+    "halftime": lambda state, _firing, _of: state.half.half,
+    "match_id": lambda state, _firing, _of: state.half.match_id,
+    "total_match_time_s": lambda state, _firing, _of: state.half_length_s(),
+    "time_s": lambda state, _firing, _of: s_from_ticks(state.clock),
+    "time_left_s": lambda state, _firing, _of: s_from_ticks(max(0, state.half.ticks - state.clock)),
+    "measured": lambda _state, firing, _of: _rounded(firing.measured),
+    "limit": lambda _state, firing, _of: _rounded(firing.limit),
+    "phase": lambda state, _firing, _of: state.phase,
+    "seed_id": lambda state, _firing, _of: state.seed_id(),
 }
 """The words of `WordValue`, each with what it reads."""
 
@@ -261,18 +262,18 @@ def _rounded(number: float | None) -> Number | None:
     return None if number is None else plain(round(number, 6))
 
 
-def spoken(says: str, state: State, occasion: Occasion) -> str:
+def spoken(says: str, state: State, firing: Firing) -> str:
     """Return the sentence with {entity}, {each}, {other}, {team}, {measured}, {limit} and {points} filled in."""
     if "{" not in says:
         return says
-    points = str(on_paper(sum(occasion.scored.values())))
+    points = str(on_paper(sum(firing.scored.values())))
     filled = {
-        "{entity}": _named(occasion.subject),
-        "{each}": _named(occasion.rule.each),
-        "{other}": _named(occasion.rule.other),
-        "{team}": _team_name(state, occasion, None),
-        "{measured}": _said(occasion.measured),
-        "{limit}": _said(occasion.limit),
+        "{entity}": _named(firing.subject),
+        "{each}": _named(firing.rule.each),
+        "{other}": _named(firing.rule.other),
+        "{team}": _team_name(state, firing, None),
+        "{measured}": _said(firing.measured),
+        "{limit}": _said(firing.limit),
         "{points}": points,
         "{points} points": counted(points),
     }

@@ -7,14 +7,14 @@ from typing import NamedTuple
 
 from rcj_challenges.facts.play import Pose2
 from rcj_challenges.facts.timing import s_from_ticks
-from rcj_challenges.referee.regions import crossing
-from rcj_challenges.referee.sequences import seen_from
+from rcj_challenges.geometry.regions import crossing
 from rcj_challenges.rules.fields import Names
-from rcj_challenges.rules.triggers import Crosses
+from rcj_challenges.rules.triggers.crosses import Crosses
 from rcj_challenges.scenario.followed import followed
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import Sequence
 from rcj_challenges.scenario.roster import Roster, written_for
+from rcj_challenges.tracking.gates import seen_from
 
 _WAYS = {1: "forward", -1: "backward"}
 _WRONG = {"forward": -1, "backward": 1}

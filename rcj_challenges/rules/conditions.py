@@ -1,12 +1,15 @@
 """Conditions: levels, what must hold when a trigger fires."""
 
+from collections.abc import Callable, Mapping
 from math import pi
 from typing import Annotated, Literal
 
 from pydantic import Field, StringConstraints
 
-from rcj_challenges.facts.messages import MOST_LETTERS
+from rcj_challenges.facts.messages import MOST_LETTERS, READS, is_said
+from rcj_challenges.rules.base import Phrases, Word
 from rcj_challenges.rules.fields import Name, Names, NotNegative, Point, Scalar, Strict, described
+from rcj_challenges.rules.phrasing import listed, number
 from rcj_challenges.rules.refs import (
     DRAW,
     ENTITIES,
@@ -25,7 +28,7 @@ from rcj_challenges.rules.refs import (
     DrawnValue,
     Ref,
 )
-from rcj_challenges.rules.values import Bound, DrawValue
+from rcj_challenges.rules.values import Bound, CounterValue, DrawValue, HighestOfOthers, LowestOfOthers
 
 SaidText = Annotated[
     str,
@@ -48,8 +51,26 @@ Quantifier = Annotated[
 ]
 
 
-class _Condition(Strict):
+class _Condition(Word):
+    KEY = "condition"
+
     negate: bool = described(False, "True: the opposite must hold")
+
+    def about(self) -> Names | None:
+        """Return what it is about, if that is one name or list: the entities whose place it reads."""
+        return None
+
+    def is_always(self) -> bool:
+        """Return whether it holds at any time."""
+        return False
+
+    def is_several(self) -> bool:
+        """Return whether it is made of more than one condition."""
+        return False
+
+    def compares_with_counter(self) -> bool:
+        """Return whether it compares with a counter, or with those of others."""
+        return False
 
 
 class _Compared(_Condition):
@@ -63,9 +84,16 @@ class _Compared(_Condition):
         None, "holds at this value only; a number, {counter: NAME}, {lowest: NAME} or {highest: NAME}"
     )
 
+    def compares_with_counter(self) -> bool:
+        """Return whether it compares with a counter, or with those of others."""
+        bounds = (self.at_least, self.at_most, self.equals)
+        return any(isinstance(bound, CounterValue | LowestOfOthers | HighestOfOthers) for bound in bounds)
+
 
 class InZone(_Condition):
     """Whether an entity's centre is in a zone; off the field it is in none."""
+
+    ASKS_WHERE = True
 
     condition: Literal["in_zone"]
     entity: Annotated[Names, ENTITIES] = described(..., "an entity, each, or a group with `of`")
@@ -73,6 +101,10 @@ class InZone(_Condition):
         ..., "a zone, each, or a draw's name; with a list or group: in any of them"
     )
     of: Quantifier = described("any", "how many of a group must be in")
+
+    def about(self) -> Names | None:
+        """Return what it is about, if that is one name or list: the entities whose place it reads."""
+        return self.entity
 
 
 class Speed(_Compared):
@@ -82,9 +114,15 @@ class Speed(_Compared):
     entity: Annotated[Names, ENTITIES] = described(..., "an entity, each, or a group with `of`")
     of: Quantifier = described("any", "how many of a group must satisfy it")
 
+    def about(self) -> Names | None:
+        """Return what it is about, if that is one name or list: the entities whose place it reads."""
+        return self.entity
+
 
 class Distance(_Compared):
     """How far an entity's centre is from another thing, a place or a point, in m; off the field none holds."""
+
+    ASKS_WHERE = True
 
     condition: Literal["distance"]
     entity: Annotated[
@@ -103,6 +141,10 @@ class Distance(_Compared):
         "nearest point; inside a zone it is 0), a draw's name, a group (the nearest of it), or [x, y] in m",
     )
     of: Quantifier = described("any", "how many of a group must satisfy it")
+
+    def about(self) -> Names | None:
+        """Return what it is about, if that is one name or list: the entities whose place it reads."""
+        return self.entity
 
 
 class WayIs(_Compared):
@@ -126,6 +168,10 @@ class Looks(_Condition):
     )
     within_rad: float = described(0.2, "how far its front may point past it, to either side, in rad", gt=0, le=pi)
     of: Quantifier = described("any", "how many of a group must do so")
+
+    def about(self) -> Names | None:
+        """Return what it is about, if that is one name or list: the entities whose place it reads."""
+        return self.entity
 
 
 class IsHeld(_Condition):
@@ -199,6 +245,10 @@ class LastTouch(_Condition):
     entity: Annotated[Name, THING] = described("ball", "what was touched: an entity, a fixed obstacle, or each")
     by: Annotated[Names, ROBOTS] = described(..., "a robot, each, or a group: any of them")
 
+    def about(self) -> Names | None:
+        """Return what it is about, if that is one name or list: the entities whose place it reads."""
+        return self.entity
+
 
 class Message(Strict):
     """What a message of a robot must be."""
@@ -211,6 +261,35 @@ class Message(Strict):
     is_a: Literal["number", "position"] | None = described(
         None, "number: it must be one number; position: two numbers, x and y in m, 10 at most; left out: anything"
     )
+
+    def matcher(self, draws: Mapping[str, Scalar]) -> Callable[[str], bool]:
+        """Return what decides whether a message is as it must be.
+
+        Args:
+            draws: the value of each draw; read when a message comes.
+        """
+        text, parse = self.text, READS[self.is_a]
+
+        def wanted() -> tuple[Scalar, ...]:
+            if isinstance(text, DrawValue):
+                return (draws[text.draw],)
+            return text if isinstance(text, tuple) else (text,) if text is not None else ()
+
+        def matches(message: str) -> bool:
+            if parse(message) is None:
+                return False
+            return text is None or any(is_said(message, one) for one in wanted())
+
+        return matches
+
+    def said(self, phrases: Phrases) -> str:
+        """Return what the message must be: ``“FOUND”``, ``2``, ``a number``; an empty text if it may be anything."""
+        if isinstance(self.text, DrawValue):
+            return phrases.what_drawn(self.text.draw)
+        if self.text is not None:
+            wanted = self.text if isinstance(self.text, tuple) else (self.text,)
+            return listed([number(one) if isinstance(one, int | float) else f"“{one}”" for one in wanted], "or")
+        return {None: "", "number": "a number", "position": "a position (two numbers, x and y in m)"}[self.is_a]
 
 
 class Told(_Condition, Message):
@@ -259,6 +338,10 @@ class HalfIs(_Condition):
     at_most: int | None = described(None, "holds up to the half of this number", ge=1)
     equals: int | None = described(None, "holds in the half of this number only", ge=1)
 
+    def is_always(self) -> bool:
+        """Return whether it holds at any time: in some half, as rules say it that count time."""
+        return self.at_least == 1 and self.at_most is None and not self.negate
+
 
 Single = (
     InZone
@@ -290,6 +373,10 @@ class AnyOf(_Condition):
         description="the conditions, each as in a rule; all_of may be one of them, any_of itself not",
     )
 
+    def is_several(self) -> bool:
+        """Return whether it is made of more than one condition."""
+        return len(self.conditions) > 1
+
 
 class AllOf(_Condition):
     """Whether all of several conditions hold; those of a rule must all hold anyway."""
@@ -301,6 +388,10 @@ class AllOf(_Condition):
         min_length=1,
         description="the conditions, each as in a rule; any_of may be one of them, all_of itself not",
     )
+
+    def is_several(self) -> bool:
+        """Return whether it is made of more than one condition."""
+        return len(self.conditions) > 1
 
 
 Condition = Annotated[Single | AnyOf | AllOf, Field(discriminator="condition")]

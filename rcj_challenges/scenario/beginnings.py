@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from rcj_challenges.rules.actions import SetPhase
+from rcj_challenges.rules.triggers.half_started import HalfStarted
 from rcj_challenges.scenario.models.scenario import Scenario
 
 
@@ -31,7 +32,7 @@ def turns(scenario: Scenario) -> Iterator[Turn]:
     phases = first
     for name, rule in sorted(scenario.rules.items(), key=lambda named: named[1].priority):
         own = phases | first if rule.phases == "any" else frozenset(rule.phases)
-        if first <= own and any(trigger.trigger == "half_started" for trigger in rule.triggers):
+        if first <= own and any(isinstance(trigger, HalfStarted) for trigger in rule.triggers):
             surely = phases <= own and not rule.conditions and rule.exclusive is None
             yield Turn(name, phases, phases & own, surely)
             entered = [action.phase for action in rule.actions if isinstance(action, SetPhase)][-1:]

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from itertools import product
 
+from rcj_challenges.geometry.polygons import Point, distance_to_segment_m
 from rcj_challenges.rules.actions import SetSpot
 from rcj_challenges.rules.places import Mirror, OnLine, UniformIn
 from rcj_challenges.scenario.floor import floor_parts, on_floor
 from rcj_challenges.scenario.floor_shapes import lies_in
 from rcj_challenges.scenario.models.scenario import Expectation, Scenario
-from rcj_challenges.scenario.polygons import Point, distance_to_segment_m
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.visiting import Found

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from rcj_challenges.geometry.polygons import Point, side
 from rcj_challenges.scenario.models.field import FieldModel
-from rcj_challenges.scenario.polygons import Point, side
 
 Corners = tuple[Point, ...]
 

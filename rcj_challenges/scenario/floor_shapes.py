@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from itertools import pairwise
 from math import cos, hypot, pi, sin
 
+from rcj_challenges.geometry.polygons import Point, distance_to_segment_m, side
 from rcj_challenges.scenario.floor import Corners
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
-from rcj_challenges.scenario.polygons import Point, distance_to_segment_m, side
 
 _FAR_M = 100.0
 """Stands for an open side; ten times the largest field."""

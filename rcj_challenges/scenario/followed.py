@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from rcj_challenges.rules.triggers import SequenceBroken, SequenceCompleted
+from rcj_challenges.rules.triggers.sequence_broken import SequenceBroken
+from rcj_challenges.rules.triggers.sequence_completed import SequenceCompleted
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import Sequence
 from rcj_challenges.scenario.visiting import visit

@@ -11,7 +11,7 @@ from typing import Any
 from rcj_challenges.rules.actions import Score
 from rcj_challenges.rules.fields import Names, Strict
 from rcj_challenges.rules.refs import Ref, has_drawn_value, ref_of
-from rcj_challenges.rules.triggers import Touches
+from rcj_challenges.rules.triggers.touches import Touches
 from rcj_challenges.rules.values import WordValue
 from rcj_challenges.scenario.blanks import in_braces
 from rcj_challenges.scenario.catalogue import OTHER

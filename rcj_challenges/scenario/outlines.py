@@ -12,9 +12,9 @@ from dataclasses import dataclass
 from math import cos, inf, sin, sqrt
 
 from rcj_challenges.facts.play import Pose2
+from rcj_challenges.geometry.polygons import Point, distance_to_segment_m
 from rcj_challenges.scenario.models.field import Box, Cylinder, Obstacle, Wall
 from rcj_challenges.scenario.models.robots import Chassis
-from rcj_challenges.scenario.polygons import Point, distance_to_segment_m
 
 Points = tuple[Point, ...]
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from rcj_challenges.rules.actions import DrawAction
+from rcj_challenges.rules.triggers.half_started import HalfStarted
 from rcj_challenges.rules.values import DrawnDuration
 from rcj_challenges.scenario.beginnings import starting_each_half
 from rcj_challenges.scenario.catalogue import BOUND
@@ -29,7 +30,7 @@ def set_from_the_start(scenario: Scenario) -> frozenset[str]:
 
 
 def _hears_the_start(rule: Rule) -> bool:
-    return any(one.trigger == "half_started" for one in rule.triggers)
+    return any(isinstance(one, HalfStarted) for one in rule.triggers)
 
 
 def _asked_at_the_start(scenario: Scenario) -> set[str]:

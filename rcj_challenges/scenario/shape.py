@@ -14,6 +14,7 @@ from typing import Annotated, Any, Literal, NamedTuple, TypeVar, Union, get_args
 from pydantic import BaseModel, Discriminator, Tag
 from pydantic.fields import FieldInfo
 
+from rcj_challenges.rules.base import Vocabulary
 from rcj_challenges.rules.refs import DrawnValue, Ref, SectionRef
 from rcj_challenges.scenario.errors import nearest
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, Path, Step, child, plain
@@ -64,7 +65,8 @@ def bare(shape: Shape) -> Bare:
                 found = extra.discriminator if isinstance(extra, (FieldInfo, Discriminator)) else None
                 found = found.discriminator if isinstance(found, Discriminator) else found
                 discriminator = found or discriminator
-            shape = get_args(shape)[0]
+            words = next((extra for extra in shape.__metadata__ if isinstance(extra, Vocabulary)), None)
+            shape = get_args(shape)[0] if words is None else words.shape
         elif (rest := without_none(shape)) is not shape:
             shape = rest
         else:

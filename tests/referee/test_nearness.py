@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.referee.regions import region_of
-from rcj_challenges.referee.sequences import seen_from
+from rcj_challenges.referee.zones import region_of
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
+from rcj_challenges.tracking.gates import seen_from
 from tests.referee.test_conditions import ASKING
 from tests.referee.test_measured_values import TAKEN_OFF, paid, scoring
 from tests.referee.test_regions import point, zones

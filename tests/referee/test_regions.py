@@ -6,12 +6,13 @@ import pytest
 from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
+from rcj_challenges.geometry.polygons import distance_to_segment_m
+from rcj_challenges.geometry.regions import cell_beside_square, crossing
 from rcj_challenges.referee.bodies import Bodies
-from rcj_challenges.referee.regions import cell_beside_square, crossing, region_of
+from rcj_challenges.referee.zones import region_of
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone
 from rcj_challenges.scenario.models.robots import Chassis
 from rcj_challenges.scenario.outlines import Part, closer_than, gap_m, rectangle, robot_outline
-from rcj_challenges.scenario.polygons import distance_to_segment_m
 from rcj_challenges.scenario.roster import Roster
 
 number = st.floats(-1, 1, allow_subnormal=False).map(lambda value: round(value, 3))

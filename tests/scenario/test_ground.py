@@ -6,9 +6,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from rcj_challenges.geometry.polygons import is_simple
 from rcj_challenges.scenario.models.robots import Chassis
 from rcj_challenges.scenario.outlines import disc, extent, overlap, rectangle, robot_outline
-from rcj_challenges.scenario.polygons import is_simple
 from tests.scenario.writing import complaints, loaded, rule
 
 ROBOT = Chassis()

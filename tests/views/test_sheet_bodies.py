@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rcj_challenges.views.sheet.phrases import degrees, number
+from rcj_challenges.rules.phrasing import degrees, number
 from tests.views.sheets import sheet
 
 pytestmark = pytest.mark.usefixtures("without_drawing")

@@ -18,12 +18,12 @@ import pytest
 from pydantic import BaseModel, ValidationError
 
 from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.rules.phrasing import degrees, number, seconds
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import Loaded, load, load_resolved, load_text
 from rcj_challenges.scenario.models import scenario as models
 from rcj_challenges.views.drawing import draw_scenario
 from rcj_challenges.views.sheet import sheet_markdown
-from rcj_challenges.views.sheet.phrases import degrees, number, seconds
 from scripts.write_reference import read_examples
 
 pytestmark = pytest.mark.usefixtures("without_drawing")

@@ -30,7 +30,9 @@ from rcj_challenges.rules.conditions import (
     TimerIs,
     WayIs,
 )
-from rcj_challenges.rules.triggers import OnEvent, SequenceBroken, SequenceCompleted
+from rcj_challenges.rules.triggers.event import OnEvent
+from rcj_challenges.rules.triggers.sequence_broken import SequenceBroken
+from rcj_challenges.rules.triggers.sequence_completed import SequenceCompleted
 from rcj_challenges.rules.values import (
     CounterValue,
     FlagValue,

@@ -15,7 +15,7 @@ from rcj_challenges.rules.conditions import Drawn, SequenceAt
 from rcj_challenges.rules.fields import LONGEST_S
 from rcj_challenges.rules.places import MAX_KICK_MPS, DrawnSpeed
 from rcj_challenges.rules.refs import Ref, Reference, SectionRef, refs_of
-from rcj_challenges.rules.triggers import Touches
+from rcj_challenges.rules.triggers.touches import Touches
 from rcj_challenges.rules.values import DrawnDuration, HighestOfOthers, LowestOfOthers, NumberDraw, WeightedDraw
 from rcj_challenges.scenario.catalogue import BOUND, EACH, OTHER, Catalogue, texts
 from rcj_challenges.scenario.checks.bound import Bound

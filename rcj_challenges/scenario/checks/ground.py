@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import dist
 
+from rcj_challenges.geometry.polygons import Point, is_simple
 from rcj_challenges.rules.places import UniformIn
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.models.field import FieldModel, Obstacle, Wall
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.outlines import TOUCHING_M, Part, disc, extent, obstacle_outline, overlap, robot_outline
-from rcj_challenges.scenario.polygons import Point, is_simple
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.starting import start_pose
 from rcj_challenges.scenario.tree import Path

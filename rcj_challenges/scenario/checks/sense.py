@@ -27,7 +27,9 @@ from rcj_challenges.rules.conditions import (
 )
 from rcj_challenges.rules.fields import Scalar, Strict
 from rcj_challenges.rules.places import Kick
-from rcj_challenges.rules.triggers import Holds, StaysIn, TimeReached
+from rcj_challenges.rules.triggers.holds import Holds
+from rcj_challenges.rules.triggers.stays_in import StaysIn
+from rcj_challenges.rules.triggers.time_reached import TimeReached
 from rcj_challenges.rules.values import NumberWord
 from rcj_challenges.scenario.decided import check_decided_spots
 from rcj_challenges.scenario.drawn import never_drawn

@@ -7,7 +7,8 @@ from typing import Any, NamedTuple
 
 from rcj_challenges.rules.actions import Count, SequenceAction, SetFlag, TimerAction, ToggleFlag
 from rcj_challenges.rules.conditions import CounterIs, FlagIs, SequenceAt, TimerIs
-from rcj_challenges.rules.triggers import SequenceBroken, SequenceCompleted
+from rcj_challenges.rules.triggers.sequence_broken import SequenceBroken
+from rcj_challenges.rules.triggers.sequence_completed import SequenceCompleted
 from rcj_challenges.rules.values import (
     CounterValue,
     FlagValue,

@@ -6,7 +6,10 @@ from collections.abc import Iterator, Mapping
 
 from rcj_challenges.rules.actions import Emit, End, Score, SetPhase
 from rcj_challenges.rules.conditions import HalfIs
-from rcj_challenges.rules.triggers import HalfStarted, OnEvent, PhaseEntered, SequenceBroken
+from rcj_challenges.rules.triggers.event import OnEvent
+from rcj_challenges.rules.triggers.half_started import HalfStarted
+from rcj_challenges.rules.triggers.phase_entered import PhaseEntered
+from rcj_challenges.rules.triggers.sequence_broken import SequenceBroken
 from rcj_challenges.rules.values import WordValue
 from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.errors import listing, nearest

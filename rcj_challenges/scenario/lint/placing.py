@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 
+from rcj_challenges.geometry.polygons import Point
 from rcj_challenges.rules.actions import Place, Remove, SetPhase
+from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.conditions import Distance
 from rcj_challenges.rules.places import AtPoint, AtSpot, FurthestFree, NearestFree, OnLine, UniformIn
-from rcj_challenges.rules.triggers import HalfStarted, Trigger
+from rcj_challenges.rules.triggers.half_started import HalfStarted
 from rcj_challenges.rules.values import DistanceValue
 from rcj_challenges.scenario.checks.ground import Floor, obstacle_bodies
 from rcj_challenges.scenario.floor import floor_parts, on_floor
@@ -18,7 +20,6 @@ from rcj_challenges.scenario.lint.context import LintContext, is_active_in
 from rcj_challenges.scenario.models import places
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.outlines import Part, disc, overlap, robot_outline
-from rcj_challenges.scenario.polygons import Point
 from rcj_challenges.scenario.remembered import fixed_spots
 from rcj_challenges.scenario.tree import Path
 
@@ -118,7 +119,7 @@ class TwoRulesMoveOneThing(LintRule):
             trigger = next((trigger for trigger in one.triggers if trigger in other.triggers), None)
             both = moved & also_moved
             if trigger is not None and both and not self._are_kept_apart(one, other, trigger, ctx):
-                yield self.at(("rules", second), entities=", ".join(sorted(both)), trigger=trigger.trigger, other=first)
+                yield self.at(("rules", second), entities=", ".join(sorted(both)), trigger=trigger.name(), other=first)
 
     @staticmethod
     def _are_kept_apart(first: Rule, second: Rule, trigger: Trigger, ctx: LintContext) -> bool:

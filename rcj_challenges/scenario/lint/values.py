@@ -11,7 +11,11 @@ from rcj_challenges.rules.actions import Hold, Place, Remove
 from rcj_challenges.rules.conditions import Distance, Speed, SpotFree, TimerIs, WayIs
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.places import MAX_KICK_MPS, FurthestFree, NearestFree
-from rcj_challenges.rules.triggers import Displaced, Holds, NoProgress, StaysIn, TimeReached
+from rcj_challenges.rules.triggers.displaced import Displaced
+from rcj_challenges.rules.triggers.holds import Holds
+from rcj_challenges.rules.triggers.no_progress import NoProgress
+from rcj_challenges.rules.triggers.stays_in import StaysIn
+from rcj_challenges.rules.triggers.time_reached import TimeReached
 from rcj_challenges.scenario.blanks import BLANKS, in_braces
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.halves import MOST_LENGTHS, clock_may_stop, longest_half_s

@@ -15,7 +15,8 @@ from pydantic import ConfigDict, TypeAdapter, ValidationError
 from rcj_challenges.rules.actions import Action
 from rcj_challenges.rules.conditions import Condition
 from rcj_challenges.rules.places import At
-from rcj_challenges.rules.triggers import TimerExpired, Trigger
+from rcj_challenges.rules.triggers import AnyTrigger
+from rcj_challenges.rules.triggers.timer_expired import TimerExpired
 from rcj_challenges.rules.values import TimerValue, WordValue
 from rcj_challenges.scenario.catalogue import texts
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem, cut, in_plain_letters, listing, nearest
@@ -367,7 +368,7 @@ _LIKE = 0.65
 """A word of the language is taken for another only if it is more like it than a name need be."""
 
 
-_WORDS: tuple[tuple[str, Any], ...] = (("trigger", Trigger), ("condition", Condition), ("action", Action))
+_WORDS: tuple[tuple[str, Any], ...] = (("trigger", AnyTrigger), ("condition", Condition), ("action", Action))
 
 
 def _of_another_list(word: str, where: str) -> str:

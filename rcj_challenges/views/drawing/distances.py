@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from rcj_challenges.rules.actions import Count
 from rcj_challenges.rules.conditions import Distance, SpotFree
-from rcj_challenges.rules.triggers import Displaced
+from rcj_challenges.rules.triggers.displaced import Displaced
 from rcj_challenges.rules.values import Bound, CounterValue
 from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.scenario import Rule, Scenario

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
+from rcj_challenges.rules.phrasing import Subject, number, plain, quoted, quoted_measure
 from rcj_challenges.rules.values import CounterValue
-from rcj_challenges.views.sheet.nouns import Nouns, Subject, plain, quoted, quoted_measure
-from rcj_challenges.views.sheet.phrases import amount, number
+from rcj_challenges.views.sheet.nouns import Nouns
+from rcj_challenges.views.sheet.phrases import amount
 
 
 def counter_words(nouns: Nouns, c: Any) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from rcj_challenges.rules.actions import LastToucher
+from rcj_challenges.rules.phrasing import counted, heading, listed, metres, number, plain, quoted, quoted_measure
 from rcj_challenges.rules.places import (
     MAX_KICK_MPS,
     AtPoint,
@@ -24,18 +25,8 @@ from rcj_challenges.rules.places import (
 from rcj_challenges.rules.values import CounterValue, ToldValue
 from rcj_challenges.scenario.catalogue import BOUND, EACH
 from rcj_challenges.views.sheet.mirrored import mirrored_aim_words, mirrored_layout_words, mirrored_words
-from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted, quoted_measure
-from rcj_challenges.views.sheet.phrases import (
-    amount,
-    counted,
-    heading,
-    lasting,
-    metres,
-    metres_alike,
-    number,
-    value,
-    within_words,
-)
+from rcj_challenges.views.sheet.nouns import Nouns
+from rcj_challenges.views.sheet.phrases import amount, lasting, metres_alike, value, within_words
 
 
 def action_words(nouns: Nouns, action: Any) -> str:

@@ -2,33 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
-from rcj_challenges.facts.measures import measure_words
 from rcj_challenges.rules.conditions import AtLeast
 from rcj_challenges.rules.fields import Names, Scalar
+from rcj_challenges.rules.phrasing import Subject, listed, plain, quoted, quoted_measure
 from rcj_challenges.scenario.catalogue import BOUND, OTHER
+from rcj_challenges.scenario.followed import followed
+from rcj_challenges.scenario.halves import clock_may_stop
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.other import names_other, others_of
 from rcj_challenges.scenario.roster import WALLS, Roster, row_of, written_for
 from rcj_challenges.scenario.set_draws import set_from_the_start
 from rcj_challenges.views.sheet.absent import taken_off
-
-_MEASURED = {
-    "displaced": "the distance in m by which it was displaced",
-    "no_progress": "the length in m of its path",
-    "stays_in": "the time in s of the stay",
-    "tips_over": "its tilt in rad",
-    "holds": "the time in s for which that has held",
-    "time_reached": "the time in s",
-    "timer_expired": "the length in s of the timer",
-    "sequence_completed": "the time in s since the first step of the sequence",
-    "sequence_broken": "the time in s since the first step of the sequence",
-    "tells": "the number told",
-}
-"""What a trigger measures."""
+from rcj_challenges.views.sheet.meeting import may_meet
 
 _MEASURED_BY_SEVERAL = "what was measured"
 """Said where triggers of one rule measure different things."""
@@ -48,56 +36,8 @@ _WITHOUT_ARTICLE = frozenset(
 """What a name may begin with so that no article fits before it: ``outside_the_circle``, ``another_corner``."""
 
 
-@dataclass(frozen=True)
-class Subject:
-    """What a sentence is about, with what its verb must know.
-
-    Attributes:
-        text: ``the robots``.
-        plural: whether the verb stands in the plural: ``are``.
-        negated: whether the verb is negated: ``is not``.
-    """
-
-    text: str
-    plural: bool = False
-    negated: bool = False
-
-    def does(self, one: str, several: str) -> str:
-        """Return the subject with its verb: ``the robots move``, ``Y1 does not move``.
-
-        Args:
-            one: the verb after a single one: ``moves``, ``is``.
-            several: the verb after several, ``move``, ``are``; it also follows ``does not``.
-        """
-        if not self.negated:
-            return f"{self.text} {several if self.plural else one}"
-        if several in ("are", "were"):
-            return f"{self.text} {several if self.plural else one} not"
-        return f"{self.text} {'do' if self.plural else 'does'} not {several}"
-
-
-def plain(name: str) -> str:
-    """Return a name as people write it: ``blue goal``."""
-    return name.replace("_", " ")
-
-
-def quoted(name: str) -> str:
-    """Return the name of something that cannot be seen on the field, in quotes: ``“goal pause”``."""
-    return f"“{plain(name)}”"
-
-
-def quoted_measure(name: str) -> str:
-    """Return the name of what is counted or drawn, with its unit if it ends with one: ``“best (s)”``."""
-    return f"“{measure_words(name)}”"
-
-
 def _quoted_kept(kind: str, name: str) -> str:
     return quoted_measure(name) if kind == "counter" else quoted(name)
-
-
-def listed(parts: Sequence[str], last: str) -> str:
-    """Return parts as a list: ``Y1, Y2 or Y3``."""
-    return f" {last} ".join(part for part in (", ".join(parts[:-1]), *parts[-1:]) if part)
 
 
 class Nouns:
@@ -131,7 +71,7 @@ class Nouns:
     def within(self, rule: Rule) -> Nouns:
         """Return the nouns of one rule, which know what ``each``, ``other`` and ``measured`` are there."""
         other = self._touched(rule) if names_other(rule, self.scenario) else self.other
-        measured = {_MEASURED.get(trigger.trigger, _MEASURED_BY_SEVERAL) for trigger in rule.triggers}
+        measured = {trigger.MEASURED or _MEASURED_BY_SEVERAL for trigger in rule.triggers}
         only = measured.pop() if len(measured) == 1 else _MEASURED_BY_SEVERAL
         return Nouns(self.scenario, self.roster, other, rule.for_each, only, self._set_draws)
 
@@ -327,6 +267,48 @@ class Nouns:
         """Return the group of which each has a counter, flag, timer or sequence of its own; None for a single one."""
         one = getattr(self.scenario, f"{kind}s").get(name)
         return one.per if one is not None and one.per is not None and self._several(one.per) else None
+
+    def one_of_owners(self, kind: str, name: str) -> str | None:
+        """Return whose of several it is: ``each`` if the rule is for each of its owners, else the group; or None."""
+        per = getattr(self.scenario, f"{kind}s")[name].per
+        if per is None:
+            return None
+        is_own = self.each is not None and set(self.roster.expand(self.each)) <= set(self.roster.expand(per))
+        return "each" if is_own else str(per)
+
+    def sequence_of(self, sequence: str) -> str:
+        """Return what a sequence follows: an entity, or the group of which each member has one of its own."""
+        return followed(self.scenario.sequences[sequence])
+
+    def timer_of(self, timer: str) -> str | None:
+        """Return the group of entities of which each has a timer of its own; None where it is not kept for such."""
+        per = self.scenario.timers[timer].per
+        return per if per is not None and self.is_on_field(per) else None
+
+    def timer_length_s(self, timer: str) -> float | None:
+        """Return the length of a timer; None if a draw or a counter decides it."""
+        lasts_s = self.scenario.timers[timer].lasts_s
+        return lasts_s if isinstance(lasts_s, int | float) else None
+
+    def is_on_field(self, name: str) -> bool:
+        """Return whether a name stands for robots, balls or obstacles: zones, gates and empty groups do not."""
+        return any(member in self.roster.things for member in self.roster.expand(name)[:1])
+
+    def meeting_zones(self, names: Names) -> int:
+        """Return how many zones names stand for if any two of them may meet, else 0; ``each`` and a draw are one."""
+        several = dict.fromkeys(self.roster.expand(names))
+        zones = [[self.scenario.zones[one] for one in self.meant(name)] for name in several]
+        return len(several) if may_meet(zones) else 0
+
+    def clock_may_stop(self) -> bool:
+        """Return whether a phase stops the clock of the half."""
+        return clock_may_stop(self.scenario)
+
+    def condition(self, condition: Any) -> str:
+        """Return a condition as the part of a sentence that follows ``if``."""
+        from rcj_challenges.views.sheet.edges import condition_words  # noqa: PLC0415
+
+        return condition_words(self, condition)
 
     def every_kept(self, kind: str, name: str, entity: str | None) -> str:
         """Return the same for an action, where no entity means all of them."""

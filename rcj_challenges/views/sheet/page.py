@@ -8,7 +8,8 @@ from collections.abc import Set as AbstractSet
 
 from rcj_challenges.devices.channels import entrant_of
 from rcj_challenges.rules.actions import DrawAction, Hold, Place, Score, SequenceAction, SetPhase
-from rcj_challenges.rules.triggers import NoProgress
+from rcj_challenges.rules.phrasing import counted, listed, number, plain, quoted, quoted_measure, seconds
+from rcj_challenges.rules.triggers.no_progress import NoProgress
 from rcj_challenges.rules.values import CounterValue
 from rcj_challenges.scenario.blanks import description_of
 from rcj_challenges.scenario.catalogue import EACH
@@ -31,8 +32,8 @@ from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, 
 from rcj_challenges.views.sheet.deeds import placing_words, points_words, receiver_words
 from rcj_challenges.views.sheet.ground import field_blocks
 from rcj_challenges.views.sheet.machines import has, robot_blocks
-from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted, quoted_measure
-from rcj_challenges.views.sheet.phrases import counted, lasting, number, seconds, value
+from rcj_challenges.views.sheet.nouns import Nouns
+from rcj_challenges.views.sheet.phrases import lasting, value
 from rcj_challenges.views.sheet.rules import rule_blocks, when_words
 from rcj_challenges.views.sheet.spoken import spoken
 from rcj_challenges.views.sheet.told import told_blocks

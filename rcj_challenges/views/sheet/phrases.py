@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from rcj_challenges.facts.measures import number_words
 from rcj_challenges.rules.conditions import SpotFree
+from rcj_challenges.rules.phrasing import listed, metres, number, plain, quoted, quoted_measure, seconds
 from rcj_challenges.rules.values import (
     CounterValue,
     DistanceValue,
@@ -31,34 +30,10 @@ from rcj_challenges.rules.values import (
     WeightedTold,
     WordValue,
 )
-from rcj_challenges.views.sheet.nouns import Nouns, listed, plain, quoted, quoted_measure
+from rcj_challenges.views.sheet.nouns import Nouns
 
 USUALLY_FREE_M = float(SpotFree.model_fields["clearance_m"].default)
 """Nearer than this is nobody to a spot that is free, in m, where nothing else is said."""
-
-_DIGITS = 9  # behind the point: to so many scores and counters are exact
-_MOST = 1e15  # what neither a score nor a counter exceeds
-
-
-def number(value: float) -> str:
-    """Return a number without superfluous zeros: ``0.5``, ``1234567``.
-
-    All its digits are there: people compare it, and not all of them read ``1.23457e+06``.
-    """
-    if value and not 10**-_DIGITS <= abs(value) <= _MOST:
-        return f"{value:g}"
-    return number_words(value, _DIGITS)
-
-
-def counted(count: float, what: str) -> str:
-    """Return so many of something: ``1 point``, ``360 points``."""
-    many = number(count)
-    return f"{many} {what}{'' if many == '1' else 's'}"
-
-
-def seconds(value: float) -> str:
-    """Return a duration: ``15 s``, ``10 min``."""
-    return f"{value / 60:g} min" if value >= 120 and value % 60 == 0 else f"{value:g} s"
 
 
 def lasting(nouns: Nouns, lasts_s: float | DrawnDuration | CounterValue) -> str:
@@ -71,11 +46,6 @@ def lasting(nouns: Nouns, lasts_s: float | DrawnDuration | CounterValue) -> str:
     return f"{listed([seconds(time_s) for time_s in times_s], 'or')}, as {quoted_measure(lasts_s.draw)} is drawn"
 
 
-def metres(value: float) -> str:
-    """Return a length in m, or in cm below 10 cm."""
-    return f"{value * 100:g} cm" if value < 0.1 else f"{value:g} m"
-
-
 def within_words(clearance_m: float) -> str:
     """Return within which distance a spot must be free, if it is not the usual one: `` within 5 cm``."""
     return "" if clearance_m == USUALLY_FREE_M else f" within {metres(clearance_m)}"
@@ -85,22 +55,6 @@ def metres_alike(values: Sequence[float]) -> list[str]:
     """Return lengths that stand side by side in one unit: in m, or all in cm where one is below 10 cm, none 1 m."""
     small = any(0 < value < 0.1 for value in values) and all(value < 1 for value in values)
     return [f"{value * 100:g} cm" if small else f"{value:g} m" for value in values]
-
-
-def degrees(value_rad: float) -> str:
-    """Return an angle in rad as degrees, to a tenth, small ones to three digits: ``34.4°``, ``0.573°``."""
-    value = math.degrees(value_rad)
-    return f"{value:.3g}°" if abs(value) < 10 else f"{round(value, 1):g}°"
-
-
-def heading(yaw_rad: float) -> str:
-    """Return a direction on the floor: ``90° counter-clockwise from +x``."""
-    return f"{degrees(abs(yaw_rad))} {'clockwise' if yaw_rad < 0 else 'counter-clockwise'} from +x"
-
-
-def times(count: int) -> str:
-    """Return how often: ``once``, ``3 times``."""
-    return "once" if count == 1 else f"{count} times"
 
 
 def value(nouns: Nouns, value: Any) -> str:

@@ -5,20 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rcj_challenges.rules.actions import LastToucher, Place, Remove
+from rcj_challenges.rules.base import Word
 from rcj_challenges.rules.conditions import AllOf, Condition, Distance, InZone, LastTouch, Looks, Speed, SpotFree
+from rcj_challenges.rules.phrasing import listed, metres, quoted, seconds, times
 from rcj_challenges.rules.places import FurthestFree, NearestFree
-from rcj_challenges.rules.triggers import (
-    Crosses,
-    Displaced,
-    Enters,
-    HalfStarted,
-    Holds,
-    Leaves,
-    NoProgress,
-    StaysIn,
-    TipsOver,
-    Touches,
-)
+from rcj_challenges.rules.triggers.half_started import HalfStarted
+from rcj_challenges.rules.triggers.holds import Holds
 from rcj_challenges.rules.values import LastTouchValue
 from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.models.places import Placing
@@ -27,9 +19,9 @@ from rcj_challenges.scenario.other import meant_in, names_other, others_of
 from rcj_challenges.scenario.visiting import visit
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph
 from rcj_challenges.views.sheet.deeds import action_words
-from rcj_challenges.views.sheet.edges import condition_words, trigger_words
-from rcj_challenges.views.sheet.nouns import Nouns, listed, quoted
-from rcj_challenges.views.sheet.phrases import USUALLY_FREE_M, metres, seconds, times
+from rcj_challenges.views.sheet.edges import condition_words
+from rcj_challenges.views.sheet.nouns import Nouns
+from rcj_challenges.views.sheet.phrases import USUALLY_FREE_M
 from rcj_challenges.views.sheet.spoken import spoken
 
 _Named = tuple[str, Rule]
@@ -61,9 +53,7 @@ def _phases_words(scenario: Scenario) -> str:
         return ""
     only = "Where nothing else is said, a rule counts in the phase “play” only"
     lasting = any(
-        rule.phases == ("play",) and isinstance(model, StaysIn | NoProgress | Holds)
-        for rule in scenario.rules.values()
-        for model in rule.triggers
+        rule.phases == ("play",) and model.OVER_TIME for rule in scenario.rules.values() for model in rule.triggers
     )
     anew = ", and what must last for a time, or move within one, is measured anew after it" if lasting else ""
     return f" {only}; what happens in another phase is not made up for later{anew}."
@@ -73,7 +63,7 @@ def when_words(rule: Rule, nouns: Nouns) -> str:
     """Return when a rule fires: ``When the ball enters the blue goal, provided that …``."""
     nouns = nouns.within(rule)
     each = f"For {nouns.each_of(rule.for_each)}, when " if rule.for_each else "When "
-    edges = ", or when ".join(trigger_words(nouns, trigger, rule.for_each) for trigger in rule.triggers)
+    edges = ", or when ".join(trigger.describe(nouns) for trigger in rule.triggers)
     levels = " and ".join(f"that {condition_words(nouns, condition)}" for condition in rule.conditions)
     return f"{each}{edges}" + (f", provided {levels}" if levels else "")
 
@@ -121,7 +111,9 @@ def _exclusive_words(rules: list[_Named], nouns: Nouns) -> Iterator[str]:
 
 def _centres(scenario: Scenario) -> Iterator[Block]:
     """Return a sentence about what counts where rules ask where something is: whole bodies reach further."""
-    if scenario.sequences or any(isinstance(model, _OF_PLACES) for model, _ in visit(tuple(scenario.rules.values()))):
+    if scenario.sequences or any(
+        isinstance(model, Word) and model.ASKS_WHERE for model, _ in visit(tuple(scenario.rules.values()))
+    ):
         yield Paragraph(
             "Where a robot, a ball or an obstacle is, its centre says: it counts for zones and gates, and distances "
             "are measured from it."
@@ -212,13 +204,6 @@ def _in_its_phase(scenario: Scenario, *, back: bool) -> str:
     return f" in a phase in which that rule counts{unless}" if waiting else ""
 
 
-_OF_PLACES = Enters | Leaves | Crosses | StaysIn | Displaced | InZone | Distance
-"""Words that ask where something is."""
-
-_ON_THE_FIELD = Enters | Leaves | Crosses | Touches | Displaced | NoProgress | StaysIn | TipsOver
-"""Triggers that never find who is off the field."""
-
-
 def _back_sooner(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     """Return a sentence about what one rule takes off and another one puts somewhere: it is back then."""
     removals = [
@@ -250,7 +235,7 @@ def _asks_for_presence(rule: Rule, entity: str | tuple[str, ...], nouns: Nouns) 
     return all(
         _is_of_present(one.condition, entity)
         if isinstance(one, Holds)
-        else isinstance(one, _ON_THE_FIELD) and one.entity == entity
+        else one.ON_FIELD_ONLY and one.about(nouns) == entity
         for one in rule.triggers
     )
 

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import Any
 
+from rcj_challenges.rules.phrasing import number, plain
 from rcj_challenges.scenario.blanks import partly_filled
-from rcj_challenges.scenario.followed import heard
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.other import has_other, others_of, written_others
 from rcj_challenges.scenario.roster import row_of
-from rcj_challenges.views.sheet.nouns import Nouns, plain
-from rcj_challenges.views.sheet.phrases import number
+from rcj_challenges.views.sheet.nouns import Nouns
 
 OPEN = "…"
 """Stands for a number that is known only when the rule fires."""
@@ -30,19 +28,6 @@ _AFTER_A_NOUN = r"(\b(?:the|an?) (?!(?:next|other|first|second|third|last|new|sa
 
 _PLURALS = (("ies", "y"), ("es", ""), ("s", ""))
 """With what a group's name may end, and its members' in place of it."""
-
-_OF_ITS_PLACE = ("in_zone", "speed", "distance", "looks", "last_touch")
-"""The conditions that ``holds`` follows on behalf of an entity."""
-
-_LIMITS = {
-    "time_reached": "at_s",
-    "displaced": "distance_m",
-    "no_progress": "distance_m",
-    "stays_in": "limit_s",
-    "tips_over": "angle_rad",
-    "holds": "for_s",
-}
-"""The triggers that measure, with the limit that they measure against."""
 
 
 def spoken(nouns: Nouns, rule: Rule) -> str:
@@ -137,12 +122,7 @@ def _subject(nouns: Nouns, rule: Rule) -> str:
 
 
 def _goes_over_entities(nouns: Nouns, rule: Rule) -> bool:
-    return rule.for_each is not None and _is_on_the_field(nouns, rule.for_each)
-
-
-def _is_on_the_field(nouns: Nouns, name: str) -> bool:
-    """Return whether a name stands for robots, balls or obstacles: zones, gates and empty groups do not."""
-    return any(member in nouns.roster.things for member in nouns.roster.expand(name)[:1])
+    return rule.for_each is not None and nouns.is_on_field(rule.for_each)
 
 
 def _other(nouns: Nouns, rule: Rule) -> str:
@@ -177,46 +157,17 @@ def _team(nouns: Nouns, rule: Rule) -> str:
 
 
 def _limit(nouns: Nouns, rule: Rule) -> str:
-    limits = {_limit_of(nouns, trigger) for trigger in rule.triggers}
+    limits = {trigger.limit(nouns) for trigger in rule.triggers}
     only = limits.pop() if len(limits) == 1 else None
     return OPEN if only is None else number(round(only, 3))
 
 
 def _measured(nouns: Nouns, rule: Rule) -> str:
     """Return what is measured where that is known before: what lasts so long fires when it has lasted so long."""
-    return _limit(nouns, rule) if all(map(_fires_at_its_limit, rule.triggers)) else OPEN
-
-
-def _fires_at_its_limit(trigger: Any) -> bool:
-    if trigger.trigger == "holds":
-        return bool(trigger.for_s) and not trigger.every_s and not trigger.grace_s
-    return trigger.trigger == "timer_expired" or (trigger.trigger == "time_reached" and not trigger.every_s)
-
-
-def _limit_of(nouns: Nouns, trigger: Any) -> float | None:
-    if trigger.trigger == "timer_expired":
-        lasts_s = nouns.scenario.timers[trigger.timer].lasts_s
-        return lasts_s if isinstance(lasts_s, int | float) else None
-    limit = _LIMITS.get(trigger.trigger)
-    return None if limit is None else float(getattr(trigger, limit))
+    return _limit(nouns, rule) if all(trigger.measures_its_limit() for trigger in rule.triggers) else OPEN
 
 
 def _concerned(nouns: Nouns, rule: Rule) -> tuple[str, ...]:
     """Return what the triggers of a rule can be about, without repeats."""
-    return tuple(dict.fromkeys(name for trigger in rule.triggers for name in _of_trigger(nouns, trigger)))
-
-
-def _of_trigger(nouns: Nouns, trigger: Any) -> tuple[str, ...]:
-    scenario, names = nouns.scenario, getattr(trigger, "entity", None)
-    match trigger.trigger:
-        case "program_fault":
-            names = trigger.robot
-        case "sequence_completed" | "sequence_broken":
-            names = heard(trigger, scenario)
-        case "timer_expired":
-            per = scenario.timers[trigger.timer].per
-            # Of a zone or a gate the rule is not told which one it was.
-            names = per if per is not None and _is_on_the_field(nouns, per) else None
-        case "holds" if trigger.condition.condition in _OF_ITS_PLACE:
-            names = trigger.condition.entity
-    return () if names is None else row_of(names)
+    about = (trigger.about(nouns) for trigger in rule.triggers)
+    return tuple(dict.fromkeys(name for names in about if names is not None for name in row_of(names)))

@@ -11,6 +11,7 @@ from rcj_challenges.facts.messages import MOST_LETTERS
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.rules.actions import Emit
 from rcj_challenges.rules.fields import Scalar
+from rcj_challenges.rules.phrasing import listed, plain
 from rcj_challenges.rules.values import DrawValue, PositionValue, Value, WordValue
 from rcj_challenges.scenario.heard import referee_listens, robots_that_speak
 from rcj_challenges.scenario.models.robots import Kit, SupervisorReceiverDevice
@@ -18,7 +19,7 @@ from rcj_challenges.scenario.models.scenario import Broadcast, Scenario
 from rcj_challenges.scenario.own_devices import devices_of
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Table
 from rcj_challenges.views.sheet.machines import has
-from rcj_challenges.views.sheet.nouns import Nouns, listed, plain
+from rcj_challenges.views.sheet.nouns import Nouns
 from rcj_challenges.views.sheet.phrases import value
 from rcj_challenges.views.sheet.spoken import spoken
 

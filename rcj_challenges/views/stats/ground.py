@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from rcj_challenges.rules.actions import Score
 from rcj_challenges.rules.fields import Names
-from rcj_challenges.rules.triggers import Enters
+from rcj_challenges.rules.triggers.enters import Enters
 from rcj_challenges.scenario.models.field import FieldModel
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Rule, Scenario

@@ -4,10 +4,10 @@ import random
 
 import pytest
 
-from rcj_challenges.referee import watching
-from rcj_challenges.referee.regions import NOWHERE
+from rcj_challenges.geometry.regions import NOWHERE
 from rcj_challenges.referee.script import ScriptedPlay, half_of
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.tracking import trackers
 
 EVERYTHING = """
 match: {half_s: 600}
@@ -68,8 +68,8 @@ def wander(play: ScriptedPlay, seed: int, ticks: int) -> list[object]:
 def test_it_judges_as_one_that_looks_at_everything_closely(small, monkeypatch, seed):
     scenario = small(EVERYTHING)
     said = wander(ScriptedPlay(scenario, Roster.of(scenario), half_of(scenario)), seed, 1200)
-    monkeypatch.setattr(watching, "common_cell", lambda _one, _other: NOWHERE)
-    monkeypatch.setattr(watching, "_stayed", lambda _cell, _entity, _substeps: False)
+    monkeypatch.setattr(trackers, "common_cell", lambda _one, _other: NOWHERE)
+    monkeypatch.setattr(trackers, "_stayed", lambda _cell, _entity, _substeps: False)
     assert wander(ScriptedPlay(scenario, Roster.of(scenario), half_of(scenario)), seed, 1200) == said
     rules = {firing.rule for firing in said if hasattr(firing, "rule")}
     assert rules >= {"zones", "way", "own", "away"}

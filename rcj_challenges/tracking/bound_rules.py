@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from rcj_challenges.referee.state import Number
+from rcj_challenges.tracking.state import Number
 
 Test = Callable[[], bool]
 """A compiled condition: whether it holds now."""
 
 
 @dataclass(slots=True)
-class Past:
+class RuleHistory:
     """What a rule has done in this half; one for all that ``other`` stands for in it.
 
     Attributes:
@@ -25,7 +25,7 @@ class Past:
 
 
 @dataclass(eq=False)
-class StandingRule:
+class BoundRule:
     """A rule of the scenario for one member of its ``for_each`` (or for nobody in particular).
 
     Attributes:
@@ -38,7 +38,7 @@ class StandingRule:
         cooldown: ticks it rests after firing.
         max_executions: how often it may fire in the half.
         says: the sentence; what is known only when it fires is not filled in yet.
-        rank: place in the order of firing, over all standing rules.
+        rank: place in the order of firing, over all bound rules.
         tests: compiled conditions.
         actions: compiled actions.
         past: how often it has fired, and until when it rests.
@@ -53,8 +53,8 @@ class StandingRule:
     says: str
     rank: int = 0
     tests: tuple[Test, ...] = ()
-    actions: tuple[Callable[[Occasion], None], ...] = ()
-    past: Past = field(default_factory=Past)
+    actions: tuple[Callable[[Firing], None], ...] = ()
+    past: RuleHistory = field(default_factory=RuleHistory)
     other: str | None = None
     about: str | None = None
 
@@ -64,7 +64,7 @@ class StandingRule:
 
 
 @dataclass(slots=True)
-class Occasion:
+class Firing:
     """One firing while it happens: what the actions can name.
 
     Attributes:
@@ -75,7 +75,7 @@ class Occasion:
         scored: points given so far, by entrant.
     """
 
-    rule: StandingRule
+    rule: BoundRule
     entity: str | None
     trigger: str
     measured: float | None = None
@@ -94,42 +94,42 @@ class Occasion:
 
 
 @dataclass(frozen=True, slots=True)
-class Listener:
-    """A rule's ear at one trigger.
+class TriggerBinding:
+    """Binds a rule to one of its triggers.
 
     Attributes:
         rule: whose it is.
         entity: the entity or obstacle it is about, or None.
         trigger: the word.
-        key: order among all listeners: the rule's rank, the trigger's place in the rule, the index of what it is about.
+        key: order among all bindings: the rule's rank, the trigger's place in the rule, the index of what it is about.
     """
 
-    rule: StandingRule
+    rule: BoundRule
     entity: str | None
     trigger: str
     key: tuple[int, int, int]
 
 
 @dataclass(frozen=True, slots=True)
-class Hit:
+class TriggerHit:
     """A trigger that fired in this tick."""
 
-    listener: Listener
+    binding: TriggerBinding
     measured: float | None = None
     limit: float | None = None
 
 
-class Hits(list[Hit]):
+class HitBuffer(list[TriggerHit]):
     """The triggers that fired in this tick."""
 
-    def report(self, listeners: list[Listener], measured: float | None = None, limit: float | None = None) -> None:
-        """Note that the trigger of each of the listeners fired."""
-        for listener in listeners:
-            self.append(Hit(listener, measured, limit))
+    def report(self, bindings: list[TriggerBinding], measured: float | None = None, limit: float | None = None) -> None:
+        """Add a hit for each of the bindings."""
+        for binding in bindings:
+            self.append(TriggerHit(binding, measured, limit))
 
-    def first_by_rule(self) -> list[Hit]:
-        """Return one hit for each standing rule, in the order of firing; of several, the first trigger's."""
-        first: dict[int, Hit] = {}
-        for hit in sorted(self, key=lambda hit: hit.listener.key):
-            first.setdefault(hit.listener.key[0], hit)
+    def first_by_rule(self) -> list[TriggerHit]:
+        """Return one hit for each bound rule, in the order of firing; of several, the first trigger's."""
+        first: dict[int, TriggerHit] = {}
+        for hit in sorted(self, key=lambda hit: hit.binding.key):
+            first.setdefault(hit.binding.key[0], hit)
         return list(first.values())

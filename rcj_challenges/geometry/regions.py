@@ -1,7 +1,7 @@
 """Plane geometry of zones and gates: is a centre inside, how far is it, and around it, how far nothing can change.
 
-A *cell* is a box around a centre in which the answer is the same everywhere. The lookout checks one box per entity and
-sub-step instead of every zone of every rule; only a centre that leaves its box is looked at closely. A cell is
+A *cell* is a box around a centre in which the answer is the same everywhere. One box per entity and sub-step is checked
+instead of every zone of every rule; only a centre that leaves its box is looked at closely. A cell is
 ``(x_low, x_high, y_low, y_high)`` in m; a centre is in it when it is strictly between, so a centre exactly on a
 boundary is always looked at closely.
 """
@@ -12,9 +12,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable
 from math import inf, sqrt
 
-from rcj_challenges.rules.fields import Strict
-from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone
-from rcj_challenges.scenario.polygons import distance_to_segment_m
+from rcj_challenges.geometry.polygons import distance_to_segment_m
 
 Cell = tuple[float, float, float, float]
 """(x_low, x_high, y_low, y_high) in m; strictly between is inside."""
@@ -281,33 +279,6 @@ class FarFrom(Region):
         """Return a box that stays clear of the limit."""
         beside = cell_beside_square if self._square else cell_beside_circle
         return beside(x_m, y_m, self.anchor, self._limit)
-
-
-def region_of(zone: Strict) -> Outlined:
-    """Return the region of a zone of the scenario.
-
-    Raises:
-        TypeError: the zone is of no known shape.
-    """
-    region: Outlined
-    match zone:
-        case RectZone():
-            region = Rect(
-                -inf if zone.x_min_m is None else zone.x_min_m,
-                inf if zone.x_max_m is None else zone.x_max_m,
-                -inf if zone.y_min_m is None else zone.y_min_m,
-                inf if zone.y_max_m is None else zone.y_max_m,
-            )
-        case CircleZone():
-            region = Circle(zone.centre_m, zone.radius_m)
-        case PolygonZone():
-            region = Polygon(zone.points_m)
-        case HalfPlaneZone():
-            region = HalfPlane(zone.through_m, zone.normal)
-        case _:
-            message = f"not a zone: {type(zone).__name__}"
-            raise TypeError(message)
-    return Outside(region) if zone.inverted else region
 
 
 def crossing(

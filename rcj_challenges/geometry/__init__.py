@@ -1,0 +1,1 @@
+"""Plane geometry: points, segments, polygons and regions of the floor, without anything of a scenario."""

@@ -1,0 +1,252 @@
+"""What all words share: how they are listed, compiled by the referee and explained by the sheet.
+
+A word is one file: its model, what the referee makes of it, its sentence on the sheet, and its example. Such a file
+knows neither the referee nor the sheet, only the protocols `Binder` and `Phrases` here.
+"""
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Protocol, TypeVar, Union, get_args
+
+from pydantic import Field, GetCoreSchemaHandler
+from pydantic_core import CoreSchema
+
+from rcj_challenges.rules.fields import Names, Strict
+from rcj_challenges.rules.phrasing import Subject
+from rcj_challenges.tracking.bound_rules import BoundRule, HitBuffer, Test, TriggerBinding
+from rcj_challenges.tracking.clock_events import ClockEvents
+from rcj_challenges.tracking.contacts import Contacts
+from rcj_challenges.tracking.gates import GateLine
+from rcj_challenges.tracking.pose_history import PoseHistory
+from rcj_challenges.tracking.sequences import SequenceTracker
+from rcj_challenges.tracking.state import RefereeState
+from rcj_challenges.tracking.trackers import Tracker
+
+if TYPE_CHECKING:
+    from rcj_challenges.geometry.regions import Region
+
+ENTITY_DESCRIPTION = "whose: an entity (a robot, a ball or a movable obstacle), a group (any of them), or each"
+
+_T = TypeVar("_T", bound=Tracker)
+
+
+class Word(Strict):
+    """A word of the language.
+
+    Attributes:
+        KEY: the field that says which word it is: ``trigger``.
+        EXAMPLE: sections of a scenario that show it; run as a test and printed in the reference.
+        ASKS_WHERE: whether it asks where something is.
+    """
+
+    KEY: ClassVar[str]
+    EXAMPLE: ClassVar[str] = ""
+    ASKS_WHERE: ClassVar[bool] = False
+
+    @classmethod
+    def name(cls) -> str:
+        """Return how the file writes the word."""
+        return str(get_args(cls.model_fields[cls.KEY].annotation)[0])
+
+
+class Vocabulary:
+    """The words of one kind, in the order in which the schema and the reference list them.
+
+    It stands in annotations, ``Annotated[Trigger, TRIGGERS]``, where it is the union of its words, told apart by their
+    key. That is built when a model is first used, so words can be added until then.
+
+    Args:
+        key: the field that says which word it is.
+    """
+
+    def __init__(self, key: str) -> None:
+        self.key = key
+        self._words: list[type[Word]] = []
+
+    def add(self, *words: type[Word]) -> None:
+        """Add words at the end."""
+        self._words += words
+
+    def words(self) -> tuple[type[Word], ...]:
+        """Return all words."""
+        return tuple(self._words)
+
+    @property
+    def shape(self) -> Any:
+        """The union of the words, as a type annotation."""
+        return Annotated[Union[self.words()], Field(discriminator=self.key)]  # noqa: UP007 - built at run time
+
+    def __get_pydantic_core_schema__(self, _source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        """Return the schema of the union."""
+        return handler.generate_schema(self.shape)
+
+
+class Binder(Protocol):
+    """What a word needs to be compiled for one rule; the referee's compiler implements it."""
+
+    @property
+    def rule(self) -> BoundRule:
+        """The rule for which it is compiled."""
+
+    @property
+    def state(self) -> RefereeState:
+        """The referee's memory; read it when the rule is judged, not when it is compiled."""
+
+    @property
+    def hits(self) -> HitBuffer:
+        """Where trackers report."""
+
+    @property
+    def contacts(self) -> Contacts:
+        """What touches what."""
+
+    @property
+    def pose_history(self) -> PoseHistory:
+        """Judged poses of the past."""
+
+    @property
+    def clock_events(self) -> ClockEvents:
+        """Triggers that no tracker follows."""
+
+    @property
+    def drawn(self) -> Mapping[str, tuple[str, ...]]:
+        """For each draw that decides on a place: the places."""
+
+    def members(self, names: Names) -> tuple[str, ...]:
+        """Return what names stand for: groups expanded, ``each`` replaced, without repeats, in order."""
+
+    def entities(self, names: Names) -> tuple[int, ...]:
+        """Return the indices of entities."""
+
+    def things(self, names: Names) -> tuple[int, ...]:
+        """Return the indices of what can be touched: entities, fixed obstacles, walls."""
+
+    def index_of(self, name: str) -> int | None:
+        """Return the index of something that can be touched; None for anything else."""
+
+    def name_of(self, entity: int) -> str:
+        """Return the name of an entity."""
+
+    def region(self, names: Names) -> "Region":
+        """Return the region of a zone, or of several zones taken as one."""
+
+    def gate(self, name: str) -> GateLine:
+        """Return a gate."""
+
+    def sequences(self, name: str) -> dict[str | None, SequenceTracker]:
+        """Return the trackers of a sequence by whose it is; None for one that is not kept per entity."""
+
+    def track(self, kind: type[_T], key: tuple[object, ...], make: Callable[[], _T]) -> _T:
+        """Return the tracker that follows ``key`` in the phases of the rule; rules that follow the same share it."""
+
+    def track_alone(self, tracker: Tracker) -> None:
+        """Follow a tracker that is not shared, in the phases of the rule."""
+
+    def reset_with_draws(self, tracker: Tracker, names: tuple[str, ...]) -> None:
+        """Reset a tracker whenever one of the draws among these names decides otherwise."""
+
+    def binding(self, entity: int | None = None) -> TriggerBinding:
+        """Return the rule's binding to the trigger that is compiled.
+
+        Args:
+            entity: the index of what it is about.
+        """
+
+    def test(self, condition: Any) -> Test:
+        """Return the test of a condition."""
+
+    def placed_with(self, condition: Any) -> tuple[int, ...]:
+        """Return the entities whose place a condition reads."""
+
+
+class Phrases(Protocol):
+    """How the names of a scenario are written in sentences; the rule sheet implements it."""
+
+    def any_of(self, names: Names) -> str:
+        """Return the one of several that a rule is about: ``one of the robots``, ``Y1 or Y2``."""
+
+    def another_of(self, names: Names, than: Names) -> str:
+        """Return the one of several that another one meets: ``another of the robots``, if that is a robot too."""
+
+    def all_of(self, names: Names) -> Subject:
+        """Return several together: ``the blue robots and Y3``."""
+
+    def point(self, at: Any, measured_from: Any = None) -> str:
+        """Return a named thing or a point ``(x, y)``; of a group the nearest of it is meant."""
+
+    def owned(self, what: str, names: Names, name: str = "") -> str:
+        """Return what belongs to one of several: ``its program``, ``the timer “rest” of one of the robots``."""
+
+    def kept(self, kind: str, name: str, entity: str | None) -> str:
+        """Return a counter, flag, timer or sequence with whose it is: ``the counter “laps” of Y1``."""
+
+    def owners(self, kind: str, name: str) -> str | None:
+        """Return the group of which each has a counter, flag, timer or sequence of its own; None for a single one."""
+
+    def one_of_owners(self, kind: str, name: str) -> str | None:
+        """Return whose of several it is: ``each`` if the rule is for each of its owners, else the group; or None."""
+
+    def sequence_of(self, sequence: str) -> str:
+        """Return what a sequence follows: an entity, or the group of which each member has one of its own."""
+
+    def timer_of(self, timer: str) -> str | None:
+        """Return the group of entities of which each has a timer of its own; None where it is not kept for such."""
+
+    def timer_length_s(self, timer: str) -> float | None:
+        """Return the length of a timer; None if a draw or a counter decides it."""
+
+    def stands_fast(self, names: Names) -> bool:
+        """Return whether names stand for nothing but fixed obstacles."""
+
+    def meeting_zones(self, names: Names) -> int:
+        """Return how many zones names stand for if any two of them may meet, else 0."""
+
+    def clock_may_stop(self) -> bool:
+        """Return whether a phase stops the clock of the half."""
+
+    def condition(self, condition: Any) -> str:
+        """Return a condition as the part of a sentence that follows ``if``."""
+
+    def what_drawn(self, draw: str) -> str:
+        """Return what a draw decided: ``what was drawn as “target”``."""
+
+
+class Trigger(Word):
+    """A moment at which a rule may fire.
+
+    Attributes:
+        MEASURED: what it measures, as the sheet says it; empty: nothing.
+        LIMIT: the field with the limit that it measures against; empty: none.
+        ON_FIELD_ONLY: whether it never fires for what is off the field.
+        OVER_TIME: whether it measures over a time, which begins when the rule becomes active.
+    """
+
+    KEY = "trigger"
+    MEASURED: ClassVar[str] = ""
+    LIMIT: ClassVar[str] = ""
+    ON_FIELD_ONLY: ClassVar[bool] = False
+    OVER_TIME: ClassVar[bool] = False
+
+    def bind(self, to: Binder) -> None:
+        """Bind a rule to this trigger: to a tracker, or to the clock's events.
+
+        Args:
+            to: the rule's binder.
+        """
+        raise NotImplementedError
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``When``."""
+        raise NotImplementedError
+
+    def about(self, _phrases: Phrases) -> Names | None:
+        """Return what it can be about; None: nothing."""
+        names: Names | None = getattr(self, "entity", None)
+        return names
+
+    def limit(self, _phrases: Phrases) -> float | None:
+        """Return what it measures against; None: nothing, or it is not known before."""
+        return float(getattr(self, self.LIMIT)) if self.LIMIT else None
+
+    def measures_its_limit(self) -> bool:
+        """Return whether what it measures is always the limit: it fires when something has lasted so long."""
+        return False

@@ -1,0 +1,100 @@
+"""Numbers, names and lists as parts of sentences."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from rcj_challenges.facts.measures import measure_words, number_words
+
+_DIGITS = 9  # behind the point: to so many scores and counters are exact
+_MOST = 1e15  # what neither a score nor a counter exceeds
+
+
+@dataclass(frozen=True)
+class Subject:
+    """What a sentence is about, with what its verb must know.
+
+    Attributes:
+        text: ``the robots``.
+        plural: whether the verb stands in the plural: ``are``.
+        negated: whether the verb is negated: ``is not``.
+    """
+
+    text: str
+    plural: bool = False
+    negated: bool = False
+
+    def does(self, one: str, several: str) -> str:
+        """Return the subject with its verb: ``the robots move``, ``Y1 does not move``.
+
+        Args:
+            one: the verb after a single one: ``moves``, ``is``.
+            several: the verb after several, ``move``, ``are``; it also follows ``does not``.
+        """
+        if not self.negated:
+            return f"{self.text} {several if self.plural else one}"
+        if several in ("are", "were"):
+            return f"{self.text} {several if self.plural else one} not"
+        return f"{self.text} {'do' if self.plural else 'does'} not {several}"
+
+
+def plain(name: str) -> str:
+    """Return a name as people write it: ``blue goal``."""
+    return name.replace("_", " ")
+
+
+def quoted(name: str) -> str:
+    """Return the name of something that cannot be seen on the field, in quotes: ``“goal pause”``."""
+    return f"“{plain(name)}”"
+
+
+def quoted_measure(name: str) -> str:
+    """Return the name of what is counted or drawn, with its unit if it ends with one: ``“best (s)”``."""
+    return f"“{measure_words(name)}”"
+
+
+def listed(parts: Sequence[str], last: str) -> str:
+    """Return parts as a list: ``Y1, Y2 or Y3``."""
+    return f" {last} ".join(part for part in (", ".join(parts[:-1]), *parts[-1:]) if part)
+
+
+def number(value: float) -> str:
+    """Return a number without superfluous zeros: ``0.5``, ``1234567``.
+
+    All its digits are there: people compare it, and not all of them read ``1.23457e+06``.
+    """
+    if value and not 10**-_DIGITS <= abs(value) <= _MOST:
+        return f"{value:g}"
+    return number_words(value, _DIGITS)
+
+
+def counted(count: float, what: str) -> str:
+    """Return so many of something: ``1 point``, ``360 points``."""
+    many = number(count)
+    return f"{many} {what}{'' if many == '1' else 's'}"
+
+
+def seconds(value: float) -> str:
+    """Return a duration: ``15 s``, ``10 min``."""
+    return f"{value / 60:g} min" if value >= 120 and value % 60 == 0 else f"{value:g} s"
+
+
+def metres(value: float) -> str:
+    """Return a length in m, or in cm below 10 cm."""
+    return f"{value * 100:g} cm" if value < 0.1 else f"{value:g} m"
+
+
+def degrees(value_rad: float) -> str:
+    """Return an angle in rad as degrees, to a tenth, small ones to three digits: ``34.4°``, ``0.573°``."""
+    value = math.degrees(value_rad)
+    return f"{value:.3g}°" if abs(value) < 10 else f"{round(value, 1):g}°"
+
+
+def heading(yaw_rad: float) -> str:
+    """Return a direction on the floor: ``90° counter-clockwise from +x``."""
+    return f"{degrees(abs(yaw_rad))} {'clockwise' if yaw_rad < 0 else 'counter-clockwise'} from +x"
+
+
+def times(count: int) -> str:
+    """Return how often: ``once``, ``3 times``."""
+    return "once" if count == 1 else f"{count} times"

@@ -1,0 +1,106 @@
+"""The trigger ``displaced``."""
+
+from functools import partial
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from rcj_challenges.facts.play import Pose2
+from rcj_challenges.geometry.regions import Cell, FarFrom
+from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
+from rcj_challenges.rules.fields import Names, Point, Positive, described
+from rcj_challenges.rules.phrasing import metres
+from rcj_challenges.rules.refs import ENTITIES
+from rcj_challenges.tracking.bound_rules import HitBuffer
+from rcj_challenges.tracking.state import RefereeState
+from rcj_challenges.tracking.trackers import PositionTracker
+
+
+class Displaced(Trigger):
+    """Fires when an entity has been moved further than a distance from where it was put."""
+
+    trigger: Literal["displaced"]
+    entity: Annotated[Names, ENTITIES] = described(..., ENTITY_DESCRIPTION)
+    from_: Literal["last_placement"] | Point = Field(
+        "last_placement",
+        alias="from",
+        description="measured from where it was last put (noise included), or from [x, y] in m",
+    )
+    distance_m: Positive = described(..., "fires beyond this, in m")
+    axis: Literal["either", "distance"] = described(
+        "distance", "distance: the straight line; either: the larger of the shifts in x and in y"
+    )
+
+    MEASURED = "the distance in m by which it was displaced"
+    ON_FIELD_ONLY = True
+    ASKS_WHERE = True
+    LIMIT = "distance_m"
+    EXAMPLE = """
+rules:
+  pushed:
+    for_each: blue
+    triggers: [{trigger: displaced, entity: each, from: last_placement, distance_m: 0.05}]
+    actions: [{action: emit, event: PUSHED, payload: {robot_name: {word: robot_name}}}]
+  begin:
+    triggers: [{trigger: half_started}]
+    actions: [{action: place, entity: B1, at: {point: [0.3, 0.3]}}]
+expect:
+  more_than_5_cm_is_a_push:
+    keyframes:
+      - {at_s: 1, place: {B1: [0.34, 0.3]}}
+      - {at_s: 2, place: {B1: [0.36, 0.3]}}
+    lasts_s: 3
+    events: [{event: PUSHED, at_s: 2, payload: {robot_name: B1}}]
+"""
+
+    def bind(self, to: Binder) -> None:
+        """Bind a rule to the tracker of each entity."""
+        for entity in to.entities(self.entity):
+            key = (entity, self.from_, self.distance_m, self.axis)
+            make = partial(DisplacedTracker, entity, self, to.state, to.hits)
+            to.track(DisplacedTracker, key, make).bindings.append(to.binding(entity))
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``When``."""
+        origin = "where it was put" if self.from_ == "last_placement" else phrases.point(self.from_)
+        how = "" if self.axis == "distance" else " in x or in y"
+        return f"{phrases.any_of(self.entity)} is more than {metres(self.distance_m)}{how} from {origin}"
+
+
+class DisplacedTracker(PositionTracker):
+    """Follows how far an entity is from an anchor."""
+
+    def __init__(self, entity: int, model: Displaced, state: RefereeState, hits: HitBuffer) -> None:
+        super().__init__()
+        self.entity = entity
+        self.entities = (entity,)
+        self._limit = model.distance_m
+        self._region = FarFrom(model.distance_m, square=model.axis == "either")
+        self._fixed = None if isinstance(model.from_, str) else model.from_
+        self._beyond = False
+        self._state = state
+        self._hits = hits
+
+    def reset(self) -> None:
+        """Measure from where it was put, or from the fixed point; what is beyond now was beyond before."""
+        self._region.anchor = self._state.put_at[self.entity] if self._fixed is None else self._fixed
+        x, y, _ = self._state.poses[self.entity]
+        self._beyond = self._region.contains(x, y)
+
+    def cell(self, x_m: float, y_m: float) -> Cell:
+        """Return a cell on this side of the limit."""
+        return self._region.cell(x_m, y_m)
+
+    def advance(self, _before: list[Pose2], substeps: list[list[Pose2]]) -> None:
+        """Report the furthest of this tick's sub-steps when one goes beyond."""
+        went = False
+        furthest = 0.0
+        for poses in substeps:
+            x, y, _ = poses[self.entity]
+            distance = self._region.distance_m(x, y)
+            furthest = max(furthest, distance)
+            beyond = distance > self._limit
+            went = went or (beyond and not self._beyond)
+            self._beyond = beyond
+        if went:
+            self._hits.report(self.bindings, furthest, self._limit)

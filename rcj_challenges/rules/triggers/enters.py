@@ -1,0 +1,54 @@
+"""The trigger ``enters``."""
+
+from typing import Annotated, Literal
+
+from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
+from rcj_challenges.rules.fields import Names, described
+from rcj_challenges.rules.refs import ENTITIES, ZONES
+from rcj_challenges.tracking.zone_tracker import ZoneTracker
+
+
+class Enters(Trigger):
+    """Fires when an entity's centre comes into a zone it was not in."""
+
+    trigger: Literal["enters"]
+    entity: Annotated[Names, ENTITIES] = described(..., ENTITY_DESCRIPTION)
+    zone: Annotated[Names, ZONES] = described(
+        ..., "a zone, each, or a draw's name; with a list or group: into any of them from none of them"
+    )
+
+    ON_FIELD_ONLY = True
+    ASKS_WHERE = True
+    EXAMPLE = """
+rules:
+  goal:
+    triggers: [{trigger: enters, entity: ball, zone: [blue_goal, yellow_goal]}]
+    actions: [{action: emit, event: GOAL}]
+expect:
+  it_comes_when_the_centre_is_inside:
+    keyframes:
+      - {at_s: 1, place: {ball: [0, 0.6]}}
+      - {at_s: 2, move: {ball: [0, 0.8]}}
+    lasts_s: 3
+    events: [{event: GOAL, at_s: 1.73, tolerance_s: 0.05}]
+"""
+
+    def bind(self, to: Binder) -> None:
+        """Bind a rule to the tracker of each entity."""
+        for entity in to.entities(self.entity):
+            zone_tracker(to, entity, self.zone).entering.append(to.binding(entity))
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``When``."""
+        entered = f"{phrases.any_of(self.entity)} enters {phrases.any_of(self.zone)}"
+        # Several zones are judged as one: there is no edge between those that meet.
+        several = phrases.meeting_zones(self.zone)
+        return f"{entered} from outside {'both' if several == 2 else 'all of them'}" if several else entered
+
+
+def zone_tracker(to: Binder, entity: int, zone: Names) -> ZoneTracker:
+    """Return the tracker of an entity into and out of a zone, or of several zones taken as one."""
+    zones, region = to.members(zone), to.region(zone)
+    tracker = to.track(ZoneTracker, (entity, zones), lambda: ZoneTracker(entity, region, to.state, to.hits))
+    to.reset_with_draws(tracker, zones)
+    return tracker

@@ -1,0 +1,46 @@
+"""The trigger ``event``."""
+
+from typing import Annotated, Literal
+
+from rcj_challenges.rules.base import Binder, Phrases, Trigger
+from rcj_challenges.rules.fields import EventName, Names, described
+from rcj_challenges.rules.refs import KEEPING, Ref
+
+
+class OnEvent(Trigger):
+    """Fires one tick after an event was emitted."""
+
+    trigger: Literal["event"]
+    event: EventName = described(..., "the event")
+    entity: Annotated[Names | None, Ref("entity, obstacle, zone or gate", KEEPING, groups=True, each=True)] = described(
+        None,
+        "only if it is about this one (whom the rule that emits it is for, or its trigger found): an entity, a fixed "
+        "obstacle, a zone or gate that the rule is for, a group (any of them), or each; left out: whatever it is about",
+    )
+
+    EXAMPLE = """
+# `entity: each` (or a name) hears the events that are about that one: {trigger: event, event: FOUL, entity: each}.
+rules:
+  goal:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    actions: [{action: emit, event: GOAL}]
+  cheer:
+    triggers: [{trigger: event, event: GOAL}]
+    actions: [{action: emit, event: CHEER}]
+expect:
+  one_tick_later:
+    keyframes: [{at_s: 0.96, place: {ball: [0, 0.8]}}]
+    lasts_s: 2
+    events: [{event: GOAL, at_s: 0.96, tolerance_s: 0.01}, {event: CHEER, at_s: 0.992, tolerance_s: 0.01}]
+"""
+
+    def bind(self, to: Binder) -> None:
+        """Bind a rule to an event, or to the event about each of those that are named."""
+        events = to.clock_events.events
+        for name in (None,) if self.entity is None else to.members(self.entity):
+            index = None if name is None else to.index_of(name)  # a zone or a gate has none
+            events.setdefault((self.event, name), []).append(to.binding(index))
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``When``."""
+        return f"{self.event} was announced" + (f" of {phrases.any_of(self.entity)}" if self.entity else "")

@@ -1,0 +1,22 @@
+"""The trigger ``half_ended``."""
+
+from typing import Literal
+
+from rcj_challenges.rules.base import Binder, Phrases, Trigger
+from rcj_challenges.rules.triggers.half_started import HalfStarted
+
+
+class HalfEnded(Trigger):
+    """Fires once after the last tick of a half."""
+
+    trigger: Literal["half_ended"]
+
+    EXAMPLE = HalfStarted.EXAMPLE
+
+    def bind(self, to: Binder) -> None:
+        """Bind a rule to the end of the half."""
+        to.clock_events.half_ended.append(to.binding())
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``When``."""
+        return "a half is over"

@@ -1,0 +1,145 @@
+"""The trigger ``holds``."""
+
+from typing import Literal
+
+from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s, whole_ticks_within_s
+from rcj_challenges.rules.base import Binder, Phrases, Trigger
+from rcj_challenges.rules.conditions import Condition
+from rcj_challenges.rules.fields import DurationS, Names, NotNegative, described
+from rcj_challenges.rules.phrasing import seconds
+from rcj_challenges.tracking.bound_rules import HitBuffer, Test
+from rcj_challenges.tracking.state import RefereeState
+from rcj_challenges.tracking.trackers import NEVER, TickTracker
+
+
+class Holds(Trigger):
+    """Fires when a condition has held for a time, and again at intervals if asked."""
+
+    trigger: Literal["holds"]
+    condition: Condition = described(..., "the condition")
+    for_s: NotNegative = described(
+        0.0,
+        "how long it must hold, in s; 0: when it comes true, and not if it was true when the rule came to life, or a "
+        "rule made it true that puts things somewhere or takes them off (spot_free, sequence_at, and a counter beside "
+        "the lowest or highest of others hear that one tick later)",
+    )
+    grace_s: NotNegative = described(0.0, "an interruption of up to this time counts as holding, in s")
+    every_s: DurationS | None = described(
+        None,
+        "fires again after each of these times in s while it goes on, counted from when for_s was full; left out: once",
+    )
+
+    MEASURED = "the time in s for which that has held"
+    OVER_TIME = True
+    LIMIT = "for_s"
+    EXAMPLE = """
+rules:
+  point_for_each_second_in_the_middle:
+    triggers:
+      - trigger: holds
+        condition: {condition: distance, entity: ball, to: centre, at_most: 0.1}
+        for_s: 1
+        every_s: 1
+    actions: [{action: score, entrant: yellow}]
+expect:
+  three_seconds_give_three_points:
+    keyframes:
+      - {at_s: 1, place: {ball: [0.05, 0]}}
+      - {at_s: 3.5, place: {ball: [0.5, 0]}}
+    lasts_s: 5
+    score: {yellow: 3}
+"""
+
+    def bind(self, to: Binder) -> None:
+        """Bind a rule to a tracker of its own."""
+        tracker = HoldTracker(to.test(self.condition), self, to.state, to.hits)
+        tracker.entities = to.placed_with(self.condition)
+        # What it is about is known if one entity stands in the condition.
+        tracker.bindings.append(to.binding(tracker.entities[0] if len(tracker.entities) == 1 else None))
+        to.track_alone(tracker)
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``When``."""
+        if self.every_s and self.condition.is_always():
+            # Without for_s it was true before when it begins: it comes for the first time after the first interval.
+            return f"{seconds(self.for_s or self.every_s)} have passed, and again every {seconds(self.every_s)}"
+        for_s = f"for {seconds(self.for_s)}" if self.for_s else ""
+        held = phrases.condition(self.condition)
+        grace = f" (interruptions of up to {seconds(self.grace_s)} do not count)" if self.grace_s else ""
+        again = f", and again every {seconds(self.every_s)} while that lasts" if self.every_s else ""
+        # Behind several it would read as if only the last of them had to last, behind a counter as if that said it.
+        before = self.condition.is_several() or self.condition.compares_with_counter()
+        lasting = " ".join(filter(None, (for_s, held) if before else (held, for_s)))
+        return f"{lasting}{grace}{again}"
+
+    def about(self, _phrases: Phrases) -> Names | None:
+        """Return the entity whose place the condition reads."""
+        return self.condition.about()
+
+    def measures_its_limit(self) -> bool:
+        """Return whether it fires once, as soon as the condition has held for so long without interruption."""
+        return bool(self.for_s) and not self.every_s and not self.grace_s
+
+
+class HoldTracker(TickTracker):
+    """Measures how long a condition holds; an interruption of up to the grace counts as holding."""
+
+    def __init__(self, test: Test, model: Holds, state: RefereeState, hits: HitBuffer) -> None:
+        super().__init__()
+        self._test = test
+        self._for_s = model.for_s
+        self._for = ticks_from_s(model.for_s)
+        self._grace = whole_ticks_within_s(model.grace_s)
+        self._every_s = model.every_s
+        self._again = 0
+        self._began: int | None = None
+        self._lost: int | None = None
+        self._next = NEVER
+        self._state = state
+        self._hits = hits
+
+    def reset(self) -> None:
+        """Begin to count now if it holds. What must hold for no time at all was true before and does not fire."""
+        tick = self._state.tick
+        self._lost = None
+        self._began = tick if self._test() else None
+        self._next, self._again = tick + self._for, 0
+        if self._for == 0:
+            self._next = self._next_after(tick, tick)
+            if self._began is not None and self._every_s is None:
+                self.true_before = tick
+            elif self.true_before == tick:  # what begins with the half is put in its place in the same tick
+                self.true_before = None
+
+    def moved(self) -> None:
+        """Reset, unless the condition is about several entities and held throughout."""
+        held = self._began is not None and self._lost is None
+        if len(self.entities) == 1 or not (held and self._test()):
+            self.reset()
+
+    def update(self) -> None:
+        """Report when it has held long enough."""
+        tick = self._state.tick
+        if not self._test():
+            if self._began is not None and self._lost is None:
+                self._lost = tick
+            return
+        if self._began is None or (self._lost is not None and tick - self._lost > self._grace):
+            self._began, self._next, self._again = tick, tick + self._for, 0
+        self._lost = None
+        if tick >= self._next:
+            self._next = self._next_after(tick, self._began)
+            self._hits.report(self.bindings, s_from_ticks(tick - self._began), self._for_s)
+
+    def _next_after(self, tick: int, began: int) -> int:
+        """Return when it fires again.
+
+        Each time is counted from the beginning: rounded up one by one, 120 intervals of 1 s would take 122.9 s.
+        """
+        if self._every_s is None:
+            return NEVER
+        after = tick
+        while after <= tick:  # in phases in which it is not active, times pass
+            self._again += 1
+            after = began + ticks_from_s(self._for_s + self._again * self._every_s)
+        return after

@@ -1,0 +1,88 @@
+"""The trigger ``sequence_completed``."""
+
+from typing import Annotated, Literal
+
+from rcj_challenges.rules.base import Binder, Phrases, Trigger
+from rcj_challenges.rules.fields import Name, Names, described
+from rcj_challenges.rules.refs import ENTITIES, SEQUENCE
+from rcj_challenges.tracking.sequences import SequenceTracker
+
+WHOSE_SEQUENCE = (
+    "for a sequence kept per entity: whose; each: the current one; a group: any of them; left out, without for_each: "
+    "any that has one"
+)
+
+
+class SequenceCompleted(Trigger):
+    """Fires when the last step of a sequence is made."""
+
+    trigger: Literal["sequence_completed"]
+    sequence: Annotated[Name, SEQUENCE] = described(..., "the sequence")
+    entity: Annotated[Names | None, ENTITIES] = described(None, WHOSE_SEQUENCE)
+
+    MEASURED = "the time in s since the first step of the sequence"
+    EXAMPLE = """
+zones:
+  west: {shape: rect, x_max_m: -0.3}
+  middle: {shape: rect, x_min_m: -0.1, x_max_m: 0.1}
+  east: {shape: rect, x_min_m: 0.3}
+sequences:
+  carry: {entity: ball, steps: [west, middle, east], wrong_step: break}
+rules:
+  done:
+    triggers: [{trigger: sequence_completed, sequence: carry}]
+    actions: [{action: emit, event: CARRIED}]
+  wrong:
+    triggers: [{trigger: sequence_broken, sequence: carry}]
+    actions: [{action: emit, event: WRONG_WAY}]
+expect:
+  from_west_over_the_middle_to_the_east:
+    keyframes:
+      - {at_s: 1, place: {ball: [-0.4, 0]}}
+      - {at_s: 3, move: {ball: [0.4, 0]}}
+    lasts_s: 4
+    events: [{event: CARRIED}]
+  once_it_is_complete_nothing_is_wrong_before_its_first_step:
+    keyframes:
+      - {at_s: 1, place: {ball: [-0.4, 0]}}
+      - {at_s: 3, move: {ball: [0.4, 0]}}
+      - {at_s: 4, place: {ball: [0, 0]}}
+      - {at_s: 5, place: {ball: [0.4, 0]}}
+    lasts_s: 6
+    events: [{event: CARRIED}]
+  the_middle_may_not_be_left_out:
+    keyframes:
+      - {at_s: 1, place: {ball: [-0.4, 0]}}
+      - {at_s: 2, place: {ball: [0.4, 0]}}
+    lasts_s: 3
+    events: [{event: WRONG_WAY}]
+"""
+
+    def bind(self, to: Binder) -> None:
+        """Bind a rule to the sequence."""
+        for tracker in trackers_of(to, self.sequence, self.entity):
+            tracker.completed.append(to.binding(tracker.entity))
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``When``."""
+        return f"{which_sequence(phrases, self.sequence, self.entity)} is complete"
+
+    def about(self, phrases: Phrases) -> Names | None:
+        """Return what it can be about."""
+        return self.entity or phrases.sequence_of(self.sequence)
+
+
+def trackers_of(to: Binder, sequence: str, entity: Names | None) -> tuple[SequenceTracker, ...]:
+    """Return the trackers of a sequence: those of the entities that are named, else of all that have one."""
+    trackers = to.sequences(sequence)
+    if entity is None:
+        return tuple(trackers.values())
+    return tuple(trackers[member] for member in to.members(entity))
+
+
+def which_sequence(phrases: Phrases, sequence: str, entity: Names | None) -> str:
+    """Return the sequence that a trigger waits for, with whose it is where each of several has one."""
+    owners = phrases.owners("sequence", sequence)
+    if owners is None:
+        return phrases.kept("sequence", sequence, entity if isinstance(entity, str) else None)
+    return phrases.owned("sequence", entity or owners, sequence)

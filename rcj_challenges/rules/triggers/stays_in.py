@@ -1,0 +1,120 @@
+"""The trigger ``stays_in``."""
+
+from functools import partial
+from typing import Annotated, Literal
+
+from rcj_challenges.facts.play import Pose2
+from rcj_challenges.facts.timing import s_from_ticks, whole_ticks_within_s
+from rcj_challenges.geometry.regions import Cell, Region
+from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
+from rcj_challenges.rules.fields import DurationS, Names, NotNegative, described
+from rcj_challenges.rules.phrasing import seconds
+from rcj_challenges.rules.refs import ENTITIES, ZONES
+from rcj_challenges.tracking.bound_rules import HitBuffer
+from rcj_challenges.tracking.state import RefereeState
+from rcj_challenges.tracking.trackers import NEVER, DueTracker, PositionTracker
+
+
+class StaysIn(Trigger):
+    """Fires while inside, once the stay is longer than a limit; short excursions count as inside."""
+
+    trigger: Literal["stays_in"]
+    entity: Annotated[Names, ENTITIES] = described(..., ENTITY_DESCRIPTION)
+    zone: Annotated[Names, ZONES] = described(
+        ..., "a zone, each, or a draw's name; with a list or group: in any of them"
+    )
+    limit_s: DurationS = described(..., "fires as soon as the stay is longer than this, in s")
+    grace_s: NotNegative = described(0.0, "an absence of up to this time counts as inside, in s")
+
+    MEASURED = "the time in s of the stay"
+    ON_FIELD_ONLY = True
+    ASKS_WHERE = True
+    OVER_TIME = True
+    LIMIT = "limit_s"
+    EXAMPLE = """
+rules:
+  waits_too_long:
+    for_each: robots
+    triggers: [{trigger: stays_in, entity: each, zone: penalty_areas, limit_s: 5, grace_s: 1}]
+    actions: [{action: emit, event: TOO_LONG, payload: {robot_name: {word: robot_name}}}]
+expect:
+  an_absence_of_half_a_second_counts_as_inside:
+    keyframes:
+      - {at_s: 1, place: {Y1: [0, 0.65]}}
+      - {at_s: 4, place: {Y1: [0, 0.5]}}
+      - {at_s: 4.5, place: {Y1: [0, 0.65]}}
+    lasts_s: 8
+    events: [{event: TOO_LONG, at_s: 6.05, payload: {robot_name: Y1}}]
+"""
+
+    def bind(self, to: Binder) -> None:
+        """Bind a rule to the tracker of each entity."""
+        zones, region = to.members(self.zone), to.region(self.zone)
+        for entity in to.entities(self.entity):
+            key = (entity, zones, self.limit_s, self.grace_s)
+            tracker = to.track(StayTracker, key, partial(StayTracker, entity, region, self, to.state, to.hits))
+            to.reset_with_draws(tracker, zones)
+            tracker.bindings.append(to.binding(entity))
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``When``."""
+        grace = f" (leaving for up to {seconds(self.grace_s)} does not count)" if self.grace_s else ""
+        stay = f"has been in {phrases.any_of(self.zone)} for more than {seconds(self.limit_s)}{grace}"
+        return f"{phrases.any_of(self.entity)} {stay}"
+
+
+class StayTracker(PositionTracker, DueTracker):
+    """Measures how long an entity stays in a region; an absence of up to the grace counts as inside."""
+
+    def __init__(self, entity: int, region: Region, model: StaysIn, state: RefereeState, hits: HitBuffer) -> None:
+        super().__init__()
+        self.entity = entity
+        self.entities = (entity,)
+        self._region = region
+        self._limit_s = model.limit_s
+        self._longer = whole_ticks_within_s(model.limit_s) + 1  # the first tick at which it is longer than the limit
+        self._grace = whole_ticks_within_s(model.grace_s)
+        self._came: int | None = None
+        self._left: int | None = None
+        self._reported = False
+        self._state = state
+        self._hits = hits
+
+    def reset(self) -> None:
+        """Begin a stay now if inside."""
+        self._left = None
+        x, y, _ = self._state.poses[self.entity]
+        inside = self._state.present[self.entity] and self._region.contains(x, y)
+        self._begin(self._state.tick if inside else None)
+
+    def _begin(self, tick: int | None) -> None:
+        self._came, self._reported = tick, False
+        self.due = NEVER if tick is None else tick + self._longer
+
+    def cell(self, x_m: float, y_m: float) -> Cell:
+        """Return the region's cell."""
+        return self._region.cell(x_m, y_m)
+
+    def advance(self, _before: list[Pose2], substeps: list[list[Pose2]]) -> None:
+        """Begin, go on with, or leave a stay, as the judged poses say; without grace any sub-step outside ends it."""
+        tick = self._state.tick
+        contains, entity = self._region.contains, self.entity
+        inside = [contains(x, y) for x, y, _ in (poses[entity] for poses in substeps)]
+        if not inside[-1]:
+            if self._came is not None and self._left is None:
+                self._left, self.due = tick, NEVER
+            return
+        absent = 0 if self._left is None else tick - self._left
+        self._left = None
+        if self._came is None or absent > self._grace or (self._grace == 0 and not all(inside)):
+            self._begin(tick)
+        elif not self._reported:
+            self.due = self._came + self._longer
+
+    def update(self) -> None:
+        """Report a stay that is longer than the limit, once."""
+        if self._came is None:
+            self.due = NEVER
+            return
+        self._reported, self.due = True, NEVER
+        self._hits.report(self.bindings, s_from_ticks(self._state.tick - self._came), self._limit_s)

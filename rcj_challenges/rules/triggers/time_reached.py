@@ -1,0 +1,52 @@
+"""The trigger ``time_reached``."""
+
+from typing import Literal
+
+from rcj_challenges.rules.base import Binder, Phrases, Trigger
+from rcj_challenges.rules.fields import DurationS, described
+from rcj_challenges.rules.phrasing import seconds
+from rcj_challenges.tracking.clock_events import Alarm
+
+
+class TimeReached(Trigger):
+    """Fires when the clock of the half reaches a time, and again every so often if asked."""
+
+    trigger: Literal["time_reached"]
+    at_s: DurationS = described(..., "time since the start of the half in s")
+    every_s: DurationS | None = described(
+        None, "fires again after each of these times in s, counted from at_s, until the half ends; left out: once"
+    )
+
+    MEASURED = "the time in s"
+    LIMIT = "at_s"
+    EXAMPLE = """
+rules:
+  half_way:
+    triggers: [{trigger: time_reached, at_s: 30}]
+    actions: [{action: emit, event: HALF_WAY}]
+  every_5_s:
+    triggers: [{trigger: time_reached, at_s: 5, every_s: 5}]
+    actions: [{action: count, counter: rounds}]
+counters: {rounds: {}}
+expect:
+  it_comes_after_30_s:
+    keyframes: [{at_s: 1}]
+    lasts_s: 40
+    events: [{event: HALF_WAY, at_s: 30}]
+    counters: {rounds: 8}
+"""
+
+    def bind(self, to: Binder) -> None:
+        """Bind a rule to an alarm of the half's clock."""
+        to.clock_events.wait_for(Alarm(to.binding(), self.at_s, self.every_s))
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``When``."""
+        again = f", and again every {seconds(self.every_s)} until it ends" if self.every_s else ""
+        # Where a phase stops the clock, the half lasts longer than that shows.
+        lasted = "clock of the half has reached" if phrases.clock_may_stop() else "half has lasted"
+        return f"the {lasted} {seconds(self.at_s)}{again}"
+
+    def measures_its_limit(self) -> bool:
+        """Return whether it fires once only."""
+        return not self.every_s

@@ -1,0 +1,105 @@
+"""The trigger ``timer_expired``."""
+
+from typing import Annotated, Literal
+
+from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.rules.base import Binder, Phrases, Trigger
+from rcj_challenges.rules.fields import Name, Names, described
+from rcj_challenges.rules.phrasing import quoted
+from rcj_challenges.rules.refs import TIMER
+from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding
+from rcj_challenges.tracking.state import Clock, RefereeState
+from rcj_challenges.tracking.trackers import NEVER, DueTracker
+
+
+class TimerExpired(Trigger):
+    """Fires when a timer reaches its length."""
+
+    trigger: Literal["timer_expired"]
+    timer: Annotated[Name, TIMER] = described(
+        ..., "the timer; of one kept per entity: with for_each over those that of the current one, else any of them"
+    )
+
+    MEASURED = "the length in s of the timer"
+    EXAMPLE = """
+timers:
+  patience: {lasts_s: 5}
+rules:
+  touched:
+    triggers: [{trigger: touches, entity: robots, other: ball}]
+    actions: [{action: timer, timer: patience, do: restart}]
+  nobody_came:
+    triggers: [{trigger: timer_expired, timer: patience}]
+    actions: [{action: emit, event: NOBODY_CAME}]
+expect:
+  it_comes_5_s_after_the_last_touch:
+    keyframes:
+      - {at_s: 1, touch: [[Y1, ball]]}
+      - {at_s: 3, touch: [[Y2, ball]]}
+    lasts_s: 10
+    events: [{event: NOBODY_CAME, at_s: 8}]
+"""
+
+    def bind(self, to: Binder) -> None:
+        """Bind a rule to a timer; of one per entity to that of ``each``, else to any of them."""
+        clocks = to.state.timers[self.timer]
+        each = to.rule.each
+        tracker = to.track(TimerTracker, (self.timer,), lambda: TimerTracker(clocks, to.state, to.hits))
+        for member in (each,) if each in clocks else clocks:
+            index = None if member is None else to.index_of(member)
+            tracker.by_member.setdefault(member, []).append(to.binding(index))
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``When``."""
+        whose = phrases.one_of_owners("timer", self.timer)
+        if whose is None:
+            return f"the timer {quoted(self.timer)} runs out"
+        return f"{phrases.owned('timer', whose, self.timer)} runs out"
+
+    def about(self, phrases: Phrases) -> Names | None:
+        """Return what it can be about; of a zone or a gate the rule does not know which one it was."""
+        return phrases.timer_of(self.timer)
+
+    def limit(self, phrases: Phrases) -> float | None:
+        """Return the length of the timer; None if a draw or a counter decides it."""
+        return phrases.timer_length_s(self.timer)
+
+    def measures_its_limit(self) -> bool:
+        """Return True: it fires when the timer has run for its length."""
+        return True
+
+
+class TimerTracker(DueTracker):
+    """Reports the clocks of a timer that reach their length.
+
+    Attributes:
+        by_member: the rules that it reports to, by whose clock it is.
+    """
+
+    def __init__(self, clocks: dict[str | None, Clock], state: RefereeState, hits: HitBuffer) -> None:
+        super().__init__()
+        self.by_member: dict[str | None, list[TriggerBinding]] = {}
+        self._clocks = clocks
+        self._state = state
+        self._hits = hits
+
+    @staticmethod
+    def _end(clock: Clock) -> int:
+        return NEVER if clock.since is None else clock.since + clock.length - clock.elapsed
+
+    def reset(self) -> None:
+        """Wait for the clocks that run; what has run out before is past."""
+        self.reschedule()
+
+    def reschedule(self) -> None:
+        """Find the next clock to run out."""
+        ends = (self._end(clock) for clock in self._clocks.values())
+        self.due = min((end for end in ends if end > self._state.tick), default=NEVER)
+
+    def update(self) -> None:
+        """Report the clocks that reach their length at this tick."""
+        for member, clock in self._clocks.items():
+            if self._end(clock) == self._state.tick:
+                ran_s = s_from_ticks(clock.length)
+                self._hits.report(self.by_member.get(member, []), ran_s, clock.length_s)
+        self.reschedule()

@@ -1,0 +1,82 @@
+"""The trigger ``tips_over``."""
+
+from functools import partial
+from math import acos, cos
+from typing import Annotated, Literal
+
+from rcj_challenges.rules.base import Binder, Phrases, Trigger
+from rcj_challenges.rules.fields import Names, Positive, described
+from rcj_challenges.rules.phrasing import degrees
+from rcj_challenges.rules.refs import Ref
+from rcj_challenges.tracking.bound_rules import HitBuffer
+from rcj_challenges.tracking.state import RefereeState
+from rcj_challenges.tracking.trackers import TickTracker
+
+
+class TipsOver(Trigger):
+    """Fires when a robot tilts further than an angle."""
+
+    trigger: Literal["tips_over"]
+    entity: Annotated[
+        Names,
+        Ref(
+            "robot",
+            frozenset({"robot"}),
+            groups=True,
+            each=True,
+            instead="an obstacle does not tip over: of a movable one 'displaced' tells that it was pushed away",
+        ),
+    ] = described(..., "whose: a robot, a group of robots (any of them), or each")
+    angle_rad: Positive = described(0.7854, "tilt of its vertical axis in rad", lt=3.1416)
+
+    MEASURED = "its tilt in rad"
+    ON_FIELD_ONLY = True
+    LIMIT = "angle_rad"
+    EXAMPLE = """
+rules:
+  fell:
+    triggers: [{trigger: tips_over, entity: robots, angle_rad: 0.8}]
+    actions: [{action: emit, event: FELL, payload: {robot_name: {word: entity_name}}}]
+expect:
+  it_is_named:
+    keyframes: [{at_s: 1, tips: [B3]}]
+    lasts_s: 2
+    events: [{event: FELL, payload: {robot_name: B3}}]
+"""
+
+    def bind(self, to: Binder) -> None:
+        """Bind a rule to the tracker of each robot."""
+        for robot in to.entities(self.entity):
+            make = partial(TiltTracker, robot, self.angle_rad, to.state, to.hits)
+            to.track(TiltTracker, (robot, self.angle_rad), make).bindings.append(to.binding(robot))
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``When``."""
+        return f"{phrases.any_of(self.entity)} tilts by more than {degrees(self.angle_rad)}"
+
+
+class TiltTracker(TickTracker):
+    """Reports the tick in which a robot exceeds a tilt."""
+
+    def __init__(self, robot: int, limit_rad: float, state: RefereeState, hits: HitBuffer) -> None:
+        super().__init__()
+        self.entities = (robot,)
+        self._robot = robot
+        self._limit_rad = limit_rad
+        self._min_cos = cos(limit_rad)
+        self._tilted = False
+        self._state = state
+        self._hits = hits
+
+    def reset(self) -> None:
+        """Take the present tilt for the one before."""
+        self._tilted = self._state.uprights[self._robot] < self._min_cos
+
+    def update(self) -> None:
+        """Report when it goes beyond the limit."""
+        if not self._state.present[self._robot]:
+            return
+        upright = self._state.uprights[self._robot]
+        was, self._tilted = self._tilted, upright < self._min_cos
+        if self._tilted and not was:
+            self._hits.report(self.bindings, acos(max(-1.0, min(1.0, upright))), self._limit_rad)

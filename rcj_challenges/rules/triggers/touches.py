@@ -1,0 +1,158 @@
+"""The trigger ``touches``."""
+
+from functools import partial
+from typing import Annotated, Literal
+
+from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.rules.base import Binder, Phrases, Trigger
+from rcj_challenges.rules.fields import DurationS, Names, described
+from rcj_challenges.rules.phrasing import seconds
+from rcj_challenges.rules.refs import FIXED, MOVING, THINGS, Ref
+from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding
+from rcj_challenges.tracking.contacts import Contacts, Pair
+from rcj_challenges.tracking.state import RefereeState
+from rcj_challenges.tracking.trackers import TickTracker
+
+
+class Touches(Trigger):
+    """Fires when two bodies come into contact that were not in the sub-step before."""
+
+    trigger: Literal["touches"]
+    entity: Annotated[Names, THINGS] = described(
+        ...,
+        "whose: an entity (a robot, a ball or a movable obstacle), a fixed obstacle, a group (any of them), or each",
+    )
+    other: Annotated[Names, Ref("entity or obstacle", MOVING | FIXED | {"walls"}, groups=True, each=True)] = described(
+        ...,
+        "what it touches: entities, obstacles, walls, or a group; where all triggers of a rule are touches, its "
+        "conditions and actions can name the one touched: other, as each",
+    )
+    every_s: DurationS | None = described(
+        None, "fires again after each of these times in s while they go on touching; left out: when it begins only"
+    )
+
+    ON_FIELD_ONLY = True
+    EXAMPLE = """
+flags: {touched: {}}
+counters: {pushed: {per: robots}}
+rules:
+  # In a rule of touches `other` is the one that was touched: it fires once for each of them.
+  push:
+    for_each: robots
+    triggers: [{trigger: touches, entity: each, other: robots}]
+    conditions: [{condition: looks, entity: each, towards: other, within_rad: 0.5}]
+    actions: [{action: count, counter: pushed, entity: other}]
+    says: '{entity} pushes {other}.'
+  foul:
+    for_each: yellow
+    triggers: [{trigger: touches, entity: each, other: blue}]
+    actions: [{action: emit, event: FOUL, payload: {robot_name: {word: robot_name}}}]
+  # One rule for all robots fires once in a tick, however many of them touch the ball in it. With for_each it would fire
+  # for each: all see the flag as it was at the start of the tick. {last_touch: ball} names one of them.
+  first_touch:
+    triggers: [{trigger: touches, entity: robots, other: ball}]
+    conditions: [{condition: flag, flag: touched, negate: true}]
+    actions: [{action: score, entrant: {last_touch: ball}}, {action: set_flag, flag: touched}]
+  # While they go on touching it fires again and again: who leans on the other one is warned every 2 s.
+  leans:
+    triggers: [{trigger: touches, entity: B1, other: Y1, every_s: 2}]
+    actions: [{action: emit, event: LEANS}]
+expect:
+  who_leans_is_warned_until_they_part:
+    keyframes: [{at_s: 1, touch: [[B1, Y1]], touch_lasts_s: 5}]
+    lasts_s: 10
+    events: [{event: LEANS, at_s: 1}, {event: LEANS, at_s: 3.04}, {event: LEANS, at_s: 5.03}]
+    ignore: [FOUL]
+  a_long_touch_is_one_touch:
+    keyframes:
+      - {at_s: 1, touch: [[Y2, B3]]}
+      - {at_s: 1.032, touch: [[Y2, B3]]}
+    lasts_s: 2
+    events: [{event: FOUL, payload: {robot_name: Y2}}]
+  who_looks_at_the_other_one_pushes:
+    keyframes:
+      - {at_s: 1, place: {Y1: [0, 0, 0], B1: [0.16, 0, 0], B2: [-0.16, 0, 3.14]}, touch: [[Y1, B1], [Y1, B2]]}
+    lasts_s: 2
+    counters: {pushed: 1}
+  of_two_that_touch_at_once_one_was_first:
+    keyframes: [{at_s: 1, touch: [[Y1, ball], [B2, ball]]}, {at_s: 2, touch: [[Y1, ball]]}]
+    lasts_s: 3
+    score: {blue: 1, yellow: 0}
+"""
+
+    def bind(self, to: Binder) -> None:
+        """Bind a rule to new contacts of each pair, and with ``every_s`` to a tracker of contacts that last."""
+        to.contacts.used = True
+        tracker = to.track(TouchTracker, (), lambda: TouchTracker(to.contacts, to.hits))
+        names = zip(to.members(self.other), to.things(self.other), strict=True)
+        others = [index for name, index in names if to.rule.other in (None, name)]
+        for entity in to.things(self.entity):
+            binding = to.binding(entity)
+            for other in others:
+                if other != entity:
+                    pair = (min(entity, other), max(entity, other))
+                    tracker.by_pair.setdefault(pair, []).append(binding)
+                    if self.every_s is not None:
+                        make = partial(LastingTouchTracker, pair, self.every_s, to.state, to.contacts, to.hits)
+                        lasting = to.track(LastingTouchTracker, (pair, self.every_s), make)
+                        lasting.bindings.append(binding)
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``When``."""
+        again = f", and again every {seconds(self.every_s)} while they touch" if self.every_s else ""
+        # What stands fast is touched, whichever of the two is written first.
+        is_fixed = phrases.stands_fast(self.entity)
+        one, other = (self.other, self.entity) if is_fixed else (self.entity, self.other)
+        return f"{phrases.any_of(one)} touches {phrases.another_of(other, than=one)}{again}"
+
+
+class TouchTracker(TickTracker):
+    """Reports the new contacts of a tick.
+
+    Attributes:
+        by_pair: the rules that it reports to, by pair of things.
+    """
+
+    def __init__(self, contacts: Contacts, hits: HitBuffer) -> None:
+        super().__init__()
+        self.by_pair: dict[Pair, list[TriggerBinding]] = {}
+        self._contacts = contacts
+        self._hits = hits
+
+    def reset(self) -> None:
+        """Do nothing: what touches is remembered by the contacts."""
+
+    def update(self) -> None:
+        """Report new contacts."""
+        for pair in self._contacts.fresh:
+            self._hits.report(self.by_pair.get(pair, []))
+
+
+class LastingTouchTracker(TickTracker):
+    """Reports at intervals that two things still touch; that they began to is reported by the `TouchTracker`."""
+
+    def __init__(self, pair: Pair, every_s: float, state: RefereeState, contacts: Contacts, hits: HitBuffer) -> None:
+        super().__init__()
+        self._pair = pair
+        self._every_s = every_s
+        self._began = self._times = self._due = 0
+        self._state = state
+        self._contacts = contacts
+        self._hits = hits
+
+    def reset(self) -> None:
+        """Count from now on."""
+        self._began = self._state.tick
+        self._count(1)
+
+    def update(self) -> None:
+        """Report when another interval is full."""
+        if self._pair in self._contacts.fresh:
+            self.reset()
+        elif self._pair in self._contacts.touching and self._state.tick >= self._due:
+            self._count(self._times + 1)
+            self._hits.report(self.bindings)
+
+    def _count(self, times: int) -> None:
+        # Counted from the beginning: intervals that are not whole ticks do not add up to a delay.
+        self._times, self._due = times, self._began + ticks_from_s(times * self._every_s)

@@ -1,0 +1,59 @@
+"""Gates on the field: who crosses them, and how far away they are."""
+
+from __future__ import annotations
+
+from math import cos, sin
+
+from rcj_challenges.facts.play import Pose2
+from rcj_challenges.geometry.polygons import distance_to_segment_m
+from rcj_challenges.geometry.regions import NOWHERE, Cell, box_around, crossing
+from rcj_challenges.tracking.state import RefereeState
+
+
+class GateLine:
+    """A gate on the field: fixed, or moving and turning with an entity.
+
+    Args:
+        from_m, to_m: its ends in m; relative to the anchor if there is one.
+        anchor: the index of the entity with which it moves; None: fixed.
+        state: where entities are.
+    """
+
+    def __init__(
+        self, from_m: tuple[float, float], to_m: tuple[float, float], anchor: int | None, state: RefereeState
+    ) -> None:
+        self.anchor = anchor
+        self._from, self._to = from_m, to_m
+        self._state = state
+
+    def cell(self, x_m: float, y_m: float) -> Cell:
+        """Return a cell that the gate does not reach into; a moving gate leaves none."""
+        if self.anchor is not None:
+            return NOWHERE
+        return box_around(x_m, y_m, distance_to_segment_m(x_m, y_m, *self._from, *self._to))
+
+    def distance_m(self, x_m: float, y_m: float) -> float | None:
+        """Return how far a point is from it now, in m; None while what it moves with is off the field."""
+        if self.anchor is None:
+            return distance_to_segment_m(x_m, y_m, *self._from, *self._to)
+        if not self._state.present[self.anchor]:
+            return None
+        seen = seen_from(self._state.poses[self.anchor], (x_m, y_m, 0.0))
+        return distance_to_segment_m(*seen, *self._from, *self._to)
+
+    def crossed(self, entity: int, was: list[Pose2], now: list[Pose2]) -> int:
+        """Return 1 if the entity crossed it forward in this sub-step, -1 backward, 0 if it did not."""
+        if self.anchor is None:
+            return crossing(was[entity][:2], now[entity][:2], self._from, self._to)
+        if not self._state.present[self.anchor]:
+            return 0
+        start = seen_from(was[self.anchor], was[entity])
+        end = seen_from(now[self.anchor], now[entity])
+        return crossing(start, end, self._from, self._to)
+
+
+def seen_from(anchor: Pose2, pose: Pose2) -> tuple[float, float]:
+    """Return where a pose is in the frame of an anchor that moves and turns: x and y in m."""
+    dx, dy = pose[0] - anchor[0], pose[1] - anchor[1]
+    c, s = cos(anchor[2]), sin(anchor[2])
+    return (c * dx + s * dy, c * dy - s * dx)

@@ -1,0 +1,130 @@
+"""What the referee remembers within a half, as plain data: where things are, what was counted, which phase it is."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import dataclass
+from math import sqrt
+
+from rcj_challenges.facts.amounts import on_paper
+from rcj_challenges.facts.play import HalfInfo, Pose2
+from rcj_challenges.facts.streams import random_stream, stream_seed
+from rcj_challenges.tracking.held import Held
+
+Number = int | float
+Scalar = str | int | float | bool
+
+
+@dataclass(slots=True)
+class Clock:
+    """One timer: it runs up to its length and stands there.
+
+    Attributes:
+        length: in ticks.
+        length_s: as the scenario says it, or its draw; whole ticks may be a little longer.
+        elapsed: ticks run until it was last started or held.
+        since: tick from which it runs, None while it is held.
+    """
+
+    length: int
+    elapsed: int = 0
+    since: int | None = None
+    length_s: float = 0.0
+
+    def ticks(self, tick: int) -> int:
+        """Return how long it has run."""
+        return min(self.length, self.elapsed + (tick - self.since if self.since is not None else 0))
+
+    def running(self, tick: int) -> bool:
+        """Return whether it runs and has not reached its length."""
+        return self.since is not None and self.ticks(tick) < self.length
+
+
+class RefereeState:
+    """What the referee knows at a tick.
+
+    Attributes:
+        tick: tick of the half.
+        clock: ticks of the half's clock: those of phases whose clock stops are not in it.
+        phase: the phase now.
+        poses: by entity, where it is now (after a placement: where it was put).
+        before: by entity, where it was a tick ago (or was put then).
+        by_hand: who was put where it is by hand since a tick ago, which tests do: its speed is unknown then.
+        uprights: by entity, cosine of the tilt.
+        present: by entity, whether it is on the field.
+        held: who is held, by the phase or by rules; also of those off the field.
+        put_at: by entity, [x, y] where it was last put, or started.
+        ways: by entity whose way somebody asks for, how far it has driven or rolled in the half, in m.
+        spots: by name, [x, y] where it is now: where the scenario says, until a rule sets it.
+        scores: by entrant, as seated in this half.
+        heard: by robot, what it has told the referee by radio, the last time in this half.
+        counters, flags: by name; a mapping by entity for those kept per entity.
+        timers: by name, then entity (None for one that is not kept per entity).
+        draws: by name, the value drawn.
+        entrant_of: by robot, the entrant it plays for.
+        ended: None, or why an ``end`` action ended the half.
+        match_over: whether that action ended the whole match.
+    """
+
+    def __init__(self, half: HalfInfo, phase: str, entities: int) -> None:
+        self.half = half
+        self.tick = 0
+        self.clock = 0
+        self.phase = phase
+        self.poses: list[Pose2] = []
+        self.before: list[Pose2] = []
+        self.by_hand: frozenset[int] = frozenset()
+        self.ways: dict[int, float] = {}
+        self.spots: dict[str, tuple[float, float]] = {}
+        self.uprights: list[float] = []
+        self.present = [True] * entities
+        self.held = Held()
+        self.put_at: list[tuple[float, float]] = []
+        self.heard: dict[str, str] = {}
+        self.scores: dict[str, Number] = {}
+        self.counters: dict[str, Number | dict[str, Number]] = {}
+        self.flags: dict[str, bool | dict[str, bool]] = {}
+        self.timers: dict[str, dict[str | None, Clock]] = {}
+        self.draws: dict[str, Scalar] = {}
+        self.ended: str | None = None
+        self.match_over = False
+        self.entrant_of: dict[str, str] = {}
+        self._streams: dict[str, random.Random] = {}
+
+    def stream(self, use: str) -> random.Random:
+        """Return the random stream of a use in this half."""
+        found = self._streams.get(use)
+        if found is None:
+            found = random_stream(self.half.match_seed, f"{use}/half-{self.half.half}")
+            self._streams[use] = found
+        return found
+
+    def follow_way(self, entity: int) -> None:
+        """Add up the way of an entity from now on."""
+        self.ways.setdefault(entity, 0.0)
+
+    def add_ways(self) -> None:
+        """Add the ways of the last tick; where something was put, its way begins."""
+        for entity in self.ways:
+            (x, y, _), (was_x, was_y, _) = self.poses[entity], self.before[entity]
+            self.ways[entity] += sqrt((x - was_x) ** 2 + (y - was_y) ** 2)
+
+    def counter(self, name: str, entity: str | None) -> Number:
+        """Return a counter; one kept per entity without an entity is the sum; an entrant's name is its score."""
+        value = self.counters.get(name)
+        if value is None:
+            return self.scores[name]
+        if isinstance(value, dict):
+            return value[entity] if entity is not None else on_paper(sum(value.values()))
+        return value
+
+    def flag(self, name: str, entity: str | None) -> bool:
+        """Return a flag; one kept per entity without an entity is whether any of them is set."""
+        value = self.flags[name]
+        if isinstance(value, dict):
+            return value[entity] if entity is not None else any(value.values())
+        return value
+
+    def seed_id(self) -> str:
+        """Return eight hexadecimal digits that tell two seeds apart without telling the seed."""
+        return f"{stream_seed(self.half.match_seed, 'seed_id') & 0xFFFFFFFF:08x}"

@@ -1,0 +1,51 @@
+"""An entity's way into and out of a region."""
+
+from __future__ import annotations
+
+from rcj_challenges.facts.play import Pose2
+from rcj_challenges.geometry.regions import Cell, Region
+from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding
+from rcj_challenges.tracking.state import RefereeState
+from rcj_challenges.tracking.trackers import PositionTracker
+
+
+class ZoneTracker(PositionTracker):
+    """Follows an entity into and out of a region.
+
+    Attributes:
+        entering, leaving: the rules that it reports to.
+    """
+
+    def __init__(self, entity: int, region: Region, state: RefereeState, hits: HitBuffer) -> None:
+        super().__init__()
+        self.entity = entity
+        self.entities = (entity,)
+        self.entering: list[TriggerBinding] = []
+        self.leaving: list[TriggerBinding] = []
+        self._region = region
+        self._inside = False
+        self._state = state
+        self._hits = hits
+
+    def reset(self) -> None:
+        """Take the present side for the one it was on before."""
+        x, y, _ = self._state.poses[self.entity]
+        self._inside = self._region.contains(x, y)
+
+    def cell(self, x_m: float, y_m: float) -> Cell:
+        """Return the region's cell."""
+        return self._region.cell(x_m, y_m)
+
+    def advance(self, _before: list[Pose2], substeps: list[list[Pose2]]) -> None:
+        """Report each kind of change once a tick, also one that is undone in a later sub-step."""
+        entered = left = False
+        for poses in substeps:
+            x, y, _ = poses[self.entity]
+            inside = self._region.contains(x, y)
+            if inside != self._inside:
+                self._inside = inside
+                entered, left = entered or inside, left or not inside
+        if entered:
+            self._hits.report(self.entering)
+        if left:
+            self._hits.report(self.leaving)
