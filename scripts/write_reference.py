@@ -20,7 +20,9 @@ from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
 from rcj_challenges.rules.actions import Action
-from rcj_challenges.rules.conditions import AllOf, AnyOf, Condition
+from rcj_challenges.rules.conditions import CONDITIONS, AnyCondition
+from rcj_challenges.rules.conditions.all_of import AllOf
+from rcj_challenges.rules.conditions.any_of import AnyOf
 from rcj_challenges.rules.fields import Colour, DurationS, EventName, Name, Names, Point
 from rcj_challenges.rules.places import At, Facing, Kick, Mirror, Towards
 from rcj_challenges.rules.triggers import TRIGGERS, AnyTrigger
@@ -56,7 +58,7 @@ from rcj_challenges.scenario.shape import bare, fields, is_model, is_union, memb
 ROOT = Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs" / "reference-scenario.md"
 WORDS = ROOT / "docs" / "words"
-VOCABULARIES = {"triggers": TRIGGERS}
+VOCABULARIES = {"triggers": TRIGGERS, "conditions": CONDITIONS}
 """The words with an example of their own, by kind."""
 STAGE = """schema_version: 1
 id: example
@@ -213,7 +215,7 @@ CHAPTERS = (
         (
             Word("draws", state.Draw),
             Word("counters", state.Counter),
-            Word("flags", state.Flag),
+            Word("flags", state.Flag, example="flag"),
             Word("timers", state.Timer),
             Word("sequences", state.Sequence),
             Word("any_of", state.AnyStep, own_example=False),
@@ -228,7 +230,7 @@ CHAPTERS = (
     Chapter(
         "Conditions",
         "What must hold when a trigger fires; every condition also has `negate`.",
-        _tagged(Condition),
+        _tagged(AnyCondition),
         "conditions",
         "condition",
     ),
@@ -248,7 +250,7 @@ CHAPTERS = (
             Word("distance", DistanceValue, example="distance_value"),
             Word("way", WayValue, example="way_value"),
             Word("timer", TimerValue, example="timer_value"),
-            Word("held", HeldValue, example="held_value"),
+            Word("held", HeldValue, example="held"),
             Word("last_touch", LastTouchValue, example="last_touch_value"),
             Word("told", ToldValue, example="told_value"),
             Word("weighted_counter", WeightedCounter, own_example=False),
@@ -365,7 +367,7 @@ _NAMED: tuple[tuple[Any, str], ...] = (
     ),
     (At, "[where](#where-things-go)"),
     (Facing, "`start`, `keep`, yaw in rad, {towards: …}, or {random: true}"),
-    (AnyTrigger, "[trigger](#triggers)"), (Condition, "[condition](#conditions)"),
+    (AnyTrigger, "[trigger](#triggers)"), (AnyCondition, "[condition](#conditions)"),
     *((get_args(fields(one)["conditions"])[0], "[condition](#conditions)")
       for one in (AnyOf, AllOf)),
     (Action, "[action](#actions)"), (robots.Device, "[device](#devices)"), (places.Zone, "[zone](#zones)"),

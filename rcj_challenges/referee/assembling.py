@@ -11,7 +11,6 @@ from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.referee.actions import compile_action
 from rcj_challenges.referee.binding import RuleBinder
 from rcj_challenges.referee.compiling import CompileContext
-from rcj_challenges.referee.conditions import compile_condition
 from rcj_challenges.scenario.blanks import partly_filled
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.other import for_other, names_other, others_of
@@ -68,5 +67,5 @@ def _compile(model: Rule, rule: BoundRule, context: CompileContext) -> None:
     binder = RuleBinder(context, rule)
     for position, trigger in enumerate(model.triggers):
         binder.bind(position, trigger)
-    rule.tests = tuple(compile_condition(condition, context, rule.each) for condition in model.conditions)
+    rule.tests = tuple(condition.compile(binder) for condition in model.conditions)
     rule.actions = tuple(compile_action(action, context, rule) for action in model.actions)

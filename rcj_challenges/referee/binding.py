@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, TypeVar
 
 from rcj_challenges.geometry.regions import Region
 from rcj_challenges.referee.compiling import CompileContext
-from rcj_challenges.referee.conditions import compile_condition, watched_entities
+from rcj_challenges.referee.nearness import targets_of
+from rcj_challenges.referee.places import spots_of, where_now
+from rcj_challenges.referee.setting_down import Board
+from rcj_challenges.referee.values import compile_bound
 from rcj_challenges.rules.base import Binder, Trigger
-from rcj_challenges.rules.conditions import Condition
-from rcj_challenges.rules.fields import Names
-from rcj_challenges.tracking.bound_rules import BoundRule, Test, TriggerBinding
+from rcj_challenges.rules.fields import Name, Names, Point, Scalar
+from rcj_challenges.rules.values import Bound
+from rcj_challenges.tracking.bound_rules import BoundRule, TriggerBinding
 from rcj_challenges.tracking.gates import GateLine
 from rcj_challenges.tracking.sequences import SequenceTracker
+from rcj_challenges.tracking.state import Number
+from rcj_challenges.tracking.target import Target
 from rcj_challenges.tracking.trackers import Tracker
 
 _T = TypeVar("_T", bound=Tracker)
@@ -106,15 +111,40 @@ class RuleBinder:
         """Reset a tracker whenever one of the draws among these names decides otherwise."""
         self._context.reset_with_draws(tracker, names)
 
-    # --- other words ------------------------------------------------------------------------------------------------
+    def thing(self, name: str) -> int:
+        """Return the index of one thing that can be touched."""
+        return self._context.thing(name, self.rule.each)
 
-    def test(self, condition: Condition) -> Test:
-        """Return the test of a condition."""
-        return compile_condition(condition, self._context, self.rule.each)
+    def whose(self, name: str | None) -> str | None:
+        """Return whose counter, flag, timer or sequence a name stands for; None: all of them, or the only one."""
+        return self._context.whose(name, self.rule.each)
 
-    def placed_with(self, condition: Condition) -> tuple[int, ...]:
-        """Return the entities whose place a condition reads."""
-        return watched_entities(condition, self._context, self.rule.each)
+    def drawn_value(self, value: Scalar) -> Scalar:
+        """Return a value of a draw: ``each`` is a name where the rule is for one."""
+        return self._context.drawn_value(value, self.rule.each)
+
+    def targets(self, named: Name | Point) -> tuple[Target, ...]:
+        """Return what a distance is measured to: what a name stands for, or a point."""
+        return targets_of(named, self._context, self.rule.each)
+
+    def locate(self, what: Name | Point) -> Callable[[], Point | None]:
+        """Return what finds where a thing, a spot, a zone's centre or a point is; None while it is off the field."""
+        return where_now(self._context, what, self.rule.each)
+
+    def free_spots(self, names: Names, clearance_m: float) -> Callable[[], Iterable[bool]]:
+        """Return what finds for each of some spots whether no robot's or ball's centre is near."""
+        state, bodies = self.state, self._context.bodies
+        spots = spots_of(self._context, names, self.rule.each)
+
+        def free() -> Iterable[bool]:
+            board = Board(state, bodies, set())
+            return (board.free(spot, clearance_m, None) for spot in spots())
+
+        return free
+
+    def bound(self, bound: Bound) -> Callable[[], Number]:
+        """Return what reads what is compared with: a number, a counter, or the lowest or highest of others."""
+        return compile_bound(bound, self._context, self.rule.each)
 
 
 if TYPE_CHECKING:

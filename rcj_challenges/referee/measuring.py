@@ -7,10 +7,8 @@ from collections.abc import Callable
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.referee.nearness import targets_of
+from rcj_challenges.rules.comparison import MM_DIGITS
 from rcj_challenges.rules.values import DistanceValue, TimerValue, WayValue
-
-MM_DIGITS = 3
-"""To the millimetre: what is measured is told and counted so, and compared so with what was counted."""
 
 
 def distance_reader(value: DistanceValue, context: CompileContext, each: str | None) -> Callable[[], float | None]:

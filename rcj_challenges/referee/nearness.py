@@ -3,35 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from math import sqrt
 
 from rcj_challenges.geometry.polygons import distance_to_segment_m
 from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.referee.places import spot_name
 from rcj_challenges.scenario.models.field import Obstacle, Wall
+from rcj_challenges.tracking.target import Target
 
 _Point = tuple[float, float]
-
-
-@dataclass(frozen=True)
-class Target:
-    """Something that a distance is measured to.
-
-    Attributes:
-        away_m: returns how far the point (x, y) is from it now, in m; None while it is off the field.
-        place: returns where it is now, None while it is off the field; itself None of a zone, a gate or a wall,
-            which is no point, and from which nothing is measured.
-        entity: the index of the entity that it is, or with which it moves; None of what belongs to none.
-    """
-
-    away_m: Callable[[float, float], float | None]
-    place: Callable[[], _Point | None] | None
-    entity: int | None = None
-
-    def is_with(self, entity: int | None) -> bool:
-        """Return whether it is this entity, or moves with it: nothing is measured from itself."""
-        return entity is not None and self.entity == entity
 
 
 def targets_of(named: str | _Point, context: CompileContext, each: str | None) -> tuple[Target, ...]:

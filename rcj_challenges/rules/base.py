@@ -4,13 +4,13 @@ A word is one file: its model, what the referee makes of it, its sentence on the
 knows neither the referee nor the sheet, only the protocols `Binder` and `Phrases` here.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Protocol, TypeVar, Union, get_args
 
 from pydantic import Field, GetCoreSchemaHandler
 from pydantic_core import CoreSchema
 
-from rcj_challenges.rules.fields import Names, Strict
+from rcj_challenges.rules.fields import Name, Names, Point, Scalar, Strict, described
 from rcj_challenges.rules.phrasing import Subject
 from rcj_challenges.tracking.bound_rules import BoundRule, HitBuffer, Test, TriggerBinding
 from rcj_challenges.tracking.clock_events import ClockEvents
@@ -18,7 +18,8 @@ from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.gates import GateLine
 from rcj_challenges.tracking.pose_history import PoseHistory
 from rcj_challenges.tracking.sequences import SequenceTracker
-from rcj_challenges.tracking.state import RefereeState
+from rcj_challenges.tracking.state import Number, RefereeState
+from rcj_challenges.tracking.target import Target
 from rcj_challenges.tracking.trackers import Tracker
 
 if TYPE_CHECKING:
@@ -56,11 +57,14 @@ class Vocabulary:
 
     Args:
         key: the field that says which word it is.
+        words: the words, a list that may be shared.
+        without: those that are left out of it.
     """
 
-    def __init__(self, key: str) -> None:
+    def __init__(self, key: str, words: list[type[Word]] | None = None, without: frozenset[str] = frozenset()) -> None:
         self.key = key
-        self._words: list[type[Word]] = []
+        self._words = [] if words is None else words
+        self._without = without
 
     def add(self, *words: type[Word]) -> None:
         """Add words at the end."""
@@ -68,7 +72,11 @@ class Vocabulary:
 
     def words(self) -> tuple[type[Word], ...]:
         """Return all words."""
-        return tuple(self._words)
+        return tuple(word for word in self._words if word.name() not in self._without)
+
+    def without(self, word: str) -> "Vocabulary":
+        """Return the same words but one, also those that are added later."""
+        return Vocabulary(self.key, self._words, self._without | {word})
 
     @property
     def shape(self) -> Any:
@@ -151,11 +159,26 @@ class Binder(Protocol):
             entity: the index of what it is about.
         """
 
-    def test(self, condition: Any) -> Test:
-        """Return the test of a condition."""
+    def thing(self, name: str) -> int:
+        """Return the index of one thing that can be touched."""
 
-    def placed_with(self, condition: Any) -> tuple[int, ...]:
-        """Return the entities whose place a condition reads."""
+    def whose(self, name: str | None) -> str | None:
+        """Return whose counter, flag, timer or sequence a name stands for; None: all of them, or the only one."""
+
+    def drawn_value(self, value: Scalar) -> Scalar:
+        """Return a value of a draw: ``each`` is a name where the rule is for one."""
+
+    def targets(self, named: Name | Point) -> tuple[Target, ...]:
+        """Return what a distance is measured to: what a name stands for, or a point."""
+
+    def locate(self, what: Name | Point) -> Callable[[], Point | None]:
+        """Return what finds where a thing, a spot, a zone's centre or a point is; None while it is off the field."""
+
+    def free_spots(self, names: Names, clearance_m: float) -> Callable[[], Iterable[bool]]:
+        """Return what finds for each of some spots whether no robot's or ball's centre is near."""
+
+    def bound(self, bound: Any) -> Callable[[], Number]:
+        """Return what reads what is compared with: a number, a counter, or the lowest or highest of others."""
 
 
 class Phrases(Protocol):
@@ -203,8 +226,41 @@ class Phrases(Protocol):
     def clock_may_stop(self) -> bool:
         """Return whether a phase stops the clock of the half."""
 
-    def condition(self, condition: Any) -> str:
-        """Return a condition as the part of a sentence that follows ``if``."""
+    def thing(self, name: str) -> str:
+        """Return one thing: ``Y1``, ``the ball``, ``the spot “centre”``; ``each`` is ``it``."""
+
+    def quantified(self, of: Any, names: Names, *, negate: bool) -> Subject:
+        """Return how many of several must do something: ``none of the robots``; negated, the opposite of it."""
+
+    def of_those_there(self, of: Any, names: Names, *, negate: bool) -> Subject:
+        """Return the same where nothing is asked of what is off the field."""
+
+    def may_be_off(self, names: Any) -> bool:
+        """Return whether a rule takes any of what names stand for off the field; of a point none does."""
+
+    def off_as_a_whole(self, at: Any, measured_from: Any = None) -> Subject | None:
+        """Return what must be off the field for nothing to be measured to it; None: some of it is always on it."""
+
+    def drawn(self, draw: str, written: Scalar) -> str:
+        """Return a value of a draw: ``“west”``."""
+
+    def is_set(self, draw: str) -> bool:
+        """Return whether a draw is what rules set, from the start of each half."""
+
+    def is_entrant(self, name: str) -> bool:
+        """Return whether a name is that of an entrant."""
+
+    def keepers(self, kind: str, name: str) -> str:
+        """Return the group of which each has a counter, flag, timer or sequence of its own."""
+
+    def sequence_step(self, sequence: str, step: str) -> str:
+        """Return a step of a sequence, with what it means if it is the last."""
+
+    def clearance(self, clearance_m: float) -> str:
+        """Return within which distance a spot must be free, if it is not the usual one: `` within 5 cm``."""
+
+    def amount(self, value: Any) -> str:
+        """Return points, counts or limits: a number, a counter, a sum of weighted parts, or the most or least."""
 
     def what_drawn(self, draw: str) -> str:
         """Return what a draw decided: ``what was drawn as “target”``."""
@@ -249,4 +305,49 @@ class Trigger(Word):
 
     def measures_its_limit(self) -> bool:
         """Return whether what it measures is always the limit: it fires when something has lasted so long."""
+        return False
+
+
+class Condition(Word):
+    """What must hold when a trigger fires."""
+
+    KEY = "condition"
+
+    negate: bool = described(False, "True: the opposite must hold")
+
+    def compile(self, to: Binder) -> Test:
+        """Return the test of the condition, turned over if it is negated.
+
+        Args:
+            to: the rule's binder.
+        """
+        test = self.test(to)
+        return (lambda: not test()) if self.negate else test
+
+    def test(self, to: Binder) -> Test:
+        """Return the test of the condition as it is without ``negate``."""
+        raise NotImplementedError
+
+    def watched(self, _to: Binder) -> tuple[int, ...]:
+        """Return the entities whose placement changes it: a trigger that follows it is reset then."""
+        return ()
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the condition, or the opposite of a negated one, as the part of a sentence that follows ``if``."""
+        raise NotImplementedError
+
+    def about(self) -> Names | None:
+        """Return the entities whose place it reads, if it names them."""
+        return None
+
+    def is_always(self) -> bool:
+        """Return whether it holds at any time."""
+        return False
+
+    def is_several(self) -> bool:
+        """Return whether it is made of more than one condition."""
+        return False
+
+    def compares_with_counter(self) -> bool:
+        """Return whether it compares with a counter, or with those of others."""
         return False

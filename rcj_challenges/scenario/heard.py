@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from rcj_challenges.facts.messages import READS, is_said
-from rcj_challenges.rules.conditions import Message, Told
+from rcj_challenges.rules.conditions.told import Told
 from rcj_challenges.rules.fields import Scalar
+from rcj_challenges.rules.message import Message
 from rcj_challenges.rules.triggers.tells import Tells
 from rcj_challenges.rules.values import DrawValue, ToldValue
 from rcj_challenges.scenario.models.robots import TeamEmitterDevice

@@ -8,12 +8,10 @@ from pathlib import Path
 import pytest
 
 from rcj_challenges.rules.actions import Action
-from rcj_challenges.rules.conditions import Condition
 from rcj_challenges.rules.places import At
 from rcj_challenges.scenario.load import load, load_text
 from rcj_challenges.views.sheet import sheet_html, sheet_markdown
 from rcj_challenges.views.sheet.deeds import ACTIONS, PLACES
-from rcj_challenges.views.sheet.edges import CONDITIONS
 
 ROOT = Path(__file__).resolve().parents[2]
 SHIPPED = ("match", "fast_shooter", "pass_the_ball", "precision_lidar")
@@ -45,7 +43,6 @@ def test_the_sheet_of_a_challenge_of_2021_says_in_which_order_its_sensors_tell_n
 
 
 def test_every_word_of_the_vocabulary_can_be_said():
-    assert words_of(Condition, "condition") == set(CONDITIONS)
     assert words_of(Action, "action") == set(ACTIONS)
     assert len(At.__args__[0].__args__) == len(PLACES)
 

@@ -18,18 +18,16 @@ from rcj_challenges.rules.actions import (
     TimerAction,
     ToggleFlag,
 )
-from rcj_challenges.rules.conditions import (
-    CounterIs,
-    Distance,
-    Drawn,
-    FlagIs,
-    HalfIs,
-    Looks,
-    SequenceAt,
-    Speed,
-    TimerIs,
-    WayIs,
-)
+from rcj_challenges.rules.conditions.counter import CounterIs
+from rcj_challenges.rules.conditions.distance import Distance
+from rcj_challenges.rules.conditions.drawn import Drawn
+from rcj_challenges.rules.conditions.flag import FlagIs
+from rcj_challenges.rules.conditions.half import HalfIs
+from rcj_challenges.rules.conditions.looks import Looks
+from rcj_challenges.rules.conditions.sequence_at import SequenceAt
+from rcj_challenges.rules.conditions.speed import Speed
+from rcj_challenges.rules.conditions.timer import TimerIs
+from rcj_challenges.rules.conditions.way import WayIs
 from rcj_challenges.rules.triggers.event import OnEvent
 from rcj_challenges.rules.triggers.sequence_broken import SequenceBroken
 from rcj_challenges.rules.triggers.sequence_completed import SequenceCompleted

@@ -14,7 +14,8 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from rcj_challenges.rules.actions import Score
-from rcj_challenges.rules.conditions import AllOf, AnyOf
+from rcj_challenges.rules.conditions.all_of import AllOf
+from rcj_challenges.rules.conditions.any_of import AnyOf
 from rcj_challenges.rules.places import DrawnSpeed
 from rcj_challenges.rules.refs import KEEPERS, Ref, Reference, SectionRef, ref_of
 from rcj_challenges.rules.values import DrawnDuration, HighestOfOthers, LowestOfOthers, NumberDraw, WeightedDraw

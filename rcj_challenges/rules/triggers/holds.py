@@ -4,7 +4,7 @@ from typing import Literal
 
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s, whole_ticks_within_s
 from rcj_challenges.rules.base import Binder, Phrases, Trigger
-from rcj_challenges.rules.conditions import Condition
+from rcj_challenges.rules.conditions import AnyCondition
 from rcj_challenges.rules.fields import DurationS, Names, NotNegative, described
 from rcj_challenges.rules.phrasing import seconds
 from rcj_challenges.tracking.bound_rules import HitBuffer, Test
@@ -16,7 +16,7 @@ class Holds(Trigger):
     """Fires when a condition has held for a time, and again at intervals if asked."""
 
     trigger: Literal["holds"]
-    condition: Condition = described(..., "the condition")
+    condition: AnyCondition = described(..., "the condition")
     for_s: NotNegative = described(
         0.0,
         "how long it must hold, in s; 0: when it comes true, and not if it was true when the rule came to life, or a "
@@ -52,8 +52,8 @@ expect:
 
     def bind(self, to: Binder) -> None:
         """Bind a rule to a tracker of its own."""
-        tracker = HoldTracker(to.test(self.condition), self, to.state, to.hits)
-        tracker.entities = to.placed_with(self.condition)
+        tracker = HoldTracker(self.condition.compile(to), self, to.state, to.hits)
+        tracker.entities = self.condition.watched(to)
         # What it is about is known if one entity stands in the condition.
         tracker.bindings.append(to.binding(tracker.entities[0] if len(tracker.entities) == 1 else None))
         to.track_alone(tracker)
@@ -64,7 +64,7 @@ expect:
             # Without for_s it was true before when it begins: it comes for the first time after the first interval.
             return f"{seconds(self.for_s or self.every_s)} have passed, and again every {seconds(self.every_s)}"
         for_s = f"for {seconds(self.for_s)}" if self.for_s else ""
-        held = phrases.condition(self.condition)
+        held = self.condition.describe(phrases)
         grace = f" (interruptions of up to {seconds(self.grace_s)} do not count)" if self.grace_s else ""
         again = f", and again every {seconds(self.every_s)} while that lasts" if self.every_s else ""
         # Behind several it would read as if only the last of them had to last, behind a counter as if that said it.

@@ -3,8 +3,8 @@
 from typing import Annotated, Literal
 
 from rcj_challenges.rules.base import Binder, Phrases, Trigger
-from rcj_challenges.rules.conditions import Message
 from rcj_challenges.rules.fields import Names, described
+from rcj_challenges.rules.message import Message
 from rcj_challenges.rules.refs import ROBOTS
 
 

@@ -11,7 +11,8 @@ from typing import Any
 
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.rules.actions import DrawAction, Place, Score
-from rcj_challenges.rules.conditions import Drawn, SequenceAt
+from rcj_challenges.rules.conditions.drawn import Drawn
+from rcj_challenges.rules.conditions.sequence_at import SequenceAt
 from rcj_challenges.rules.fields import LONGEST_S
 from rcj_challenges.rules.places import MAX_KICK_MPS, DrawnSpeed
 from rcj_challenges.rules.refs import Ref, Reference, SectionRef, refs_of

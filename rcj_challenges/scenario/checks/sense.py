@@ -9,24 +9,22 @@ from itertools import count
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.rules.actions import Bounded, Count, DrawAction, Place
-from rcj_challenges.rules.conditions import (
-    AtLeast,
-    CounterIs,
-    Distance,
-    FlagIs,
-    HalfIs,
-    InZone,
-    IsHeld,
-    Looks,
-    SequenceAt,
-    Speed,
-    SpotFree,
-    TimerIs,
-    Told,
-    WayIs,
-)
+from rcj_challenges.rules.conditions.counter import CounterIs
+from rcj_challenges.rules.conditions.distance import Distance
+from rcj_challenges.rules.conditions.flag import FlagIs
+from rcj_challenges.rules.conditions.half import HalfIs
+from rcj_challenges.rules.conditions.held import IsHeld
+from rcj_challenges.rules.conditions.in_zone import InZone
+from rcj_challenges.rules.conditions.looks import Looks
+from rcj_challenges.rules.conditions.sequence_at import SequenceAt
+from rcj_challenges.rules.conditions.speed import Speed
+from rcj_challenges.rules.conditions.spot_free import SpotFree
+from rcj_challenges.rules.conditions.timer import TimerIs
+from rcj_challenges.rules.conditions.told import Told
+from rcj_challenges.rules.conditions.way import WayIs
 from rcj_challenges.rules.fields import Scalar, Strict
 from rcj_challenges.rules.places import Kick
+from rcj_challenges.rules.quantifier import AtLeast
 from rcj_challenges.rules.triggers.holds import Holds
 from rcj_challenges.rules.triggers.stays_in import StaysIn
 from rcj_challenges.rules.triggers.time_reached import TimeReached

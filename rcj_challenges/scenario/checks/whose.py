@@ -6,7 +6,10 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 from rcj_challenges.rules.actions import Count, SequenceAction, SetFlag, TimerAction, ToggleFlag
-from rcj_challenges.rules.conditions import CounterIs, FlagIs, SequenceAt, TimerIs
+from rcj_challenges.rules.conditions.counter import CounterIs
+from rcj_challenges.rules.conditions.flag import FlagIs
+from rcj_challenges.rules.conditions.sequence_at import SequenceAt
+from rcj_challenges.rules.conditions.timer import TimerIs
 from rcj_challenges.rules.triggers.sequence_broken import SequenceBroken
 from rcj_challenges.rules.triggers.sequence_completed import SequenceCompleted
 from rcj_challenges.rules.values import (

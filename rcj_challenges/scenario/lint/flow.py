@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from rcj_challenges.rules.actions import Emit, End, Score, SetPhase
-from rcj_challenges.rules.conditions import HalfIs
+from rcj_challenges.rules.conditions.half import HalfIs
 from rcj_challenges.rules.triggers.event import OnEvent
 from rcj_challenges.rules.triggers.half_started import HalfStarted
 from rcj_challenges.rules.triggers.phase_entered import PhaseEntered

@@ -8,7 +8,7 @@ from itertools import combinations
 from rcj_challenges.geometry.polygons import Point
 from rcj_challenges.rules.actions import Place, Remove, SetPhase
 from rcj_challenges.rules.base import Trigger
-from rcj_challenges.rules.conditions import Distance
+from rcj_challenges.rules.conditions.distance import Distance
 from rcj_challenges.rules.places import AtPoint, AtSpot, FurthestFree, NearestFree, OnLine, UniformIn
 from rcj_challenges.rules.triggers.half_started import HalfStarted
 from rcj_challenges.rules.values import DistanceValue

@@ -8,7 +8,11 @@ from typing import ClassVar
 
 from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.rules.actions import Hold, Place, Remove
-from rcj_challenges.rules.conditions import Distance, Speed, SpotFree, TimerIs, WayIs
+from rcj_challenges.rules.conditions.distance import Distance
+from rcj_challenges.rules.conditions.speed import Speed
+from rcj_challenges.rules.conditions.spot_free import SpotFree
+from rcj_challenges.rules.conditions.timer import TimerIs
+from rcj_challenges.rules.conditions.way import WayIs
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.places import MAX_KICK_MPS, FurthestFree, NearestFree
 from rcj_challenges.rules.triggers.displaced import Displaced

@@ -9,8 +9,8 @@ from typing import Any, Literal, get_args, get_origin
 
 from rcj_challenges.facts.colours import CSS_COLOURS
 from rcj_challenges.facts.timing import TICK_S
-from rcj_challenges.rules.conditions import SaidText
 from rcj_challenges.rules.fields import Colour, EventName, Name, Names, Point
+from rcj_challenges.rules.message import SaidText
 from rcj_challenges.rules.places import At
 from rcj_challenges.scenario.catalogue import BOUND
 from rcj_challenges.scenario.errors import cut, listing, nearest

@@ -5,8 +5,9 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from rcj_challenges.rules.actions import Action
-from rcj_challenges.rules.conditions import Condition, Said
+from rcj_challenges.rules.conditions import AnyCondition
 from rcj_challenges.rules.fields import DurationS, EventName, Name, One, Point, Scalar, Strict, WallTimeS, described
+from rcj_challenges.rules.message import Said
 from rcj_challenges.rules.refs import COUNTER, ENTRANT, FIXED, KEEPERS, MOVING, ONE_ROBOT, PHASE, Ref, SectionRef
 from rcj_challenges.rules.triggers import AnyTrigger
 from rcj_challenges.rules.values import Value
@@ -33,7 +34,7 @@ class Rule(Strict):
     """One trigger suffices, all conditions must hold, the actions run in order."""
 
     triggers: tuple[AnyTrigger, ...] = Field(..., strict=False, min_length=1, description="edges; one suffices")
-    conditions: tuple[Condition, ...] = Field((), strict=False, description="levels; all must hold (any_of is 'or')")
+    conditions: tuple[AnyCondition, ...] = Field((), strict=False, description="levels; all must hold (any_of is 'or')")
     actions: tuple[Action, ...] = Field(..., strict=False, min_length=1, description="what happens, in order")
     for_each: Annotated[Name | None, KEEPERS] = described(
         None,

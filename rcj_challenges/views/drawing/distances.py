@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from rcj_challenges.rules.actions import Count
-from rcj_challenges.rules.conditions import Distance, SpotFree
+from rcj_challenges.rules.conditions.distance import Distance
+from rcj_challenges.rules.conditions.spot_free import SpotFree
 from rcj_challenges.rules.triggers.displaced import Displaced
 from rcj_challenges.rules.values import Bound, CounterValue
 from rcj_challenges.scenario.models.field import Wall

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from rcj_challenges.rules.conditions import AtLeast
 from rcj_challenges.rules.fields import Names, Scalar
 from rcj_challenges.rules.phrasing import Subject, listed, plain, quoted, quoted_measure
+from rcj_challenges.rules.quantifier import AtLeast
 from rcj_challenges.scenario.catalogue import BOUND, OTHER
 from rcj_challenges.scenario.followed import followed
 from rcj_challenges.scenario.halves import clock_may_stop
@@ -17,6 +17,7 @@ from rcj_challenges.scenario.roster import WALLS, Roster, row_of, written_for
 from rcj_challenges.scenario.set_draws import set_from_the_start
 from rcj_challenges.views.sheet.absent import taken_off
 from rcj_challenges.views.sheet.meeting import may_meet
+from rcj_challenges.views.sheet.phrases import amount, within_words
 
 _MEASURED_BY_SEVERAL = "what was measured"
 """Said where triggers of one rule measure different things."""
@@ -215,7 +216,7 @@ class Nouns:
         own = self._all_meant(measured_from) & set(self.meant(at))
         return f"the nearest {'other one ' if own else ''}of {self._group(at)}"
 
-    def off_as_a_whole(self, at: Any, measured_from: Any) -> Subject | None:
+    def off_as_a_whole(self, at: Any, measured_from: Any = None) -> Subject | None:
         """Return what must be off the field for nothing to be measured to it; None: some of it is always on it.
 
         Args:
@@ -304,11 +305,31 @@ class Nouns:
         """Return whether a phase stops the clock of the half."""
         return clock_may_stop(self.scenario)
 
-    def condition(self, condition: Any) -> str:
-        """Return a condition as the part of a sentence that follows ``if``."""
-        from rcj_challenges.views.sheet.edges import condition_words  # noqa: PLC0415
+    def is_entrant(self, name: str) -> bool:
+        """Return whether a name is that of an entrant."""
+        return name in self.scenario.entrants
 
-        return condition_words(self, condition)
+    def keepers(self, kind: str, name: str) -> str:
+        """Return the group of which each has a counter, flag, timer or sequence of its own."""
+        return str(getattr(self.scenario, f"{kind}s")[name].per)
+
+    def sequence_step(self, sequence: str, step: str) -> str:
+        """Return a step of a sequence, with what it means if it is the last."""
+        model, written = self.scenario.sequences[sequence], self.thing(step)
+        *before, last = map(self.roster.expand, model.places())
+        if model.cyclic or step not in last:
+            return written
+        # It begins again when it is complete, but what it stands at is the step that was reached last.
+        also = "also when it is " if any(step in places for places in before) else ""
+        return f"{written} ({also}complete, until its next step)"
+
+    def amount(self, value: Any) -> str:
+        """Return points, counts or limits: a number, a counter, a sum of weighted parts, or the most or least."""
+        return amount(self, value)
+
+    def clearance(self, clearance_m: float) -> str:
+        """Return within which distance a spot must be free, if it is not the usual one: `` within 5 cm``."""
+        return within_words(clearance_m)
 
     def every_kept(self, kind: str, name: str, entity: str | None) -> str:
         """Return the same for an action, where no entity means all of them."""

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from rcj_challenges.rules.conditions import SpotFree
+from rcj_challenges.rules.conditions.spot_free import SpotFree
 from rcj_challenges.rules.phrasing import listed, metres, number, plain, quoted, quoted_measure, seconds
 from rcj_challenges.rules.values import (
     CounterValue,
@@ -30,7 +30,9 @@ from rcj_challenges.rules.values import (
     WeightedTold,
     WordValue,
 )
-from rcj_challenges.views.sheet.nouns import Nouns
+
+if TYPE_CHECKING:
+    from rcj_challenges.views.sheet.nouns import Nouns
 
 USUALLY_FREE_M = float(SpotFree.model_fields["clearance_m"].default)
 """Nearer than this is nobody to a spot that is free, in m, where nothing else is said."""

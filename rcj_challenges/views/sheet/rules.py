@@ -6,7 +6,14 @@ from collections.abc import Iterator
 
 from rcj_challenges.rules.actions import LastToucher, Place, Remove
 from rcj_challenges.rules.base import Word
-from rcj_challenges.rules.conditions import AllOf, Condition, Distance, InZone, LastTouch, Looks, Speed, SpotFree
+from rcj_challenges.rules.conditions import AnyCondition
+from rcj_challenges.rules.conditions.all_of import AllOf
+from rcj_challenges.rules.conditions.distance import Distance
+from rcj_challenges.rules.conditions.in_zone import InZone
+from rcj_challenges.rules.conditions.last_touch import LastTouch
+from rcj_challenges.rules.conditions.looks import Looks
+from rcj_challenges.rules.conditions.speed import Speed
+from rcj_challenges.rules.conditions.spot_free import SpotFree
 from rcj_challenges.rules.phrasing import listed, metres, quoted, seconds, times
 from rcj_challenges.rules.places import FurthestFree, NearestFree
 from rcj_challenges.rules.triggers.half_started import HalfStarted
@@ -19,7 +26,6 @@ from rcj_challenges.scenario.other import meant_in, names_other, others_of
 from rcj_challenges.scenario.visiting import visit
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph
 from rcj_challenges.views.sheet.deeds import action_words
-from rcj_challenges.views.sheet.edges import condition_words
 from rcj_challenges.views.sheet.nouns import Nouns
 from rcj_challenges.views.sheet.phrases import USUALLY_FREE_M
 from rcj_challenges.views.sheet.spoken import spoken
@@ -64,7 +70,7 @@ def when_words(rule: Rule, nouns: Nouns) -> str:
     nouns = nouns.within(rule)
     each = f"For {nouns.each_of(rule.for_each)}, when " if rule.for_each else "When "
     edges = ", or when ".join(trigger.describe(nouns) for trigger in rule.triggers)
-    levels = " and ".join(f"that {condition_words(nouns, condition)}" for condition in rule.conditions)
+    levels = " and ".join(f"that {condition.describe(nouns)}" for condition in rule.conditions)
     return f"{each}{edges}" + (f", provided {levels}" if levels else "")
 
 
@@ -240,7 +246,7 @@ def _asks_for_presence(rule: Rule, entity: str | tuple[str, ...], nouns: Nouns) 
     )
 
 
-def _is_of_present(condition: Condition, entity: str | tuple[str, ...]) -> bool:
+def _is_of_present(condition: AnyCondition, entity: str | tuple[str, ...]) -> bool:
     """Return whether a condition holds of something on the field only."""
     if isinstance(condition, AllOf):
         return not condition.negate and any(_is_of_present(part, entity) for part in condition.conditions)

@@ -1,0 +1,90 @@
+"""Comparing what is measured or counted with numbers and counters."""
+
+from collections.abc import Callable
+
+from rcj_challenges.rules.base import Binder, Condition, Phrases
+from rcj_challenges.rules.fields import described
+from rcj_challenges.rules.values import Bound, CounterValue, HighestOfOthers, LowestOfOthers
+from rcj_challenges.tracking.state import Number
+
+MM_DIGITS = 3
+"""To the millimetre: what is measured is told and counted so, and compared so with what was counted."""
+
+
+def to_mm(metres: Number) -> Number:
+    """Return a length rounded to the millimetre, as it would be counted."""
+    return round(metres, MM_DIGITS)
+
+
+def _unchanged(value: Number) -> Number:
+    return value
+
+
+class Compared(Condition):
+    """A condition with bounds, of which it has one at least."""
+
+    at_least: Bound | None = described(
+        None, "holds from this value on; a number, {counter: NAME}, {lowest: NAME} or {highest: NAME}"
+    )
+    at_most: Bound | None = described(
+        None, "holds up to this value; a number, {counter: NAME}, {lowest: NAME} or {highest: NAME}"
+    )
+    equals: Bound | None = described(
+        None, "holds at this value only; a number, {counter: NAME}, {lowest: NAME} or {highest: NAME}"
+    )
+
+    def compares_with_counter(self) -> bool:
+        """Return whether it compares with a counter, or with those of others."""
+        bounds = (self.at_least, self.at_most, self.equals)
+        return any(isinstance(bound, CounterValue | LowestOfOthers | HighestOfOthers) for bound in bounds)
+
+    def comparison(
+        self, to: Binder, rounded: Callable[[Number], Number] = _unchanged,
+        counted: Callable[[Number], Number] = _unchanged,
+    ) -> Callable[[Number], bool]:  # fmt: skip
+        """Return what compares a number with the bounds.
+
+        Args:
+            to: the rule's binder.
+            rounded: how bounds are rounded, as what is compared with them is.
+            counted: what is done to a number before it is compared with a counter: as it would be counted.
+        """
+        bounds = (self.at_least, self.at_most, self.equals)
+        least, most, equals = (None if bound is None else to.bound(bound) for bound in bounds)
+        for_least, for_most, for_equals = (
+            _unchanged if isinstance(bound, int | float) else counted for bound in bounds
+        )
+
+        def holds(value: Number) -> bool:
+            return (
+                (least is None or for_least(value) >= rounded(least()))
+                and (most is None or for_most(value) <= rounded(most()))
+                and (equals is None or for_equals(value) == rounded(equals()))
+            )
+
+        return holds
+
+    def compared(self, phrases: Phrases, unit: str = "", where: str = "") -> str:
+        """Return the comparison: ``at least 3 and at most 5``, ``at most 0.5 m from the ball``.
+
+        Args:
+            phrases: what the names stand for.
+            unit: what follows the numbers.
+            where: what follows the unit.
+        """
+        bounds = (("at least", self.at_least), ("at most", self.at_most), ("exactly", self.equals))
+        limits = [(words, limit) for words, limit in bounds if limit is not None]
+        if all(isinstance(limit, int | float) for _, limit in limits):
+            numbers = " and ".join(f"{words} {phrases.amount(limit)}{unit}" for words, limit in limits)
+            return f"{numbers}{where}" if numbers else ""
+        return " and ".join(
+            f"{words} {phrases.amount(limit)}{unit}{where}"
+            if isinstance(limit, int | float) or not unit
+            else f"{words} as many{unit}{where} as {phrases.amount(limit)} says"
+            for words, limit in limits
+        )
+
+    def only_limit(self) -> Bound | None:
+        """Return the limit of a comparison that has one to one side; None if it has not."""
+        limits = [limit for limit in (self.at_least, self.at_most) if limit is not None]
+        return limits[0] if len(limits) == 1 and self.equals is None else None

@@ -1,0 +1,62 @@
+"""The condition ``all_of``."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from rcj_challenges.rules.base import Binder, Condition, Phrases
+from rcj_challenges.rules.conditions.several import all_hold, one_holds, opposites, watched_by
+from rcj_challenges.rules.conditions.vocabulary import CONDITIONS
+from rcj_challenges.tracking.bound_rules import Test
+
+
+class AllOf(Condition):
+    """Whether all of several conditions hold; those of a rule must all hold anyway."""
+
+    condition: Literal["all_of"]
+    conditions: tuple[Annotated[Condition, CONDITIONS.without("all_of")], ...] = Field(
+        ...,
+        strict=False,
+        min_length=1,
+        description="the conditions, each as in a rule; any_of may be one of them, all_of itself not",
+    )
+
+    EXAMPLE = """
+# Held together for 2 s: the robot is in the circle and the ball is near it.
+# As conditions of a rule both stand in its list.
+zones: {circle: {shape: circle, centre_m: [0, 0], radius_m: 0.2}}
+rules:
+  parked:
+    triggers:
+      - trigger: holds
+        for_s: 2
+        condition:
+          condition: all_of
+          conditions:
+            - {condition: in_zone, entity: Y3, zone: circle}
+            - {condition: distance, entity: ball, to: Y3, at_most: 0.2}
+    actions: [{action: emit, event: PARKED}]
+expect:
+  it_comes_2_s_after_the_second_of_them_holds:
+    keyframes: [{at_s: 1, place: {Y3: [0, 0], ball: [0.5, 0]}}, {at_s: 2, place: {ball: [0.1, 0]}}]
+    lasts_s: 5
+    events: [{event: PARKED, at_s: 4, tolerance_s: 0.1}]
+"""
+
+    def is_several(self) -> bool:
+        """Return whether it is made of more than one condition."""
+        return len(self.conditions) > 1
+
+    def test(self, to: Binder) -> Test:
+        """Return whether all of several conditions hold."""
+        tests = tuple(condition.compile(to) for condition in self.conditions)
+        return lambda: all(test() for test in tests)
+
+    def watched(self, to: Binder) -> tuple[int, ...]:
+        """Return the entities whose placement changes it."""
+        return watched_by(to, self.conditions)
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``if``."""
+        # Not all of them hold: of one the opposite does.
+        return one_holds(phrases, opposites(self.conditions)) if self.negate else all_hold(phrases, self.conditions)

@@ -1,0 +1,71 @@
+"""The condition ``any_of``."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from rcj_challenges.rules.base import Binder, Condition, Phrases
+from rcj_challenges.rules.conditions.several import all_hold, one_holds, opposites, watched_by
+from rcj_challenges.rules.conditions.vocabulary import CONDITIONS
+from rcj_challenges.tracking.bound_rules import Test
+
+
+class AnyOf(Condition):
+    """Whether at least one of several conditions holds."""
+
+    condition: Literal["any_of"]
+    conditions: tuple[Annotated[Condition, CONDITIONS.without("any_of")], ...] = Field(
+        ...,
+        strict=False,
+        min_length=1,
+        description="the conditions, each as in a rule; all_of may be one of them, any_of itself not",
+    )
+
+    EXAMPLE = """
+rules:
+  goal:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    conditions:
+      - condition: any_of
+        conditions:
+          - {condition: speed, entity: ball, at_least: 0.3}
+          - {condition: last_touch, entity: ball, by: Y3}
+    actions: [{action: score, entrant: yellow}]
+expect:
+  a_slow_one_of_y3_counts_and_one_of_y1_does_not:
+    keyframes:
+      - {at_s: 1, place: {ball: [0, 0.7]}, touch: [[Y1, ball]]}
+      - {at_s: 2, move: {ball: [0, 0.8]}}
+      - {at_s: 3, place: {ball: [0, 0.7]}, touch: [[Y3, ball]]}
+      - {at_s: 4, move: {ball: [0, 0.8]}}
+    lasts_s: 5
+    score: {yellow: 1}
+"""
+
+    def is_several(self) -> bool:
+        """Return whether it is made of more than one condition."""
+        return len(self.conditions) > 1
+
+    def test(self, to: Binder) -> Test:
+        """Return whether at least one of several conditions holds."""
+        tests = tuple(condition.compile(to) for condition in self.conditions)
+        return lambda: any(test() for test in tests)
+
+    def watched(self, to: Binder) -> tuple[int, ...]:
+        """Return the entities whose placement changes it."""
+        return watched_by(to, self.conditions)
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``if``."""
+        parts = self.conditions
+        if self.negate and (len(parts) == 1 or any(_is_negative(one) or one.is_several() for one in parts)):
+            # None of them holds: of each the opposite does.
+            return all_hold(phrases, opposites(parts))
+        if self.negate:
+            return "neither " + " nor ".join(one.describe(phrases) for one in parts)
+        return one_holds(phrases, parts)
+
+
+def _is_negative(condition: Condition) -> bool:
+    """Return whether a condition says that something is not so: ``neither`` before it would deny that again."""
+    return condition.negate or getattr(condition, "of", None) == "none"

@@ -1,0 +1,85 @@
+"""The condition ``counter``."""
+
+from typing import Annotated, Literal
+
+from rcj_challenges.facts.amounts import on_paper
+from rcj_challenges.rules.base import Binder, Phrases
+from rcj_challenges.rules.comparison import Compared
+from rcj_challenges.rules.fields import Name, Names, described
+from rcj_challenges.rules.kept import asked, kept, test_of_kept
+from rcj_challenges.rules.phrasing import plain, quoted_measure
+from rcj_challenges.rules.quantifier import Quantifier
+from rcj_challenges.rules.refs import READABLE, WHOSE_OF
+from rcj_challenges.rules.values import CounterValue
+from rcj_challenges.tracking.bound_rules import Test
+
+
+class CounterIs(Compared):
+    """The value of a counter, or of an entrant's score."""
+
+    condition: Literal["counter"]
+    counter: Annotated[Name, READABLE] = described(..., "a counter, or an entrant: its score")
+    entity: Annotated[Names | None, WHOSE_OF] = described(
+        None,
+        "for a counter kept per entity: whose; each: the current one; left out, without for_each: the sum; "
+        "with `of` also a group or a list",
+    )
+    of: Quantifier | None = described(
+        None, "how many of a group must satisfy it; entity left out: of all that have one"
+    )
+
+    EXAMPLE = """
+counters: {visits: {per: robots}}
+zones: {light: {shape: circle, centre_m: [0, 0], radius_m: 0.2}}
+timers: {round: {lasts_s: 5, starts: true}}
+rules:
+  visit:
+    for_each: robots
+    triggers: [{trigger: enters, entity: each, zone: light}]
+    actions: [{action: count, counter: visits, entity: each}]
+  last_is_out:
+    for_each: robots
+    triggers: [{trigger: timer_expired, timer: round}]
+    # Of all other robots that are still on the field. Where several are last, all of them are out.
+    conditions: [{condition: counter, counter: visits, entity: each, at_most: {lowest: visits}}]
+    actions: [{action: remove, entity: each}, {action: emit, event: OUT, payload: {robot_name: {word: robot_name}}}]
+expect:
+  who_has_come_least_often_is_out:
+    given: {counters: {visits: 1}}
+    keyframes:
+      - {at_s: 1, place: {B1: [0.1, 0], B2: [0, 0.1], B3: [-0.1, 0], Y1: [0, -0.1], Y3: [0, 0]}}
+    lasts_s: 6
+    events: [{event: OUT, at_s: 5, tolerance_s: 0.1, payload: {robot_name: Y2}}]
+    # Of one kept per entity one by one; `visits: 11` would be the sum. `given` can be written so as well.
+    counters: {visits: {Y1: 2, Y2: 1}}
+"""
+
+    def test(self, to: Binder) -> Test:
+        """Return how a counter or a score compares; with ``of``: those of so many."""
+        state, name = to.state, self.counter
+        holds = self.comparison(to, rounded=on_paper)
+        return test_of_kept(self, to, state.counters.get(name), lambda whose: holds(state.counter(name, whose)))
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``if``."""
+        if isinstance(self.equals, CounterValue):
+            return self._equal(phrases, self.equals)
+        who = asked(phrases, self, "counter", self.counter)
+        if who is not None:
+            return f"{who.does('has', 'have')} a counter {quoted_measure(self.counter)} of {self.compared(phrases)}"
+        counter = kept(phrases, self, "counter", self.counter)
+        limit = self.only_limit() if self.negate else None
+        if limit is not None:
+            return f"{counter} is {'less' if self.at_most is None else 'more'} than {phrases.amount(limit)}"
+        return f"{counter} is {'not ' if self.negate else ''}{self.compared(phrases)}"
+
+    def _equal(self, phrases: Phrases, equals: CounterValue) -> str:
+        """Return whether a counter is what another one is."""
+        if phrases.is_entrant(self.counter) and phrases.is_entrant(equals.counter):
+            scores = f"the scores of {plain(self.counter)} and {plain(equals.counter)}"
+            return f"{scores} {'differ' if self.negate else 'are equal'}"
+        who, other = asked(phrases, self, "counter", self.counter), phrases.amount(equals)
+        if who is not None:
+            return f"{who.does('has', 'have')} a counter {quoted_measure(self.counter)} equal to {other}"
+        differs = "differs from" if self.negate else "is equal to"
+        return f"{kept(phrases, self, 'counter', self.counter)} {differs} {other}"

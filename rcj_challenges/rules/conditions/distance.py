@@ -1,0 +1,132 @@
+"""The condition ``distance``."""
+
+from collections.abc import Iterable
+from typing import Annotated, Literal
+
+from rcj_challenges.rules.base import Binder, Phrases
+from rcj_challenges.rules.comparison import Compared, to_mm
+from rcj_challenges.rules.conditions.anchors import anchors
+from rcj_challenges.rules.fields import Name, Names, Point, described
+from rcj_challenges.rules.phrasing import number
+from rcj_challenges.rules.quantifier import Quantifier, quantified
+from rcj_challenges.rules.refs import (
+    MEASURED_TO,
+    MOVING,
+    Ref,
+)
+from rcj_challenges.tracking.bound_rules import Test
+
+
+class Distance(Compared):
+    """How far an entity's centre is from another thing, a place or a point, in m; off the field none holds."""
+
+    condition: Literal["distance"]
+    entity: Annotated[
+        Names,
+        Ref(
+            "entity",
+            MOVING,
+            groups=True,
+            each=True,
+            instead="name the obstacle in 'to', and in 'entity' who comes near it",
+        ),
+    ] = described(..., "an entity, each, or a group with `of`")
+    to: Annotated[Name | Point, MEASURED_TO] = described(
+        ...,
+        "an entity, a fixed obstacle (to its centre, to a wall's middle line), each, a spot, a gate or zone (to its "
+        "nearest point; inside a zone it is 0), a draw's name, a group (the nearest of it), or [x, y] in m",
+    )
+    of: Quantifier = described("any", "how many of a group must satisfy it")
+
+    ASKS_WHERE = True
+    EXAMPLE = """
+gates: {line: {from_m: [-0.3, 0.3], to_m: [0.3, 0.3]}}
+zones: {edge: {shape: rect, x_min_m: -0.5, x_max_m: 0.5, inverted: true}}
+rules:
+  open_goal:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    conditions: [{condition: distance, entity: blue, to: ball, at_least: 0.3, of: all}]
+    actions: [{action: emit, event: OPEN_GOAL}]
+  stopped_near_the_line:
+    triggers: [{trigger: holds, condition: {condition: speed, entity: ball, at_most: 0.01}, for_s: 0.5}]
+    conditions:
+      - {condition: distance, entity: ball, to: line, at_most: 0.2}
+      - {condition: distance, entity: ball, to: edge, at_least: 0.1}
+    actions:
+      # The nearer to the line, the more: 10 points on it, 8 at 10 cm.
+      - {action: score, entrant: yellow, points: [10, {distance: [ball, line], weight: -20}]}
+      - {action: emit, event: STOPPED, payload: {far_m: {distance: [ball, line]}, edge_m: {distance: [ball, edge]}}}
+    says: The ball has stopped near the line; {points} points.
+expect:
+  nobody_of_blue_is_near:
+    keyframes: [{at_s: 1, place: {ball: [0, 0.8], B1: [0.5, 0], B2: [-0.5, 0], B3: [0, 0]}}]
+    lasts_s: 2
+    events: [{event: OPEN_GOAL}]
+  at_10_cm_it_gives_8_points:
+    keyframes: [{at_s: 1, place: {ball: [-0.2, 0.4]}}]
+    lasts_s: 2
+    score: {yellow: 8}
+    events: [{event: STOPPED, payload: {far_m: 0.1, edge_m: 0.3}}]
+  too_near_to_the_edge_it_gives_none:
+    keyframes: [{at_s: 1, place: {ball: [0.45, 0.3]}}]
+    lasts_s: 2
+    events: []
+"""
+
+    def test(self, to: Binder) -> Test:
+        """Return how far centres are from another thing (the nearest of a group), a place or a point, compared."""
+        state, of = to.state, self.of
+        entities, holds = to.entities(self.entity), self.comparison(to, counted=to_mm)
+        targets = to.targets(self.to)
+        # Nothing is measured from itself.
+        others = {
+            entity: tuple(target.away_m for target in targets if not target.is_with(entity)) for entity in entities
+        }
+
+        def results() -> Iterable[bool]:
+            for entity in entities:
+                if state.present[entity]:
+                    x, y, _ = state.poses[entity]
+                    distances = (away_m(x, y) for away_m in others[entity])
+                    nearest = min((one for one in distances if one is not None), default=None)
+                    if nearest is not None:
+                        yield holds(nearest)
+
+        return lambda: quantified(of, results())
+
+    def watched(self, to: Binder) -> tuple[int, ...]:
+        """Return the entities whose placement changes it."""
+        return (*to.entities(self.entity), *anchors(to, self.to))
+
+    def about(self) -> Names | None:
+        """Return the entities whose place it reads."""
+        return self.entity
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``if``."""
+        who = phrases.of_those_there(self.of, self.entity, negate=self.negate)
+        point = phrases.point(self.to, self.entity)
+        limit = self.only_limit() if who.negated else None
+        if limit is None:
+            return f"{who.does('is', 'are')} {self.compared(phrases, ' m', f' from {point}')}"
+        # Of what is off the field nothing is measured: then the opposite of it holds.
+        off = self._off(phrases)
+        if isinstance(limit, int | float):
+            return (
+                f"{who.text} is {'less' if self.at_most is None else 'more'} than {number(limit)} m from {point}{off}"
+            )
+        how = "nearer to" if self.at_most is None else "further from"
+        return f"{who.text} is {how} {point} than {phrases.amount(limit)} says in m{off}"
+
+    def _off(self, phrases: Phrases) -> str:
+        """Return what need only be off the field for the opposite of a distance to hold."""
+        itself, target = phrases.may_be_off(self.entity), phrases.off_as_a_whole(self.to, self.entity)
+        if target is None:
+            return " or off the field" if itself else ""
+        if not itself:
+            return f", or {target.does('is', 'are')} off the field"
+        return (
+            f", or off the field, or {target.does('is', 'are')}"
+            if target.plural
+            else ", or one of the two is off the field"
+        )

@@ -1,0 +1,52 @@
+"""The condition ``drawn``."""
+
+from typing import Annotated, Literal
+
+from rcj_challenges.rules.base import Binder, Condition, Phrases
+from rcj_challenges.rules.fields import Name, Scalar, described
+from rcj_challenges.rules.phrasing import quoted_measure
+from rcj_challenges.rules.refs import DRAW, DrawnValue
+from rcj_challenges.tracking.bound_rules import Test
+
+
+class Drawn(Condition):
+    """What a draw decided."""
+
+    condition: Literal["drawn"]
+    draw: Annotated[Name, DRAW] = described(..., "a draw")
+    equals: Annotated[Scalar, DrawnValue()] = described(
+        ...,
+        "the value it must have; each: the name of the one for whom the rule is (for_each); other: of the one touched",
+    )
+
+    EXAMPLE = """
+draws:
+  target: {values: [blue_goal, yellow_goal], not_last: true}
+rules:
+  hit_blue:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    conditions: [{condition: drawn, draw: target, equals: blue_goal}]
+    actions:
+      - {action: score, entrant: yellow}
+      - {action: draw, draw: target}
+      - {action: emit, event: NEXT_TARGET, payload: {target: {draw: target}}}
+expect:
+  then_the_other_one_is_drawn:
+    draws: {target: blue_goal}
+    keyframes: [{at_s: 1, place: {ball: [0, 0.8]}}]
+    lasts_s: 2
+    events: [{event: NEXT_TARGET, payload: {target: yellow_goal}}]
+    score: {yellow: 1}
+"""
+
+    def test(self, to: Binder) -> Test:
+        """Return whether a draw has decided on a value."""
+        draws, name, value = to.state.draws, self.draw, to.drawn_value(self.equals)
+        return lambda: draws[name] == value
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``if``."""
+        who, draw, no = phrases.drawn(self.draw, self.equals), quoted_measure(self.draw), "not " if self.negate else ""
+        if not phrases.is_set(self.draw):
+            return f"{who} was {no}drawn as {draw}"
+        return f"{who} is {no}{draw}" if who == phrases.thing("each") else f"{draw} is {no}{who}"

@@ -1,0 +1,61 @@
+"""The condition ``flag``."""
+
+from typing import Annotated, Literal
+
+from rcj_challenges.rules.base import Binder, Condition, Phrases
+from rcj_challenges.rules.fields import Name, Names, described
+from rcj_challenges.rules.kept import asked, kept, test_of_kept
+from rcj_challenges.rules.phrasing import quoted
+from rcj_challenges.rules.quantifier import Quantifier
+from rcj_challenges.rules.refs import FLAG, WHOSE_OF
+from rcj_challenges.tracking.bound_rules import Test
+
+
+class FlagIs(Condition):
+    """Whether a flag is set."""
+
+    condition: Literal["flag"]
+    flag: Annotated[Name, FLAG] = described(..., "a flag")
+    entity: Annotated[Names | None, WHOSE_OF] = described(
+        None,
+        "for a flag kept per entity: whose; each: the current one; left out, without for_each: any of them; "
+        "with `of` also a group or a list",
+    )
+    of: Quantifier | None = described(
+        None, "how many of a group must satisfy it; entity left out: of all that have one"
+    )
+
+    EXAMPLE = """
+flags:
+  lights: {}
+  doubled: {}
+rules:
+  switch:
+    triggers: [{trigger: touches, entity: robots, other: ball}]
+    actions: [{action: toggle_flag, flag: lights}]
+  late:
+    triggers: [{trigger: time_reached, at_s: 3}]
+    actions: [{action: set_flag, flag: doubled}]
+  goal:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    conditions: [{condition: flag, flag: lights}, {condition: flag, flag: doubled, negate: true}]
+    actions: [{action: score, entrant: yellow}]
+expect:
+  it_counts_while_the_lights_are_on:
+    keyframes: [{at_s: 1, touch: [[Y1, ball]]}, {at_s: 2, place: {ball: [0, 0.8]}}]
+    lasts_s: 4
+    score: {yellow: 1}
+    flags: {lights: true, doubled: true}
+"""
+
+    def test(self, to: Binder) -> Test:
+        """Return whether a flag is set; with ``of``: those of so many."""
+        state, name = to.state, self.flag
+        return test_of_kept(self, to, state.flags[name], lambda whose: state.flag(name, whose))
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``if``."""
+        who = asked(phrases, self, "flag", self.flag)
+        if who is not None:
+            return f"{who.does('has', 'have')} the flag {quoted(self.flag)} set"
+        return f"{kept(phrases, self, 'flag', self.flag)} is {'not ' if self.negate else ''}set"

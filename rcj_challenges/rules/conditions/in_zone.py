@@ -1,0 +1,58 @@
+"""The condition ``in_zone``."""
+
+from typing import Annotated, Literal
+
+from rcj_challenges.rules.base import Binder, Condition, Phrases
+from rcj_challenges.rules.fields import Names, described
+from rcj_challenges.rules.quantifier import Quantifier, quantified
+from rcj_challenges.rules.refs import ENTITIES, ZONES
+from rcj_challenges.tracking.bound_rules import Test
+
+
+class InZone(Condition):
+    """Whether an entity's centre is in a zone; off the field it is in none."""
+
+    condition: Literal["in_zone"]
+    entity: Annotated[Names, ENTITIES] = described(..., "an entity, each, or a group with `of`")
+    zone: Annotated[Names, ZONES] = described(
+        ..., "a zone, each, or a draw's name; with a list or group: in any of them"
+    )
+    of: Quantifier = described("any", "how many of a group must be in")
+
+    ASKS_WHERE = True
+    EXAMPLE = """
+rules:
+  crowd:
+    triggers: [{trigger: time_reached, at_s: 2}]
+    conditions: [{condition: in_zone, entity: yellow, zone: blue_penalty_area, of: {at_least: 2}}]
+    actions: [{action: emit, event: CROWD}]
+expect:
+  two_of_three_are_a_crowd:
+    keyframes: [{at_s: 1, place: {Y1: [-0.2, 0.65], Y2: [0.2, 0.65]}}]
+    lasts_s: 3
+    events: [{event: CROWD}]
+"""
+
+    def test(self, to: Binder) -> Test:
+        """Return whether centres are in a zone; entities off the field are not counted."""
+        state, of = to.state, self.of
+        entities, region = to.entities(self.entity), to.region(self.zone)
+
+        def test() -> bool:
+            poses = state.poses
+            return quantified(of, (region.contains(poses[e][0], poses[e][1]) for e in entities if state.present[e]))
+
+        return test
+
+    def watched(self, to: Binder) -> tuple[int, ...]:
+        """Return the entities whose placement changes it."""
+        return to.entities(self.entity)
+
+    def about(self) -> Names | None:
+        """Return the entities whose place it reads."""
+        return self.entity
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``if``."""
+        who = phrases.of_those_there(self.of, self.entity, negate=self.negate)
+        return f"{who.does('is', 'are')} in {phrases.any_of(self.zone)}"

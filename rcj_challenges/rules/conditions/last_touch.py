@@ -1,0 +1,53 @@
+"""The condition ``last_touch``."""
+
+from typing import Annotated, Literal
+
+from rcj_challenges.rules.base import Binder, Condition, Phrases
+from rcj_challenges.rules.fields import Name, Names, described
+from rcj_challenges.rules.refs import ROBOTS, THING
+from rcj_challenges.tracking.bound_rules import Test
+
+
+class LastTouch(Condition):
+    """Which robot touched something last, since it was put where it is."""
+
+    condition: Literal["last_touch"]
+    entity: Annotated[Name, THING] = described("ball", "what was touched: an entity, a fixed obstacle, or each")
+    by: Annotated[Names, ROBOTS] = described(..., "a robot, each, or a group: any of them")
+
+    EXAMPLE = """
+rules:
+  own_goal:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    conditions: [{condition: last_touch, entity: ball, by: blue}]
+    actions: [{action: emit, event: OWN_GOAL}]
+expect:
+  the_last_one_counts:
+    keyframes:
+      - {at_s: 1, touch: [[Y1, ball]]}
+      - {at_s: 2, touch: [[B1, ball]]}
+      - {at_s: 3, place: {ball: [0, 0.8]}}
+    lasts_s: 4
+    events: [{event: OWN_GOAL}]
+"""
+
+    def test(self, to: Binder) -> Test:
+        """Return whether one of some robots touched something last since it was put where it is."""
+        touched, by = to.thing(self.entity), frozenset(to.entities(self.by))
+        contacts = to.contacts
+        contacts.follow_last(touched)
+        return lambda: contacts.last(touched) in by
+
+    def watched(self, to: Binder) -> tuple[int, ...]:
+        """Return the entities whose placement changes it."""
+        touched = to.thing(self.entity)
+        return (touched,) if touched < len(to.state.present) else ()  # a fixed obstacle is never placed
+
+    def about(self) -> Names | None:
+        """Return the entities whose place it reads."""
+        return self.entity
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``if``."""
+        last, was = f"the last to touch {phrases.thing(self.entity)}", "was not" if self.negate else "was"
+        return f"it {was} {last}" if self.by == "each" else f"{last} {was} {phrases.any_of(self.by)}"

@@ -1,0 +1,72 @@
+"""The condition ``sequence_at``."""
+
+from typing import Annotated, Literal
+
+from rcj_challenges.rules.base import Binder, Condition, Phrases
+from rcj_challenges.rules.fields import Name, Names, described
+from rcj_challenges.rules.kept import asked, kept, test_of_kept
+from rcj_challenges.rules.phrasing import quoted
+from rcj_challenges.rules.quantifier import Quantifier
+from rcj_challenges.rules.refs import ENTITIES, SEQUENCE, Ref
+from rcj_challenges.tracking.bound_rules import Test
+
+
+class SequenceAt(Condition):
+    """At which step a sequence stands."""
+
+    condition: Literal["sequence_at"]
+    sequence: Annotated[Name, SEQUENCE] = described(..., "a sequence")
+    entity: Annotated[Names | None, ENTITIES] = described(
+        None,
+        "for a sequence kept per entity: whose; each: the current one; left out, without for_each: any of them; "
+        "with `of` also a group or a list",
+    )
+    of: Quantifier | None = described(
+        None, "how many of a group must stand there; entity left out: of all that have one"
+    )
+    step: Annotated[Name, Ref("zone or gate", frozenset({"zone", "gate"}), each=True)] = described(
+        ..., "the zone or gate reached last, or each"
+    )
+
+    EXAMPLE = """
+zones:
+  west: {shape: rect, x_max_m: -0.3}
+  east: {shape: rect, x_min_m: 0.3}
+sequences:
+  across: {per: yellow, steps: [west, east]}
+rules:
+  two_are_on_their_way:
+    triggers: [{trigger: touches, entity: robots, other: ball}]
+    # Of so many of those that have one; entity: Y1 would ask for that of one.
+    conditions: [{condition: sequence_at, sequence: across, step: west, of: {at_least: 2}}]
+    actions: [{action: score, entrant: yellow}]
+expect:
+  with_one_on_its_way_a_touch_is_worth_nothing:
+    keyframes:
+      - {at_s: 1, place: {Y1: [-0.5, 0]}}
+      - {at_s: 2, touch: [[Y1, ball]]}
+      - {at_s: 3, place: {Y2: [-0.5, -0.3]}}
+      - {at_s: 4, touch: [[B1, ball]]}
+    lasts_s: 5
+    score: {yellow: 1}
+"""
+
+    def test(self, to: Binder) -> Test:
+        """Return whether a step of a sequence was reached last; with ``of``: those of so many."""
+        trackers = to.sequences(self.sequence)
+        everyone = tuple(trackers.values())
+        (step,) = to.members(self.step)
+
+        def test(whose: str | None) -> bool:
+            asked = everyone if whose is None else (trackers[whose],)
+            return any(tracker.reached == step for tracker in asked)
+
+        return test_of_kept(self, to, trackers, test)
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``if``."""
+        who, step = asked(phrases, self, "sequence", self.sequence), phrases.sequence_step(self.sequence, self.step)
+        if who is not None:
+            return f"{who.does('has', 'have')} a sequence {quoted(self.sequence)} that stands at {step}"
+        stands = "does not stand" if self.negate else "stands"
+        return f"{kept(phrases, self, 'sequence', self.sequence)} {stands} at {step}"

@@ -1,0 +1,76 @@
+"""The condition ``speed``."""
+
+from math import sqrt
+from typing import Annotated, Literal
+
+from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.rules.base import Binder, Phrases
+from rcj_challenges.rules.comparison import Compared
+from rcj_challenges.rules.fields import Names, described
+from rcj_challenges.rules.phrasing import number
+from rcj_challenges.rules.quantifier import Quantifier, quantified
+from rcj_challenges.rules.refs import ENTITIES
+from rcj_challenges.tracking.bound_rules import Test
+
+
+class Speed(Compared):
+    """How fast an entity's centre moves, in m/s (path of the last tick over its time)."""
+
+    condition: Literal["speed"]
+    entity: Annotated[Names, ENTITIES] = described(..., "an entity, each, or a group with `of`")
+    of: Quantifier = described("any", "how many of a group must satisfy it")
+
+    EXAMPLE = """
+rules:
+  hard_shot:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    conditions: [{condition: speed, entity: ball, at_least: 0.3}]
+    actions: [{action: emit, event: HARD_SHOT}]
+expect:
+  half_a_metre_in_a_second_is_hard:
+    keyframes:
+      - {at_s: 1, place: {ball: [0, 0.3]}}
+      - {at_s: 2, move: {ball: [0, 0.8]}}
+    lasts_s: 3
+    events: [{event: HARD_SHOT}]
+  a_tenth_is_not:
+    keyframes:
+      - {at_s: 1, place: {ball: [0, 0.7]}}
+      - {at_s: 2, move: {ball: [0, 0.8]}}
+    lasts_s: 3
+    events: []
+"""
+
+    def test(self, to: Binder) -> Test:
+        """Return how fast centres move: the way of the last tick over its time, in m/s, compared."""
+        state, of = to.state, self.of
+        entities, holds = to.entities(self.entity), self.comparison(to)
+
+        def mps(entity: int) -> float:
+            (x, y, _), (was_x, was_y, _) = state.poses[entity], state.before[entity]
+            return sqrt((x - was_x) ** 2 + (y - was_y) ** 2) / TICK_S
+
+        def compares(entity: int) -> bool:
+            # What jumps, by hand in a test, is neither fast nor at rest.
+            return entity not in state.by_hand and holds(mps(entity))
+
+        return lambda: quantified(of, (compares(entity) for entity in entities if state.present[entity]))
+
+    def watched(self, to: Binder) -> tuple[int, ...]:
+        """Return the entities whose placement changes it."""
+        return to.entities(self.entity)
+
+    def about(self) -> Names | None:
+        """Return the entities whose place it reads."""
+        return self.entity
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``if``."""
+        who = phrases.of_those_there(self.of, self.entity, negate=self.negate)
+        limit = self.only_limit() if who.negated else None
+        if limit is None:
+            return f"{who.does('moves', 'move')} at a speed of {self.compared(phrases, ' m/s')}"
+        how = "slower" if self.at_most is None else "faster"
+        fast = f"{number(limit)} m/s" if isinstance(limit, int | float) else f"{phrases.amount(limit)} says in m/s"
+        off = " or is off the field" if phrases.may_be_off(self.entity) else ""
+        return f"{who.text} moves {how} than {fast}{off}"

@@ -1,0 +1,45 @@
+"""The condition ``spot_free``."""
+
+from typing import Annotated, Literal
+
+from rcj_challenges.rules.base import Binder, Condition, Phrases
+from rcj_challenges.rules.fields import Names, NotNegative, described
+from rcj_challenges.rules.quantifier import Quantifier, quantified
+from rcj_challenges.rules.refs import SPOTS
+from rcj_challenges.tracking.bound_rules import Test
+
+
+class SpotFree(Condition):
+    """Whether a spot is free."""
+
+    condition: Literal["spot_free"]
+    spot: Annotated[Names, SPOTS] = described(..., "a spot, or a group with `of`")
+    of: Quantifier = described("any", "how many of a group must be free")
+    clearance_m: NotNegative = described(0.08, "free: no robot's or ball's centre within this, in m")
+
+    EXAMPLE = """
+rules:
+  room:
+    triggers: [{trigger: time_reached, at_s: 2}]
+    conditions: [{condition: spot_free, spot: centre, clearance_m: 0.1}]
+    actions: [{action: emit, event: CENTRE_IS_FREE}]
+expect:
+  the_ball_is_gone:
+    keyframes: [{at_s: 1, place: {ball: [0.5, 0]}}]
+    lasts_s: 3
+    events: [{event: CENTRE_IS_FREE}]
+  the_ball_lies_there:
+    keyframes: [{at_s: 1}]
+    lasts_s: 3
+    events: []
+"""
+
+    def test(self, to: Binder) -> Test:
+        """Return whether the centre of no robot or ball is near a spot."""
+        of, free = self.of, to.free_spots(self.spot, self.clearance_m)
+        return lambda: quantified(of, free())
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``if``."""
+        who = phrases.quantified(self.of, self.spot, negate=self.negate).does("is", "are")
+        return f"{who} free{phrases.clearance(self.clearance_m)}"

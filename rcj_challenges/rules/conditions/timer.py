@@ -1,0 +1,81 @@
+"""The condition ``timer``."""
+
+from typing import Annotated, Literal
+
+from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.rules.base import Binder, Phrases
+from rcj_challenges.rules.comparison import Compared
+from rcj_challenges.rules.fields import Name, Names, described
+from rcj_challenges.rules.kept import asked, kept, test_of_kept
+from rcj_challenges.rules.phrasing import number, quoted
+from rcj_challenges.rules.quantifier import Quantifier
+from rcj_challenges.rules.refs import TIMER, WHOSE_OF
+from rcj_challenges.tracking.bound_rules import Test
+
+
+class TimerIs(Compared):
+    """How long a timer has run, in s; without a comparison: whether it is running (run out, it is not)."""
+
+    condition: Literal["timer"]
+    timer: Annotated[Name, TIMER] = described(..., "a timer")
+    entity: Annotated[Names | None, WHOSE_OF] = described(
+        None,
+        "for a timer kept per entity: whose; each: the current one; left out, without for_each: the longest; "
+        "with `of` also a group or a list",
+    )
+    of: Quantifier | None = described(
+        None, "how many of a group must satisfy it; entity left out: of all that have one"
+    )
+
+    EXAMPLE = """
+timers:
+  since_touch: {lasts_s: 20}
+rules:
+  touched:
+    triggers: [{trigger: touches, entity: yellow, other: ball}]
+    actions: [{action: timer, timer: since_touch, do: restart}]
+  quick_goal:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    conditions: [{condition: timer, timer: since_touch, at_most: 2}]
+    actions: [{action: score, entrant: yellow, points: 2}]
+expect:
+  a_goal_within_2_s_of_the_touch_gives_two_points:
+    keyframes: [{at_s: 1, touch: [[Y1, ball]]}, {at_s: 2.5, place: {ball: [0, 0.8]}}]
+    lasts_s: 4
+    score: {yellow: 2}
+"""
+
+    def test(self, to: Binder) -> Test:
+        """Return how long a timer has run in s (of several the longest); without a comparison: whether one runs."""
+        state, clocks = to.state, to.state.timers[self.timer]
+        everyone = tuple(clocks.values())
+        is_compared = any(bound is not None for bound in (self.at_least, self.at_most, self.equals))
+        holds = self.comparison(to)
+
+        def test(whose: str | None) -> bool:
+            asked = everyone if whose is None else (clocks[whose],)
+            if not is_compared:
+                return any(clock.running(state.tick) for clock in asked)
+            return holds(s_from_ticks(max(clock.ticks(state.tick) for clock in asked)))
+
+        return test_of_kept(self, to, clocks, test)
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``if``."""
+        who, run_for = asked(phrases, self, "timer", self.timer), self.compared(phrases, " s")
+        timer, no = kept(phrases, self, "timer", self.timer), " not" if self.negate else ""
+        if not run_for and who is None:
+            return f"{timer} is{no} running"
+        if who is not None and (self.of is not None or not run_for):
+            article, state = ("a", f"that has run for {run_for}") if run_for else ("the", "running")
+            return f"{who.does('has', 'have')} {article} timer {quoted(self.timer)} {state}"
+        owners = phrases.owners("timer", self.timer)
+        if who is not None and owners is not None:
+            timer = f"the longest running timer {quoted(self.timer)} of {phrases.all_of(owners).text}"
+        limit = self.only_limit() if self.negate else None
+        if limit is None:
+            return f"{timer} has{no} run for {run_for}"
+        if isinstance(limit, int | float):
+            return f"{timer} has run for {'less' if self.at_most is None else 'more'} than {number(limit)} s"
+        how = "shorter" if self.at_most is None else "longer"
+        return f"{timer} has run {how} than {phrases.amount(limit)} says in s"

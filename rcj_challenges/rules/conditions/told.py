@@ -1,0 +1,58 @@
+"""The condition ``told``."""
+
+from typing import Annotated, Literal
+
+from rcj_challenges.rules.base import Binder, Condition, Phrases
+from rcj_challenges.rules.fields import Names, described
+from rcj_challenges.rules.message import Message
+from rcj_challenges.rules.quantifier import Quantifier, quantified
+from rcj_challenges.rules.refs import ROBOTS
+from rcj_challenges.tracking.bound_rules import Test
+
+
+class Told(Condition, Message):
+    """What a robot has told the referee by radio, the last time in this half; before that nothing holds.
+
+    Without `text` and `is_a`: whether it has told anything.
+    """
+
+    condition: Literal["told"]
+    entity: Annotated[Names, ROBOTS] = described(..., "a robot, each, or a group with `of`")
+    of: Quantifier = described("any", "how many of a group must have said so")
+
+    EXAMPLE = """
+# A question: how many? The right answer gives 5 points, any other costs one.
+draws: {number: {values: [1, 2, 3]}}
+rules:
+  right:
+    for_each: robots
+    triggers: [{trigger: tells, entity: each, text: {draw: number}}]
+    actions: [{action: score, entrant: each, points: 5}]
+  wrong:
+    for_each: robots
+    triggers: [{trigger: tells, entity: each}]
+    conditions: [{condition: told, entity: each, text: {draw: number}, negate: true}]
+    actions:
+      - {action: score, entrant: each, points: -1}
+      - {action: emit, event: WRONG, payload: {robot_name: {word: robot_name}, told: {told: each}}}
+expect:
+  a_wrong_answer_and_a_right_one:
+    draws: {number: 3}
+    keyframes: [{at_s: 1, tells: {B1: 2}}, {at_s: 2, tells: {B1: 3}}]
+    lasts_s: 3
+    score: {blue: 4}
+    events: [{event: WRONG, payload: {robot_name: B1, told: "2"}}]
+"""
+
+    def test(self, to: Binder) -> Test:
+        """Return whether what robots have told the referee last is as it must be."""
+        heard, of, fits = to.state.heard, self.of, self.matcher(to.state.draws)
+        robots = to.members(self.entity)
+        return lambda: quantified(of, (robot in heard and fits(heard[robot]) for robot in robots))
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``if``."""
+        who, said = phrases.quantified(self.of, self.entity, negate=self.negate), self.said(phrases)
+        if not said:
+            return f"{who.does('was', 'were')} heard by the referee before"
+        return f"{who.does('has', 'have')} {said} as the last message told"

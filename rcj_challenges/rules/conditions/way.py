@@ -1,0 +1,61 @@
+"""The condition ``way``."""
+
+from typing import Annotated, Literal
+
+from rcj_challenges.rules.base import Binder, Phrases
+from rcj_challenges.rules.comparison import Compared, to_mm
+from rcj_challenges.rules.fields import Names, described
+from rcj_challenges.rules.phrasing import number
+from rcj_challenges.rules.quantifier import Quantifier, quantified
+from rcj_challenges.rules.refs import ENTITIES
+from rcj_challenges.tracking.bound_rules import Test
+
+
+class WayIs(Compared):
+    """How far an entity has driven or rolled in this half, in m; where rules put it is no way. Also off the field."""
+
+    condition: Literal["way"]
+    entity: Annotated[Names, ENTITIES] = described(..., "an entity, each, or a group with `of`")
+    of: Quantifier = described("any", "how many of a group must satisfy it")
+
+    EXAMPLE = """
+counters: {budget_m: {initial: 1}}
+rules:
+  used_up:
+    for_each: yellow
+    triggers: [{trigger: holds, condition: {condition: way, entity: each, at_least: {counter: budget_m}}}]
+    actions: [{action: remove, entity: each}, {action: emit, event: USED_UP, payload: {who: {word: robot_name}}}]
+  put_back:
+    # Where a rule puts it is no way, and gives none back.
+    triggers: [{trigger: time_reached, at_s: 3}]
+    actions: [{action: place, entity: Y1, at: {point: [0.5, -0.5]}}]
+expect:
+  after_a_metre_it_is_off:
+    keyframes:
+      - {at_s: 1, place: {Y1: [0, -0.6], Y2: [-0.3, -0.3], Y3: [-0.3, -0.6]}}
+      - {at_s: 2, move: {Y1: [0, 0]}}
+      - {at_s: 4}
+      - {at_s: 5, move: {Y1: [0.5, 0.5]}}
+    lasts_s: 6
+    events: [{event: USED_UP, payload: {who: Y1}}]
+"""
+
+    def test(self, to: Binder) -> Test:
+        """Return how far things have driven or rolled in the half, in m, compared; also what is off the field."""
+        state, of = to.state, self.of
+        entities, holds = to.entities(self.entity), self.comparison(to, counted=to_mm)
+        for entity in entities:
+            state.follow_way(entity)
+        return lambda: quantified(of, (holds(state.ways[entity]) for entity in entities))
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``if``."""
+        who = phrases.quantified(self.of, self.entity, negate=self.negate)
+        limit = self.only_limit() if who.negated else None
+        if limit is None:
+            return f"{who.does('has', 'have')} a way in this half of {self.compared(phrases, ' m')}"
+        if isinstance(limit, int | float):
+            how = "less" if self.at_most is None else "more"
+            return f"{who.text} has a way in this half of {how} than {number(limit)} m"
+        how = "shorter" if self.at_most is None else "longer"
+        return f"{who.text} has a {how} way in this half than {phrases.amount(limit)} says in m"

@@ -1,0 +1,58 @@
+"""Conditions on what is kept per entity: a counter, a flag, a timer or a sequence of one, of all, or of so many."""
+
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from rcj_challenges.rules.base import Binder, Phrases
+from rcj_challenges.rules.fields import Names
+from rcj_challenges.rules.phrasing import Subject
+from rcj_challenges.rules.quantifier import Quantifier, quantified
+from rcj_challenges.tracking.bound_rules import Test
+
+
+class _OfKept(Protocol):
+    @property
+    def negate(self) -> bool: ...
+    @property
+    def entity(self) -> Names | None: ...
+    @property
+    def of(self) -> Quantifier | None: ...
+
+
+def test_of_kept(condition: _OfKept, to: Binder, kept: Any, test: Callable[[str | None], bool]) -> Test:
+    """Return the test of something kept per entity: of one, of all as one, or with ``of`` of so many of them.
+
+    Args:
+        condition: the condition.
+        to: the rule's binder.
+        kept: a mapping by entity; anything else if there is a single one.
+        test: whether that of an entity satisfies it; of None all as one, or the single one.
+
+    Raises:
+        ValueError: several entities are named without ``of``; such a scenario is refused when it is loaded.
+    """
+    entity, of = condition.entity, condition.of
+    if of is not None:
+        keepers = kept if isinstance(kept, dict) else ()
+        members = tuple(keepers) if entity is None else to.members(entity)
+        return lambda: quantified(of, (test(member) for member in members))
+    if isinstance(entity, tuple):
+        message = "several entities need 'of'"
+        raise ValueError(message)  # noqa: TRY004 - refused when the scenario is loaded
+    whose = to.whose(entity)
+    return lambda: test(whose)
+
+
+def asked(phrases: Phrases, condition: _OfKept, kind: str, name: str) -> Subject | None:
+    """Return which of several are asked for what each of them has; None where one is asked, or all in one."""
+    of, entity = condition.of, condition.entity
+    together = of is None and entity is None and kind != "counter" and phrases.owners(kind, name) is not None
+    if (of is None and not together) or entity == "each":
+        return None
+    return phrases.quantified(of or "any", entity or phrases.keepers(kind, name), negate=condition.negate)
+
+
+def kept(phrases: Phrases, condition: _OfKept, kind: str, name: str) -> str:
+    """Return a counter, flag, timer or sequence with whose it is."""
+    entity = condition.entity
+    return phrases.kept(kind, name, entity if isinstance(entity, str) else None)

@@ -1,0 +1,62 @@
+"""What a message of a robot must be."""
+
+from collections.abc import Callable, Mapping
+from typing import Annotated, Literal
+
+from pydantic import Field, StringConstraints
+
+from rcj_challenges.facts.messages import MOST_LETTERS, READS, is_said
+from rcj_challenges.rules.base import Phrases
+from rcj_challenges.rules.fields import Scalar, Strict, described
+from rcj_challenges.rules.phrasing import listed, number
+from rcj_challenges.rules.values import DrawValue
+
+SaidText = Annotated[
+    str,
+    StringConstraints(min_length=1, max_length=MOST_LETTERS, pattern=r"^[^\s]+( [^\s]+)*$"),
+    Field(description="text as a robot says it, with single blanks between its words"),
+]
+Said = SaidText | int | float
+"""What a robot may say."""
+
+
+class Message(Strict):
+    """What a message of a robot must be."""
+
+    text: Said | Annotated[tuple[Said, ...], Field(strict=False, min_length=1)] | DrawValue | None = described(
+        None,
+        "what it must say: text, a number, a list of which it must be one, or {draw: NAME}: what that has decided; "
+        "without the blanks around it; left out: anything",
+    )
+    is_a: Literal["number", "position"] | None = described(
+        None, "number: it must be one number; position: two numbers, x and y in m, 10 at most; left out: anything"
+    )
+
+    def matcher(self, draws: Mapping[str, Scalar]) -> Callable[[str], bool]:
+        """Return what decides whether a message is as it must be.
+
+        Args:
+            draws: the value of each draw; read when a message comes.
+        """
+        text, parse = self.text, READS[self.is_a]
+
+        def wanted() -> tuple[Scalar, ...]:
+            if isinstance(text, DrawValue):
+                return (draws[text.draw],)
+            return text if isinstance(text, tuple) else (text,) if text is not None else ()
+
+        def matches(message: str) -> bool:
+            if parse(message) is None:
+                return False
+            return text is None or any(is_said(message, one) for one in wanted())
+
+        return matches
+
+    def said(self, phrases: Phrases) -> str:
+        """Return what the message must be: ``“FOUND”``, ``2``, ``a number``; an empty text if it may be anything."""
+        if isinstance(self.text, DrawValue):
+            return phrases.what_drawn(self.text.draw)
+        if self.text is not None:
+            wanted = self.text if isinstance(self.text, tuple) else (self.text,)
+            return listed([number(one) if isinstance(one, int | float) else f"“{one}”" for one in wanted], "or")
+        return {None: "", "number": "a number", "position": "a position (two numbers, x and y in m)"}[self.is_a]

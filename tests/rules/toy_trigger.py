@@ -1,0 +1,105 @@
+"""A trigger that the package does not have, in one file; run as a program it prints what the package makes of it."""
+
+import json
+from math import hypot
+from typing import Annotated, Literal
+
+from rcj_challenges.rules.base import Binder, Phrases, Trigger
+from rcj_challenges.rules.fields import Names, Positive, described
+from rcj_challenges.rules.phrasing import metres
+from rcj_challenges.rules.refs import ENTITIES
+from rcj_challenges.rules.triggers import TRIGGERS
+from rcj_challenges.tracking.bound_rules import HitBuffer
+from rcj_challenges.tracking.state import RefereeState
+from rcj_challenges.tracking.trackers import TickTracker
+
+
+class Strays(Trigger):
+    """Fires when an entity's centre is further from the centre of the field than a distance."""
+
+    trigger: Literal["strays"]
+    entity: Annotated[Names, ENTITIES] = described(..., "whose")
+    distance_m: Positive = described(..., "the distance in m")
+
+    MEASURED = "the distance in m to the centre"
+    LIMIT = "distance_m"
+    EXAMPLE = """
+rules:
+  strayed:
+    triggers: [{trigger: strays, entity: ball, distance_m: 0.5}]
+    says: "{entity} is {measured} m away"
+    actions: [{action: emit, event: STRAYED}]
+expect:
+  it_is_called_back:
+    keyframes:
+      - {at_s: 1, place: {ball: [0, 0]}}
+      - {at_s: 2, move: {ball: [0, 0.6]}}
+    lasts_s: 3
+    events: [{event: STRAYED, at_s: 1.84, tolerance_s: 0.05}]
+"""
+
+    def bind(self, to: Binder) -> None:
+        """Bind a rule to the tracker of each entity."""
+        for entity in to.entities(self.entity):
+            key = (entity, self.distance_m)
+            tracker = to.track(StrayTracker, key, lambda entity=entity: StrayTracker(entity, self, to.state, to.hits))
+            tracker.bindings.append(to.binding(entity))
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``When``."""
+        return f"{phrases.any_of(self.entity)} strays by more than {metres(self.distance_m)}"
+
+
+class StrayTracker(TickTracker):
+    """Reports the tick in which an entity is too far away."""
+
+    def __init__(self, entity: int, model: Strays, state: RefereeState, hits: HitBuffer) -> None:
+        super().__init__()
+        self.entities = (entity,)
+        self._limit = model.distance_m
+        self._far = False
+        self._state = state
+        self._hits = hits
+
+    def reset(self) -> None:
+        """Take the present distance for the one before."""
+        self._far = self._distance_m() > self._limit
+
+    def update(self) -> None:
+        """Report when it goes beyond the limit."""
+        was, self._far = self._far, self._distance_m() > self._limit
+        if self._far and not was:
+            self._hits.report(self.bindings, self._distance_m(), self._limit)
+
+    def _distance_m(self) -> float:
+        x, y, _ = self._state.poses[self.entities[0]]
+        return hypot(x, y)
+
+
+def report() -> dict[str, object]:
+    """Return what validation, referee, lint, sheet, schema and reference make of the trigger."""
+    from rcj_challenges.referee.trials import try_expectation
+    from rcj_challenges.scenario.errors import ScenarioError
+    from rcj_challenges.scenario.json_schema import scenario_schema
+    from rcj_challenges.scenario.load import load_text
+    from rcj_challenges.views.sheet import sheet_markdown
+    from scripts.write_reference import Example, page
+
+    loaded = load_text(Example("triggers", ("strays",), Strays.EXAMPLE).whole)
+    try:
+        load_text(Example("triggers", ("strays",), Strays.EXAMPLE.replace("entity: ball", "entity: bal")).whole)
+        refused = []
+    except ScenarioError as error:
+        refused = [problem.path for problem in error.problems]
+    return {
+        "differences": try_expectation(loaded, "it_is_called_back").differences,
+        "refused": refused,
+        "sheet": sheet_markdown(loaded.scenario, loaded.roster),
+        "schema": scenario_schema()["$defs"]["Strays"]["required"],
+        "reference": page().partition("### strays\n")[2].partition("\n### ")[0],
+    }
+
+
+if __name__ == "__main__":
+    TRIGGERS.add(Strays)
+    print(json.dumps(report()))
