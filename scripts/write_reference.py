@@ -19,7 +19,7 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
-from rcj_challenges.rules.actions import Action
+from rcj_challenges.rules.actions import ACTIONS, AnyAction
 from rcj_challenges.rules.conditions import CONDITIONS, AnyCondition
 from rcj_challenges.rules.conditions.all_of import AllOf
 from rcj_challenges.rules.conditions.any_of import AnyOf
@@ -58,7 +58,7 @@ from rcj_challenges.scenario.shape import bare, fields, is_model, is_union, memb
 ROOT = Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs" / "reference-scenario.md"
 WORDS = ROOT / "docs" / "words"
-VOCABULARIES = {"triggers": TRIGGERS, "conditions": CONDITIONS}
+VOCABULARIES = {"triggers": TRIGGERS, "conditions": CONDITIONS, "actions": ACTIONS}
 """The words with an example of their own, by kind."""
 STAGE = """schema_version: 1
 id: example
@@ -234,7 +234,7 @@ CHAPTERS = (
         "conditions",
         "condition",
     ),
-    Chapter("Actions", "What a rule does when it fires, in order.", _tagged(Action), "actions", "action"),
+    Chapter("Actions", "What a rule does when it fires, in order.", _tagged(AnyAction), "actions", "action"),
     Chapter(
         "Values",
         "What may stand in a payload or a broadcast, besides a literal; in `points:` and `count` too: `counter`, "
@@ -370,7 +370,7 @@ _NAMED: tuple[tuple[Any, str], ...] = (
     (AnyTrigger, "[trigger](#triggers)"), (AnyCondition, "[condition](#conditions)"),
     *((get_args(fields(one)["conditions"])[0], "[condition](#conditions)")
       for one in (AnyOf, AllOf)),
-    (Action, "[action](#actions)"), (robots.Device, "[device](#devices)"), (places.Zone, "[zone](#zones)"),
+    (AnyAction, "[action](#actions)"), (robots.Device, "[device](#devices)"), (places.Zone, "[zone](#zones)"),
     (field.Obstacle, "[obstacle](#obstacles)"), (places.Layout, "list of [placements](#placements)"),
     (robots.EntryPoints, "path, or list of paths"),
 )  # fmt: skip

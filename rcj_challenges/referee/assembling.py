@@ -8,7 +8,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rcj_challenges.facts.timing import ticks_from_s
-from rcj_challenges.referee.actions import compile_action
 from rcj_challenges.referee.binding import RuleBinder
 from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.scenario.blanks import partly_filled
@@ -68,4 +67,4 @@ def _compile(model: Rule, rule: BoundRule, context: CompileContext) -> None:
     for position, trigger in enumerate(model.triggers):
         binder.bind(position, trigger)
     rule.tests = tuple(condition.compile(binder) for condition in model.conditions)
-    rule.actions = tuple(compile_action(action, context, rule) for action in model.actions)
+    rule.actions = tuple(action.compile(binder) for action in model.actions)

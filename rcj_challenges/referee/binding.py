@@ -3,21 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from typing import TYPE_CHECKING, TypeVar
+from dataclasses import replace
+from random import Random
+from typing import TYPE_CHECKING, Any, TypeVar
 
+from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.geometry.regions import Region
 from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.referee.nearness import targets_of
-from rcj_challenges.referee.places import spots_of, where_now
-from rcj_challenges.referee.setting_down import Board
-from rcj_challenges.referee.values import compile_bound
+from rcj_challenges.referee.places import compile_mirror, compile_putting, random_point, spots_of, where_now
+from rcj_challenges.referee.setting_down import Board, Job
+from rcj_challenges.referee.values import compile_bound, compile_points, compile_value, counter_reader
+from rcj_challenges.rules.actions.place import Place
 from rcj_challenges.rules.base import Binder, Trigger
-from rcj_challenges.rules.fields import Name, Names, Point, Scalar
-from rcj_challenges.rules.values import Bound
-from rcj_challenges.tracking.bound_rules import BoundRule, TriggerBinding
+from rcj_challenges.rules.fields import LONGEST_S, Name, Names, Point, Scalar
+from rcj_challenges.rules.places import Mirror, OnLine, UniformIn
+from rcj_challenges.rules.values import Bound, CounterValue, Lasts, Points, Value
+from rcj_challenges.scenario.floor import on_floor
+from rcj_challenges.tracking.bound_rules import BoundRule, Firing, TriggerBinding
 from rcj_challenges.tracking.gates import GateLine
 from rcj_challenges.tracking.sequences import SequenceTracker
-from rcj_challenges.tracking.state import Number
+from rcj_challenges.tracking.state import Clock, Number
 from rcj_challenges.tracking.target import Target
 from rcj_challenges.tracking.trackers import Tracker
 
@@ -145,6 +151,115 @@ class RuleBinder:
     def bound(self, bound: Bound) -> Callable[[], Number]:
         """Return what reads what is compared with: a number, a counter, or the lowest or highest of others."""
         return compile_bound(bound, self._context, self.rule.each)
+
+    # --- for actions ------------------------------------------------------------------------------------------------
+
+    def points(self, points: Points) -> Callable[[Firing], Number]:
+        """Return what reads a number of points: one amount, or the sum of numbers and weighted ones."""
+        return compile_points(points, self._context, self.rule.each)
+
+    def value(self, value: Value) -> Callable[[Firing], Any]:
+        """Return what reads a value of an event's payload."""
+        return compile_value(value, self._context, self.rule.each)
+
+    def ticks(self, lasts_s: Lasts) -> Callable[[], int]:
+        """Return what reads how many ticks something lasts: a number, or what a draw or a counter says."""
+        if isinstance(lasts_s, CounterValue):
+            read = counter_reader(lasts_s, self._context, self.rule.each)
+            # A counter may be anything: to end a match as a fault because a penalty is too long helps no one.
+            return lambda: ticks_from_s(min(max(0.0, read()), LONGEST_S))
+        return lambda: self.state.lasting_ticks(lasts_s)
+
+    def wind_up(self, timer: str, clock: Clock, owner: str | None) -> None:
+        """Give a clock of a timer its length, as its draw has decided or its counter says by now."""
+        self.state.wind_up(clock, self._context.scenario.timers[timer].lasts_s, owner)
+
+    def timers_changed(self) -> None:
+        """Reschedule the trackers after a timer was started or stopped."""
+        self._context.timers_changed()
+
+    def reset(self, tracker: Tracker) -> None:
+        """Reset a tracker, because a rule says so."""
+        self._context.trackers.reset(tracker)
+
+    def release(self, robots: tuple[int, ...]) -> None:
+        """Let robots go that rules hold."""
+        self._context.trackers.release(self.state.held.release(robots))
+
+    def decide_draw(self, draw: str, value: Scalar | None) -> None:
+        """Draw anew, or set a draw to a value; what follows the draw is reset if it changed."""
+        before = self.state.draws[draw]
+        if value is not None:
+            self.state.set_draw(draw, value)
+        else:
+            self.state.draw_anew(draw, self._context.scenario.draws[draw])
+        if self.state.draws[draw] != before:
+            self._context.has_drawn(draw)
+
+    def draw_values(self, draw: str) -> tuple[Scalar, ...]:
+        """Return the values of a draw."""
+        return self._context.scenario.draws[draw].values
+
+    def enter_phase(self, phase: str) -> None:
+        """Enter a phase, at once."""
+        self._context.enter_phase(phase)
+
+    def emit(self, event: str, payload: dict[str, object], about: tuple[str, ...]) -> None:
+        """Write an event."""
+        self._context.emit(event, payload, about)
+
+    # --- places -----------------------------------------------------------------------------------------------------
+
+    def random_point(self, place: UniformIn | OnLine) -> Callable[[Random], Point]:
+        """Return what draws a point of zones or of a segment, every one equally likely."""
+        return random_point(place, self._context, self.rule.each)
+
+    def mirror_signs(self, mirror: Mirror | None) -> Callable[[], Point]:
+        """Return what reads the signs of x and y that a mirror gives now; without one they are positive."""
+        return (lambda: (1, 1)) if mirror is None else compile_mirror(mirror, self._context)
+
+    def decided_place(self, spot: str) -> Point | None:
+        """Return where a test has decided that chance sets a spot this time; None: chance decides."""
+        return self.state.decided_place(spot)
+
+    def is_on_floor(self, point: Point) -> bool:
+        """Return whether a point lies inside the walls."""
+        return on_floor(point, self._context.floor)
+
+    def layout_jobs(self, layout: str, mirror: Mirror | None) -> list[Job]:
+        """Return the placements of a layout, in order."""
+        context, each = self._context, self.rule.each
+        key = (layout, each, mirror)
+        puttings = context.layouts.get(key)
+        if puttings is None:
+            puttings = context.layouts[key] = [
+                compile_putting(placing, context, entity, each, stream, also=mirror)
+                for number, placing in enumerate(context.scenario.placements[layout])
+                for entity in context.entities(placing.entity, each)
+                for stream in (f"placement/{layout}/{number}/{self.name_of(entity)}",)
+            ]
+        return [Job(putting.entity, putting, self.rule) for putting in puttings]
+
+    def placement_job(self, placing: Place, entity: int) -> Job:
+        """Return the placement of one entity."""
+        stream = f"rule/{self.rule.name}/{self.name_of(entity)}"
+        return Job(entity, compile_putting(placing, self._context, entity, self.rule.each, stream), self.rule)
+
+    def place(self, jobs: list[Job]) -> None:
+        """Ask for placements, to be carried out after all actions of the tick."""
+        for job in jobs:
+            if job.putting is not None and job.putting.flips:
+                self._context.queue.ask(replace(job, signs=job.putting.signs()))
+            else:
+                self._context.queue.ask(job)
+
+    def place_later(self, job: Job, ticks: int) -> None:
+        """Ask for a placement so many ticks from now, of what is off the field until then."""
+        self._context.queue.ask_later(replace(job, due=self.state.tick + ticks, comes_back=True))
+
+    def remove(self, entity: int) -> None:
+        """Ask for an entity to be taken off the field."""
+        self._context.queue.ask(Job(entity, None, self.rule))
 
 
 if TYPE_CHECKING:

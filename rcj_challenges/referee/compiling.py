@@ -13,6 +13,7 @@ from rcj_challenges.referee.zones import region_of
 from rcj_challenges.rules.fields import Names, Scalar
 from rcj_challenges.rules.places import Mirror
 from rcj_challenges.scenario.catalogue import EACH
+from rcj_challenges.scenario.floor import floor_parts
 from rcj_challenges.scenario.followed import followed, phases_of
 from rcj_challenges.scenario.models.state import Sequence
 from rcj_challenges.scenario.remembered import remembered_spots
@@ -44,6 +45,7 @@ class CompileContext:
         enter_phase: enters a phase; set by the engine.
         layouts: compiled layouts by name, what ``each`` stands for, and mirror.
         timers_changed: to be called after a timer was started or stopped; trackers are rescheduled.
+        floor: what lies inside the walls.
         remembered: the spots that rules set: they are read each time.
     """
 
@@ -62,6 +64,7 @@ class CompileContext:
         self.enter_phase: Callable[[str], None] = lambda _phase: None
         self.timers_changed: Callable[[], None] = self.trackers.reschedule
         self._by_draw: dict[str, list[Tracker]] = {}
+        self.floor = floor_parts(state.scenario.field)
         self.remembered = frozenset(remembered_spots(state.scenario))
         self._sequences: dict[tuple[str, str], SequenceTracker] = {}
         self.layouts: dict[tuple[str, str | None, Mirror | None], list[Putting]] = {}

@@ -6,7 +6,16 @@ from collections.abc import Container, Iterable, Mapping
 from typing import NamedTuple
 
 from rcj_challenges.facts.timing import s_from_ticks
-from rcj_challenges.rules.actions import Action, Count, Emit, End, Hold, Release, Score, SetFlag, SetPhase, ToggleFlag
+from rcj_challenges.rules.actions import AnyAction
+from rcj_challenges.rules.actions.count import Count
+from rcj_challenges.rules.actions.emit import Emit
+from rcj_challenges.rules.actions.end import End
+from rcj_challenges.rules.actions.hold import Hold
+from rcj_challenges.rules.actions.release import Release
+from rcj_challenges.rules.actions.score import Score
+from rcj_challenges.rules.actions.set_flag import SetFlag
+from rcj_challenges.rules.actions.set_phase import SetPhase
+from rcj_challenges.rules.actions.toggle_flag import ToggleFlag
 from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.messages.written import as_written
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -84,7 +93,7 @@ def denied_notes(
         yield f"note: {name} was triggered at {s_from_ticks(tick):g} s, and {which} did not hold{yet}"
 
 
-def _does(action: Action, wanted: Wanted) -> bool:
+def _does(action: AnyAction, wanted: Wanted) -> bool:
     """Return whether an action does something to what is otherwise than expected; events are another matter."""
     match action:
         case Score():

@@ -25,9 +25,7 @@ from rcj_challenges.rules.places import (
     Towards,
     UniformIn,
 )
-from rcj_challenges.rules.places import (
-    Kick as KickModel,
-)
+from rcj_challenges.rules.places import Kick as KickModel
 from rcj_challenges.rules.values import CounterValue
 from rcj_challenges.scenario.measured import centre_of, middle_of
 from rcj_challenges.scenario.starting import start_noise_m, start_pose

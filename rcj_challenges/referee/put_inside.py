@@ -7,7 +7,7 @@ from collections.abc import Collection, Container, Iterable, Iterator
 from rcj_challenges.facts.play import Placement
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.referee.zones import region_of
-from rcj_challenges.rules.actions import Emit
+from rcj_challenges.rules.actions.emit import Emit
 from rcj_challenges.rules.triggers.enters import Enters
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.roster import Roster, written_for

@@ -16,7 +16,7 @@ from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.put_inside import put_inside_notes
 from rcj_challenges.referee.ranking import Tally, ranking
 from rcj_challenges.referee.script import ScriptedPlay, half_of
-from rcj_challenges.rules.actions import End
+from rcj_challenges.rules.actions.end import End
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.decided import places_of
 from rcj_challenges.scenario.drawn import series_of

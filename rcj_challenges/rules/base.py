@@ -5,6 +5,7 @@ knows neither the referee nor the sheet, only the protocols `Binder` and `Phrase
 """
 
 from collections.abc import Callable, Iterable, Mapping
+from random import Random
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Protocol, TypeVar, Union, get_args
 
 from pydantic import Field, GetCoreSchemaHandler
@@ -12,13 +13,13 @@ from pydantic_core import CoreSchema
 
 from rcj_challenges.rules.fields import Name, Names, Point, Scalar, Strict, described
 from rcj_challenges.rules.phrasing import Subject
-from rcj_challenges.tracking.bound_rules import BoundRule, HitBuffer, Test, TriggerBinding
+from rcj_challenges.tracking.bound_rules import Act, BoundRule, Firing, HitBuffer, Test, TriggerBinding
 from rcj_challenges.tracking.clock_events import ClockEvents
 from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.gates import GateLine
 from rcj_challenges.tracking.pose_history import PoseHistory
 from rcj_challenges.tracking.sequences import SequenceTracker
-from rcj_challenges.tracking.state import Number, RefereeState
+from rcj_challenges.tracking.state import Clock, Number, RefereeState
 from rcj_challenges.tracking.target import Target
 from rcj_challenges.tracking.trackers import Tracker
 
@@ -180,6 +181,68 @@ class Binder(Protocol):
     def bound(self, bound: Any) -> Callable[[], Number]:
         """Return what reads what is compared with: a number, a counter, or the lowest or highest of others."""
 
+    # --- for actions ------------------------------------------------------------------------------------------------
+
+    def points(self, points: Any) -> Callable[[Firing], Number]:
+        """Return what reads a number of points: one amount, or the sum of numbers and weighted ones."""
+
+    def value(self, value: Any) -> Callable[[Firing], Any]:
+        """Return what reads a value of an event's payload."""
+
+    def ticks(self, lasts_s: Any) -> Callable[[], int]:
+        """Return what reads how many ticks something lasts: a number, or what a draw or a counter says."""
+
+    def wind_up(self, timer: str, clock: Clock, owner: str | None) -> None:
+        """Give a clock of a timer its length, as its draw has decided or its counter says by now."""
+
+    def timers_changed(self) -> None:
+        """Reschedule the trackers after a timer was started or stopped."""
+
+    def reset(self, tracker: Tracker) -> None:
+        """Reset a tracker, because a rule says so."""
+
+    def release(self, robots: tuple[int, ...]) -> None:
+        """Let robots go that rules hold."""
+
+    def decide_draw(self, draw: str, value: Scalar | None) -> None:
+        """Draw anew, or set a draw to a value; what follows the draw is reset if it changed."""
+
+    def draw_values(self, draw: str) -> tuple[Scalar, ...]:
+        """Return the values of a draw."""
+
+    def enter_phase(self, phase: str) -> None:
+        """Enter a phase, at once."""
+
+    def emit(self, event: str, payload: dict[str, object], about: tuple[str, ...]) -> None:
+        """Write an event."""
+
+    def random_point(self, place: Any) -> Callable[[Random], Point]:
+        """Return what draws a point of zones or of a segment, every one equally likely."""
+
+    def mirror_signs(self, mirror: Any) -> Callable[[], Point]:
+        """Return what reads the signs of x and y that a mirror gives now; without one they are positive."""
+
+    def decided_place(self, spot: str) -> Point | None:
+        """Return where a test has decided that chance sets a spot this time; None: chance decides."""
+
+    def is_on_floor(self, point: Point) -> bool:
+        """Return whether a point lies inside the walls."""
+
+    def layout_jobs(self, layout: str, mirror: Any) -> list[Any]:
+        """Return the placements of a layout, in order."""
+
+    def placement_job(self, placing: Any, entity: int) -> Any:
+        """Return the placement of one entity."""
+
+    def place(self, jobs: list[Any]) -> None:
+        """Ask for placements, to be carried out after all actions of the tick."""
+
+    def place_later(self, job: Any, ticks: int) -> None:
+        """Ask for a placement so many ticks from now, of what is off the field until then."""
+
+    def remove(self, entity: int) -> None:
+        """Ask for an entity to be taken off the field."""
+
 
 class Phrases(Protocol):
     """How the names of a scenario are written in sentences; the rule sheet implements it."""
@@ -264,6 +327,35 @@ class Phrases(Protocol):
 
     def what_drawn(self, draw: str) -> str:
         """Return what a draw decided: ``what was drawn as “target”``."""
+
+    # --- for actions ------------------------------------------------------------------------------------------------
+
+    def every_kept(self, kind: str, name: str, entity: str | None) -> str:
+        """Return a counter, flag, timer or sequence with whose it is, where no entity stands for all of them."""
+
+    def value(self, value: Any) -> str:
+        """Return a value of an event's payload in words."""
+
+    def lasting(self, lasts_s: Any) -> str:
+        """Return how long something lasts: ``15 s``, ``5 s or 8 s, as “pause” is drawn``."""
+
+    def placing(self, placing: Any) -> str:
+        """Return a placement as a clause."""
+
+    def put_back(self, removal: Any) -> str:
+        """Return where what is removed comes back to: ``put on the spot “centre”, facing the ball``."""
+
+    def aim(self, at: Any) -> str:
+        """Return a place as what is aimed at: ``a random point of the blue goal``."""
+
+    def may_be_zone(self, name: str) -> bool:
+        """Return whether a name may stand for a zone."""
+
+    def mirrored(self, mirror: Any, at: Any) -> str:
+        """Return how a place is mirrored; an empty text where it is not, or where that changes nothing."""
+
+    def mirrored_layout(self, action: Any) -> str:
+        """Return how all places of a layout are mirrored, and what its kicks are aimed at."""
 
 
 class Trigger(Word):
@@ -351,3 +443,21 @@ class Condition(Word):
     def compares_with_counter(self) -> bool:
         """Return whether it compares with a counter, or with those of others."""
         return False
+
+
+class Action(Word):
+    """What a rule does when it fires."""
+
+    KEY = "action"
+
+    def compile(self, to: Binder) -> Act:
+        """Return what carries out the action when its rule fires.
+
+        Args:
+            to: the rule's binder.
+        """
+        raise NotImplementedError
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the action as a clause: ``yellow gets 1 point``."""
+        raise NotImplementedError

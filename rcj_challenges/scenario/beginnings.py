@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from rcj_challenges.rules.actions import SetPhase
+from rcj_challenges.rules.actions.set_phase import SetPhase
 from rcj_challenges.rules.triggers.half_started import HalfStarted
 from rcj_challenges.scenario.models.scenario import Scenario
 

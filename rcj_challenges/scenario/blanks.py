@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 from rcj_challenges.facts.amounts import on_paper
 from rcj_challenges.facts.measures import number_words
-from rcj_challenges.rules.actions import Score
+from rcj_challenges.rules.actions.score import Score
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 

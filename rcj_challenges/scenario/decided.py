@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from itertools import product
 
 from rcj_challenges.geometry.polygons import Point, distance_to_segment_m
-from rcj_challenges.rules.actions import SetSpot
+from rcj_challenges.rules.actions.set_spot import SetSpot
 from rcj_challenges.rules.places import Mirror, OnLine, UniformIn
 from rcj_challenges.scenario.floor import floor_parts, on_floor
 from rcj_challenges.scenario.floor_shapes import lies_in

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import atan2
 
-from rcj_challenges.rules.actions import SetSpot
+from rcj_challenges.rules.actions.set_spot import SetSpot
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.values import DistanceValue
 from rcj_challenges.scenario.models.field import Box, Cylinder, Obstacle, Wall

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from rcj_challenges.rules.actions import Score
+from rcj_challenges.rules.actions.score import Score
 from rcj_challenges.rules.fields import Names, Strict
 from rcj_challenges.rules.refs import Ref, has_drawn_value, ref_of
 from rcj_challenges.rules.triggers.touches import Touches

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rcj_challenges.rules.actions import SetSpot
+from rcj_challenges.rules.actions.set_spot import SetSpot
 from rcj_challenges.rules.values import ToldValue
 from rcj_challenges.scenario.beginnings import starting_each_half
 from rcj_challenges.scenario.models.places import Spot

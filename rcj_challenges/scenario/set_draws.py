@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from rcj_challenges.rules.actions import DrawAction
+from rcj_challenges.rules.actions.draw import DrawAction
 from rcj_challenges.rules.triggers.half_started import HalfStarted
 from rcj_challenges.rules.values import DrawnDuration
 from rcj_challenges.scenario.beginnings import starting_each_half

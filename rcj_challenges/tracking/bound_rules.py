@@ -9,6 +9,8 @@ from rcj_challenges.tracking.state import Number
 
 Test = Callable[[], bool]
 """A compiled condition: whether it holds now."""
+Act = Callable[["Firing"], None]
+"""A compiled action."""
 
 
 @dataclass(slots=True)
@@ -53,7 +55,7 @@ class BoundRule:
     says: str
     rank: int = 0
     tests: tuple[Test, ...] = ()
-    actions: tuple[Callable[[Firing], None], ...] = ()
+    actions: tuple[Act, ...] = ()
     past: RuleHistory = field(default_factory=RuleHistory)
     other: str | None = None
     about: str | None = None

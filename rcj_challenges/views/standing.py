@@ -8,7 +8,7 @@ from typing import Any
 from rcj_challenges.facts.measures import measure, measured_words, number_words
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.referee.ranking import Tally, counted_for, ranked_counters
-from rcj_challenges.rules.actions import Score
+from rcj_challenges.rules.actions.score import Score
 from rcj_challenges.scenario.models.scenario import RankByScore, Scenario
 
 Value = int | float

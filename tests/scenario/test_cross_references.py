@@ -4,7 +4,7 @@ import typing
 
 import pytest
 
-from rcj_challenges.rules.actions import Emit
+from rcj_challenges.rules.actions.emit import Emit
 from rcj_challenges.rules.fields import Name, Names
 from rcj_challenges.rules.refs import refs_of
 from rcj_challenges.scenario.models import robots, scenario

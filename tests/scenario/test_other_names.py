@@ -6,14 +6,14 @@ import re
 
 import pytest
 
-from rcj_challenges.rules.actions import Action
+from rcj_challenges.rules.actions import AnyAction
 from rcj_challenges.rules.conditions import AnyCondition
 from rcj_challenges.rules.triggers import AnyTrigger
 from rcj_challenges.scenario.messages.other_names import table
 from rcj_challenges.scenario.shape import tags
 from tests.scenario.writing import complaints, rule, scenario
 
-WORDS = {"trigger": tags(AnyTrigger), "action": tags(Action), "condition": tags(AnyCondition)}
+WORDS = {"trigger": tags(AnyTrigger), "action": tags(AnyAction), "condition": tags(AnyCondition)}
 KNOWN = """\
 zones: {area: {shape: circle, centre_m: [0, 0], radius_m: 0.2}}
 counters: {laps: {}}

@@ -18,6 +18,7 @@ import pytest
 from pydantic import BaseModel, ValidationError
 
 from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.rules.base import Vocabulary
 from rcj_challenges.rules.phrasing import degrees, number, seconds
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import Loaded, load, load_resolved, load_text
@@ -115,7 +116,9 @@ def _parts(annotation: Any) -> Iterator[Any]:
     """Yield the types of which an annotation is made, without names' texts."""
     origin = get_origin(annotation)
     if origin is Annotated:
-        yield from _parts(get_args(annotation)[0])
+        kind, *extras = get_args(annotation)
+        words = next((extra for extra in extras if isinstance(extra, Vocabulary)), None)
+        yield from _parts(kind if words is None else words.shape)
     elif origin is Literal:
         yield annotation
     elif origin in (Union, types.UnionType, tuple, list, dict):

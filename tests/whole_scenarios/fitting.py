@@ -8,16 +8,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from rcj_challenges.rules.actions import (
-    Count,
-    DrawAction,
-    Place,
-    Score,
-    SequenceAction,
-    SetFlag,
-    TimerAction,
-    ToggleFlag,
-)
+from rcj_challenges.rules.actions.count import Count
+from rcj_challenges.rules.actions.draw import DrawAction
+from rcj_challenges.rules.actions.place import Place
+from rcj_challenges.rules.actions.score import Score
+from rcj_challenges.rules.actions.sequence import SequenceAction
+from rcj_challenges.rules.actions.set_flag import SetFlag
+from rcj_challenges.rules.actions.timer import TimerAction
+from rcj_challenges.rules.actions.toggle_flag import ToggleFlag
 from rcj_challenges.rules.conditions.counter import CounterIs
 from rcj_challenges.rules.conditions.distance import Distance
 from rcj_challenges.rules.conditions.drawn import Drawn

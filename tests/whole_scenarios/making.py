@@ -13,7 +13,7 @@ from typing import Any, Literal, get_args, get_origin
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
-from rcj_challenges.rules.actions import Score
+from rcj_challenges.rules.actions.score import Score
 from rcj_challenges.rules.conditions.all_of import AllOf
 from rcj_challenges.rules.conditions.any_of import AnyOf
 from rcj_challenges.rules.places import DrawnSpeed

@@ -9,11 +9,7 @@ from rcj_challenges.rules.conditions.anchors import anchors
 from rcj_challenges.rules.fields import Name, Names, Point, described
 from rcj_challenges.rules.phrasing import number
 from rcj_challenges.rules.quantifier import Quantifier, quantified
-from rcj_challenges.rules.refs import (
-    MEASURED_TO,
-    MOVING,
-    Ref,
-)
+from rcj_challenges.rules.refs import MEASURED_TO, MOVING, Ref
 from rcj_challenges.tracking.bound_rules import Test
 
 

@@ -10,9 +10,7 @@ from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
 from rcj_challenges.rules.fields import DurationS, Names, Positive, described
 from rcj_challenges.rules.phrasing import metres, seconds
-from rcj_challenges.rules.refs import (
-    ENTITIES,
-)
+from rcj_challenges.rules.refs import ENTITIES
 from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.pose_history import PoseHistory
 from rcj_challenges.tracking.state import RefereeState

@@ -10,7 +10,9 @@ from dataclasses import replace
 from typing import Any
 
 from rcj_challenges.facts.timing import TICK_S
-from rcj_challenges.rules.actions import DrawAction, Place, Score
+from rcj_challenges.rules.actions.draw import DrawAction
+from rcj_challenges.rules.actions.place import Place
+from rcj_challenges.rules.actions.score import Score
 from rcj_challenges.rules.conditions.drawn import Drawn
 from rcj_challenges.rules.conditions.sequence_at import SequenceAt
 from rcj_challenges.rules.fields import LONGEST_S

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from functools import cache
 from typing import Any
 
-from rcj_challenges.rules.actions import Count
+from rcj_challenges.rules.actions.count import Count
 from rcj_challenges.rules.fields import LONGEST_S, Strict
 from rcj_challenges.scenario.models.field import Ball, Box, Cylinder, FieldModel, Goal, Wall
 from rcj_challenges.scenario.models.robots import Chassis

@@ -8,7 +8,10 @@ from itertools import count
 
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.timing import TICK_S
-from rcj_challenges.rules.actions import Bounded, Count, DrawAction, Place
+from rcj_challenges.rules.actions.count import Count
+from rcj_challenges.rules.actions.draw import DrawAction
+from rcj_challenges.rules.actions.place import Place
+from rcj_challenges.rules.actions.score import Score
 from rcj_challenges.rules.conditions.counter import CounterIs
 from rcj_challenges.rules.conditions.distance import Distance
 from rcj_challenges.rules.conditions.flag import FlagIs
@@ -194,7 +197,7 @@ def _place(model: Strict, path: Path) -> Iterator[Found]:
 
 
 def _bounds(model: Strict, path: Path) -> Iterator[Found]:
-    if not isinstance(model, Bounded):
+    if not isinstance(model, Score | Count):
         return
     for least_key, most_key in (("at_least", "at_most"), ("keeps_at_least", "keeps_at_most")):
         least, most = getattr(model, least_key), getattr(model, most_key)

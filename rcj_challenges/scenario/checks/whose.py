@@ -5,7 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
-from rcj_challenges.rules.actions import Count, SequenceAction, SetFlag, TimerAction, ToggleFlag
+from rcj_challenges.rules.actions.count import Count
+from rcj_challenges.rules.actions.sequence import SequenceAction
+from rcj_challenges.rules.actions.set_flag import SetFlag
+from rcj_challenges.rules.actions.timer import TimerAction
+from rcj_challenges.rules.actions.toggle_flag import ToggleFlag
 from rcj_challenges.rules.conditions.counter import CounterIs
 from rcj_challenges.rules.conditions.flag import FlagIs
 from rcj_challenges.rules.conditions.sequence_at import SequenceAt

@@ -8,7 +8,9 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from rcj_challenges.rules.actions import Place, Remove, SetPhase
+from rcj_challenges.rules.actions.place import Place
+from rcj_challenges.rules.actions.remove import Remove
+from rcj_challenges.rules.actions.set_phase import SetPhase
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.refs import Ref, Reference, ref_of
 from rcj_challenges.rules.values import CounterValue, DrawnDuration, DrawValue

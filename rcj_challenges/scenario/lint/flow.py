@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from rcj_challenges.rules.actions import Emit, End, Score, SetPhase
+from rcj_challenges.rules.actions.emit import Emit
+from rcj_challenges.rules.actions.end import End
+from rcj_challenges.rules.actions.score import Score
+from rcj_challenges.rules.actions.set_phase import SetPhase
 from rcj_challenges.rules.conditions.half import HalfIs
 from rcj_challenges.rules.triggers.event import OnEvent
 from rcj_challenges.rules.triggers.half_started import HalfStarted

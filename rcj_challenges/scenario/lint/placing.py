@@ -6,7 +6,9 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 
 from rcj_challenges.geometry.polygons import Point
-from rcj_challenges.rules.actions import Place, Remove, SetPhase
+from rcj_challenges.rules.actions.place import Place
+from rcj_challenges.rules.actions.remove import Remove
+from rcj_challenges.rules.actions.set_phase import SetPhase
 from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.conditions.distance import Distance
 from rcj_challenges.rules.places import AtPoint, AtSpot, FurthestFree, NearestFree, OnLine, UniformIn

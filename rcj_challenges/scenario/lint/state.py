@@ -5,17 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, ClassVar
 
-from rcj_challenges.rules.actions import (
-    Count,
-    DrawAction,
-    Hold,
-    Release,
-    SequenceAction,
-    SetFlag,
-    SetSpot,
-    TimerAction,
-    ToggleFlag,
-)
+from rcj_challenges.rules.actions.count import Count
+from rcj_challenges.rules.actions.draw import DrawAction
+from rcj_challenges.rules.actions.hold import Hold
+from rcj_challenges.rules.actions.release import Release
+from rcj_challenges.rules.actions.sequence import SequenceAction
+from rcj_challenges.rules.actions.set_flag import SetFlag
+from rcj_challenges.rules.actions.set_spot import SetSpot
+from rcj_challenges.rules.actions.timer import TimerAction
+from rcj_challenges.rules.actions.toggle_flag import ToggleFlag
 from rcj_challenges.rules.refs import SectionRef
 from rcj_challenges.scenario.blanks import BLANKS, in_braces
 from rcj_challenges.scenario.lint.base import LintRule, Suspicion

@@ -7,7 +7,9 @@ from math import pi, radians
 from typing import ClassVar
 
 from rcj_challenges.facts.timing import ticks_from_s
-from rcj_challenges.rules.actions import Hold, Place, Remove
+from rcj_challenges.rules.actions.hold import Hold
+from rcj_challenges.rules.actions.place import Place
+from rcj_challenges.rules.actions.remove import Remove
 from rcj_challenges.rules.conditions.distance import Distance
 from rcj_challenges.rules.conditions.speed import Speed
 from rcj_challenges.rules.conditions.spot_free import SpotFree
@@ -200,7 +202,7 @@ class PlaceholderNeverFilled(LintRule):
             return "this rule has no for_each"
         if blank == "limit" and not any(hasattr(one, "limit_s") or _has_limit(one) for one in rule.triggers):
             return "no trigger of this rule has a limit"
-        if blank == "points" and not any(action.action == "score" for action in rule.actions):
+        if blank == "points" and not any(action.name() == "score" for action in rule.actions):
             return "this rule gives no points"
         return ""
 

@@ -12,7 +12,7 @@ from typing import Any, get_args, get_origin
 
 from pydantic import ConfigDict, TypeAdapter, ValidationError
 
-from rcj_challenges.rules.actions import Action
+from rcj_challenges.rules.actions import AnyAction
 from rcj_challenges.rules.conditions import AnyCondition
 from rcj_challenges.rules.places import At
 from rcj_challenges.rules.triggers import AnyTrigger
@@ -368,7 +368,7 @@ _LIKE = 0.65
 """A word of the language is taken for another only if it is more like it than a name need be."""
 
 
-_WORDS: tuple[tuple[str, Any], ...] = (("trigger", AnyTrigger), ("condition", AnyCondition), ("action", Action))
+_WORDS: tuple[tuple[str, Any], ...] = (("trigger", AnyTrigger), ("condition", AnyCondition), ("action", AnyAction))
 
 
 def _of_another_list(word: str, where: str) -> str:

@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from rcj_challenges.rules.actions import Action
+from rcj_challenges.rules.actions import AnyAction
 from rcj_challenges.rules.conditions import AnyCondition
 from rcj_challenges.rules.fields import DurationS, EventName, Name, One, Point, Scalar, Strict, WallTimeS, described
 from rcj_challenges.rules.message import Said
@@ -35,7 +35,7 @@ class Rule(Strict):
 
     triggers: tuple[AnyTrigger, ...] = Field(..., strict=False, min_length=1, description="edges; one suffices")
     conditions: tuple[AnyCondition, ...] = Field((), strict=False, description="levels; all must hold (any_of is 'or')")
-    actions: tuple[Action, ...] = Field(..., strict=False, min_length=1, description="what happens, in order")
+    actions: tuple[AnyAction, ...] = Field(..., strict=False, min_length=1, description="what happens, in order")
     for_each: Annotated[Name | None, KEEPERS] = described(
         None,
         "a group of entities, fixed obstacles, zones or gates, or one of them: the rule exists once for each member, "

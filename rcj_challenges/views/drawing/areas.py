@@ -7,7 +7,9 @@ from dataclasses import dataclass
 from itertools import product
 from typing import NamedTuple
 
-from rcj_challenges.rules.actions import Place, Remove, SetSpot
+from rcj_challenges.rules.actions.place import Place
+from rcj_challenges.rules.actions.remove import Remove
+from rcj_challenges.rules.actions.set_spot import SetSpot
 from rcj_challenges.rules.fields import Names
 from rcj_challenges.rules.places import (
     At,

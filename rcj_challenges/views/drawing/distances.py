@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from rcj_challenges.rules.actions import Count
+from rcj_challenges.rules.actions.count import Count
 from rcj_challenges.rules.conditions.distance import Distance
 from rcj_challenges.rules.conditions.spot_free import SpotFree
 from rcj_challenges.rules.triggers.displaced import Displaced

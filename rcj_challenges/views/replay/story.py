@@ -19,7 +19,7 @@ from rcj_challenges.records.refereelog import events_as_lines, read_referee_log
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.records.result import RunResult
 from rcj_challenges.records.trajectory import HalfTrack
-from rcj_challenges.rules.actions import Emit
+from rcj_challenges.rules.actions.emit import Emit
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.naming import changes_sides, told_apart
 from rcj_challenges.views.replay.payloads import told_beside

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rcj_challenges.rules.actions import Remove
+from rcj_challenges.rules.actions.remove import Remove
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.other import meant_in
 from rcj_challenges.scenario.roster import Roster

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.rules.phrasing import listed
 from rcj_challenges.rules.places import RelativeTo
 from rcj_challenges.rules.values import DrawValue
-from rcj_challenges.views.sheet.nouns import Nouns
+
+if TYPE_CHECKING:
+    from rcj_challenges.views.sheet.nouns import Nouns
 
 
 def mirrored_words(nouns: Nouns, mirror: Any, at: Any) -> str:

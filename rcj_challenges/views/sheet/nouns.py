@@ -17,7 +17,10 @@ from rcj_challenges.scenario.roster import WALLS, Roster, row_of, written_for
 from rcj_challenges.scenario.set_draws import set_from_the_start
 from rcj_challenges.views.sheet.absent import taken_off
 from rcj_challenges.views.sheet.meeting import may_meet
-from rcj_challenges.views.sheet.phrases import amount, within_words
+from rcj_challenges.views.sheet.mirrored import mirrored_layout_words, mirrored_words
+from rcj_challenges.views.sheet.phrases import amount, lasting, within_words
+from rcj_challenges.views.sheet.phrases import value as value_words
+from rcj_challenges.views.sheet.places import AIMS, placing_words, put_back_words
 
 _MEASURED_BY_SEVERAL = "what was measured"
 """Said where triggers of one rule measure different things."""
@@ -345,6 +348,38 @@ class Nouns:
         goes_over = () if self.each is None else self.roster.expand(self.each)
         who = self.all_of(per).text if set(owners).isdisjoint(goes_over) else "all others"
         return f"{who} on the field" if owners[0] in self.roster.entities else who
+
+    def value(self, value: Any) -> str:
+        """Return a value of an event's payload in words."""
+        return value_words(self, value)
+
+    def lasting(self, lasts_s: Any) -> str:
+        """Return how long something lasts: ``15 s``, ``5 s or 8 s, as “pause” is drawn``."""
+        return lasting(self, lasts_s)
+
+    def placing(self, placing: Any) -> str:
+        """Return a placement as a clause."""
+        return placing_words(self, placing)
+
+    def put_back(self, removal: Any) -> str:
+        """Return where what is removed comes back to: ``put on the spot “centre”, facing the ball``."""
+        return put_back_words(self, removal)
+
+    def aim(self, at: Any) -> str:
+        """Return a place as what is aimed at: ``a random point of the blue goal``."""
+        return AIMS[type(at)](self, at)
+
+    def may_be_zone(self, name: str) -> bool:
+        """Return whether a name may stand for a zone."""
+        return any(one in self.scenario.zones for one in self.meant(name))
+
+    def mirrored(self, mirror: Any, at: Any) -> str:
+        """Return how a place is mirrored; an empty text where it is not, or where that changes nothing."""
+        return mirrored_words(self, mirror, at)
+
+    def mirrored_layout(self, action: Any) -> str:
+        """Return how all places of a layout are mirrored, and what its kicks are aimed at."""
+        return mirrored_layout_words(self, action)
 
     def kinds_of(self, names: Names) -> str:
         """Return of what kind one of several is: ``robot``, or ``robot or ball``."""

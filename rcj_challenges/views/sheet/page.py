@@ -7,7 +7,13 @@ from collections.abc import Iterator
 from collections.abc import Set as AbstractSet
 
 from rcj_challenges.devices.channels import entrant_of
-from rcj_challenges.rules.actions import DrawAction, Hold, Place, Score, SequenceAction, SetPhase
+from rcj_challenges.rules.actions.draw import DrawAction
+from rcj_challenges.rules.actions.hold import Hold
+from rcj_challenges.rules.actions.place import Place
+from rcj_challenges.rules.actions.score import Score
+from rcj_challenges.rules.actions.sequence import SequenceAction
+from rcj_challenges.rules.actions.set_phase import SetPhase
+from rcj_challenges.rules.bounds import bounds_words
 from rcj_challenges.rules.phrasing import counted, listed, number, plain, quoted, quoted_measure, seconds
 from rcj_challenges.rules.triggers.no_progress import NoProgress
 from rcj_challenges.rules.values import CounterValue
@@ -29,11 +35,11 @@ from rcj_challenges.scenario.models.state import Draw, Phase, Sequence, Timer
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.drawing.areas import layouts_of
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Table, as_html, as_markdown
-from rcj_challenges.views.sheet.deeds import placing_words, points_words, receiver_words
 from rcj_challenges.views.sheet.ground import field_blocks
 from rcj_challenges.views.sheet.machines import has, robot_blocks
 from rcj_challenges.views.sheet.nouns import Nouns
-from rcj_challenges.views.sheet.phrases import lasting, value
+from rcj_challenges.views.sheet.phrases import amount, lasting, value
+from rcj_challenges.views.sheet.places import placing_words
 from rcj_challenges.views.sheet.rules import rule_blocks, when_words
 from rcj_challenges.views.sheet.spoken import spoken
 from rcj_challenges.views.sheet.told import told_blocks
@@ -303,7 +309,8 @@ def _points_rows(nouns: Nouns, rule: Rule) -> tuple[tuple[str, str, str], ...]:
     nouns = nouns.within(rule)
     for action in rule.actions:
         if isinstance(action, Score):
-            points.setdefault(receiver_words(nouns, action.entrant), []).append(points_words(nouns, action))
+            given = f"{amount(nouns, action.points)}{bounds_words(action, 'score')}"
+            points.setdefault(action.receiver(nouns), []).append(given)
     when = spoken(nouns, rule) or when_words(rule, nouns)
     first = dict.fromkeys(list(points)[:1], when)
     return tuple((first.get(who, "at the same time"), who, ", plus ".join(parts)) for who, parts in points.items())

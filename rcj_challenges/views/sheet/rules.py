@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rcj_challenges.rules.actions import LastToucher, Place, Remove
+from rcj_challenges.rules.actions.place import Place
+from rcj_challenges.rules.actions.remove import Remove
+from rcj_challenges.rules.actions.score import LastToucher
 from rcj_challenges.rules.base import Word
 from rcj_challenges.rules.conditions import AnyCondition
 from rcj_challenges.rules.conditions.all_of import AllOf
@@ -25,7 +27,6 @@ from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.other import meant_in, names_other, others_of
 from rcj_challenges.scenario.visiting import visit
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph
-from rcj_challenges.views.sheet.deeds import action_words
 from rcj_challenges.views.sheet.nouns import Nouns
 from rcj_challenges.views.sheet.phrases import USUALLY_FREE_M
 from rcj_challenges.views.sheet.spoken import spoken
@@ -85,7 +86,7 @@ def _sentence(rule: Rule, nouns: Nouns) -> str:
     elif rule.phases != ("play",):
         extras.append(f"in the phase {listed([quoted(phase) for phase in rule.phases], 'or')}")
     tail = f" ({'; '.join(extras)})" if extras else ""
-    actions = ", then ".join(action_words(nouns, action) for action in rule.actions)
+    actions = ", then ".join(action.describe(nouns) for action in rule.actions)
     return f"{says}{when_words(rule, nouns)}: {actions}{tail}."
 
 

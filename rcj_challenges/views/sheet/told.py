@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from rcj_challenges.devices.channels import entrant_of, listening_channels
 from rcj_challenges.facts.messages import MOST_LETTERS
 from rcj_challenges.facts.timing import TICK_S
-from rcj_challenges.rules.actions import Emit
+from rcj_challenges.rules.actions.emit import Emit
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.rules.phrasing import listed, plain
 from rcj_challenges.rules.values import DrawValue, PositionValue, Value, WordValue

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rcj_challenges.rules.actions import Score
+from rcj_challenges.rules.actions.score import Score
 from rcj_challenges.rules.fields import Names
 from rcj_challenges.rules.triggers.enters import Enters
 from rcj_challenges.scenario.models.field import FieldModel

@@ -13,7 +13,7 @@ from rcj_challenges.records.refereelog import damaged_lines, points_so_far, read
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.records.salvage import RunRecord, read_run
 from rcj_challenges.records.trajectory import HalfTrack
-from rcj_challenges.rules.actions import Emit
+from rcj_challenges.rules.actions.emit import Emit
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.seats import teams_by_seat

@@ -1,0 +1,92 @@
+"""The action ``count``."""
+
+from typing import Annotated, Literal
+
+from rcj_challenges.facts.amounts import on_paper
+from rcj_challenges.rules.base import Action, Binder, Phrases
+from rcj_challenges.rules.bounds import amount_bound, bounds_words, change_bound, taken_away
+from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.rules.refs import COUNTER, WHOSE
+from rcj_challenges.rules.values import Points
+from rcj_challenges.tracking.bound_rules import Act, Firing
+from rcj_challenges.tracking.state import Number
+
+
+class Count(Action):
+    """Change a counter."""
+
+    action: Literal["count"]
+    counter: Annotated[Name, COUNTER] = described(..., "the counter")
+    entity: Annotated[Name | None, WHOSE] = described(
+        None, "for a counter kept per entity: whose; each; left out: all of them"
+    )
+    by: Points | None = described(
+        None,
+        "what is added, a number, {counter, flag, draw, timer, way or word: NAME} or {distance: [A, B]}, or a list "
+        "that is added up, each with a weight; 1 if neither `by` nor `to` is given",
+    )
+    to: Points | None = described(
+        None,
+        "what it is set to, a number, {counter, flag, draw, timer, way or word: NAME} or {distance: [A, B]}, or a list "
+        "that is added up, each with a weight",
+    )
+    at_least: float | None = described(None, "`by` or `to` is no less than this, whatever was reckoned")
+    at_most: float | None = described(None, "`by` or `to` is no more than this, whatever was reckoned")
+    keeps_at_least: float | None = described(
+        None, "with `by`: the counter does not fall below this; what lies below it already stays"
+    )
+    keeps_at_most: float | None = described(
+        None, "with `by`: the counter does not rise above this; what lies above it already stays"
+    )
+
+    EXAMPLE = """
+counters: {rounds: {}}
+rules:
+  round:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    # Actions read current values: the first round gives 1 point, the second 2.
+    actions: [{action: count, counter: rounds, by: 1}, {action: score, entrant: yellow, points: {counter: rounds}}]
+expect:
+  two_rounds_give_three_points:
+    keyframes:
+      - {at_s: 1, place: {ball: [0, 0.8]}}
+      - {at_s: 2, place: {ball: [0, 0]}}
+      - {at_s: 3, place: {ball: [0, 0.8]}}
+    lasts_s: 4
+    score: {yellow: 3}
+    counters: {rounds: 2}
+"""
+
+    def compile(self, to: Binder) -> Act:
+        """Return what changes a counter: first ``to``, then ``by``."""
+        counters, name, whose = to.state.counters, self.counter, to.whose(self.entity)
+        new = None if self.to is None else to.points(self.to)
+        by = 1 if self.by is None and self.to is None else self.by
+        step = None if by is None else to.points(by)
+        within, bounded = amount_bound(self), change_bound(self)
+
+        def changed(value: Number, firing: Firing) -> Number:
+            value = value if new is None else within(new(firing))
+            return on_paper(value if step is None else value + bounded(step(firing), value))
+
+        def act(firing: Firing) -> None:
+            value = counters[name]
+            if isinstance(value, dict):
+                for member in value if whose is None else (whose,):
+                    value[member] = changed(value[member], firing)
+            else:
+                counters[name] = changed(value, firing)
+
+        return act
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the action as a clause: ``yellow gets 1 point``."""
+        counter = phrases.every_kept("counter", self.counter, self.entity)
+        bounds = bounds_words(self, "counter")
+        if self.to is not None:
+            return f"{counter} is set to {phrases.amount(self.to)}{bounds}"
+        if isinstance(self.by, int | float) and self.by < 0:
+            return f"{counter} falls by {phrases.amount(-self.by)}{bounds}"
+        if taken := taken_away(self, self.by):
+            return f"{counter} falls by {phrases.amount(taken)}{bounds}"
+        return f"{counter} grows by {phrases.amount(1 if self.by is None else self.by)}{bounds}"

@@ -1,0 +1,53 @@
+"""The action ``draw``."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from rcj_challenges.rules.base import Action, Binder, Phrases
+from rcj_challenges.rules.fields import Name, Scalar, described
+from rcj_challenges.rules.phrasing import quoted_measure
+from rcj_challenges.rules.refs import DRAW, DrawnValue
+from rcj_challenges.tracking.bound_rules import Act
+
+
+class DrawAction(Action):
+    """Draw anew, or set a draw to a value."""
+
+    action: Literal["draw"]
+    draw: Annotated[Name, DRAW] = described(..., "the draw")
+    as_: Annotated[Scalar | None, DrawnValue()] = Field(
+        None,
+        alias="as",
+        description="set it to this value instead of drawing; each: to the name of the one for whom the rule is "
+        "(for_each); other: of the one touched",
+    )
+
+    EXAMPLE = """
+draws: {side: {values: [left, right]}}
+rules:
+  decide:
+    triggers: [{trigger: time_reached, at_s: 1}]
+    # as: sets it to this value instead of drawing.
+    actions: [{action: draw, draw: side, as: left}, {action: emit, event: SIDE, payload: {side: {draw: side}}}]
+expect:
+  it_is_left_now:
+    keyframes: [{at_s: 1}]
+    lasts_s: 2
+    events: [{event: SIDE, payload: {side: left}}]
+"""
+
+    def compile(self, to: Binder) -> Act:
+        """Return what draws anew, or sets a draw to a value."""
+        name, fixed = self.draw, None if self.as_ is None else to.drawn_value(self.as_)
+        return lambda _firing: to.decide_draw(name, fixed)
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the action as a clause: ``yellow gets 1 point``."""
+        if self.as_ is None:
+            return f"{quoted_measure(self.draw)} is drawn anew"
+        who = phrases.drawn(self.draw, self.as_)
+        # Of one that the rule is about people say what it becomes.
+        if who.startswith("“"):
+            return f"{quoted_measure(self.draw)} becomes {who}"
+        return f"{who} becomes {quoted_measure(self.draw)}"

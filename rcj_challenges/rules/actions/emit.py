@@ -1,0 +1,53 @@
+"""The action ``emit``."""
+
+from typing import Literal
+
+from rcj_challenges.rules.base import Action, Binder, Phrases
+from rcj_challenges.rules.fields import EventName, Name, described
+from rcj_challenges.rules.values import Value
+from rcj_challenges.tracking.bound_rules import Act, Firing
+
+
+class Emit(Action):
+    """Write an event to the reflog, for people and other rules (which see it one tick later)."""
+
+    action: Literal["emit"]
+    event: EventName = described(..., "its name")
+    payload: dict[Name, Value] = described(
+        {}, "what is told with it: literals, or {counter: NAME} and the other values"
+    )
+
+    EXAMPLE = """
+rules:
+  goal:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    actions:
+      - {action: score, entrant: yellow}
+      - action: emit
+        event: GOAL
+        payload:
+          team_name: {word: team_name, of: yellow}
+          score: {word: score, of: yellow}
+          points: 1
+expect:
+  the_payload_shows_the_new_score:
+    keyframes: [{at_s: 1, place: {ball: [0, 0.8]}}]
+    lasts_s: 2
+    events: [{event: GOAL, payload: {team_name: Yellow, score: 1, points: 1}}]
+"""
+
+    def compile(self, to: Binder) -> Act:
+        """Return what writes an event."""
+        name = self.event
+        payload = {key: to.value(value) for key, value in self.payload.items()}
+
+        def act(firing: Firing) -> None:
+            about = tuple(one for one in (firing.subject, firing.place) if one is not None)
+            to.emit(name, {key: read(firing) for key, read in payload.items()}, about)
+
+        return act
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the action as a clause: ``yellow gets 1 point``."""
+        told = ", ".join(f"{key}: {phrases.value(entry)}" for key, entry in self.payload.items())
+        return f"{self.event} is announced" + (f" ({told})" if told else "")

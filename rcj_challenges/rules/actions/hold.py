@@ -1,0 +1,71 @@
+"""The action ``hold``."""
+
+from math import inf
+from typing import Annotated, Literal
+
+from rcj_challenges.rules.base import Action, Binder, Phrases
+from rcj_challenges.rules.fields import Names, described
+from rcj_challenges.rules.refs import ROBOTS
+from rcj_challenges.rules.values import Lasts
+from rcj_challenges.tracking.bound_rules import Act, Firing
+
+
+class Hold(Action):
+    """Hold robots: from the next tick on their wheels stand braked, whatever their programs command.
+
+    Programs run on, and the last command acts when they are let go. Who is held already stays so until the later of
+    the two ends. Being put elsewhere or taken off the field ends nothing, and the time runs on; a new half begins with
+    nobody held. What a phase with `robots: held` does is another matter: a robot stands as long as either holds it.
+    """
+
+    action: Literal["hold"]
+    entity: Annotated[Names, ROBOTS] = described(..., "who is held: robots, groups, or each")
+    for_s: Lasts | None = described(
+        None,
+        "how long, in s, also while it is off the field: a number, {draw: NAME} or {counter: NAME}, read in that "
+        "moment (0 or less: not at all); left out: until a rule lets it go (release); who is held already stays so "
+        "until the later of the two ends",
+    )
+
+    EXAMPLE = """
+counters: {penalty_s: {initial: 4}}
+rules:
+  frozen:
+    for_each: yellow
+    triggers: [{trigger: touches, entity: each, other: B1}]
+    actions: [{action: hold, entity: each}]  # until a rule lets it go
+  freed:
+    for_each: yellow
+    triggers: [{trigger: touches, entity: each, other: yellow}]
+    actions: [{action: release, entity: each}]
+  penalty:
+    triggers: [{trigger: touches, entity: B1, other: walls}]
+    # A number, or what a counter or a draw says: each time a second longer.
+    actions: [{action: count, counter: penalty_s}, {action: hold, entity: B1, for_s: {counter: penalty_s}}]
+expect:
+  who_is_touched_by_a_team_mate_is_free_again:
+    keyframes: [{at_s: 1, touch: [[Y1, B1], [Y2, B1]]}, {at_s: 2, touch: [[Y2, Y3]]}, {at_s: 3, touch: [[B1, walls]]}]
+    lasts_s: 7
+    held: {Y1: true, Y2: false, Y3: false, B1: true}
+"""
+
+    def compile(self, to: Binder) -> Act:
+        """Return what holds robots, for a time or until something lets them go."""
+        state, robots = to.state, to.entities(self.entity)
+        if self.for_s is None:
+            return lambda _firing: state.held.hold(robots, inf)
+        lasts = to.ticks(self.for_s)
+
+        def act(_firing: Firing) -> None:
+            ticks = lasts()
+            if ticks > 0:
+                state.held.hold(robots, state.tick + ticks)
+
+        return act
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the action as a clause: ``yellow gets 1 point``."""
+        who = phrases.all_of(self.entity)
+        until = f"until {'they are' if who.plural else 'it is'} let go"
+        lasts = until if self.for_s is None else f"for {phrases.lasting(self.for_s)}"
+        return f"{who.does('is', 'are')} held still {lasts}"

@@ -1,0 +1,69 @@
+"""The action ``place``."""
+
+from typing import Annotated, Literal
+
+from rcj_challenges.rules.base import Action, Binder, Phrases
+from rcj_challenges.rules.fields import Name, Names, described
+from rcj_challenges.rules.phrasing import quoted
+from rcj_challenges.rules.places import At, Attempts, ClearanceM, Facing, MayKick, Mirror, NoiseM, Roll, WithoutRoom
+from rcj_challenges.rules.refs import ENTITIES, SectionRef
+from rcj_challenges.rules.values import DrawValue
+from rcj_challenges.tracking.bound_rules import Act
+
+
+class Place(Action, MayKick):
+    """Put entities somewhere: either one placement, or a layout by its name."""
+
+    action: Literal["place"]
+    layout: Annotated[Name | DrawValue | None, SectionRef("layout", ("placements",))] = described(
+        None, "a layout of `placements`, or {draw: NAME} whose values are"
+    )
+    entity: Annotated[Names | None, ENTITIES] = described(None, "what is put there: entities, groups, or each")
+    at: At | None = described(None, "where")
+    facing: Facing = described("start", "which way it looks afterwards")
+    noise_m: NoiseM = (0.0, 0.0)
+    mirror: Mirror | None = described(
+        None, "mirror the place, and what a kick is aimed at; with a layout: all its places and aims"
+    )
+    min_clearance_m: ClearanceM = 0.0
+    max_attempts: Attempts = 100
+    on_failure: WithoutRoom = "retry"
+    kick: Roll = None
+
+    EXAMPLE = """
+rules:
+  put_back:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    actions:
+      - {action: place, entity: ball, at: {spot: centre}}
+      - {action: place, entity: Y1, at: {point: [0.4, -0.4]}, facing: {towards: centre}}
+expect:
+  both_are_there:
+    keyframes: [{at_s: 1, place: {ball: [0, 0.8]}}]
+    lasts_s: 2
+    poses: {ball: [0, 0], Y1: [0.4, -0.4]}
+"""
+
+    def compile(self, to: Binder) -> Act:
+        """Return what puts entities somewhere: by a layout, or one after the other."""
+        if isinstance(self.layout, DrawValue):
+            draws, name = to.state.draws, self.layout.draw
+            layouts = {value: to.layout_jobs(str(value), self.mirror) for value in to.draw_values(name)}
+            return lambda _firing: to.place(layouts[draws[name]])
+        if self.layout is not None:
+            jobs = to.layout_jobs(self.layout, self.mirror)
+        else:
+            if self.entity is None or self.at is None:
+                message = "place needs a layout, or entity and at"
+                raise ValueError(message)
+            jobs = [to.placement_job(self, entity) for entity in to.entities(self.entity)]
+        return lambda _firing: to.place(jobs)
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the action as a clause: ``yellow gets 1 point``."""
+        if self.layout is None:
+            return phrases.placing(self)
+        which = (
+            quoted(self.layout) if isinstance(self.layout, str) else f"the layout drawn as {quoted(self.layout.draw)}"
+        )
+        return f"things are put as in {which}{phrases.mirrored_layout(self)}"

@@ -1,0 +1,30 @@
+"""The action ``release``."""
+
+from typing import Annotated, Literal
+
+from rcj_challenges.rules.actions.hold import Hold
+from rcj_challenges.rules.base import Action, Binder, Phrases
+from rcj_challenges.rules.fields import Names, described
+from rcj_challenges.rules.refs import ROBOTS
+from rcj_challenges.tracking.bound_rules import Act
+
+
+class Release(Action):
+    """Let robots go that rules hold: they drive again from the next tick on; who is not held stays as it is.
+
+    What a phase with `robots: held` holds stays held until the phase is over.
+    """
+
+    action: Literal["release"]
+    entity: Annotated[Names, ROBOTS] = described(..., "who is let go: robots, groups, or each")
+
+    EXAMPLE = Hold.EXAMPLE
+
+    def compile(self, to: Binder) -> Act:
+        """Return what lets robots go that rules hold."""
+        robots = to.entities(self.entity)
+        return lambda _firing: to.release(robots)
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the action as a clause: ``yellow gets 1 point``."""
+        return f"{phrases.all_of(self.entity).does('is', 'are')} let go"

@@ -1,0 +1,59 @@
+"""The action ``remove``."""
+
+from typing import Annotated, Literal
+
+from rcj_challenges.rules.actions.place import Place
+from rcj_challenges.rules.base import Action, Binder, Phrases
+from rcj_challenges.rules.fields import Names, described
+from rcj_challenges.rules.places import At, Facing
+from rcj_challenges.rules.refs import ENTITIES
+from rcj_challenges.rules.values import Lasts
+from rcj_challenges.tracking.bound_rules import Act, Firing
+
+
+class Remove(Action):
+    """Take an entity off the field: parked, silent, invisible; any later placement brings it back."""
+
+    action: Literal["remove"]
+    entity: Annotated[Names, ENTITIES] = described(..., "what is taken off: entities, groups, or each")
+    for_s: Lasts | None = described(
+        None,
+        "it comes back after this time, in s: a number, {draw: NAME} or {counter: NAME}, read in that moment (0 or "
+        "less: one tick); left out: when a rule places it; who is off already comes back as the later action says",
+    )
+    back_at: At = described("start", "where it comes back to")
+    facing: Facing = described("start", "which way it looks when it comes back")
+
+    EXAMPLE = """
+rules:
+  penalty:
+    triggers: [{trigger: touches, entity: yellow, other: walls}]
+    actions: [{action: remove, entity: Y1, for_s: 2, back_at: {spot: middle_yellow}}]
+expect:
+  it_is_back_after_2_s:
+    keyframes:
+      - {at_s: 0.5, place: {Y3: [0.5, -0.5]}}
+      - {at_s: 1, touch: [[Y1, walls]]}
+    lasts_s: 4
+    poses: {Y1: [0, -0.2]}
+"""
+
+    def compile(self, to: Binder) -> Act:
+        """Return what takes entities off the field, for a time or until something places them."""
+        away = None if self.for_s is None else to.ticks(self.for_s)
+        back = Place(action="place", entity=self.entity, at=self.back_at, facing=self.facing)
+        returns = {entity: to.placement_job(back, entity) for entity in to.entities(self.entity)}
+
+        def act(_firing: Firing) -> None:
+            for entity, job in returns.items():
+                to.remove(entity)
+                if away is not None:
+                    to.place_later(job, max(1, away()))
+
+        return act
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the action as a clause: ``yellow gets 1 point``."""
+        who = phrases.all_of(self.entity)
+        gone = f"{who.does('is', 'are')} taken off the field"
+        return f"{gone} and after {phrases.lasting(self.for_s)} {phrases.put_back(self)}" if self.for_s else gone

@@ -1,0 +1,121 @@
+"""The action ``score``."""
+
+from collections.abc import Callable
+from typing import Annotated, Literal
+
+from rcj_challenges.facts.amounts import on_paper
+from rcj_challenges.rules.base import Action, Binder, Phrases
+from rcj_challenges.rules.bounds import bounds_words, change_bound, taken_away
+from rcj_challenges.rules.fields import Name, Strict, described
+from rcj_challenges.rules.phrasing import counted, plain
+from rcj_challenges.rules.refs import THING, SectionRef
+from rcj_challenges.rules.values import Points
+from rcj_challenges.tracking.bound_rules import Act, Firing
+
+_RECEIVER = SectionRef("entrant", ("entrants",), words=frozenset({"each", "other"}))
+
+
+class LastToucher(Strict):
+    """The entrant of the robot that touched something last, since it was put where it is."""
+
+    last_touch: Annotated[Name, THING] = described(..., "what was touched: an entity, a fixed obstacle, or each")
+
+
+class Score(Action):
+    """Give points to an entrant."""
+
+    action: Literal["score"]
+    entrant: Annotated[Name | LastToucher, _RECEIVER] = described(
+        ...,
+        "who gets them (the seat as played in this half); each: who drives the robot of for_each; other: who drives "
+        "the robot touched; "
+        "{last_touch: ball}: who drives the robot that touched it last since it was put where it is, else nobody",
+        union_mode="left_to_right",
+    )
+    points: Points = described(
+        1,
+        "how many: a number, {counter, flag, draw, timer, way or word: NAME}, {distance: [A, B]}, or a list of which "
+        "all is added: numbers, and these with weights",
+    )
+    at_least: float | None = described(None, "no fewer points are given than this, whatever was reckoned")
+    at_most: float | None = described(None, "no more points are given than this, whatever was reckoned")
+    keeps_at_least: float | None = described(
+        None, "points taken away do not take the entrant's score below this; what lies below it already stays"
+    )
+    keeps_at_most: float | None = described(
+        None, "points given do not take the entrant's score above this; what lies above it already stays"
+    )
+
+    EXAMPLE = """
+counters: {streak: {initial: 2}}
+flags: {bonus: {initial: true}}
+rules:
+  goal:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    actions:
+      - {action: score, entrant: yellow, points: 1}
+      - {action: score, entrant: blue, points: -1}
+      - {action: score, entrant: yellow, points: [{counter: streak, weight: 10}, {flag: bonus, weight: 5}], at_most: 24}
+  own_touch:
+    triggers: [{trigger: touches, entity: Y1, other: walls}]
+    # Takes 50 points, or as many as there are.
+    actions: [{action: score, entrant: yellow, points: -50, keeps_at_least: 0}]
+expect:
+  one_and_twice_ten_and_five_but_24_at_most:
+    keyframes: [{at_s: 1, place: {ball: [0, 0.8]}}]
+    lasts_s: 2
+    score: {yellow: 25, blue: -1}
+  the_score_does_not_fall_below_0:
+    given: {score: {yellow: 30}}
+    keyframes: [{at_s: 1, touch: [[Y1, walls]]}]
+    lasts_s: 2
+    score: {yellow: 0}
+"""
+
+    def compile(self, to: Binder) -> Act:
+        """Return what gives points to an entrant; to none if nothing touched what they are given for."""
+        state, receiver, points, bounded = to.state, self._receiver(to), to.points(self.points), change_bound(self)
+
+        def act(firing: Firing) -> None:
+            entrant = receiver()
+            if entrant is None:
+                return
+            given = bounded(points(firing), state.scores[entrant])
+            state.scores[entrant] = on_paper(state.scores[entrant] + given)
+            firing.scored[entrant] = on_paper(firing.scored.get(entrant, 0) + given)
+
+        return act
+
+    def _receiver(self, to: Binder) -> Callable[[], str | None]:
+        """Return what finds who gets the points: the named entrant, or the one that drives a robot."""
+        drivers = to.state.entrant_of
+        if isinstance(self.entrant, LastToucher):
+            touched, contacts = to.thing(self.entrant.last_touch), to.contacts
+            contacts.follow_last(touched)
+
+            def driver_of_the_last() -> str | None:
+                robot = contacts.last(touched)
+                return None if robot is None else drivers.get(to.name_of(robot))
+
+            return driver_of_the_last
+        bound = {"each": to.rule.each, "other": to.rule.other}
+        robot = None if self.entrant in to.state.scores else bound.get(self.entrant)
+        whose = self.entrant if robot is None else drivers.get(robot)
+        return lambda: whose
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the action as a clause: ``yellow gets 1 point``."""
+        who, points, bounds = self.receiver(phrases), self.points, bounds_words(self, "score")
+        if taken := taken_away(self, points):
+            return f"{who} loses points: {phrases.amount(taken)}{bounds}"
+        if not isinstance(points, int | float):
+            return f"{who} gets points: {phrases.amount(points)}{bounds}"
+        return f"{who} {'loses' if points < 0 else 'gets'} {counted(abs(points), 'point')}{bounds}"
+
+    def receiver(self, phrases: Phrases) -> str:
+        """Return who gets points: ``yellow``, or ``the team of the last to touch the ball``."""
+        if isinstance(self.entrant, LastToucher):
+            return f"the team of the last to touch {phrases.thing(self.entrant.last_touch)}"
+        if self.entrant not in ("each", "other") or phrases.is_entrant(self.entrant):
+            return plain(self.entrant)
+        return "its team" if self.entrant == "each" else f"the team of {phrases.thing(self.entrant)}"

@@ -1,0 +1,47 @@
+"""The action ``set_phase``."""
+
+from typing import Annotated, Literal
+
+from rcj_challenges.rules.base import Action, Binder, Phrases
+from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.rules.phrasing import quoted
+from rcj_challenges.rules.refs import PHASE
+from rcj_challenges.tracking.bound_rules import Act
+
+
+class SetPhase(Action):
+    """Enter a phase at once; the one that it is already begins anew."""
+
+    action: Literal["set_phase"]
+    phase: Annotated[Name, PHASE] = described(..., "the phase")
+
+    EXAMPLE = """
+phases:
+  second_task: {}
+rules:
+  first_done:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    actions: [{action: score, entrant: yellow}, {action: set_phase, phase: second_task}]
+  second_done:
+    phases: [second_task]
+    triggers: [{trigger: enters, entity: ball, zone: yellow_goal}]
+    actions: [{action: score, entrant: yellow, points: 2}, {action: set_phase, phase: play}]
+expect:
+  one_after_the_other:
+    keyframes:
+      - {at_s: 1, place: {ball: [0, -0.8]}}
+      - {at_s: 2, place: {ball: [0, 0.8]}}
+      - {at_s: 3, place: {ball: [0, -0.8]}}
+    lasts_s: 4
+    score: {yellow: 3}
+    phase: play
+"""
+
+    def compile(self, to: Binder) -> Act:
+        """Return what enters a phase, at once."""
+        phase = self.phase
+        return lambda _firing: to.enter_phase(phase)
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the action as a clause: ``yellow gets 1 point``."""
+        return f"the phase {quoted(self.phase)} begins"

@@ -1,0 +1,121 @@
+"""The action ``set_spot``."""
+
+from collections.abc import Callable
+from typing import Annotated, Literal
+
+from rcj_challenges.facts.messages import position_in
+from rcj_challenges.rules.base import Action, Binder, Phrases
+from rcj_challenges.rules.fields import Name, Point, described
+from rcj_challenges.rules.places import Mirror, OnLine, UniformIn
+from rcj_challenges.rules.refs import FIXED, MOVING, SPOT, Ref
+from rcj_challenges.rules.values import ToldValue
+from rcj_challenges.tracking.bound_rules import Act, Firing
+
+
+class SetSpot(Action):
+    """Set a spot to where something is now, and so remember that place; each half begins with that of the file.
+
+    What is off the field leaves it where it is, and so does a message that is no position. What is placed in the same
+    tick is still where it was before.
+    """
+
+    action: Literal["set_spot"]
+    spot: Annotated[Name, SPOT] = described(..., "the spot")
+    to: Annotated[
+        Name | Point | ToldValue | UniformIn | OnLine,
+        Ref(
+            "entity, obstacle, spot or zone",
+            MOVING | FIXED | frozenset({"spot"}) | frozenset({"zone"}),
+            each=True,
+            drawn=True,
+        ),
+    ] = described(
+        ...,
+        "an entity, each, a spot, a zone with a centre (a circle, a rect with four sides), a draw's name, [x, y] in m, "
+        "{told: NAME}: the position that a robot has told by radio, {uniform_in: ZONES} or {on_line: [[x, y], [x, y]]}"
+        ", a point of chance",
+    )
+    mirror: Mirror | None = described(None, "set it to the mirror image of that place")
+
+    EXAMPLE = """
+spots:
+  # Where it is until a rule sets it, in every half.
+  kicked_from: {x_m: 0, y_m: 0}
+counters: {longest_pass_m: {}}
+rules:
+  kicked:
+    triggers: [{trigger: touches, entity: Y1, other: ball}]
+    actions:
+      - {action: set_spot, spot: kicked_from, to: ball}
+      - {action: emit, event: KICKED, payload: {from: {position_of: kicked_from}}}
+    says: Y1 plays the ball.
+  received:
+    triggers: [{trigger: touches, entity: Y2, other: ball}]
+    conditions: [{condition: distance, entity: ball, to: kicked_from, at_least: {counter: longest_pass_m}}]
+    actions: [{action: count, counter: longest_pass_m, to: {distance: [ball, kicked_from]}}]
+expect:
+  the_longer_of_two_passes_counts:
+    keyframes:
+      - {at_s: 1, place: {ball: [-0.3, 0]}, touch: [[Y1, ball]]}
+      - {at_s: 2, place: {ball: [0.3, 0]}, touch: [[Y2, ball]]}
+      - {at_s: 3, place: {ball: [0.2, -0.1]}, touch: [[Y1, ball]]}
+      - {at_s: 4, place: {ball: [0.2, -0.4]}, touch: [[Y2, ball]]}
+    lasts_s: 5
+    counters: {longest_pass_m: 0.6}
+    poses: {kicked_from: [0.2, -0.1]}
+"""
+
+    def compile(self, to: Binder) -> Act:
+        """Return what sets a spot to a place, its mirror image, or where chance says: there only inside the walls.
+
+        What is off the field leaves it where it is.
+        """
+        state, name = to.state, self.spot
+        where, signs = self._where(to), to.mirror_signs(self.mirror)
+        is_random = isinstance(self.to, UniformIn | OnLine)
+
+        def act(_firing: Firing) -> None:
+            decided = to.decided_place(name) if is_random else None
+            if decided is not None:
+                state.spots[name] = decided
+                return
+            sign_x, sign_y = signs()
+            for _ in range(_MAX_TRIES if is_random else 1):
+                point = where()
+                if point is None:
+                    return
+                there = (point[0] * sign_x + 0.0, point[1] * sign_y + 0.0)  # adding 0 makes no -0
+                if not is_random or to.is_on_floor(there):
+                    state.spots[name] = there
+                    return
+
+        return act
+
+    def _where(self, to: Binder) -> Callable[[], Point | None]:
+        """Return what finds the place that the spot is set to; None if there is none at present."""
+        match self.to:
+            case ToldValue():
+                heard, robot = to.state.heard, to.members(self.to.told)[0]
+                return lambda: position_in(heard.get(robot, ""))
+            case UniformIn() | OnLine():
+                sample, state, stream = to.random_point(self.to), to.state, f"spot/{self.spot}"
+                return lambda: sample(state.stream(stream))
+            case _:
+                return to.locate(self.to)
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the action as a clause: ``yellow gets 1 point``."""
+        if isinstance(self.to, ToldValue):
+            where = f"the position that {phrases.thing(self.to.told)} has told the referee"
+        elif isinstance(self.to, str):
+            where = phrases.owned("centre" if phrases.may_be_zone(self.to) else "place", self.to)
+        elif isinstance(self.to, UniformIn | OnLine):
+            where = phrases.aim(self.to)
+        else:
+            where = phrases.point(self.to)
+        mirrored = phrases.mirrored(self.mirror, self.to)
+        return f"{where}{mirrored}{',' if mirrored else ''} is remembered as {phrases.thing(self.spot)}"
+
+
+_MAX_TRIES = 1000
+"""So often chance looks for a point inside the walls, of a zone that may lie outside for the most part."""

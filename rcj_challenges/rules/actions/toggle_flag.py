@@ -1,0 +1,29 @@
+"""The action ``toggle_flag``."""
+
+from typing import Annotated, Literal
+
+from rcj_challenges.rules.actions.set_flag import SetFlag, change_flag
+from rcj_challenges.rules.base import Action, Binder, Phrases
+from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.rules.refs import FLAG, WHOSE
+from rcj_challenges.tracking.bound_rules import Act
+
+
+class ToggleFlag(Action):
+    """Turn a flag over."""
+
+    action: Literal["toggle_flag"]
+    flag: Annotated[Name, FLAG] = described(..., "the flag")
+    entity: Annotated[Name | None, WHOSE] = described(
+        None, "for a flag kept per entity: whose; each; left out: all of them"
+    )
+
+    EXAMPLE = SetFlag.EXAMPLE
+
+    def compile(self, to: Binder) -> Act:
+        """Return what turns a flag over."""
+        return change_flag(to, self.flag, self.entity, lambda value: not value)
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the action as a clause: ``yellow gets 1 point``."""
+        return f"{phrases.every_kept('flag', self.flag, self.entity)} is turned over"

@@ -1,0 +1,83 @@
+"""Floors and ceilings: how much an action pays or counts, and how far it takes a score or a counter."""
+
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from rcj_challenges.facts.amounts import plain
+from rcj_challenges.rules.phrasing import number
+from rcj_challenges.tracking.state import Number
+
+
+class Bounded(Protocol):
+    """An action with floors and ceilings: of the amount, and of what becomes of the total."""
+
+    @property
+    def at_least(self) -> float | None:
+        """The least that the amount is."""
+
+    @property
+    def at_most(self) -> float | None:
+        """The most that the amount is."""
+
+    @property
+    def keeps_at_least(self) -> float | None:
+        """What the total does not fall below."""
+
+    @property
+    def keeps_at_most(self) -> float | None:
+        """What the total does not rise above."""
+
+
+def amount_bound(model: Bounded) -> Callable[[Number], Number]:
+    """Return what brings an amount between ``at_least`` and ``at_most``."""
+    least, most = model.at_least, model.at_most
+
+    def within(amount: Number) -> Number:
+        if least is not None:
+            amount = max(amount, plain(least))
+        return amount if most is None else min(amount, plain(most))
+
+    return within
+
+
+def change_bound(model: Bounded) -> Callable[[Number, Number], Number]:
+    """Return what an amount becomes that is added to a score or a counter, given what that is before.
+
+    It goes as far as ``keeps_at_least`` or ``keeps_at_most`` and no further. What lies beyond already stays where it
+    is: nobody gains by losing points.
+    """
+    within = amount_bound(model)
+    least, most = model.keeps_at_least, model.keeps_at_most
+
+    def change(amount: Number, before: Number) -> Number:
+        amount = within(amount)
+        if least is not None and amount < 0:
+            return max(amount, min(0, plain(least) - before))
+        if most is not None and amount > 0:
+            return min(amount, max(0, plain(most) - before))
+        return amount
+
+    return change
+
+
+def bounds_words(action: Bounded, total: str) -> str:
+    """Return how much an action pays or counts at least and at most, and how far it takes the total."""
+    least, most = action.at_least, action.at_most
+    amounts = [f"at {how} {number(one)}" for how, one in (("least", least), ("most", most)) if one is not None]
+    ways = (("fall below", action.keeps_at_least), ("rise above", action.keeps_at_most))
+    totals = [f"{way} {number(one)}" for way, one in ways if one is not None]
+    said = [" and ".join(amounts), f"the {total} does not {' or '.join(totals)} by it" if totals else ""]
+    return f" ({'; '.join(filter(None, said))})" if any(said) else ""
+
+
+def taken_away(action: Bounded, parts: Any) -> tuple[Any, ...]:
+    """Return what is taken away, where all parts of a sum are; empty where not, or where the sum is bounded itself."""
+    is_bounded = action.at_least is not None or action.at_most is not None
+    if is_bounded or not isinstance(parts, tuple):
+        return ()
+    weights = [part if isinstance(part, int | float) else part.weight for part in parts]
+    if any(weight >= 0 for weight in weights):
+        return ()
+    return tuple(
+        -part if isinstance(part, int | float) else part.model_copy(update={"weight": -part.weight}) for part in parts
+    )
