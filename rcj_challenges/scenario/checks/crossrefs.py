@@ -9,19 +9,17 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
-from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.rules.actions.draw import DrawAction
 from rcj_challenges.rules.actions.place import Place
 from rcj_challenges.rules.actions.score import Score
 from rcj_challenges.rules.conditions.drawn import Drawn
 from rcj_challenges.rules.conditions.sequence_at import SequenceAt
-from rcj_challenges.rules.fields import LONGEST_S
-from rcj_challenges.rules.places import MAX_KICK_MPS, DrawnSpeed
 from rcj_challenges.rules.refs import Ref, Reference, SectionRef, refs_of
 from rcj_challenges.rules.triggers.touches import Touches
-from rcj_challenges.rules.values import DrawnDuration, HighestOfOthers, LowestOfOthers, NumberDraw, WeightedDraw
+from rcj_challenges.rules.values import HighestOfOthers, LowestOfOthers
 from rcj_challenges.scenario.catalogue import BOUND, EACH, OTHER, Catalogue, texts
 from rcj_challenges.scenario.checks.bound import Bound
+from rcj_challenges.scenario.checks.drawn_numbers import DRAWN_NUMBERS
 from rcj_challenges.scenario.checks.removal import removal_of
 from rcj_challenges.scenario.checks.whose import NAMING_ONE, check_whose, touching_itself
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem, cut, known_text, listing, nearest
@@ -315,8 +313,8 @@ class _Walker:
             drawn = child(layout, "draw")
             if isinstance(drawn, Leaf) and drawn.value in self.names.names("draws"):
                 self._check_drawn(SectionRef("layout", ("placements",)), str(drawn.value), (*path, "layout"))
-        elif model in _DRAWN_NUMBERS:
-            self._values(node.entries.get("draw"), path, _DRAWN_NUMBERS[model])
+        elif model in DRAWN_NUMBERS:
+            self._values(node.entries.get("draw"), path, DRAWN_NUMBERS[model])
         elif model is Drawn:
             self._decided(node, "equals", path, bound)
         elif model is DrawAction:
@@ -460,35 +458,6 @@ def _leaves(node: Node, path: Path) -> Iterator[tuple[str, Path, Mark]]:
     elif isinstance(node, Items):
         for index, item in enumerate(node.items):
             yield from _leaves(item, (*path, index))
-
-
-def _no_number(value: Leaf) -> str:
-    return f"expected a number, found {found_text(value)}" if isinstance(value.value, (str, bool)) else ""
-
-
-def _no_duration(value: Leaf) -> str:
-    if isinstance(value.value, int | float) and not isinstance(value.value, bool):
-        if value.value < TICK_S:
-            return f"a duration must be at least one tick ({TICK_S} s), found {found_text(value)}"
-        if value.value > LONGEST_S:
-            return f"must be at most {LONGEST_S}, found {found_text(value)}"
-    return _no_number(value)
-
-
-def _no_speed(value: Leaf) -> str:
-    if isinstance(value.value, (str, bool)) or value.value is None:
-        return _no_number(value)
-    wrong = not 0 < value.value <= MAX_KICK_MPS
-    return f"a kick's speed is over 0 and at most {MAX_KICK_MPS} m/s, found {found_text(value)}" if wrong else ""
-
-
-_DRAWN_NUMBERS: dict[Any, Callable[[Leaf], str]] = {
-    NumberDraw: _no_number,
-    WeightedDraw: _no_number,
-    DrawnDuration: _no_duration,
-    DrawnSpeed: _no_speed,
-}
-"""What is wrong with a value of a draw, where its name stands for a number."""
 
 
 def _way_out(kind: str, reference: Ref) -> str:
