@@ -23,6 +23,7 @@ from rcj_challenges.rules.phrasing import degrees, number, seconds
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import Loaded, load, load_resolved, load_text
 from rcj_challenges.scenario.models import scenario as models
+from rcj_challenges.scenario.shape import fields
 from rcj_challenges.views.drawing import draw_scenario
 from rcj_challenges.views.sheet import sheet_markdown
 from scripts.write_reference import read_examples
@@ -134,7 +135,7 @@ def _fields(model: type[BaseModel], seen: set[type[BaseModel]]) -> Iterator[str]
         return
     seen.add(model)
     for name, field in model.model_fields.items():
-        parts = list(_parts(field.annotation))
+        parts = list(_parts(fields(model)[field.alias or name]))
         choices = [get_args(part) for part in parts if get_origin(part) is Literal]
         if not field.exclude and (
             any(part in (int, float, bool) for part in parts) or any(len(c) > 1 for c in choices)
