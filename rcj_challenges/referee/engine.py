@@ -275,7 +275,7 @@ class Referee:
         chosen = [
             hit
             for hit in self._hits.first_by_rule()
-            if hit.binding.rule.lives_in(phase) and all(test() for test in hit.binding.rule.tests)
+            if hit.binding.rule.is_active_in(phase) and all(test() for test in hit.binding.rule.tests)
         ]
         denied = self._denied_of(chosen) if self.denied is not None else ()
         self._hits.clear()
@@ -292,7 +292,7 @@ class Referee:
         return [
             (rule, next(place for place, test in enumerate(rule.tests) if not test()))
             for rule in triggered
-            if rule.rank not in fire and rule.lives_in(self._state.phase)
+            if rule.rank not in fire and rule.is_active_in(self._state.phase)
         ]
 
     def _note_denial(self, rule: BoundRule, place: int) -> None:
@@ -329,7 +329,7 @@ class Referee:
         )
 
     def _suppressed(self, rule: BoundRule, won: set[tuple[str, str | None]]) -> str | None:
-        if not rule.lives_in(self._state.phase):
+        if not rule.is_active_in(self._state.phase):
             return "phase"
         if rule.exclusive in won:
             return "exclusive"
@@ -389,7 +389,7 @@ class Referee:
         if moved:
             self._all_present = all(state.present)
             self._contacts.forget(moved)
-            self._trackers.begin_anew(moved)
+            self._trackers.on_placed(moved)
         return tuple(placements)
 
     def _tell_no_room(self, job: Job) -> None:

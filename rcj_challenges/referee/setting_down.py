@@ -289,7 +289,7 @@ class Queue:
             for job in self._waiting.values()
             if job.due <= state.tick
             and job.entity not in self._asked
-            and (job.rule is None or job.comes_back or job.rule.lives_in(state.phase))
+            and (job.rule is None or job.comes_back or job.rule.is_active_in(state.phase))
         ]
         for job in ready:
             del self._waiting[job.entity]

@@ -35,7 +35,7 @@ class BoundRule:
         each: the member that ``each`` stands for, or None.
         about: ``each`` if that is an entity or an obstacle, else None: of a rule over zones or gates the trigger tells.
         other: what ``other`` stands for: it fires for a touch of that only; None where the rule does not name it.
-        phases: in which it lives; None: in all.
+        phases: in which it is active; None: in all.
         exclusive: the group of which only one fires a tick, per entity.
         cooldown: ticks it rests after firing.
         max_executions: how often it may fire in the half.
@@ -60,8 +60,8 @@ class BoundRule:
     other: str | None = None
     about: str | None = None
 
-    def lives_in(self, phase: str) -> bool:
-        """Return whether the rule lives in a phase."""
+    def is_active_in(self, phase: str) -> bool:
+        """Return whether the rule is active in a phase."""
         return self.phases is None or phase in self.phases
 
 

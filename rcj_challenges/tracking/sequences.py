@@ -69,7 +69,7 @@ class SequenceTracker(PositionTracker):
             self._stand_at_first()
 
     def moved(self) -> None:
-        """Begin anew, or keep the steps made, if there are any: then the place where the entity was put is no step."""
+        """Reset, or keep the steps made, if there are any: then the place where the entity was put does not count."""
         if self._goes_on and self._at != _NOT_BEGUN:
             self._look_around()
         else:

@@ -19,12 +19,12 @@ NEVER = 1 << 62
 
 
 class Tracker:
-    """Something followed on behalf of rules that live in the same phases.
+    """Something followed for rules that are active in the same phases.
 
     Attributes:
         bindings: the rules that it reports to.
-        phases: in which it lives; None: in all.
-        entities: the indices of those whose placement makes it begin anew.
+        phases: in which it is active; None: in all.
+        entities: the indices of those whose placement resets it.
         since: the tick at which it was last reset.
         true_before: the tick at which it could not come true because it was true already; None: it always could.
     """
@@ -37,8 +37,8 @@ class Tracker:
     def __init__(self) -> None:
         self.bindings: list[TriggerBinding] = []
 
-    def lives_in(self, phase: str) -> bool:
-        """Return whether it lives in a phase."""
+    def is_active_in(self, phase: str) -> bool:
+        """Return whether it is active in a phase."""
         return self.phases is None or phase in self.phases
 
     def reset(self) -> None:
@@ -60,7 +60,7 @@ class PositionTracker(Tracker):
         raise NotImplementedError
 
     def advance(self, before: list[Pose2], substeps: list[list[Pose2]]) -> None:
-        """Look at the way through the sub-steps.
+        """Follow the way through the sub-steps.
 
         Args:
             before: poses by entity before the first of them.
@@ -79,29 +79,29 @@ class DueTracker(Tracker):
     due: int = NEVER
 
     def update(self) -> None:
-        """Look, and set ``due`` anew."""
+        """Report what is due, and set the next ``due``."""
         raise NotImplementedError
 
     def reschedule(self) -> None:
-        """Set ``due`` anew after an action changed what it depends on; by default it depends on nothing."""
+        """Set ``due`` after an action changed what it depends on; by default it depends on nothing."""
 
     def release(self, robots: frozenset[int]) -> None:
-        """Set ``due`` anew after robots that rules held were let go; by default it does not depend on them."""
+        """Set ``due`` after robots that rules held were let go; by default it does not depend on them."""
 
 
 class TickTracker(Tracker):
     """A tracker that looks on every tick."""
 
     def update(self) -> None:
-        """Look."""
+        """Report what happened in this tick."""
         raise NotImplementedError
 
 
 class _Active:
-    """The trackers that live in one phase; ``stays``: entities whose way can change when something is due."""
+    """The trackers that are active in one phase; ``stays``: entities whose way can change when something is due."""
 
     def __init__(self, trackers: Iterable[Tracker], phase: str, entities: int) -> None:
-        self.all = [tracker for tracker in trackers if tracker.lives_in(phase)]
+        self.all = [tracker for tracker in trackers if tracker.is_active_in(phase)]
         self.by_entity: list[list[PositionTracker]] = [[] for _ in range(entities)]
         self.stays: set[int] = set()
         for tracker in self.all:
@@ -114,7 +114,7 @@ class _Active:
 
 
 class TrackerManager:
-    """Follows all trackers that live in the present phase."""
+    """Updates the trackers that are active in the present phase."""
 
     def __init__(self, state: RefereeState) -> None:
         self._state = state
@@ -131,23 +131,23 @@ class TrackerManager:
 
     @property
     def trackers(self) -> tuple[Tracker, ...]:
-        """All trackers, whether they live in the present phase or not."""
+        """All trackers, whether they are active in the present phase or not."""
         return tuple(self._trackers)
 
     def enter(self, phase: str, left: str | None) -> None:
-        """Enter a phase: the trackers that did not live in the phase left begin anew (all, if it is the same)."""
+        """Enter a phase: reset the trackers that were not active in the phase left (all, if it is the same)."""
         if phase not in self._phases:
             self._phases[phase] = _Active(self._trackers, phase, len(self._cells))
         self._active = self._phases[phase]
         for tracker in self._active.all:
-            if left is None or left == phase or not tracker.lives_in(left):
+            if left is None or left == phase or not tracker.is_active_in(left):
                 self._reset(tracker)
         for entity in range(len(self._cells)):
             self._fit_cell(entity)
         self._next_due()
 
-    def begin_anew(self, entities: set[int]) -> None:
-        """Begin anew all that concerns entities that were put elsewhere or taken off."""
+    def on_placed(self, entities: set[int]) -> None:
+        """Update all trackers of entities that were put elsewhere or taken off."""
         for tracker in self._active.all:
             if not entities.isdisjoint(tracker.entities):
                 tracker.since = self._state.tick
@@ -157,20 +157,20 @@ class TrackerManager:
         self._next_due()
 
     def reschedule(self) -> None:
-        """Ask all trackers anew when they are due: an action changed a timer."""
+        """Let all trackers set their ``due``: an action changed a timer."""
         for tracker in self._active.due:
             tracker.reschedule()
         self._next_due()
 
     def release(self, robots: frozenset[int]) -> None:
-        """Tell all trackers that these robots, which rules held, may move again."""
+        """Let all trackers set their ``due`` after rules let these robots go."""
         if robots:
             for tracker in self._active.due:
                 tracker.release(robots)
             self._next_due()
 
     def reset(self, *trackers: Tracker) -> None:
-        """Begin trackers anew, because a rule says so."""
+        """Reset trackers, because a rule says so."""
         for tracker in trackers:
             self._reset(tracker)
         for entity in dict.fromkeys(entity for tracker in trackers for entity in tracker.entities):
