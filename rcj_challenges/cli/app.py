@@ -9,13 +9,17 @@ import typer
 
 from rcj_challenges import __version__
 from rcj_challenges.cli import check, judge, stats, tournament, verify, video
+from rcj_challenges.cli.completion import complete_scenarios, complete_seats, complete_teams
+from rcj_challenges.cli.help import PLAY, WATCH, WRITE, Command, Group
 from rcj_challenges.cli.live import LiveOptions, RunCommand
 
 app = typer.Typer(
     name="rcj-challenge",
+    cls=Group,
     help="Play robot-soccer matches and challenges that are declared in YAML.",
+    epilog="rcj-challenge run match --duration 1:00 --open\nrcj-challenge check my_team.zip",
     no_args_is_help=True,
-    add_completion=False,
+    rich_markup_mode=None,
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
@@ -30,12 +34,34 @@ _Sandbox = Annotated[
 ]
 
 
-_Blue = Annotated[list[str] | None, typer.Option("--blue", metavar="PATH", help="Short for --team blue=PATH.")]
-_Yellow = Annotated[list[str] | None, typer.Option("--yellow", metavar="PATH", help="Short for --team yellow=PATH.")]
-_Duration = Annotated[
-    float | None, typer.Option("--duration", metavar="S", help="Length of a half in simulated seconds.")
+_Blue = Annotated[
+    list[str] | None,
+    typer.Option("--blue", metavar="TEAM", autocompletion=complete_teams, help="Short for --team blue=TEAM."),
 ]
-_Halves = Annotated[int | None, typer.Option("--halves", help="How many halves.")]
+_Yellow = Annotated[
+    list[str] | None,
+    typer.Option("--yellow", metavar="TEAM", autocompletion=complete_teams, help="Short for --team yellow=TEAM."),
+]
+_Duration = Annotated[
+    str | None, typer.Option("--duration", metavar="TIME", help="Length of a half in simulated time: 90, 90s or 1:30.")
+]
+_Halves = Annotated[int | None, typer.Option("--halves", metavar="N", help="How many halves.")]
+
+
+_Scenario = Annotated[
+    str,
+    typer.Argument(
+        metavar="SCENARIO",
+        autocompletion=complete_scenarios,
+        help="A scenario file, or the name of one that comes with this: match.",
+    ),
+]
+_Files = Annotated[
+    list[str],
+    typer.Argument(
+        metavar="FILE...", autocompletion=complete_scenarios, help="Scenario files, or names of shipped ones."
+    ),
+]
 
 
 def _teams(given: list[str] | None, blue: list[str] | None, yellow: list[str] | None) -> list[str]:
@@ -44,9 +70,11 @@ def _teams(given: list[str] | None, blue: list[str] | None, yellow: list[str] | 
     return [*(given or ()), *short]
 
 
-def _overrides(given: list[str] | None, duration: float | None, halves: int | None) -> list[str]:
+def _overrides(given: list[str] | None, duration: str | None, halves: int | None) -> list[str]:
     """Return what is changed in the scenario as ``PATH=VALUE``, the short options among it."""
-    short = (("half_s", duration), ("halves", halves))
+    from rcj_challenges.cli.durations import parse_duration
+
+    short = (("half_s", None if duration is None else parse_duration("--duration", duration)), ("halves", halves))
     return [*(given or ()), *(f"match.{name}={value}" for name, value in short if value is not None)]
 
 
@@ -65,23 +93,36 @@ def _root(
     """Play robot-soccer matches and challenges that are declared in YAML."""
 
 
-@app.command(cls=RunCommand)
+@app.command(
+    cls=RunCommand,
+    rich_help_panel=PLAY,
+    epilog="rcj-challenge run match --duration 1:00 --open\n"
+    "rcj-challenge run match --yellow my_team --blue ball_chaser\n"
+    "rcj-challenge run match --yellow my_team --debug Y1",
+)
 def run(
-    scenario: Annotated[str, typer.Argument(help="A scenario file, or the name of one that comes with this: match.")],
+    scenario: _Scenario,
     team: Annotated[
         list[str] | None,
-        typer.Option("--team", metavar="ENTRANT=PATH", help="Who plays: a folder, a ZIP or a .py file. Repeatable."),
+        typer.Option(
+            "--team",
+            metavar="ENTRANT=TEAM",
+            autocompletion=complete_seats,
+            help="Who plays: a folder, a ZIP, a .py file or the name of a sample team. Repeatable.",
+        ),
     ] = None,
     blue: _Blue = None,
     yellow: _Yellow = None,
     team_name: Annotated[
         list[str] | None, typer.Option("--team-name", metavar="ENTRANT=NAME", help="Overrides team_name.txt.")
     ] = None,
-    seed: Annotated[int, typer.Option("--seed", min=0, help="Seed of all that chance decides.")] = 1,
+    seed: Annotated[int, typer.Option("--seed", metavar="N", min=0, help="Seed of all that chance decides.")] = 1,
     duration: _Duration = None,
     halves: _Halves = None,
     set_: _Set = None,
-    match_id: Annotated[int, typer.Option("--match-id", min=0, help="Number of the match in its log.")] = 0,
+    match_id: Annotated[
+        int, typer.Option("--match-id", metavar="N", min=0, help="Number of the match in its log.")
+    ] = 0,
     out: Annotated[Path, typer.Option("--out", metavar="DIR", help="Where the record's folder is made.")] = Path(
         "runs"
     ),
@@ -101,7 +142,9 @@ def run(
     replay: Annotated[bool, typer.Option("--replay/--no-replay", help="Write the replay page.")] = True,
     record: Annotated[
         Literal["sensors"] | None,
-        typer.Option("--record", help="Also record what programs saw, set and printed: up to 15 MB a half."),
+        typer.Option(
+            "--record", metavar="sensors", help="Also record what programs saw, set and printed: up to 15 MB a half."
+        ),
     ] = None,
     live: Annotated[
         int | None,
@@ -146,10 +189,15 @@ def run(
     )
 
 
-@app.command()
+@app.command(cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge validate relay_race.yaml")
 def validate(
     files: Annotated[
-        list[str], typer.Argument(metavar="FILE...", help="Scenario and tournament files, or names of shipped ones.")
+        list[str],
+        typer.Argument(
+            metavar="FILE...",
+            autocompletion=complete_scenarios,
+            help="Scenario and tournament files, or names of shipped ones.",
+        ),
     ],
     set_: _Set = None,
     strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 if there is a warning; for CI.")] = False,
@@ -161,9 +209,9 @@ def validate(
     raise typer.Exit(validate_files(files, set_ or [], strict=strict, as_json=json_))
 
 
-@app.command("test")
+@app.command("test", cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge test relay_race.yaml")
 def play_tests(
-    files: Annotated[list[str], typer.Argument(metavar="FILE...", help="Scenario files, or names of shipped ones.")],
+    files: _Files,
     set_: _Set = None,
     json_: Annotated[bool, typer.Option("--json", help="Print the outcome as JSON and nothing else.")] = False,
 ) -> None:
@@ -177,17 +225,19 @@ def play_tests(
     raise typer.Exit(run_tests(files, set_ or [], as_json=json_))
 
 
-@app.command()
+@app.command(cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge explain each-never-named")
 def explain(
-    code: Annotated[str | None, typer.Argument(help="A code, as in warning[each-never-named]; left out: all.")] = None,
+    code: Annotated[
+        str | None, typer.Argument(metavar="CODE", help="A code, as in warning[each-never-named]; left out: all.")
+    ] = None,
 ) -> None:
-    """Explain the code of an error or a warning: rcj-challenge explain each-never-named."""
+    """Explain the code of an error or a warning."""
     from rcj_challenges.cli.explain import explain as explain_code
 
     raise typer.Exit(explain_code(code))
 
 
-@app.command()
+@app.command(cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge new relay_race")
 def new(
     name: Annotated[str, typer.Argument(help="Name or path of the new scenario; .yaml may be left out.")],
     preset: Annotated[
@@ -201,7 +251,7 @@ def new(
     raise typer.Exit(new_scenario(name, preset))
 
 
-@app.command()
+@app.command(cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge schema --out scenario.schema.json")
 def schema(
     out: Annotated[
         Path | None,
@@ -216,10 +266,7 @@ def schema(
     raise typer.Exit(check_schema() if check else write_schema(out, of_tournament=tournament))
 
 
-_Scenario = Annotated[str, typer.Argument(help="A scenario file, or the name of a shipped one.")]
-
-
-@app.command()
+@app.command(cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge draw relay_race.yaml --out relay_race.svg")
 def draw(
     scenario: _Scenario,
     out: Annotated[
@@ -233,7 +280,7 @@ def draw(
     raise typer.Exit(author.draw(scenario, out, set_ or []))
 
 
-@app.command()
+@app.command(cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge sheet relay_race.yaml --out relay_race.html")
 def sheet(
     scenario: _Scenario,
     out: Annotated[
@@ -253,13 +300,22 @@ def sheet(
     raise typer.Exit(author.sheet(scenario, out, set_ or []))
 
 
-@app.command()
+@app.command(
+    cls=Command,
+    rich_help_panel=PLAY,
+    epilog="rcj-challenge simulate match --seeds 1..20 --yellow my_team --blue ball_chaser",
+)
 def simulate(
     scenario: _Scenario,
     seeds: Annotated[str, typer.Option("--seeds", metavar="1..N", help="Which seeds: 1..10, 3 or 1,4,7..9.")] = "1..10",
     team: Annotated[
         list[str] | None,
-        typer.Option("--team", metavar="ENTRANT=PATH", help="Who plays; left out: the sample team. Repeatable."),
+        typer.Option(
+            "--team",
+            metavar="ENTRANT=TEAM",
+            autocompletion=complete_seats,
+            help="Who plays; left out: the sample team. Repeatable.",
+        ),
     ] = None,
     blue: _Blue = None,
     yellow: _Yellow = None,
@@ -267,7 +323,9 @@ def simulate(
     halves: _Halves = None,
     set_: _Set = None,
     out: Annotated[Path, typer.Option("--out", metavar="DIR", help="Where the records are made.")] = Path("runs"),
-    at_once: Annotated[int | None, typer.Option("--at-once", min=1, help="Matches at a time; default: cores.")] = None,
+    at_once: Annotated[
+        int | None, typer.Option("--at-once", metavar="N", min=1, help="Matches at a time; default: cores.")
+    ] = None,
     json_: Annotated[bool, typer.Option("--json", help="Print the summary as JSON and nothing else.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress lines.")] = False,
     sandbox: _Sandbox = "auto",
@@ -283,13 +341,22 @@ def simulate(
     )
 
 
+@app.command(cls=Command, rich_help_panel=PLAY, epilog="rcj-challenge teams")
+def teams() -> None:
+    """List the sample teams, which play by their bare names: --blue ball_chaser."""
+    from rcj_challenges.cli.teams import list_teams
+
+    raise typer.Exit(list_teams())
+
+
 _Out = Annotated[Path, typer.Option("--runs", "--out", metavar="DIR", help="Where the records are.")]
 
 
-@app.command()
+@app.command(cls=Command, rich_help_panel=WATCH, epilog="rcj-challenge view\nrcj-challenge view --list")
 def view(
     run: Annotated[
-        Path | None, typer.Argument(help="A record's folder or the beginning of its name; left out: the newest.")
+        Path | None,
+        typer.Argument(metavar="RUN", help="A record's folder or the beginning of its name; left out: the newest."),
     ] = None,
     list_: Annotated[
         bool, typer.Option("--list", "-l", help="List the records instead, of DIR or of a folder given as RUN.")
@@ -302,9 +369,9 @@ def view(
     raise typer.Exit(list_records(run or out) if list_ else view_record(run, out))
 
 
-@app.command()
+@app.command(cls=Command, rich_help_panel=WATCH, epilog="rcj-challenge replay")
 def replay(
-    run: Annotated[Path | None, typer.Argument(help="A record's folder; left out: the newest.")] = None,
+    run: Annotated[Path | None, typer.Argument(metavar="RUN", help="A record's folder; left out: the newest.")] = None,
     out: _Out = Path("runs"),
 ) -> None:
     """Write the replay page of a record anew."""

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from rcj_challenges.cli.completion import complete_scenarios
+from rcj_challenges.cli.help import SUBMIT, Command
 from rcj_challenges.cli.says import say_json, say_progress
 from rcj_challenges.facts.errors import RcjError, advised
 
@@ -46,7 +48,12 @@ class CheckCommand:
 
 def register(app: typer.Typer) -> None:
     """Add the command."""
-    app.command("check")(_check)
+    app.command(
+        "check",
+        cls=Command,
+        rich_help_panel=SUBMIT,
+        epilog="rcj-challenge check my_team.zip\nrcj-challenge check my_team --fix my_team.zip",
+    )(_check)
 
 
 def _check(
@@ -55,7 +62,14 @@ def _check(
         typer.Argument(metavar="FILE|FOLDER...", help="Submissions: ZIPs or folders; or a folder full of ZIPs."),
     ],
     scenario: Annotated[
-        str, typer.Option("--scenario", "-s", metavar="S", help="What they are for: a file, or a shipped one's name.")
+        str,
+        typer.Option(
+            "--scenario",
+            "-s",
+            metavar="SCENARIO",
+            autocompletion=complete_scenarios,
+            help="What they are for: a file, or a shipped one's name.",
+        ),
     ] = "match",
     set_: Annotated[
         list[str] | None,
@@ -75,7 +89,8 @@ def _check(
     show_output: Annotated[bool, typer.Option("--show-output", help="Show what the programs printed.")] = False,
     play: Annotated[bool, typer.Option("--play/--no-play", help="--no-play runs no program.")] = True,
     jobs: Annotated[
-        int | None, typer.Option("--jobs", "-j", min=1, help="How many at a time; default: as many as cores.")
+        int | None,
+        typer.Option("--jobs", "-j", metavar="N", min=1, help="How many at a time; default: as many as cores."),
     ] = None,
     sandbox: Annotated[
         str, typer.Option("--sandbox", metavar="auto|strict|off", help="How programs are isolated (docs/isolation.md).")

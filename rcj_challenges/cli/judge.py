@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from rcj_challenges.cli.completion import complete_scenarios
+from rcj_challenges.cli.help import ORGANIZE, Command
 from rcj_challenges.cli.says import say_json
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.errors import RcjError
@@ -69,7 +71,12 @@ class _Judged:
 
 def register(app: typer.Typer) -> None:
     """Add the command."""
-    app.command("judge")(_judge)
+    app.command(
+        "judge",
+        cls=Command,
+        rich_help_panel=ORGANIZE,
+        epilog="rcj-challenge judge\nrcj-challenge judge --set ball_progress_s=15",
+    )(_judge)
 
 
 def _judge(
@@ -79,7 +86,12 @@ def _judge(
     ] = None,
     scenario: Annotated[
         str | None,
-        typer.Option("--scenario", metavar="SCENARIO", help="Judge by the rules of this one; left out: by their own."),
+        typer.Option(
+            "--scenario",
+            metavar="SCENARIO",
+            autocompletion=complete_scenarios,
+            help="Judge by the rules of this one; left out: by their own.",
+        ),
     ] = None,
     set_: Annotated[
         list[str] | None,

@@ -7,8 +7,7 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from typer.core import TyperCommand
-
+from rcj_challenges.cli.help import Command
 from rcj_challenges.facts.errors import RcjError
 
 if TYPE_CHECKING:
@@ -22,7 +21,7 @@ class LiveOptionError(RcjError):
     """An option of the live view that makes no sense."""
 
 
-class RunCommand(TyperCommand):
+class RunCommand(Command):
     """A command whose ``--live`` may stand without a port."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:

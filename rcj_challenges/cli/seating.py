@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from rcj_challenges.cli.teams import locate_team
 from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.facts.likeness import nearest_name
 
@@ -25,7 +26,7 @@ def open_teams(loaded: Loaded, given_teams: list[str]) -> dict[str, Team]:
 
     Args:
         loaded: the scenario.
-        given_teams: ``ENTRANT=PATH``.
+        given_teams: ``ENTRANT=PATH``, or the name of a sample team in the place of the path.
 
     Raises:
         RcjError: a seat that is none, a team that cannot be opened, or a seat for which there is no sample team.
@@ -35,7 +36,7 @@ def open_teams(loaded: Loaded, given_teams: list[str]) -> dict[str, Team]:
     opened: dict[str, Team] = {}
     try:
         for seat, entrant in entrants.items():
-            path = Path(given[seat]) if seat in given else _sample_team(loaded, seat)
+            path = locate_team(given[seat]) if seat in given else _sample_team(loaded, seat)
             seats = entrants.values() if loaded.scenario.match.swap_sides else (entrant,)
             opened[seat] = _opened(path, tuple(seats), loaded.scenario)
     except BaseException:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from rcj_challenges.cli.help import WATCH, Command
 from rcj_challenges.cli.says import say_json
 from rcj_challenges.facts.amounts import counted
 
@@ -37,7 +38,7 @@ _GAP = 2
 
 def register(app: typer.Typer) -> None:
     """Add the command."""
-    app.command("stats")(_stats)
+    app.command("stats", cls=Command, rich_help_panel=WATCH, epilog="rcj-challenge stats --explain")(_stats)
 
 
 def _stats(

@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from rcj_challenges.cli.help import WATCH, Command
+
 if TYPE_CHECKING:
     from rich.console import Console
 
@@ -21,7 +23,8 @@ MIN_SPEED, MAX_SPEED = 0.05, 100.0
 MAX_FPS = 240
 
 _Run = Annotated[
-    Path | None, typer.Argument(help="A record's folder or the beginning of its name; left out: the newest.")
+    Path | None,
+    typer.Argument(metavar="RUN", help="A record's folder or the beginning of its name; left out: the newest."),
 ]
 _Half = Annotated[
     int | None, typer.Option("--half", metavar="N", help="Only this half; times count from its beginning.")
@@ -35,8 +38,8 @@ _Runs = Annotated[Path, typer.Option("--runs", metavar="DIR", help="Where the re
 
 def register(app: typer.Typer) -> None:
     """Add both commands to the command line."""
-    app.command()(video)
-    app.command()(snapshot)
+    app.command(cls=Command, rich_help_panel=WATCH, epilog="rcj-challenge video --highlights")(video)
+    app.command(cls=Command, rich_help_panel=WATCH, epilog="rcj-challenge snapshot --at 1:53.9")(snapshot)
 
 
 def video(

@@ -59,6 +59,13 @@ def teams_folder() -> Path:
     return _data("teams", "examples/teams")
 
 
+def shipped_teams() -> dict[str, Path]:
+    """Return the folders of all sample teams by their names."""
+    folder = teams_folder()
+    folders = folder.iterdir() if _is_folder(folder) else ()
+    return {team.name: team for team in sorted(folders) if team.is_dir() and not team.name.startswith((".", "_"))}
+
+
 def schemas_folder() -> Path:
     """Return the folder of the JSON schemas."""
     return _data("schemas", "schemas")

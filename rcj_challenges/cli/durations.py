@@ -1,0 +1,29 @@
+"""Times as people type them."""
+
+from __future__ import annotations
+
+import re
+
+from rcj_challenges.facts.errors import RcjError
+
+_FORM = re.compile(r"(?:(?P<minutes>[0-9]+):(?=[0-5]?[0-9](?:\.|$)))?(?P<seconds>[0-9]+(?:\.[0-9]+)?|\.[0-9]+)s?")
+
+
+class DurationError(RcjError):
+    """Text that is no time."""
+
+
+def parse_duration(option: str, text: str) -> float:
+    """Return seconds from ``90``, ``90s`` or ``1:30``.
+
+    Args:
+        option: for which it was given, named in the error.
+        text: as typed.
+
+    Raises:
+        DurationError: it is no time.
+    """
+    found = _FORM.fullmatch(text.strip())
+    if found is None:
+        raise DurationError(f"error[bad-duration]: {option} {text}: not a time\nhelp: write 90, 90s or 1:30")
+    return int(found["minutes"] or 0) * 60 + float(found["seconds"])

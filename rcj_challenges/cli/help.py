@@ -1,0 +1,75 @@
+"""How ``--help`` looks: commands in groups, options without types that say nothing, and examples.
+
+Plain text: the library's own frames load a Markdown parser and a syntax highlighter, which takes longer than all else.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from typer.core import TyperCommand, TyperGroup
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+PLAY = "Play"
+WATCH = "Watch"
+WRITE = "Write a challenge"
+SUBMIT = "Submit"
+ORGANIZE = "Organize"
+
+
+class Command(TyperCommand):
+    """A command whose help ends with examples: its ``epilog``, one to a line."""
+
+    def format_options(self, ctx: Any, formatter: Any) -> None:
+        """Write arguments and options; of arguments only the names, whose types say no more than these."""
+        arguments, options = [], []
+        for parameter in self.get_params(ctx):
+            record = parameter.get_help_record(ctx)
+            if record is not None and parameter.param_type_name == "argument":
+                arguments.append((record[0].partition(" <")[0], record[1]))
+            elif record is not None:
+                options.append(record)
+        for heading, rows in (("Arguments", arguments), ("Options", options)):
+            if rows:
+                with formatter.section(heading):
+                    formatter.write_dl(rows)
+
+    def format_epilog(self, ctx: Any, formatter: Any) -> None:
+        """Write the examples as they are typed."""
+        _write_examples(self.epilog, formatter)
+
+
+class Group(TyperGroup):
+    """Commands, listed below the heading of each one's ``rich_help_panel`` in the order of the first of each."""
+
+    def format_commands(self, ctx: Any, formatter: Any) -> None:
+        """Write the commands by group, each with the first sentence of its help."""
+        names = self.list_commands(ctx)
+        groups: dict[str, list[tuple[str, str]]] = {PLAY: [], WATCH: [], WRITE: [], SUBMIT: [], ORGANIZE: []}
+        for name in names:
+            command: Any = self.get_command(ctx, name)
+            if command is not None and not command.hidden:
+                panel = command.rich_help_panel
+                heading = panel if isinstance(panel, str) else "Commands"
+                groups.setdefault(heading, []).append((name, command.get_short_help_str(limit=200)))
+        widest = max(map(len, names), default=0)
+        for heading, rows in groups.items():
+            if rows:
+                with formatter.section(heading):
+                    formatter.write_dl([(name.ljust(widest), said) for name, said in rows])
+
+    def format_epilog(self, ctx: Any, formatter: Any) -> None:
+        """Write the examples as they are typed."""
+        _write_examples(self.epilog, formatter)
+
+
+def _write_examples(epilog: str | None, formatter: Any) -> None:
+    examples: Iterable[str] = (epilog or "").splitlines()
+    lines = [f"  {line}\n" for line in examples]
+    if lines:
+        formatter.write_paragraph()
+        formatter.write_heading("Example" if len(lines) == 1 else "Examples")
+        for line in lines:
+            formatter.write(line)

@@ -1,0 +1,63 @@
+"""Sample teams by name, and ``rcj-challenge teams``, which lists them."""
+
+from __future__ import annotations
+
+import ast
+import os
+import shutil
+import sys
+import textwrap
+from difflib import get_close_matches
+from pathlib import Path
+
+from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.facts.shown import shown
+from rcj_challenges.scenario.resources import shipped_teams
+
+
+class UnknownTeamError(RcjError):
+    """A name that is no path and no sample team."""
+
+
+def locate_team(given: str) -> Path:
+    """Return where a team is: at a path that exists, else the sample team of that name.
+
+    Args:
+        given: as typed.
+
+    Raises:
+        UnknownTeamError: it looks like a name, and there is no such file, folder or sample team.
+    """
+    path = Path(given)
+    if os.path.exists(path) or path.name != given or path.suffix:  # noqa: PTH110 - pathlib's raises for long names
+        return path
+    teams = shipped_teams()
+    if given in teams:
+        return teams[given]
+    near = get_close_matches(given.casefold()[:100], teams, 1)
+    meant = f"did you mean {near[0]}? " if near else ""
+    raise UnknownTeamError(
+        f"error[unknown-team]: no file, folder or sample team '{shown(given)}'\n"
+        f"help: {meant}'rcj-challenge teams' lists the sample teams"
+    )
+
+
+def list_teams() -> int:
+    """Print the sample teams, one sentence each; returns 0."""
+    teams = shipped_teams()
+    indent = max(map(len, teams), default=0) + 2
+    width = min(shutil.get_terminal_size().columns, 120)
+    for name, folder in teams.items():
+        lines = textwrap.wrap(_sentence_about(folder), max(width - indent, 20)) or [""]
+        sys.stdout.write(f"{name:<{indent}}{lines[0]}\n")
+        sys.stdout.writelines(f"{'':{indent}}{line}\n" for line in lines[1:])
+    return 0
+
+
+def _sentence_about(team: Path) -> str:
+    """Return the first sentence of the docstring of a team's program."""
+    programs = [path for path in sorted(team.rglob("*.py")) if path.stem in ("robot", path.parent.name)]
+    for program in programs[:1]:
+        text = ast.get_docstring(ast.parse(program.read_text(encoding="utf-8"))) or ""
+        return text.partition("\n")[0].partition(". ")[0].rstrip(".") + "."
+    return ""
