@@ -126,7 +126,7 @@ def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Watcher]:
 
     console = console_for(to_stderr=options.json)
     quiet = options.quiet or options.json
-    watcher = watcher_for(console, loaded.scenario.title, quiet=quiet, shared=bool(options.debug))
+    watcher = watcher_for(console, loaded.scenario, quiet=quiet, shared=bool(options.debug))
     plan = MatchPlan(
         loaded=loaded,
         teams=open_teams(loaded, options.teams),

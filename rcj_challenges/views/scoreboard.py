@@ -6,6 +6,7 @@ from collections import deque
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from rich.color import ANSI_COLOR_NAMES
 from rich.console import Console, Group
 from rich.live import Live
 from rich.progress_bar import ProgressBar
@@ -13,25 +14,27 @@ from rich.table import Table
 from rich.text import Text
 
 from rcj_challenges.facts.measures import measure_words, measured_words, number_words
-from rcj_challenges.facts.play import Event, Fault, HalfInfo
+from rcj_challenges.facts.play import Fault, HalfInfo, Snapshot, Verdict
 from rcj_challenges.facts.shown import shown
 from rcj_challenges.facts.timing import TICK_S, s_from_ticks
 from rcj_challenges.match.watching import Progress, Silent, Watcher
-from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime
+from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Scenario
+from rcj_challenges.views.commentary import Commentator
 from rcj_challenges.views.naming import told_apart
-from rcj_challenges.views.sentences import clock, event_line, fault_line
+from rcj_challenges.views.sentences import clock, fault_line
 
 Criterion = RankByScore | RankByTime | RankByCounter
 
 _EVENTS_SHOWN = 6
+_BAR_COLUMNS = 30
 
 
-def watcher_for(console: Console, title: str, *, quiet: bool, shared: bool) -> Watcher:
+def watcher_for(console: Console, scenario: Scenario, *, quiet: bool, shared: bool) -> Watcher:
     """Return the scoreboard in a terminal, plain lines elsewhere; if quiet what programs print, if that is asked for.
 
     Args:
         console: where it is shown.
-        title: of what is played.
+        scenario: what is played.
         quiet: whether nothing of the match is.
         shared: whether somebody else writes into the terminal too, over whose lines the scoreboard would be drawn.
     """
@@ -39,7 +42,7 @@ def watcher_for(console: Console, title: str, *, quiet: bool, shared: bool) -> W
         return PrintedLines(console)
     # In a dumb terminal (inside an editor, for instance) rich draws nothing at all, and the match would be silent.
     can_be_drawn_over = console.is_terminal and not console.is_dumb_terminal
-    return Scoreboard(console, title) if can_be_drawn_over and not shared else PlainLines(console, title)
+    return Scoreboard(console, scenario) if can_be_drawn_over and not shared else PlainLines(console, scenario)
 
 
 def score_line(names: Mapping[str, str], scores: Mapping[str, int | float], *, sides_change: bool = False) -> str:
@@ -59,9 +62,14 @@ def score_so_far(half: HalfInfo, scores: Mapping[str, int | float]) -> str:
         scores: by seat of this half.
     """
     seat_of = {team: seat for seat, team in half.teams.items()}
-    names = {team: half.team_names[seat_of[team]] for team in half.teams}
     changed = any(team != seat for seat, team in half.teams.items())
-    return score_line(names, {team: scores[seat_of[team]] for team in half.teams}, sides_change=changed)
+    return score_line(_team_names(half), {team: scores[seat_of[team]] for team in half.teams}, sides_change=changed)
+
+
+def _team_names(half: HalfInfo) -> dict[str, str]:
+    """Return the teams' names by their seats of the first half."""
+    seat_of = {team: seat for seat, team in half.teams.items()}
+    return {team: half.team_names[seat_of[team]] for team in half.teams}
 
 
 def _seats(half: HalfInfo) -> str:
@@ -181,12 +189,14 @@ class PlainLines(PrintedLines):
 
     progress_every_ticks = round(60 / TICK_S)
 
-    def __init__(self, console: Console, title: str) -> None:
+    def __init__(self, console: Console, scenario: Scenario) -> None:
         super().__init__(console)
-        self._print(title)  # where this cannot be said no match need begin
+        self._commentator = Commentator(scenario)
+        self._print(scenario.title)  # where this cannot be said no match need begin
 
     def half_started(self, half: HalfInfo) -> None:
         """Say who plays where."""
+        self._commentator.begin(half)
         self._say(f"half {half.half} of {half.halves}  {_seats(half)}")
 
     def progressed(self, progress: Progress) -> None:
@@ -195,39 +205,56 @@ class PlainLines(PrintedLines):
             line = score_so_far(progress.half, progress.scores)
             self._say(f"{clock(s_from_ticks(progress.clock_ticks)):>7}  {line}  ({pace(progress)})")
 
-    def event(self, event: Event, half: HalfInfo) -> None:
-        """Say the event."""
-        self._say(event_line(event))
+    def ticked(self, snapshot: Snapshot, verdict: Verdict) -> None:
+        """Say what happened."""
+        if verdict.events or verdict.firings:
+            self._comment(verdict)
+
+    def closing(self, verdict: Verdict, half: HalfInfo) -> None:
+        """Say what happened after the last tick."""
+        self._comment(verdict)
 
     def fault(self, fault: Fault) -> None:
         """Say the fault."""
         self._say(fault_line(fault))
 
+    def _comment(self, verdict: Verdict) -> None:
+        for remark in self._commentator.remarks(verdict):
+            self._say(remark.text)
+
 
 class Scoreboard(Silent):
-    """A live board: teams, score, clock, last events, speed and remaining time."""
+    """A live board: teams, score, clock, speed, last events. What changed the score stays above it."""
 
     progress_every_ticks = 125
 
-    def __init__(self, console: Console, title: str) -> None:
+    def __init__(self, console: Console, scenario: Scenario) -> None:
         self._console = console
-        self._title = title
+        self._title = scenario.title
+        self._commentator = Commentator(scenario)
+        known = {seat: colour for seat, colour in self._commentator.colours.items() if colour in ANSI_COLOR_NAMES}
+        self._styles = {seat: f"bold {colour}" for seat, colour in known.items()}
         self._events: deque[Text] = deque(maxlen=_EVENTS_SHOWN)
         self._live = Live(console=console, auto_refresh=False, transient=True)
 
     def half_started(self, half: HalfInfo) -> None:
         """Put the board up."""
+        self._commentator.begin(half)
         self._live.start()
         self._draw(Progress(half, 0, 0, dict(half.scores), "play", 0.0, 0.0))
 
     def progressed(self, progress: Progress) -> None:
-        """Draw the board anew."""
+        """Draw the board again."""
         self._draw(progress)
 
-    def event(self, event: Event, half: HalfInfo) -> None:
-        """Remember the event; the next drawing shows it."""
-        style = "bold green" if "GOAL" in event.name else ""
-        self._events.append(Text(event_line(event), style=style, no_wrap=True, overflow="ellipsis"))
+    def ticked(self, snapshot: Snapshot, verdict: Verdict) -> None:
+        """Show what happened."""
+        if verdict.events or verdict.firings:
+            self._comment(verdict)
+
+    def closing(self, verdict: Verdict, half: HalfInfo) -> None:
+        """Show what happened after the last tick."""
+        self._comment(verdict)
 
     def fault(self, fault: Fault) -> None:
         """Remember the fault; the next drawing shows it."""
@@ -242,19 +269,32 @@ class Scoreboard(Silent):
         """Take the board down."""
         self._live.stop()
 
+    def _comment(self, verdict: Verdict) -> None:
+        for remark in self._commentator.remarks(verdict):
+            line = _one_line(remark.text, self._styles.get(remark.seat, ""))
+            if remark.seat:
+                self._console.print(line)
+            else:
+                self._events.append(line)
+
     def _draw(self, progress: Progress) -> None:
         half = progress.half
-        grid = Table.grid(padding=(0, 2), expand=False)
-        grid.add_row(
-            Text(score_so_far(half, progress.scores), style="bold"),
-            Text(f"{clock(s_from_ticks(progress.clock_ticks))} / {clock(s_from_ticks(half.ticks))}"),
-            Text(f"half {half.half} of {half.halves}", style="dim"),
-            Text(progress.phase.replace("_", " "), style="dim"),
-        )
-        speed = pace(progress) if progress.factor else "starting"
+        score = _one_line(score_so_far(half, progress.scores), "bold")
+        names = _team_names(half)
+        for seat, team in half.teams.items():
+            score.highlight_words([shown(names[team], 32)], self._styles.get(seat, ""))
+        time = f"{clock(s_from_ticks(progress.clock_ticks))} / {clock(s_from_ticks(half.ticks))}"
         status = Table.grid(padding=(0, 2))
         status.add_row(
-            ProgressBar(total=half.ticks, completed=progress.clock_ticks, width=40), Text(speed, style="dim")
+            ProgressBar(total=half.ticks, completed=progress.clock_ticks, width=_BAR_COLUMNS),
+            Text(time, no_wrap=True),
+            Text(f"half {half.half} of {half.halves}", style="dim", no_wrap=True),
+            _one_line(progress.phase.replace("_", " "), "dim"),
         )
-        title = Text(f"{self._title}   {_seats(half)}", style="dim", no_wrap=True, overflow="ellipsis")
-        self._live.update(Group(title, grid, status, *self._events), refresh=True)
+        pace_line = _one_line(pace(progress) if progress.factor else "starting", "dim")
+        title = _one_line(f"{self._title}   {_seats(half)}", "dim")
+        self._live.update(Group(title, score, status, pace_line, *self._events), refresh=True)
+
+
+def _one_line(text: str, style: str = "") -> Text:
+    return Text(text, style=style, no_wrap=True, overflow="ellipsis")

@@ -6,6 +6,7 @@ from types import MappingProxyType, SimpleNamespace
 
 import pytest
 from rich.console import Console
+from rich.text import Text
 
 from rcj_challenges.match.clerk import HalfClerk
 from rcj_challenges.match.watching import Progress, Silent
@@ -90,7 +91,7 @@ def test_halves_of_other_lengths_count_with_their_own():
 
 def test_the_clock_that_is_shown_is_that_of_the_half():
     shown = io.StringIO()
-    PlainLines(Console(file=shown, width=200), "Match").progressed(heard_at(400, 250, later_ticks=0))
+    PlainLines(Console(file=shown, width=200), load("match").scenario).progressed(heard_at(400, 250, later_ticks=0))
     assert shown.getvalue().splitlines()[-1].startswith(" 0:08.0  Blue")
 
 
@@ -100,14 +101,16 @@ def progress(remaining_s):
 
 def test_the_time_to_wait_cannot_be_taken_for_the_time_left_to_play():
     shown = io.StringIO()
-    PlainLines(Console(file=shown, width=200), "Match").progressed(progress(1.2))
+    PlainLines(Console(file=shown, width=200), load("match").scenario).progressed(progress(1.2))
     line = shown.getvalue().splitlines()[-1]
     assert line == " 1:00.0  Blue 0 : -1 Yellow  (49 x real time, done in about 1 s)"
 
 
 def test_the_board_says_it_in_the_same_words():
     shown = io.StringIO()
-    board = Scoreboard(Console(file=shown, width=200, force_terminal=True, force_interactive=True), "Match")
+    board = Scoreboard(
+        Console(file=shown, width=200, force_terminal=True, force_interactive=True), load("match").scenario
+    )
     board.half_started(progress(0).half)
     board.progressed(progress(61))
     board.finished({})
@@ -128,25 +131,27 @@ def after_half_time():
 
 def test_teams_keep_their_places_in_the_score_when_they_change_sides():
     shown = io.StringIO()
-    PlainLines(Console(file=shown, width=200), "Match").progressed(after_half_time())
+    PlainLines(Console(file=shown, width=200), load("match").scenario).progressed(after_half_time())
     assert " Hanse 2 : 1 Alster  (" in shown.getvalue()
 
 
 def test_the_board_says_who_plays_in_which_colour_now():
     shown = io.StringIO()
-    board = Scoreboard(Console(file=shown, width=200, force_terminal=True, force_interactive=True), "Match")
+    board = Scoreboard(
+        Console(file=shown, width=200, force_terminal=True, force_interactive=True), load("match").scenario
+    )
     board.half_started(after_half_time().half)
     board.progressed(after_half_time())
     board.finished({})
-    assert "Hanse 2 : 1 Alster" in shown.getvalue()
-    assert "Match   blue: Alster, yellow: Hanse" in shown.getvalue()
+    assert "Hanse 2 : 1 Alster" in Text.from_ansi(shown.getvalue()).plain
+    assert "SoccerSim match   blue: Alster, yellow: Hanse" in shown.getvalue()
 
 
 def test_teams_of_the_same_name_are_told_by_where_they_began():
     shown = io.StringIO()
     now = after_half_time()
     now = replace(now, half=replace(now.half, team_names={"blue": "Hanse", "yellow": "Hanse"}))
-    PlainLines(Console(file=shown, width=200), "Match").progressed(now)
+    PlainLines(Console(file=shown, width=200), load("match").scenario).progressed(now)
     assert " Hanse (blue first) 2 : 1 Hanse (yellow first)  (" in shown.getvalue()
 
 
@@ -163,4 +168,4 @@ def test_a_terminal_that_cannot_be_drawn_over_shows_plain_lines(monkeypatch, ter
     """One inside an editor, for instance: no scoreboard can be drawn there, and without lines the match is silent."""
     monkeypatch.setenv("TERM", kind)
     console = Console(file=io.StringIO(), force_terminal=terminal)
-    assert type(watcher_for(console, "Match", quiet=False, shared=False)) is shown_by
+    assert type(watcher_for(console, load("match").scenario, quiet=False, shared=False)) is shown_by

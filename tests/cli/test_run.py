@@ -123,7 +123,7 @@ def test_without_a_terminal_there_are_plain_lines_and_the_path_of_the_record(tmp
     assert here(monkeypatch, tmp_path, *short(team, *DUEL)) == 0
     said = capsys.readouterr().out
     assert "\x1b" not in said
-    assert "KICKOFF" in said
+    assert "kicks off." in said
     folder = next(line.split(None, 1)[1] for line in said.splitlines() if line.startswith("record:"))
     assert (tmp_path / folder / "result.json").is_file()
     assert (tmp_path / folder / "replay.html").is_file()
@@ -283,7 +283,7 @@ def test_quiet_leaves_of_it_what_a_robot_prints(tmp_path, monkeypatch, capsys, t
     assert said[0].startswith("Y2 | --- half 1")
     assert "Y2 | schön Y2" in said
     assert [line.split()[0] for line in said if not line.startswith("Y2 |")][-1] == "record:"
-    assert not any("KICKOFF" in line for line in said)
+    assert not any("kicks off" in line for line in said)
     assert here(monkeypatch, tmp_path, *options, "--json") == 0
     assert "Y2 |" not in "".join(capsys.readouterr())
 

@@ -20,8 +20,8 @@ from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.live.feed import Feed
 from rcj_challenges.views.live.pace import MAX_SPEED, Pace
 from rcj_challenges.views.live.telling import LiveWatcher
+from rcj_challenges.views.payloads import told_beside
 from rcj_challenges.views.replay import write_replay
-from rcj_challenges.views.replay.payloads import told_beside
 from rcj_challenges.views.standing import Counting, shows_score
 from rcj_challenges.views.video.footage import Footage
 from tests.views.browser_stage import NARROW, NO_WEBGL, settled

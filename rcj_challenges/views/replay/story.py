@@ -22,7 +22,7 @@ from rcj_challenges.records.trajectory import HalfTrack
 from rcj_challenges.rules.actions.emit import Emit
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.naming import changes_sides, told_apart
-from rcj_challenges.views.replay.payloads import told_beside
+from rcj_challenges.views.payloads import told_beside
 from rcj_challenges.views.replay.things import shown_colour
 from rcj_challenges.views.standing import Counting
 

@@ -1,0 +1,108 @@
+"""What people read of a match while it is played."""
+
+import io
+from dataclasses import replace
+
+import pytest
+from rich.cells import cell_len
+from rich.console import Console
+from rich.text import Text
+
+from rcj_challenges.facts.play import Event, Firing, Verdict
+from rcj_challenges.match.watching import Progress
+from rcj_challenges.referee.script import half_of
+from rcj_challenges.scenario.load import load
+from rcj_challenges.views.commentary import Commentator
+from rcj_challenges.views.scoreboard import PlainLines, Scoreboard
+
+MATCH = load("match").scenario
+NAMES = {"blue": "Die Kicker", "yellow": "Hanse"}
+GOAL = Verdict(
+    (Event(509, "GOAL", {"team_name": "Die Kicker", "score_yellow": 1, "score_blue": 2}),),
+    (Firing(509, "goal_in_yellow", None, "enters", scored={"blue": 1}, says="The ball is in the yellow goal."),),
+)
+KICKOFF = Verdict(
+    (Event(0, "KICKOFF", {"robot_name": "Y3", "team_name": "Y"}),),
+    (Firing(0, "first_kickoff_yellow", None, "half_started", says="Yellow kicks off."),),
+)
+
+
+@pytest.fixture
+def half():
+    return replace(half_of(MATCH), team_names=NAMES, scores={"blue": 1, "yellow": 1})
+
+
+def said(verdict, half, scenario=MATCH):
+    commentator = Commentator(scenario)
+    commentator.begin(half)
+    return [(remark.text, remark.seat) for remark in commentator.remarks(verdict)]
+
+
+def test_a_goal_is_told_with_team_score_and_time(half):
+    assert said(GOAL, half) == [("GOAL  Die Kicker 2 : 1  (blue, 0:16.3)", "blue")]
+
+
+def test_an_event_is_told_by_the_sentence_of_its_rule(half):
+    assert said(KICKOFF, half) == [(" 0:00.0  Yellow kicks off.", "")]
+
+
+def test_of_a_payload_is_told_what_the_sentence_leaves_out(half):
+    firing = Firing(50, "match_start", None, "half_started", says="The half begins.")
+    event = Event(50, "MATCH_START", {"score_blue": 0, "run_s": 8.48})
+    assert said(Verdict((event,), (firing,)), half) == [(" 0:01.6  The half begins. · run 8.48 s", "")]
+
+
+def test_an_event_without_a_sentence_is_told_by_its_name(half):
+    assert said(Verdict((Event(50, "POLE_TOUCHED"),)), half) == [(" 0:01.6  POLE TOUCHED", "")]
+
+
+def test_points_without_an_event_are_told_and_lost_ones_with_their_number(half):
+    firing = Firing(50, "no_such_rule", None, "enters", scored={"yellow": -3})
+    assert said(Verdict((), (firing,)), half) == [("POINTS  Hanse -2 : 1  (yellow, -3, 0:01.6)", "yellow")]
+
+
+def test_what_a_suppressed_rule_would_have_said_is_not_told(half):
+    (firing,) = GOAL.firings
+    assert said(Verdict((), (replace(firing, suppressed="cooldown"),)), half) == []
+
+
+def shown_by(kind, half, *, width=80, **console):
+    written = io.StringIO()
+    watcher = kind(Console(file=written, width=width, **console), MATCH)
+    watcher.half_started(half)
+    watcher.ticked(None, KICKOFF)
+    watcher.ticked(None, GOAL)
+    watcher.progressed(Progress(half, 625, 625, {"blue": 2, "yellow": 1}, "goal_pause", 49.0, 61.0))
+    watcher.finished({})
+    return written.getvalue()
+
+
+def test_without_a_terminal_lines_are_plain(half):
+    lines = shown_by(PlainLines, half).splitlines()
+    assert "GOAL  Die Kicker 2 : 1  (blue, 0:16.3)" in lines
+    assert " 0:00.0  Yellow kicks off." in lines
+    assert not any("\x1b" in line for line in lines)
+
+
+def test_a_goal_stays_when_the_board_is_taken_down(half):
+    text = shown_by(Scoreboard, half, force_terminal=True, force_interactive=True)
+    goal = text.index("GOAL  Die Kicker 2 : 1")
+    # The board is drawn over by lines up from its last line; the goal was written once, above what is erased last.
+    assert "GOAL" not in text[goal + 4 :]
+    assert text[goal:].startswith("GOAL  Die Kicker 2 : 1  (blue, 0:16.3)")
+
+
+def test_the_board_holds_in_80_columns_with_the_longest_names(half):
+    half = replace(half, team_names={"blue": "B" * 32, "yellow": "Y" * 32})
+    text = shown_by(Scoreboard, half, force_terminal=True, force_interactive=True, no_color=True)
+    lines = [Text.from_ansi(line).plain for line in text.splitlines()]
+    assert max(map(cell_len, lines)) <= 80
+    assert any("0:20.0 / 10:00.0" in line and "goal pause" in line for line in lines)
+
+
+def test_colours_are_those_of_the_teams_and_off_if_nobody_wants_them(half, monkeypatch):
+    terminal = {"force_terminal": True, "force_interactive": True, "color_system": "standard"}
+    monkeypatch.delenv("NO_COLOR", raising=False)
+    assert "\x1b[1;34mGOAL" in shown_by(Scoreboard, half, **terminal)
+    monkeypatch.setenv("NO_COLOR", "1")
+    assert "\x1b[1mGOAL" in shown_by(Scoreboard, half, **terminal)
