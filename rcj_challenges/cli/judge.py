@@ -160,18 +160,18 @@ def _closing(told: Sequence[dict[str, Any]], options: JudgeOptions) -> Iterator[
 def _judge_one(folder: Path, options: JudgeOptions, scenario: Scenario | None) -> _Judged:
     from rcj_challenges.match.judging import differences, judge_again, recorded
     from rcj_challenges.records.changed import refusing_changes
-    from rcj_challenges.records.recorded_scenario import read_scenario
+    from rcj_challenges.records.recorded_scenario import read_scenario, read_unresolved
     from rcj_challenges.records.refereelog import events_as_lines, read_referee_log
     from rcj_challenges.records.result import read_result
     from rcj_challenges.records.trajectory import Trajectory
     from rcj_challenges.scenario.dump import dumped
-    from rcj_challenges.scenario.load import load_resolved
+    from rcj_challenges.scenario.load import load_recorded
 
     result = read_result(folder)
     if scenario is None:
         scenario = read_scenario(folder)
         if options.overrides:
-            scenario = load_resolved(dumped(scenario), overrides=options.overrides).scenario
+            scenario = load_recorded(dumped(scenario), read_unresolved(folder), options.overrides).scenario
     trajectory = Trajectory.open(folder)
     with nullcontext() if options.scenario is not None else refusing_changes(folder, scenario):
         judgement = judge_again(trajectory, scenario)

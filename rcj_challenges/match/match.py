@@ -140,6 +140,7 @@ class _MatchPlay:
             match_id=plan.match_id,
             sandbox={"mode": plan.sandbox, "layers": list(active_layers(plan.sandbox))},
             marks=("debug",) if plan.debug else (),
+            unresolved=plan.loaded.unresolved,
             logos=plan.logos,
             members={team: members for team, opened in plan.teams.items() if (members := _members(opened))},
         )

@@ -21,6 +21,7 @@ RECORD_VERSION = 1
 
 RESULT = "result.json"
 SCENARIO = "scenario.json"
+UNRESOLVED = "scenario.unresolved.json"
 REFLOG = "reflog.jsonl"
 REFEREE_LOG = "referee.jsonl"
 TRAJECTORY = "trajectory.npz"

@@ -22,6 +22,7 @@ from rcj_challenges.records.folder import (
     RESULT,
     SCENARIO,
     TRAJECTORY_PARTS,
+    UNRESOLVED,
     folder_name,
     make_run_folder,
     naming,
@@ -53,6 +54,7 @@ class RunHeader:
         sandbox: how programs are isolated, JSON-able.
         marks: what makes this run special, such as ``debug``.
         members: of each SuperTeam, by its seat of the first half.
+        unresolved: the scenario before its params took their places, for who judges with others; empty: not kept.
         logos: the teams' own ``logo.png`` as they gave it, by team; kept beside the record, looked at when shown.
     """
 
@@ -64,6 +66,7 @@ class RunHeader:
     sandbox: Mapping[str, Any] = field(default_factory=dict)
     marks: tuple[str, ...] = ()
     members: Mapping[str, Sequence[MemberResult]] = field(default_factory=dict)
+    unresolved: Mapping[str, Any] = field(default_factory=dict)
     logos: Mapping[str, bytes] = field(default_factory=dict)
 
 
@@ -123,6 +126,8 @@ class RecordWriter:
         self._parts = self.folder / TRAJECTORY_PARTS
         self._parts.mkdir()
         self._write(self.folder / SCENARIO, json_line(scenario))
+        if header.unresolved:
+            self._write(self.folder / UNRESOLVED, json_line(dict(header.unresolved)))
         for team, logo in header.logos.items():
             self._write(logo_path(self.folder, team), logo)
         self._reflog = (self.folder / REFLOG).open("xb", buffering=0)

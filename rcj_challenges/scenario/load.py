@@ -42,6 +42,8 @@ class Loaded:
         path: the file it came from; None if it came from a record or a text.
         resolved: the whole scenario as JSON-able data with all defaults filled in, base files merged, params and
             overrides applied; `load_resolved` reads it again. Records keep it.
+        unresolved: the same before rules are repeated and params take their places, without tests. Records keep it for
+            `load_recorded`.
         written: the merged tree with the place of each value in its file, for lint; None if there is no such place.
         bases: the files that it extends, the nearest first; presets are not among them.
         left_out: inherited tests that do not fit this scenario, by name, with what is wrong with each.
@@ -54,6 +56,7 @@ class Loaded:
     name: str
     path: Path | None
     resolved: dict[str, Any]
+    unresolved: dict[str, Any] = field(default_factory=dict, repr=False, compare=False)
     written: Entries | None = field(default=None, repr=False, compare=False)
     bases: tuple[Path, ...] = field(default=(), repr=False, compare=False)
     left_out: Mapping[str, Problem] = field(default_factory=dict, repr=False, compare=False)
@@ -108,28 +111,65 @@ def load_resolved(resolved: Mapping[str, Any], name: str = "", overrides: Sequen
     return Loaded(scenario, Roster.of(scenario), name or scenario.id, None, dumped(scenario))
 
 
+def load_recorded(resolved: Mapping[str, Any], unresolved: Mapping[str, Any], overrides: Sequence[str]) -> Loaded:
+    """Load a recorded scenario with overrides, also of params.
+
+    Params are set first; paths then lead into the scenario as it was played, where repeated rules have their names.
+
+    Args:
+        resolved: as for `load_resolved`.
+        unresolved: `Loaded.unresolved`; empty for a record without it, in which no param can be set.
+        overrides: ``PATH=VALUE`` each.
+
+    Raises:
+        ScenarioError: something is wrong with the overrides, or with the data.
+    """
+    if not unresolved:
+        return load_resolved(resolved, overrides=overrides)
+    tree, merger = Source.of_data(unresolved, RESOLVED).tree, Merger()
+    of_params = [override for override in overrides if _param_of(tree, override) is not None]
+    if of_params:
+        apply_overrides(tree, of_params, merger)
+        _resolve(tree, merger)
+        resolved = dumped(_checked(tree, merger))
+    return load_resolved(resolved, overrides=[override for override in overrides if override not in of_params])
+
+
+def _param_of(tree: Entries, override: str) -> str | None:
+    """Return the param that an override sets, ``params`` for all of them; None: it sets something else."""
+    params = tree.entries.get("params")
+    names = params.entries if isinstance(params, Entries) else {}
+    first, _, rest = override.partition("=")[0].strip().partition(".")
+    if first == "params":
+        return rest or first
+    return first if first in names and not rest else None  # one may be called like a section
+
+
 def _refuse_params(tree: Entries, overrides: Sequence[str]) -> None:
     """Refuse overrides of params: nothing would come of them.
 
     Raises:
         ScenarioError: names them.
     """
-    params = tree.entries.get("params")
-    names = params.entries if isinstance(params, Entries) else {}
     problems = []
     for override in overrides:
-        first, _, rest = override.partition("=")[0].strip().partition(".")
-        way_out = "or name the scenario's file"
-        if first == "params" and not rest:
-            told = f"values of params stand here already wherever they are used; set them there, {way_out}"
-        elif first == "params" or (first in names and not rest):  # one may be called like a section
-            told = f"{rest or first} is a param, and here its value stands already wherever it is used; set it there, "
-            told += way_out
+        param = _param_of(tree, override)
+        if param == "params":
+            told = "values of params stand here already wherever they are used; set them there, "
+        elif param is not None:
+            told = f"{param} is a param, and here its value stands already wherever it is used; set it there, "
         else:
             continue
-        problems.append(Mark(f"--set {override}").problem("", told))
+        problems.append(Mark(f"--set {override}").problem("", f"{told}or name the scenario's file"))
     if problems:
         raise ScenarioError(problems)
+
+
+def _resolve(tree: Entries, merger: Merger) -> None:
+    """Work in what stands in a merged tree for something else: repeated rules, params, devices of kits."""
+    repeat_rules(tree, merger)
+    resolve_params(tree, merger)
+    fill_in_devices(tree)
 
 
 def _load(source: Source, overrides: Sequence[str], name: str, path: Path | None) -> Loaded:
@@ -142,12 +182,13 @@ def _load(source: Source, overrides: Sequence[str], name: str, path: Path | None
     bases = tuple(base for base in extended if base.parent != presets_folder())
     tree.entries.pop("extends", None)
     apply_overrides(tree, overrides, merger)
-    repeat_rules(tree, merger)
-    resolve_params(tree, merger)
-    fill_in_devices(tree)
+    unresolved = {key: value for key, value in plain(tree).items() if key != "tests"}
+    _resolve(tree, merger)
     scenario, left_out = _checked_but_inherited_tests(tree, merger, {part.shown for part in chain[:-1]})
     changes = merger.repeated, merger.overridden
-    return Loaded(scenario, Roster.of(scenario), name, path, dumped(scenario), tree, bases, left_out, *changes)
+    return Loaded(
+        scenario, Roster.of(scenario), name, path, dumped(scenario), unresolved, tree, bases, left_out, *changes
+    )
 
 
 def _checked_but_inherited_tests(tree: Entries, merger: Merger, bases: set[str]) -> tuple[Scenario, dict[str, Problem]]:

@@ -102,6 +102,20 @@ def test_another_scenario_judges_and_its_params_can_be_set(judge, records):
     assert "GOAL: only in the record" in told
 
 
+def test_a_param_of_the_record_can_be_set(judge):
+    code, told = judge("--set", "goal_pause_s=0.1", "--set", "rules.goal_in_blue.actions[0].points=3")
+    assert code == 0
+    assert "GOAL: score_yellow 1 -> 3\n" in told
+    assert "KICKOFF: only now" in told
+
+
+def test_a_param_of_a_record_without_the_scenario_before_its_params_is_refused(judge, records, tmp_path, capsys):
+    (record,) = records.iterdir()
+    (copied(record, tmp_path) / "scenario.unresolved.json").unlink()
+    code, _ = judge("--set", "goal_pause_s=0.1", runs=tmp_path)
+    assert code == 2
+
+
 def test_a_verdict_that_is_not_complete_says_why(judge):
     code, told = judge("--set", "match.half_s=9")
     assert code == 0

@@ -1,11 +1,14 @@
 """``{param: NAME}`` and ``--set PATH=VALUE``."""
 
+import json
+
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from rcj_challenges.scenario.errors import ScenarioError
-from rcj_challenges.scenario.load import load, load_text
+from rcj_challenges.scenario.load import load, load_recorded, load_text
+from rcj_challenges.scenario.resources import shipped_scenarios
 from tests.scenario.writing import HEAD, complaints, problems_of, rule, scenario
 
 PAUSE = "params: {pause_s: 3, side: left}\nphases: {pause: {lasts_s: {param: pause_s}}}\n"
@@ -175,3 +178,14 @@ VALUES = st.text(max_size=15) | st.sampled_from(["null", "[]", "{}", "1", "{para
 @example("rules.r.actions[0]", "null")
 def test_any_override_is_either_taken_or_refused_in_words(path, value):
     assert all(str(problem) for problem in problems_of(scenario, PAUSE + rule(), [f"{path}={value}"]))
+
+
+@pytest.mark.parametrize("name", shipped_scenarios())
+def test_a_recorded_scenario_with_a_param_set_is_what_its_file_gives_with_it(name):
+    loaded = load(name)
+    param, value = next(iter(loaded.scenario.params.items()), ("match.halves", loaded.scenario.match.halves))
+    override = f"{param}={json.dumps(value)}"
+    kept = json.loads(json.dumps(loaded.unresolved))
+    again = load_recorded(loaded.resolved, kept, [override]).scenario
+    assert again.model_copy(update={"tests": {}}) == loaded.scenario.model_copy(update={"tests": {}})
+    assert list(again.rules) == list(loaded.scenario.rules)
