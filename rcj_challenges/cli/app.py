@@ -136,7 +136,11 @@ def run(
     ] = None,
     debug: Annotated[
         list[str] | None,
-        typer.Option("--debug", metavar="ROBOT", help="Its program has the terminal: breakpoints work, no limits."),
+        typer.Option(
+            "--debug",
+            metavar="ROBOT",
+            help="Stop at breakpoints of its program, without limits: in VS Code with the extra [debug], else here.",
+        ),
     ] = None,
     sandbox: _Sandbox = "auto",
     replay: Annotated[bool, typer.Option("--replay/--no-replay", help="Write the replay page.")] = True,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -127,6 +128,8 @@ def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Watcher]:
     console = console_for(to_stderr=options.json)
     quiet = options.quiet or options.json
     watcher = watcher_for(console, loaded.scenario, quiet=quiet, shared=bool(options.debug))
+    if options.debug and find_spec("debugpy") is None:
+        _say_how_to_debug(console)
     plan = MatchPlan(
         loaded=loaded,
         teams=open_teams(loaded, options.teams),
@@ -141,6 +144,12 @@ def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Watcher]:
         record_sensors=options.record_sensors,
     )
     return plan, console, watcher
+
+
+def _say_how_to_debug(console: Console) -> None:
+    """Say what stops where without the extra that waits for an editor."""
+    line = "debug: breakpoint() stops in this terminal; to stop in VS Code too: pip install 'rcj-challenges[debug]'"
+    console.print(line, markup=False, highlight=False, soft_wrap=True)
 
 
 def _tell(

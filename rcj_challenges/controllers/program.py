@@ -12,7 +12,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.controllers import isolation, processes, scratch
+from rcj_challenges.controllers import debugging, isolation, processes, scratch
 from rcj_challenges.controllers.assignment import Assignment
 from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.controllers.log import ProgramLog
@@ -112,7 +112,7 @@ class Program:
         """
         layers = isolation.active_layers(self._assignment.sandbox)
         if self._assignment.debug:
-            layers = tuple(layer for layer in layers if layer not in ("resource_limits", "bubblewrap"))
+            layers = isolation.active_layers("off")
         self._sharing, place = sharing, sharing.place
         self._log = ProgramLog(self._assignment.log_path, self._output_limit, place)
         self._say(f"--- half {self._assignment.half}: {self._assignment.entry} ---\n")
@@ -312,18 +312,20 @@ class Program:
 
     def _setup(self, root: Path, layers: tuple[str, ...]) -> dict[str, Any]:
         """Return what the process needs to know beyond the robot."""
-        assignment, here = self._assignment, from_disk(str(root))
+        assignment = self._assignment
+        folder, entry = debugging.program_place(assignment, root)
         return {
             "half": assignment.half,
             "seed": stream_seed(assignment.match_seed, f"program/{self.name}/half{assignment.half}"),
             "program": {
-                "root": here,
-                "entry": str(Path(here, *assignment.entry.split("/"))),
+                "root": from_disk(str(folder)),
+                "entry": from_disk(str(entry)),
                 "site": [from_disk(folder) for folder in processes.site_folders()],
             },
             "limits": isolation.limits_told(self._limits, layers, root.parent, portable=self._portable),
             "layers": isolation.set_by_process(layers, portable=self._portable),
             "debug": assignment.debug,
+            "debugger": debugging.debugger_told() if assignment.debug else None,
         }
 
     def _wait(self, channel: TimedChannel) -> bytes | None:

@@ -47,13 +47,22 @@ class Team:
         notes: what is not as a submission should be, but does not hinder play.
     """
 
-    def __init__(self, source: Path, files: Files, name: str, notes: tuple[str, ...], single: str = "") -> None:
+    def __init__(
+        self,
+        source: Path,
+        files: Files,
+        name: str,
+        notes: tuple[str, ...],
+        single: str = "",
+        layout: Layout | None = None,
+    ) -> None:
         self.source = source
         self.name = name
         self.notes = notes
         self.digest = _digest(files)
         self._files = files
         self._single = single
+        self._layout = layout
         self._entries: dict[str, str] = {}
 
     @property
@@ -119,6 +128,21 @@ class Team:
             return self.source.with_name(on_disk(name)).exists()
         except (OSError, ValueError):
             return False
+
+    def place_on_disk(self, entry: str) -> tuple[Path, Path] | None:
+        """Return the folder in which the team has its files, and its program there; None if they are in an archive.
+
+        Args:
+            entry: the program's path inside the team's folder.
+        """
+        source = self.source.absolute()
+        if self._single:
+            return source.parent, source
+        if self._layout is None or not source.is_dir():
+            return None
+        folder, within = source / self._layout.top, self._layout.within
+        program = folder / on_disk(str(PurePosixPath(entry).relative_to(within) if within else entry))
+        return (folder, program) if program.is_file() else None
 
     def size_bytes(self) -> int:
         """Return the size of all files together."""
@@ -232,7 +256,7 @@ def opening_of(path: Path, contents: Contents, *seats: Entrant) -> Opening:
         name = find_team_name(files, fallback)
         team = None
         if not contents.refused:
-            team = Team(path, files, name.text, tuple(map(str, name.warnings)), single)
+            team = Team(path, files, name.text, tuple(map(str, name.warnings)), single, layout)
             team._find_entries(seats)  # noqa: SLF001 - the module's own class
         return Opening(contents, files, team, name, layout.top, layout.within)
     whole = without_top_folders(contents.files)

@@ -134,11 +134,11 @@ def test_in_a_terminal_that_a_debugged_program_has_too_nothing_is_written_over_w
     ends = [*short(team, "--no-replay"), *DUEL]
     scoreboard = "0:00.0 / 0:01.0"
     assert scoreboard in command(*ends, cwd=tmp_path, env=terminal).stdout
-    said = command(*ends, "--debug", "B1", cwd=tmp_path, env=terminal).stdout
+    said = command(*ends, "--debug", "B1", cwd=tmp_path, env=terminal | {"PYTHONBREAKPOINT": "pdb.set_trace"}).stdout
     assert scoreboard not in said
     assert "\x1b[1A" not in said  # a line up
     assert "half 1 of 1" in said
-    assert "KICKOFF" in said
+    assert "kicks off" in said
 
 
 def test_json_is_not_mixed_with_what_a_debugged_program_prints(tmp_path, monkeypatch, capsys, team):
@@ -158,12 +158,15 @@ def test_there_is_one_terminal_and_so_one_debugged_program(tmp_path, monkeypatch
 
 
 def test_who_leaves_the_debugger_is_not_told_how_to_get_one(tmp_path):
-    program = "from controller import Robot\nrobot = Robot()\nrobot.step(32)\nbreakpoint()\nrobot.step(32)\n"
+    program = (
+        "from controller import Robot\nrobot = Robot()\nrobot.step(32)\nimport pdb\npdb.set_trace()\nrobot.step(32)\n"
+    )
     (tmp_path / "team.py").write_text(program, encoding="utf-8")
     ends = ["run", "match", "--blue", "team.py", "--yellow", "team.py", "--duration", "1", "--halves", "1", *DUEL]
     hints = []
+    in_terminal = os.environ | {"PYTHONBREAKPOINT": "pdb.set_trace"}
     for debug in ([], ["--debug", "B1"]):
-        said = command(*ends, "--quiet", "--no-replay", *debug, cwd=tmp_path).stdout
+        said = command(*ends, "--quiet", "--no-replay", *debug, cwd=tmp_path, env=in_terminal).stdout
         hints.append([line.partition(":")[0] for line in said.splitlines() if line.startswith("hint")])
     assert hints == [["hint for B1, Y2"], ["hint for Y2"]]
 

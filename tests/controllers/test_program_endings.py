@@ -295,6 +295,7 @@ print("fault:", played.fault)
         stderr=theirs,
         start_new_session=True,
         cwd=PROGRAMS.parents[1],
+        env=os.environ | {"PYTHONBREAKPOINT": "pdb.set_trace"},
     ) as parent:
         os.close(theirs)
         read_until(ours, b"(Pdb)")

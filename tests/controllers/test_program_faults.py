@@ -141,7 +141,9 @@ def test_where_a_program_broke_the_interpreter_is_told_as_each_system_does_it(ma
 
 def test_a_debugger_that_finds_nobody_is_told_as_such_by_every_python(match: FakeMatch) -> None:
     """From Python 3.14 on it calls sys.exit(1), which the program did not."""
-    fault = fault_of(match, "from controller import Robot\nRobot().step(32)\nbreakpoint()\nRobot().step(32)\n")
+    fault = fault_of(
+        match, "from controller import Robot\nRobot().step(32)\nimport pdb\npdb.set_trace()\nRobot().step(32)\n"
+    )
     assert (fault.kind, fault.detail[:11]) == ("crash", "bdb.BdbQuit")
     left = 'import bdb\nspace = {"__name__": "%s"}\nexec("def do_quit():\\n    raise SystemExit(1)", space)\nspace["do_quit"]()\n'
     fault = fault_of(match, left % "pdb")  # so it is there

@@ -9,7 +9,7 @@ import os
 import sys
 import types  # on Linux the layers need it: so a team's own `types.py` is never read on any system
 
-from . import _chance, _clock, _confine, _hub, _older, _report, _signals, _waits
+from . import _chance, _clock, _confine, _debugger, _hub, _older, _report, _signals, _waits
 from ._hooks import AfterImport
 from ._output import Output
 from ._wire import HELLO, Wire, fault_frame, leave
@@ -41,6 +41,7 @@ class Boot:
         self._names = _report.short_names(self._root, hello["program"]["site"])
         self._output: Any = _Uncounted()
         if not hello["debug"]:
+            _debugger.ignore_breakpoints(hello["robot"]["name"])
             self._output = Output(self._limits["output_bytes"], self._flooded, self._names)
         self._hub = _hub.Hub(wire, hello, self._clock, self._output)
         self._hub.root = self._root
@@ -58,6 +59,9 @@ class Boot:
         _hub.connect(self._hub)
         sys.setswitchinterval(_SWITCH_S)
         _tell_of_same_processors()
+        debugger = self._hello.get("debugger")
+        if debugger:
+            _debugger.wait_for_editor(self._hello["robot"]["name"], **debugger)
         self._prepare_modules()
         reserve = bytearray(_RESERVE_BYTES)  # given back before a lack of memory is told
         try:
@@ -114,8 +118,9 @@ class Boot:
             "numpy.random.bit_generator": _chance.seed_numpy_entropy(seeds[1]),
             "numpy.random": _chance.seed_numpy_global(seeds[2]),
             "signal": lambda signal: _signals.make_patient(signal, self._hub),
-            **_waits.Waits(self._clock).patches(),
         }
+        if not self._hello.get("debugger"):  # whose threads really wait
+            patches |= _waits.Waits(self._clock).patches()
         for module, patch in _older.PATCHES.items():
             patches[module] = _in_turn(patches[module], patch) if module in patches else patch
         AfterImport(patches, self._root + os.sep).install()

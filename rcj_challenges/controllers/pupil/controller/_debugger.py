@@ -1,0 +1,66 @@
+"""Breakpoints: those of an editor in a program that is debugged, and none in a match."""
+
+# ruff: noqa: PLC0415, T100 - an import costs every program, so this one comes late; it is the debugger that is wanted
+
+from __future__ import annotations
+
+import sys
+import time
+import types
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
+def ignore_breakpoints(robot: str) -> None:
+    """Let ``breakpoint()`` do nothing and say so once: several robots may share a program, and one is debugged.
+
+    Args:
+        robot: whose program this is.
+    """
+    told: list[bool] = []
+
+    def hook(*_: object, **__: object) -> None:
+        if not told:
+            told.append(True)
+            print(f"breakpoint() does nothing here; run with --debug {robot} to stop at it", file=sys.stderr)
+
+    sys.breakpointhook = hook
+
+
+def wait_for_editor(robot: str, folder: str, port: int) -> None:
+    """Wait until an editor attaches by the Debug Adapter Protocol, on a port of this computer alone.
+
+    Args:
+        robot: whose program this is.
+        folder: where debugpy is installed.
+        port: where it listens; if that is taken, on a free one.
+    """
+    sys.path.append(folder)
+    try:
+        import debugpy  # type: ignore[import-not-found,unused-ignore]  # an extra
+
+        real_time = types.ModuleType("time")
+        real_time.__dict__.update(vars(time))
+        try:
+            _, port = debugpy.listen(("127.0.0.1", port))
+        except (OSError, RuntimeError):
+            _, port = debugpy.listen(("127.0.0.1", 0))
+        print(f"{robot} waits for VS Code on port {port}", file=sys.stderr, flush=True)
+        debugpy.wait_for_client()
+    finally:
+        sys.path.remove(folder)
+    # The debugger waits by real time, while the program's stands still at a breakpoint.
+    for module in [module for module in sys.modules.values() if _is_below(module, folder)]:
+        if vars(module).get("time") is time:
+            vars(module)["time"] = real_time
+
+
+def _is_below(module: Any, folder: str) -> bool:
+    file = getattr(module, "__file__", None)
+    return (
+        isinstance(file, str)
+        and file.startswith(folder)
+        and module.__name__.startswith(("_pydev", "pydevd", "debugpy"))
+    )
