@@ -241,18 +241,42 @@ def explain(
     raise typer.Exit(explain_code(code))
 
 
-@app.command(cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge new relay_race")
+@app.command(
+    cls=Command,
+    rich_help_panel=WRITE,
+    epilog="rcj-challenge new team my_team\nrcj-challenge new challenge relay_race",
+)
 def new(
-    name: Annotated[str, typer.Argument(help="Name or path of the new scenario; .yaml may be left out.")],
+    words: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="[team|challenge] NAME", help="What, and its name or path; one name alone: a challenge."
+        ),
+    ],
     preset: Annotated[
-        str,
-        typer.Option("--from", metavar="PRESET", help="Field and robots: soccersim_v2, soccersim_2021 or empty_field."),
-    ] = "soccersim_v2",
+        str | None,
+        typer.Option(
+            "--from",
+            metavar="PRESET",
+            help="Field and robots of a challenge: soccersim_v2 (if left out), soccersim_2021 or empty_field.",
+        ),
+    ] = None,
 ) -> None:
-    """Write a commented starter and a first program for it; nothing is overwritten."""
-    from rcj_challenges.cli.starter import new_scenario
+    """Write a new team, or a challenge with a first program for it; nothing is overwritten."""
+    from rcj_challenges.cli.new_team import new_team
+    from rcj_challenges.cli.starter import StarterError, new_scenario
 
-    raise typer.Exit(new_scenario(name, preset))
+    kind, name = ("challenge", words[0]) if len(words) == 1 else (words[0], words[-1])
+    if kind not in ("team", "challenge") or len(words) > 2:
+        raise StarterError(
+            "error[bad-arguments]: new takes one name, and before it what it is\n"
+            "help: rcj-challenge new team NAME, or rcj-challenge new challenge NAME"
+        )
+    if kind == "team" and preset is not None:
+        raise StarterError(
+            "error[option-does-not-fit]: --from is for challenges\nhelp: leave it out; a team plays any scenario"
+        )
+    raise typer.Exit(new_team(name) if kind == "team" else new_scenario(name, preset or "soccersim_v2"))
 
 
 @app.command(cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge schema --out scenario.schema.json")

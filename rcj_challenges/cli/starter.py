@@ -43,13 +43,7 @@ def new_scenario(name: str, preset: str) -> int:
     if preset not in known:
         raise StarterError(f"no preset '{preset}'; there are {listing(known)}{nearest(preset, known)}")
     file = Path(name if name.endswith((".yaml", ".yml")) else f"{name}.yaml")
-    if file.name in (".yaml", ".yml"):  # hidden on many systems, and nobody's name
-        raise StarterError(f"'{shown(name)}' is no name of a file; choose one such as relay_race")
-    if is_device_of_windows(file.name):
-        raise StarterError(f"'{file.stem}' is a device on Windows, where no file has that name; choose another name")
-    if _NO_LETTER.search(file.name):
-        what = "a line break, a control character or stray bytes"
-        raise StarterError(f"'{shown(name)}' has {what} in it; choose a name such as relay_race")
+    refuse_name("" if file.name in (".yaml", ".yml") else file.name, name)
     short = _identifier(file.stem)
     program = file.with_name(f"{file.stem}_team") / "robot.py"
     for path in (file, program):
@@ -65,8 +59,8 @@ def new_scenario(name: str, preset: str) -> int:
         "TEAM_FOLDER": typed(program.parent.name),
     }
     # In one go: a file may be called FILE_NAME.
-    _write(file, re.sub("|".join(written), lambda found: written[found[0]], text))
-    _write(program, (starters_folder() / f"{preset}.robot.txt").read_text(encoding="utf-8"))
+    write_new(file, re.sub("|".join(written), lambda found: written[found[0]], text))
+    write_new(program, (starters_folder() / f"{preset}.robot.txt").read_text(encoding="utf-8"))
     sys.stdout.write(f"""{file}
 {program}
 Now:
@@ -76,6 +70,26 @@ Now:
   rcj-challenge run {typed(file)} --yellow {typed(program.parent)}
 """)
     return 0
+
+
+def refuse_name(file: str, given: str) -> None:
+    """Refuse a name that a file cannot have everywhere, or that cannot stand in a line of YAML.
+
+    Args:
+        file: without folders; empty: none is left of what was given.
+        given: as typed.
+
+    Raises:
+        StarterError: says why.
+    """
+    if not file.strip("."):
+        raise StarterError(f"'{shown(given)}' is no name of a file; choose one such as relay_race")
+    if is_device_of_windows(file):
+        stem = Path(file).stem
+        raise StarterError(f"'{stem}' is a device on Windows, where no file has that name; choose another name")
+    if _NO_LETTER.search(file):
+        what = "a line break, a control character or stray bytes"
+        raise StarterError(f"'{shown(given)}' has {what} in it; choose a name such as relay_race")
 
 
 def _schema_seen_from(file: Path) -> str:
@@ -98,7 +112,12 @@ def _identifier(stem: str) -> str:
     return f"_{found}"[:_LONGEST_ID] if found[0].isdigit() else found
 
 
-def _write(path: Path, text: str) -> None:
+def write_new(path: Path, text: str) -> None:
+    """Write a file that is not there yet, and its folders.
+
+    Raises:
+        StarterError: it cannot be written.
+    """
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         # Exclusive: a file that appeared meanwhile is not overwritten either.

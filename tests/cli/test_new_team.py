@@ -1,0 +1,74 @@
+"""``rcj-challenge new team`` and ``new challenge``."""
+
+import json
+
+import pytest
+
+from rcj_challenges.cli.app import app
+from rcj_challenges.cli.starter import StarterError
+from rcj_challenges.controllers.debugging import PORT
+from tests.cli.in_this_process import here
+
+
+def new(*words):
+    return app(["new", *map(str, words)], standalone_mode=False)
+
+
+@pytest.fixture
+def team(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert new("team", "my_team") == 0
+    return tmp_path / "my_team"
+
+
+def test_a_new_team_plays_and_passes_the_check(team, monkeypatch):
+    alone = [f"--set=entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)]
+    match = ["run", "match", "--yellow", "my_team", "--blue", "my_team", "--duration", "0.3", "--halves", "1", *alone]
+    assert here(monkeypatch, team.parent, *match, "--quiet", "--no-replay") == 0
+    (result,) = team.parent.glob("runs/*/result.json")
+    assert json.loads(result.read_bytes())["faults"] == []
+    assert here(monkeypatch, team.parent, "check", "my_team", "--no-play") == 0
+
+
+def test_it_has_what_vs_code_needs_to_run_debug_and_watch(team):
+    launch = json.loads((team / ".vscode" / "launch.json").read_text("utf-8"))
+    tasks = json.loads((team / ".vscode" / "tasks.json").read_text("utf-8"))
+    names = {one["name"]: one for one in launch["configurations"]}
+    assert list(names) == ["run", "debug Y1", "watch live"]
+    assert names["debug Y1"]["connect"]["port"] == PORT
+    assert names["debug Y1"]["preLaunchTask"] == tasks["tasks"][0]["label"]
+    assert tasks["tasks"][0]["problemMatcher"]["background"]["endsPattern"] in f"Y1 waits for VS Code on port {PORT}"
+
+
+def test_it_is_called_after_its_folder_and_tells_five_commands(team):
+    assert (team / "team_name.txt").read_text("utf-8") == "My team\n"
+    readme = (team / "README.md").read_text("utf-8")
+    assert readme.startswith("# My team\n")
+    assert readme.count("`rcj-challenge ") - readme.count("`rcj-challenge teams`") == 5
+    assert "TEAM_" not in readme
+
+
+def test_an_existing_folder_is_left_alone(team):
+    (team / "robot.py").write_text("mine", encoding="utf-8")
+    with pytest.raises(StarterError, match="exists already; nothing was written"):
+        new("team", "my_team")
+    assert (team / "robot.py").read_text("utf-8") == "mine"
+
+
+def test_a_challenge_is_what_one_name_alone_makes(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    new("challenge", "slalom")
+    (tmp_path / "slalom.yaml").rename(tmp_path / "first.yaml")
+    (tmp_path / "slalom_team" / "robot.py").unlink()
+    new("slalom")
+    assert (tmp_path / "slalom.yaml").read_bytes() == (tmp_path / "first.yaml").read_bytes()
+
+
+@pytest.mark.parametrize(
+    "words", [("robot", "x"), ("team", "a", "b"), ("team", "x", "--from", "empty_field"), ("team", "CON")]
+)
+def test_what_makes_no_sense_is_refused_and_nothing_is_written(tmp_path, monkeypatch, words):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(StarterError):
+        new(*words)
+    assert list(tmp_path.iterdir()) == []
