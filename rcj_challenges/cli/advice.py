@@ -14,6 +14,10 @@ if TYPE_CHECKING:
     from rcj_challenges.scenario.models.scenario import Scenario
 
 _BEGINNING = 100_000  # letters
+_STANDS = (
+    "it did not move: if it waits on purpose, all is well; "
+    'else call setPosition(float("inf")) and setVelocity on both motors'
+)
 
 
 def advice_on(
@@ -41,12 +45,32 @@ def advice_on(
         hint = hint_for(scenario, team, fault, _beginning(logs, fault["robot"]))
         if hint is not None:
             robots.setdefault(hint.remedy, {})[fault["robot"]] = None
-    for remedy, alike in robots.items():
-        for robot in alike:
+    hints = [{"robots": list(alike), "remedy": remedy} for remedy, alike in robots.items()]
+    _write_into_logs(hints, logs)
+    return hints
+
+
+def advice_on_standing(robots: Sequence[str], faults: Sequence[Mapping[str, Any]], logs: Path) -> list[dict[str, Any]]:
+    """Return what to do about robots that never set off, and write it into their logs.
+
+    Args:
+        robots: of `StandingWatcher`.
+        faults: as in the result: whose program failed stands for that reason.
+        logs: folder with the robots' logs.
+    """
+    failed = {fault["robot"] for fault in faults}
+    standing = [robot for robot in robots if robot not in failed]
+    hints = [{"robots": standing, "remedy": _STANDS}] if standing else []
+    _write_into_logs(hints, logs)
+    return hints
+
+
+def _write_into_logs(hints: Sequence[Mapping[str, Any]], logs: Path) -> None:
+    for hint in hints:
+        for robot in hint["robots"]:
             # A full disk is no reason to keep back the result of a match.
             with contextlib.suppress(OSError), (logs / f"{robot}.log").open("a", encoding="utf-8") as log:
-                log.write(f"hint: {remedy}\n")
-    return [{"robots": list(alike), "remedy": remedy} for remedy, alike in robots.items()]
+                log.write(f"hint: {hint['remedy']}\n")
 
 
 def _beginning(logs: Path, robot: str) -> str:

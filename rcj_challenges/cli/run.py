@@ -64,15 +64,18 @@ def run_scenario(options: RunOptions) -> int:
     from rcj_challenges.cli.live import on_air, stay_on_air
     from rcj_challenges.facts.errors import interruption_behind
     from rcj_challenges.match.match import MatchInterruptedError, play_match
+    from rcj_challenges.match.standing import StandingWatcher
     from rcj_challenges.match.watching import Together
 
     scenario = plan.loaded.scenario
     titles = {team: plan.name_of(team) for team in plan.teams}
     try:
         with on_air(options.live, scenario, titles, plan.logos, plan.seed, console) as show:
-            outcome = play_match(plan, watcher if show is None else Together(watcher, show.watcher))
+            standing = StandingWatcher(scenario)
+            outcome = play_match(plan, Together(watcher, standing, *(() if show is None else (show.watcher,))))
             try:
-                _tell(options, console, plan, outcome, getattr(watcher, "trouble", None))
+                played = _Played(plan, outcome, standing.robots())
+                _tell(options, console, played, getattr(watcher, "trouble", None))
             except BaseException as error:
                 if interruption_behind(error) is None:
                     raise
@@ -152,16 +155,22 @@ def _say_how_to_debug(console: Console) -> None:
     console.print(line, markup=False, highlight=False, soft_wrap=True)
 
 
-def _tell(
-    options: RunOptions, console: Console, plan: MatchPlan, outcome: PlayedMatch, trouble: OSError | None
-) -> None:
+@dataclass(frozen=True)
+class _Played:
+    """What there is to tell of: what was to be played, what came of it, and which robots never set off."""
+
+    plan: MatchPlan
+    outcome: PlayedMatch
+    standing: Sequence[str]
+
+
+def _tell(options: RunOptions, console: Console, played: _Played, trouble: OSError | None) -> None:
     """Write the replay page, and say how it ended: also if there is no room for the page.
 
     Args:
         options: as given.
         console: where to say it.
-        plan: what was played.
-        outcome: what came of it.
+        played: what was played.
         trouble: why the match could not be told as it was played; None: it could.
 
     Raises:
@@ -172,7 +181,7 @@ def _tell(
     from rcj_challenges.facts.shown import shown
 
     try:
-        _tell_all(options, console, plan, outcome)
+        _tell_all(options, console, played)
         if trouble is not None:
             raise output_trouble(trouble)
     except (OSError, HostError) as error:
@@ -182,17 +191,18 @@ def _tell(
         told = f"{shown(file)}: {advised(error)}" if file else advised(error)
         if isinstance(error, OSError) and not file and (trouble is not None or is_of_the_output(error)):
             told = str(output_trouble(error))
-        whole = f"The match was played to its end, and its record is whole: {shown(outcome.folder)}"
+        whole = f"The match was played to its end, and its record is whole: {shown(played.outcome.folder)}"
         raise HostError(f"{told}\n{whole}") from error
 
 
-def _tell_all(options: RunOptions, console: Console, plan: MatchPlan, outcome: PlayedMatch) -> None:
-    from rcj_challenges.cli.advice import advice_on
+def _tell_all(options: RunOptions, console: Console, played: _Played) -> None:
+    from rcj_challenges.cli.advice import advice_on, advice_on_standing
     from rcj_challenges.facts.errors import interruption_behind
     from rcj_challenges.records.folder import LOGS
 
+    plan, outcome = played.plan, played.outcome
     scenario = plan.loaded.scenario
-    hints: Sequence[dict[str, Any]] = []
+    hints: list[dict[str, Any]] = []
 
     def say(*, replay: bool) -> None:
         if options.json:
@@ -205,6 +215,7 @@ def _tell_all(options: RunOptions, console: Console, plan: MatchPlan, outcome: P
         # Who had the terminal and left the debugger knows what it is for.
         faults = [fault for fault in outcome.result["faults"] if fault["robot"] not in options.debug]
         hints = advice_on(scenario, plan.teams, faults, outcome.folder / LOGS)
+        hints += advice_on_standing(played.standing, outcome.result["faults"], outcome.folder / LOGS)
         if wanted:
             from rcj_challenges.views.replay import write_replay
 

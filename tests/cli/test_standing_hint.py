@@ -1,0 +1,76 @@
+"""``run`` says of robots that never set off what ``check`` says of them."""
+
+import json
+
+import pytest
+
+from rcj_challenges.cli.advice import advice_on_standing
+from rcj_challenges.facts.play import Placement, Snapshot, Verdict
+from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.match.standing import WATCHED_S, StandingWatcher
+from rcj_challenges.referee.script import half_of
+from rcj_challenges.scenario.load import load
+from rcj_challenges.scenario.roster import Roster
+from tests.cli.in_this_process import here
+
+WITHOUT_POSITION = """\
+from controller import Robot
+robot = Robot()
+motors = [robot.getDevice(name) for name in ("left wheel motor", "right wheel motor")]
+while robot.step(32) != -1:
+    for motor in motors:
+        motor.setVelocity(5)
+"""
+MATCH = load("match").scenario
+TICKS = ticks_from_s(WATCHED_S) + 1
+
+
+def standing_after(move):
+    """Return who stands after a half in which ``move(tick)`` gives the pose of B1, and a placement of it or none."""
+    watcher, roster = StandingWatcher(MATCH), Roster.of(MATCH)
+    watcher.half_started(half_of(MATCH))
+    for tick in range(TICKS):
+        pose, placed = move(tick)
+        poses = [(0.1 * number, 0.0, 0.0) for number in range(len(roster.entities))]
+        poses[roster.index["B1"]] = pose
+        placements = (Placement(roster.index["B1"], *placed),) if placed else ()
+        watcher.ticked(Snapshot(tick, [poses], [], [], ()), Verdict(placements=placements))
+    return watcher.robots()
+
+
+@pytest.mark.parametrize(
+    ("move", "stands"),
+    [
+        (lambda _: ((0.0, 0.0, 0.0), None), True),
+        (lambda tick: ((0.001 * tick, 0.0, 0.0), None), False),
+        (lambda tick: ((0.0, 0.0, 0.01 * tick), None), False),
+        (lambda tick: ((0.0, 0.0, 0.0) if tick < 9 else (0.5, 0.0, 1.0), (0.5, 0.0, 1.0) if tick == 8 else None), True),
+    ],
+    ids=["stands", "drives", "turns", "is put elsewhere"],
+)
+def test_who_neither_drives_nor_turns_stands(move, stands):
+    assert ("B1" in standing_after(move)) == stands
+
+
+def test_a_half_that_is_too_short_tells_nothing():
+    watcher = StandingWatcher(MATCH)
+    watcher.half_started(half_of(MATCH))
+    assert watcher.robots() == []
+
+
+def test_a_robot_whose_program_failed_is_left_out(tmp_path):
+    hints = advice_on_standing(["B1", "Y2"], [{"robot": "B1"}], tmp_path)
+    assert [hint["robots"] for hint in hints] == [["Y2"]]
+
+
+def test_run_tells_a_robot_that_lacks_set_position(tmp_path, monkeypatch, capsys):
+    (tmp_path / "team.py").write_text(WITHOUT_POSITION, encoding="utf-8")
+    alone = [f"--set=entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)]
+    match = ["run", "match", "--blue", "team.py", "--yellow", "team.py", "--duration", "11", "--halves", "1", *alone]
+    assert here(monkeypatch, tmp_path, *match, "--no-replay", "--json") == 0
+    result = json.loads(capsys.readouterr().out)
+    (hint,) = result["hints"]
+    assert sorted(hint["robots"]) == ["B1", "Y1"]
+    assert "setPosition" in hint["remedy"]
+    (log,) = tmp_path.glob("runs/*/logs/B1.log")
+    assert f"hint: {hint['remedy']}\n" in log.read_text("utf-8")
