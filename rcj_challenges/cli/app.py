@@ -264,18 +264,15 @@ def new(
 ) -> None:
     """Write a new team, or a challenge with a first program for it; nothing is overwritten."""
     from rcj_challenges.cli.new_team import new_team
-    from rcj_challenges.cli.starter import StarterError, new_scenario
+    from rcj_challenges.cli.starter import new_scenario
+    from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
 
     kind, name = ("challenge", words[0]) if len(words) == 1 else (words[0], words[-1])
     if kind not in ("team", "challenge") or len(words) > 2:
-        raise StarterError(
-            "error[bad-arguments]: new takes one name, and before it what it is\n"
-            "help: rcj-challenge new team NAME, or rcj-challenge new challenge NAME"
-        )
+        asked = "rcj-challenge new team NAME, or rcj-challenge new challenge NAME"
+        raise DiagnosticError(Diagnostic("bad-arguments", "new takes one name, and before it what it is", asked))
     if kind == "team" and preset is not None:
-        raise StarterError(
-            "error[option-does-not-fit]: --from is for challenges\nhelp: leave it out; a team plays any scenario"
-        )
+        raise DiagnosticError(Diagnostic("option-does-not-fit", "--from is for challenges", "leave it out"))
     raise typer.Exit(new_team(name) if kind == "team" else new_scenario(name, preset or "soccersim_v2"))
 
 

@@ -14,6 +14,7 @@ import typer
 from rcj_challenges.cli.completion import complete_scenarios
 from rcj_challenges.cli.help import SUBMIT, Command
 from rcj_challenges.cli.says import say_json, say_progress
+from rcj_challenges.cli.teams import path_or_sample_team
 from rcj_challenges.facts.errors import RcjError, advised
 
 if TYPE_CHECKING:
@@ -131,7 +132,7 @@ def check_submissions(command: CheckCommand) -> int:
     refuse_devices(html=command.html, fix=command.fix, replay=command.replays)
     loaded = load(command.scenario, command.overrides)
     active_layers(command.sandbox)
-    given = submissions(command.paths)
+    given = submissions([path_or_sample_team(path) for path in command.paths])
     if command.fix is not None and len(given.paths) != 1:
         raise CheckUsageError(f"--fix repairs one submission at a time, not {len(given.paths)}")
     if command.fix is not None and str(command.fix).startswith("-"):

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
 
 _FORM = re.compile(r"(?:(?P<minutes>[0-9]+):(?=[0-5]?[0-9](?:\.|$)))?(?P<seconds>[0-9]+(?:\.[0-9]+)?|\.[0-9]+)s?")
 
 
-class DurationError(RcjError):
+class DurationError(DiagnosticError):
     """Text that is no time."""
 
 
@@ -25,5 +25,5 @@ def parse_duration(option: str, text: str) -> float:
     """
     found = _FORM.fullmatch(text.strip())
     if found is None:
-        raise DurationError(f"error[bad-duration]: {option} {text}: not a time\nhelp: write 90, 90s or 1:30")
+        raise DurationError(Diagnostic("bad-duration", f"{option} {text}: not a time", "write 90, 90s or 1:30"))
     return int(found["minutes"] or 0) * 60 + float(found["seconds"])

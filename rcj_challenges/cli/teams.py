@@ -10,12 +10,12 @@ import textwrap
 from difflib import get_close_matches
 from pathlib import Path
 
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.facts.shown import shown
 from rcj_challenges.scenario.resources import shipped_teams
 
 
-class UnknownTeamError(RcjError):
+class UnknownTeamError(DiagnosticError):
     """A name that is no path and no sample team."""
 
 
@@ -28,18 +28,26 @@ def locate_team(given: str) -> Path:
     Raises:
         UnknownTeamError: it looks like a name, and there is no such file, folder or sample team.
     """
-    path = Path(given)
+    path = path_or_sample_team(Path(given))
     if os.path.exists(path) or path.name != given or path.suffix:  # noqa: PTH110 - pathlib's raises for long names
         return path
     teams = shipped_teams()
-    if given in teams:
-        return teams[given]
     near = get_close_matches(given.casefold()[:100], teams, 1)
     meant = f"did you mean {near[0]}? " if near else ""
     raise UnknownTeamError(
-        f"error[unknown-team]: no file, folder or sample team '{shown(given)}'\n"
-        f"help: {meant}'rcj-challenge teams' lists the sample teams"
+        Diagnostic(
+            "unknown-team",
+            f"no file, folder or sample team '{shown(given)}'",
+            f"{meant}'rcj-challenge teams' lists the sample teams",
+        )
     )
+
+
+def path_or_sample_team(given: Path) -> Path:
+    """Return the folder of the sample team of that name if nothing else is there, else what was given."""
+    if os.path.exists(given):  # noqa: PTH110 - pathlib's raises for long names
+        return given
+    return shipped_teams().get(str(given), given)
 
 
 def list_teams() -> int:

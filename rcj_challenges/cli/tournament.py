@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
+from rcj_challenges.cli.help import ORGANIZE, Command, Group
 from rcj_challenges.cli.says import say_json
 
 if TYPE_CHECKING:
@@ -16,6 +17,8 @@ if TYPE_CHECKING:
 
 tournament_app = typer.Typer(
     name="tournament",
+    cls=Group,
+    rich_markup_mode=None,
     help="Plan, play and publish a tournament that is declared in YAML.",
     no_args_is_help=True,
     add_completion=False,
@@ -27,7 +30,9 @@ Data = Annotated[
     Path | None,
     typer.Option("--data", metavar="DIR", help="Folder of its data; left out: NAME_data in the current folder."),
 ]
-_AtOnce = Annotated[int | None, typer.Option("--at-once", min=1, help="Matches at a time; default: cores.")]
+_AtOnce = Annotated[
+    int | None, typer.Option("--at-once", metavar="N", min=1, help="Matches at a time; default: cores.")
+]
 _Sandbox = Annotated[
     str, typer.Option("--sandbox", metavar="auto|strict|off", help="How programs are isolated (docs/isolation.md).")
 ]
@@ -40,7 +45,7 @@ _Cascade = Annotated[
 
 def register(app: typer.Typer) -> None:
     """Add the commands."""
-    app.add_typer(tournament_app)
+    app.add_typer(tournament_app, rich_help_panel=ORGANIZE)
 
 
 @contextmanager
@@ -59,7 +64,7 @@ def opened(file: str, data: Path | None, *, writing: bool = False) -> Iterator[O
         yield OpenTournament(loaded, store)
 
 
-@tournament_app.command()
+@tournament_app.command(cls=Command, epilog="rcj-challenge tournament plan cup")
 def plan(file: File, data: Data = None, json_: _Json = False) -> None:
     """Print all fixtures that are known, how many matches there will be, and what they will take here."""
     from rcj_challenges.cli.tournament_plan import print_plan
@@ -68,7 +73,7 @@ def plan(file: File, data: Data = None, json_: _Json = False) -> None:
         raise typer.Exit(print_plan(tournament, as_json=json_))
 
 
-@tournament_app.command()
+@tournament_app.command(cls=Command, epilog="rcj-challenge tournament run cup")
 def run(
     file: File,
     data: Data = None,
@@ -93,7 +98,7 @@ def run(
         raise typer.Exit(run_tournament(tournament, options))
 
 
-@tournament_app.command()
+@tournament_app.command(cls=Command, epilog="rcj-challenge tournament status cup")
 def status(file: File, data: Data = None, json_: _Json = False) -> None:
     """Say how far it is: matches by stage, what is doubtful, and what could not be played."""
     from rcj_challenges.cli.tournament_results import print_status
@@ -102,7 +107,7 @@ def status(file: File, data: Data = None, json_: _Json = False) -> None:
         raise typer.Exit(print_status(tournament, as_json=json_))
 
 
-@tournament_app.command()
+@tournament_app.command(cls=Command, epilog="rcj-challenge tournament results cup")
 def results(
     file: File,
     data: Data = None,
@@ -118,7 +123,7 @@ def results(
         raise typer.Exit(print_results(tournament, as_json=json_, as_csv=csv))
 
 
-@tournament_app.command()
+@tournament_app.command(cls=Command, epilog="rcj-challenge tournament publish cup")
 def publish(
     file: File,
     data: Data = None,
@@ -126,7 +131,7 @@ def publish(
         list[str] | None,
         typer.Option("--premiere", metavar="STAGE", help="Its matches have a premiere when released. Repeatable."),
     ] = None,
-    url: Annotated[str, typer.Option("--url", help="Where the site will be, for the feed and the calendar.")] = "",
+    url: Annotated[str, typer.Option("--url", metavar="URL", help="Where the site will be, for the feed and the calendar.")] = "",
 ) -> None:
     """Write the site with all results that are released by now, and a private folder for each team."""
     from rcj_challenges.cli.publish import publish_tournament
@@ -136,13 +141,15 @@ def publish(
         raise typer.Exit(publish_tournament(tournament, utc_now(), premiere or [], url))
 
 
-@tournament_app.command()
+@tournament_app.command(
+    cls=Command, epilog='rcj-challenge tournament decide cup MATCH --replay --reason "a robot broke"'
+)
 def decide(
     file: File,
     match: Annotated[
         str | None, typer.Argument(metavar="[MATCH]", help="Which match, as plan prints it; none with --withdraw.")
     ] = None,
-    reason: Annotated[str, typer.Option("--reason", help="Why; it is published.")] = "",
+    reason: Annotated[str, typer.Option("--reason", metavar="TEXT", help="Why; it is published.")] = "",
     forfeit: Annotated[str | None, typer.Option("--forfeit", metavar="TEAM", help="This team loses the match.")] = None,
     replay: Annotated[bool, typer.Option("--replay", help="The match is played again, with another seed.")] = False,
     score: Annotated[
@@ -162,7 +169,7 @@ def decide(
         raise typer.Exit(record_decision(tournament, decision))
 
 
-@tournament_app.command()
+@tournament_app.command(cls=Command, epilog="rcj-challenge tournament verify cup --sample 5")
 def verify(
     file: File,
     matches: Annotated[
@@ -185,7 +192,7 @@ def verify(
         raise typer.Exit(verify_tournament(tournament, matches or [], sample=sample, at_once=at_once, as_json=json_))
 
 
-@tournament_app.command()
+@tournament_app.command(cls=Command, epilog="rcj-challenge tournament rerun cup")
 def rerun(
     file: File,
     matches: Annotated[
@@ -205,7 +212,7 @@ def rerun(
         raise typer.Exit(rerun_matches(tournament, matches or [], records, at_once=at_once))
 
 
-@tournament_app.command()
+@tournament_app.command(cls=Command, epilog="rcj-challenge tournament judge cup --set ball_progress_s=15")
 def judge(
     file: File,
     set_: Annotated[

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from rcj_challenges.cli import OK, OUR_FAULT
+from rcj_challenges.cli.help import ORGANIZE, Command
 from rcj_challenges.cli.says import say_json, say_progress
 
 if TYPE_CHECKING:
@@ -25,7 +26,9 @@ _WORDS = {"not_comparable": "not comparable", "not_played": "could not be played
 
 def register(app: typer.Typer) -> None:
     """Add the command."""
-    app.command("verify")(_verify)
+    app.command("verify", cls=Command, rich_help_panel=ORGANIZE, epilog="rcj-challenge verify --team submissions")(
+        _verify
+    )
 
 
 def _verify(
@@ -38,7 +41,9 @@ def _verify(
         typer.Option("--team", metavar="PATH", help="Who played: a submission, or a folder of ZIPs. Repeatable."),
     ] = None,
     out: Annotated[Path, typer.Option("--runs", "--out", metavar="DIR", help="Where the records are.")] = Path("runs"),
-    at_once: Annotated[int | None, typer.Option("--at-once", min=1, help="Matches at a time; default: cores.")] = None,
+    at_once: Annotated[
+        int | None, typer.Option("--at-once", metavar="N", min=1, help="Matches at a time; default: cores.")
+    ] = None,
     sandbox: Annotated[
         str, typer.Option("--sandbox", metavar="auto|strict|off", help="How programs are isolated (docs/isolation.md).")
     ] = "auto",

@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 from typer.main import get_command
@@ -10,7 +11,7 @@ from typer.main import get_command
 from rcj_challenges.cli.app import app
 from rcj_challenges.cli.durations import DurationError, parse_duration
 from rcj_challenges.cli.help import ORGANIZE, PLAY, SUBMIT, WATCH, WRITE
-from rcj_challenges.cli.teams import UnknownTeamError, locate_team
+from rcj_challenges.cli.teams import UnknownTeamError, locate_team, path_or_sample_team
 from rcj_challenges.scenario.resources import shipped_teams
 
 
@@ -96,8 +97,9 @@ def test_what_is_no_duration_is_refused_with_the_forms_that_there_are(text):
 def test_a_sample_team_is_found_by_its_name_and_an_existing_path_wins(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert locate_team("ball_chaser") == shipped_teams()["ball_chaser"]
+    assert path_or_sample_team(Path("ball_chaser")) == shipped_teams()["ball_chaser"]
     (tmp_path / "ball_chaser").mkdir()
-    assert str(locate_team("ball_chaser")) == "ball_chaser"
+    assert locate_team("ball_chaser") == path_or_sample_team(Path("ball_chaser")) == Path("ball_chaser")
 
 
 def test_a_misspelt_team_is_met_with_the_nearest_name(tmp_path, monkeypatch):

@@ -7,6 +7,7 @@ import pytest
 from rcj_challenges.cli.app import app
 from rcj_challenges.cli.starter import StarterError
 from rcj_challenges.controllers.debugging import PORT
+from rcj_challenges.facts.errors import RcjError
 from tests.cli.in_this_process import here
 
 
@@ -69,6 +70,6 @@ def test_a_challenge_is_what_one_name_alone_makes(tmp_path, monkeypatch):
 )
 def test_what_makes_no_sense_is_refused_and_nothing_is_written(tmp_path, monkeypatch, words):
     monkeypatch.chdir(tmp_path)
-    with pytest.raises(StarterError):
+    with pytest.raises(RcjError):
         new(*words)
     assert list(tmp_path.iterdir()) == []

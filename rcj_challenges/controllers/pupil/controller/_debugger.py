@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 import time
 import types
@@ -38,6 +39,7 @@ def wait_for_editor(robot: str, folder: str, port: int) -> None:
         port: where it listens; if that is taken, on a free one.
     """
     sys.path.append(folder)
+    os.environ["PYDEVD_DISABLE_FILE_VALIDATION"] = "1"  # it warns of files of Python's own, in which nobody stops
     try:
         import debugpy  # type: ignore[import-not-found,unused-ignore]  # an extra
 
