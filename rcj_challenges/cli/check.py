@@ -14,7 +14,6 @@ import typer
 from rcj_challenges.cli.completion import complete_scenarios
 from rcj_challenges.cli.help import SUBMIT, Command
 from rcj_challenges.cli.says import say_json, say_progress
-from rcj_challenges.cli.teams import path_or_sample_team
 from rcj_challenges.facts.errors import RcjError, advised
 
 if TYPE_CHECKING:
@@ -126,6 +125,7 @@ def check_submissions(command: CheckCommand) -> int:
         KeyboardInterrupt: somebody interrupted it; what was checked before has been reported.
     """
     from rcj_challenges.cli.outputs import refuse_devices
+    from rcj_challenges.cli.teams import path_or_sample_team
     from rcj_challenges.controllers.isolation import active_layers
     from rcj_challenges.scenario.load import load
 

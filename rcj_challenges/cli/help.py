@@ -5,12 +5,9 @@ Plain text: the library's own frames load a Markdown parser and a syntax highlig
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from typer.core import TyperCommand, TyperGroup
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
 
 PLAY = "Play"
 WATCH = "Watch"
@@ -66,8 +63,7 @@ class Group(TyperGroup):
 
 
 def _write_examples(epilog: str | None, formatter: Any) -> None:
-    examples: Iterable[str] = (epilog or "").splitlines()
-    lines = [f"  {line}\n" for line in examples]
+    lines = [f"  {line}\n" for line in (epilog or "").splitlines()]
     if lines:
         formatter.write_paragraph()
         formatter.write_heading("Example" if len(lines) == 1 else "Examples")

@@ -7,10 +7,10 @@ import os
 import shutil
 import sys
 import textwrap
-from difflib import get_close_matches
 from pathlib import Path
 
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.facts.likeness import nearest_name
 from rcj_challenges.facts.shown import shown
 from rcj_challenges.scenario.resources import shipped_teams
 
@@ -31,9 +31,8 @@ def locate_team(given: str) -> Path:
     path = path_or_sample_team(Path(given))
     if os.path.exists(path) or path.name != given or path.suffix:  # noqa: PTH110 - pathlib's raises for long names
         return path
-    teams = shipped_teams()
-    near = get_close_matches(given.casefold()[:100], teams, 1)
-    meant = f"did you mean {near[0]}? " if near else ""
+    near = nearest_name(given.casefold(), shipped_teams())
+    meant = f"did you mean {near}? " if near else ""
     raise UnknownTeamError(
         Diagnostic(
             "unknown-team",

@@ -16,12 +16,12 @@ from rcj_challenges.scenario.resources import shipped_teams
 
 
 def commands(group=None, words=()):
-    """Yield each command with the words by which it is called."""
+    """Yield each command that is listed with the words by which it is called."""
     group = get_command(app) if group is None else group
     for name, command in group.commands.items():
         if hasattr(command, "commands"):
             yield from commands(command, (*words, name))
-        else:
+        elif not command.hidden:
             yield " ".join((*words, name)), command
 
 
