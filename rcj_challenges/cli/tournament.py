@@ -131,7 +131,9 @@ def publish(
         list[str] | None,
         typer.Option("--premiere", metavar="STAGE", help="Its matches have a premiere when released. Repeatable."),
     ] = None,
-    url: Annotated[str, typer.Option("--url", metavar="URL", help="Where the site will be, for the feed and the calendar.")] = "",
+    url: Annotated[
+        str, typer.Option("--url", metavar="URL", help="Where the site will be, for the feed and the calendar.")
+    ] = "",
 ) -> None:
     """Write the site with all results that are released by now, and a private folder for each team."""
     from rcj_challenges.cli.publish import publish_tournament
