@@ -868,6 +868,7 @@ class Receiver(Sensor):
 
         Raises:
             RuntimeError: the queue is empty.
+            UnicodeDecodeError: it is returned as text and is not UTF-8.
 
         Example:
             ``waiting = struct.unpack("?", receiver.getData())[0]``
@@ -879,7 +880,7 @@ class Receiver(Sensor):
             RuntimeError: the queue is empty.
         """
     def getString(self) -> str:
-        """Return the first packet as text, up to its first zero byte.
+        """Return the whole first packet as text, zero bytes included, as Webots R2023b does.
 
         Raises:
             RuntimeError: the queue is empty.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -15,6 +16,9 @@ from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.naming import told_apart
 from rcj_challenges.views.payloads import told_beside
 from rcj_challenges.views.sentences import clock
+
+_MAX_UNANNOUNCED = 20
+"""Points without an event, of each rule and half: one that pays on every tick would leave no room for anything else."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,10 +54,12 @@ class Commentator:
         }
         self._scores: dict[str, Score] = {}
         self._names: dict[str, str] = {}
+        self._unannounced: Counter[str] = Counter()
 
     def begin(self, half: HalfInfo) -> None:
         """Begin a half."""
         self._scores = dict(half.scores)
+        self._unannounced.clear()
         self._names = told_apart({seat: shown(name, 32) for seat, name in half.team_names.items()})
 
     def remarks(self, verdict: Verdict) -> Iterator[Remark]:
@@ -63,28 +69,47 @@ class Commentator:
         for firing in ran:
             for name in self._emitted.get(firing.rule, ()):
                 waiting.setdefault(name, []).append(firing)
+        told: list[Firing] = []
         for event in verdict.events:
             firings = waiting.get(event.name)
-            yield self._remark(event, firings.pop(0) if firings else None)
+            cause = firings.pop(0) if firings else None
+            # The score changes once, also by a rule that emits several events.
+            scored = {} if cause is None or any(cause is one for one in told) else _points(cause)
+            told += [] if cause is None else [cause]
+            yield self._score(event, scored) if scored else _sentence(event, "" if cause is None else cause.says)
         for firing in ran:
-            if any(firing.scored.values()) and not self._emitted.get(firing.rule):
-                yield self._remark(Event(firing.tick, "POINTS"), firing)
+            if _points(firing) and not self._emitted.get(firing.rule):
+                remark = self._score(Event(firing.tick, "POINTS"), _points(firing))
+                self._unannounced[firing.rule] += 1
+                if self._unannounced[firing.rule] <= _MAX_UNANNOUNCED:
+                    yield remark
 
-    def _remark(self, event: Event, firing: Firing | None) -> Remark:
-        at, name = clock(s_from_ticks(event.tick)), shown(event.name.replace("_", " "), 40)
-        scored = {} if firing is None else {seat: points for seat, points in firing.scored.items() if points}
-        says = "" if firing is None else firing.says
-        if scored:
-            for seat, points in scored.items():
-                self._scores[seat] = on_paper(self._scores[seat] + points)
-            seat = max(scored, key=lambda one: scored[one])  # who gained, else who lost
-            gain = "" if scored[seat] == 1 else f"{scored[seat]:+g}, "
-            return Remark(f"{name}  {self._standing(seat)}  ({seat}, {gain}{at})", seat)
-        told = told_beside(event.name, event.payload, says)
-        return Remark(f"{at:>7}  {shown(' · '.join(filter(None, (says or name, told))), 300)}")
+    def _score(self, event: Event, scored: dict[str, Score]) -> Remark:
+        for seat, points in scored.items():
+            self._scores[seat] = on_paper(self._scores[seat] + points)
+        seat = max(scored, key=lambda one: scored[one])  # who gained, else who lost
+        gain = "" if scored[seat] == 1 else f"{scored[seat]:+g}, "
+        return Remark(f"{_name(event)}  {self._standing(seat)}  ({seat}, {gain}{_time(event)})", seat)
 
     def _standing(self, seat: str) -> str:
         """Return ``Hanse 2 : 1``, a team's own points first; among more than two teams only these."""
         others = [points for other, points in self._scores.items() if other != seat]
         against = f" : {number_words(others[0])}" if len(others) == 1 else ""
         return f"{self._names[seat]} {number_words(self._scores[seat])}{against}"
+
+
+def _points(firing: Firing) -> dict[str, Score]:
+    return {seat: points for seat, points in firing.scored.items() if points}
+
+
+def _sentence(event: Event, says: str) -> Remark:
+    told = told_beside(event.name, event.payload, says)
+    return Remark(f"{_time(event):>7}  {shown(' · '.join(filter(None, (says or _name(event), told))), 300)}")
+
+
+def _name(event: Event) -> str:
+    return shown(event.name.replace("_", " "), 40)
+
+
+def _time(event: Event) -> str:
+    return clock(s_from_ticks(event.tick))

@@ -61,6 +61,27 @@ def test_points_without_an_event_are_told_and_lost_ones_with_their_number(half):
     assert said(Verdict((), (firing,)), half) == [("POINTS  Hanse -2 : 1  (yellow, -3, 0:01.6)", "yellow")]
 
 
+def test_a_rule_that_scores_and_emits_two_events_scores_once(half):
+    (firing,) = GOAL.firings
+    actions = MATCH.rules["goal_in_yellow"].actions
+    (emit,) = [action for action in actions if action.action == "emit"]
+    rule = MATCH.rules["goal_in_yellow"].model_copy(
+        update={"actions": [*actions, emit.model_copy(update={"event": "APPLAUSE"})]}
+    )
+    scenario = MATCH.model_copy(update={"rules": MATCH.rules | {"goal_in_yellow": rule}})
+    verdict = Verdict((*GOAL.events, Event(509, "APPLAUSE")), (firing,))
+    assert [seat for _, seat in said(verdict, half, scenario)] == ["blue", ""]
+
+
+def test_points_on_every_tick_are_told_a_few_times_and_all_counted(half):
+    commentator = Commentator(MATCH)
+    commentator.begin(half)
+    paid = [Verdict((), (Firing(tick, "no_such_rule", None, "enters", scored={"blue": 1}),)) for tick in range(100)]
+    assert 0 < sum(len(list(commentator.remarks(verdict))) for verdict in paid) < 50
+    (goal,) = commentator.remarks(GOAL)
+    assert "Die Kicker 102 : 1" in goal.text
+
+
 def test_what_a_suppressed_rule_would_have_said_is_not_told(half):
     (firing,) = GOAL.firings
     assert said(Verdict((), (replace(firing, suppressed="cooldown"),)), half) == []
