@@ -11,7 +11,7 @@ from rcj_challenges.facts.measures import number_words
 from rcj_challenges.facts.play import Event, Firing, HalfInfo, Verdict
 from rcj_challenges.facts.shown import shown
 from rcj_challenges.facts.timing import s_from_ticks
-from rcj_challenges.scenario.models.actions import Emit
+from rcj_challenges.rules.actions.emit import Emit
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.naming import told_apart
 from rcj_challenges.views.payloads import told_beside

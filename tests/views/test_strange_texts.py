@@ -10,8 +10,8 @@ from rich.text import Text
 
 from rcj_challenges.cli.validate import validate_files
 from rcj_challenges.scenario.load import Loaded, load_text
-from rcj_challenges.views.drawing import draw_scenario
 from rcj_challenges.views.console import console_for
+from rcj_challenges.views.drawing import draw_scenario
 from rcj_challenges.views.sheet import sheet_html, sheet_markdown
 
 STRANGE = r"\e[2J \e]0;title\a \u009b31m \u202Eturned \u2066x \u200F"
