@@ -84,6 +84,13 @@ def run(
         typer.Option("--accept", metavar="TEAM", help="Let a team play that fails the check. Repeatable."),
     ] = None,
     cascade: _Cascade = False,
+    cluster: Annotated[
+        str | None,
+        typer.Option("--cluster", metavar="ADDRESS", help="Play on the workers of a Dask cluster: tcp://HOST:8786."),
+    ] = None,
+    shared: Annotated[
+        bool, typer.Option("--shared", help="The workers of the cluster see the data folder under the same path.")
+    ] = False,
     quiet: _Quiet = False,
 ) -> None:
     """Check all submissions, then play what is not played yet. Interrupted, it goes on where it was.
@@ -94,7 +101,16 @@ def run(
     from rcj_challenges.cli.tournament_run import RunOptions, run_tournament
 
     with opened(file, data, writing=True) as tournament:
-        options = RunOptions(file, at_once, sandbox, frozenset(accept or ()), cascade=cascade, quiet=quiet)
+        options = RunOptions(
+            file,
+            at_once,
+            sandbox,
+            frozenset(accept or ()),
+            cascade=cascade,
+            quiet=quiet,
+            cluster=cluster,
+            shared=shared,
+        )
         raise typer.Exit(run_tournament(tournament, options))
 
 

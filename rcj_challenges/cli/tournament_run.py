@@ -49,6 +49,8 @@ class RunOptions:
     accepted: frozenset[str]
     cascade: bool
     quiet: bool
+    cluster: str | None = None
+    shared: bool = False
 
 
 def run_tournament(tournament: OpenTournament, options: RunOptions) -> int:
@@ -64,16 +66,17 @@ def run_tournament(tournament: OpenTournament, options: RunOptions) -> int:
     lanes = options.at_once or os.cpu_count() or 1
     console = console_for()
     observer = observer_for(console, tournament, quiet=options.quiet)
-    jobs = prepare(tournament, options, lanes, observer)
-    for fixture, reason in reconcile(tournament, jobs, cascade=options.cascade).items():
-        observer.note(f"{fixture} is played again: {reason}")
-    executor: Executor = LocalExecutor(tournament.store.place, lanes)
-    with observer:
-        try:
-            state = Runner(tournament, jobs, executor, observer).run()
-        except KeyboardInterrupt as error:
-            left = "run the same command again: it goes on where it was"
-            raise KeyboardInterrupt(f"{counted(observer.done, 'match', 'matches')} played; {left}") from error
+    # A cluster that cannot be used is found before submissions are checked, which takes minutes.
+    with _executor(tournament, options, lanes, observer) as executor:
+        jobs = prepare(tournament, options, lanes, observer)
+        for fixture, reason in reconcile(tournament, jobs, cascade=options.cascade).items():
+            observer.note(f"{fixture} is played again: {reason}")
+        with observer:
+            try:
+                state = Runner(tournament, jobs, executor, observer).run()
+            except KeyboardInterrupt as error:
+                left = "run the same command again: it goes on where it was"
+                raise KeyboardInterrupt(f"{counted(observer.done, 'match', 'matches')} played; {left}") from error
     for table in stage_tables(state):
         console.print(table)
     if observer.failed:
@@ -81,6 +84,24 @@ def run_tournament(tournament: OpenTournament, options: RunOptions) -> int:
         console.print(line, markup=False, highlight=False)
         return OUR_FAULT
     return OK
+
+
+def _executor(tournament: OpenTournament, options: RunOptions, lanes: int, observer: RunLines) -> Executor:
+    """Return what plays the matches: this computer, or a cluster.
+
+    Raises:
+        DiagnosticError: the cluster cannot be used.
+    """
+    place = tournament.store.place
+    if options.cluster is None:
+        if options.shared:
+            message = "--shared is about the workers of a cluster"
+            raise DiagnosticError(Diagnostic("shared-without-cluster", message, "give --cluster ADDRESS too"))
+        return LocalExecutor(place, lanes)
+    from rcj_challenges.records.result import versions
+    from rcj_challenges.tournament.cluster import ClusterExecutor
+
+    return ClusterExecutor(place, options.cluster, versions().model_dump(), options.shared, observer.note)
 
 
 def prepare(tournament: OpenTournament, options: RunOptions, lanes: int, observer: RunLines) -> JobMaker:

@@ -38,12 +38,11 @@ class Executor(Protocol):
     """Plays jobs, some at a time; a context manager that ends what still runs when an exception leaves it.
 
     A job whose process dies for a reason of its own is tried once more before there is an outcome.
-
-    Attributes:
-        lanes: how many jobs are played at a time.
     """
 
-    lanes: int
+    @property
+    def lanes(self) -> int:
+        """How many jobs are played at a time."""
 
     def submit(self, job: MatchJob) -> None:
         """Play a job as soon as a lane is free for it."""

@@ -156,6 +156,19 @@ class Workplace:
                 return path
         raise data_file_error(packed, "no such file")
 
+    def read_inputs(self, job: MatchJob) -> dict[str, bytes]:
+        """Return the files that a job needs, by their names in this folder.
+
+        Raises:
+            DiagnosticError: one is not there.
+        """
+        archives = {program.archive for programs in job.seats.values() for program in programs}
+        paths = [self._scenario(job.scenario), *map(self.submission, sorted(archives))]
+        try:
+            return {path.relative_to(self.folder).as_posix(): path.read_bytes() for path in paths}
+        except OSError as error:
+            raise data_file_error(Path(error.filename), told_of(error)) from error
+
     def _scenario(self, scenario: str) -> Path:
         return self.folder / "scenarios" / f"{scenario}.json"
 

@@ -92,7 +92,7 @@ def test_nothing_is_played_while_a_submission_fails_the_check_unless_it_is_accep
     assert code == 1
     assert "error[submission-fails]" in err
     assert "--accept ada" in err
-    assert desk.executors == []
+    assert [job for executor in desk.executors for job in executor.jobs] == []
     assert desk("run", "--accept", "ada")[0] == 0
     assert desk("run", "--accept", "zoe")[0] == 2
 

@@ -1,0 +1,272 @@
+"""Plays jobs on the workers of a Dask cluster; the client assigns each job to a worker.
+
+Dask itself would give a job to any worker and repeat it as often as it likes. Here a worker is compared before its
+first job, and a job is handed out twice at most, as in the local pool.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections import deque
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from types import TracebackType
+from typing import TYPE_CHECKING, Self
+
+from rcj_challenges.facts.amounts import counted
+from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.facts.shown import shown
+from rcj_challenges.tournament import cluster_worker
+from rcj_challenges.tournament.executor import POLL_INTERVAL_S, JobOutcome
+from rcj_challenges.tournament.jobs import MatchJob, Workplace
+
+if TYPE_CHECKING:
+    from distributed import Client, Future
+
+_CONNECT_S = 10
+_FIRST_WORKER_S = 10.0
+_WORKERS_EVERY_S = 1.0
+_MAX_ATTEMPTS = 2  # as in the local pool
+
+
+@dataclass
+class _Waiting:
+    """A job, and how often a worker has failed with it."""
+
+    job: MatchJob
+    failures: int = 0
+
+
+@dataclass
+class _Running:
+    """A job on a worker."""
+
+    waiting: _Waiting
+    worker: str
+    future: Future
+
+
+@dataclass
+class ClusterExecutor:
+    """Plays each job on a worker of a Dask cluster, as many at a time as the worker has threads.
+
+    Attributes:
+        place: the folder of the tournament's data.
+        address: of the scheduler.
+        versions: that each worker must have.
+        is_shared: whether the workers see `place` under the same path; else files are sent.
+        on_note: called with a line about workers that come, go or fail.
+    """
+
+    place: Workplace
+    address: str
+    versions: Mapping[str, str]
+    is_shared: bool
+    on_note: Callable[[str], None]
+    _queue: deque[_Waiting] = field(default_factory=deque)
+    _running: list[_Running] = field(default_factory=list)
+    _threads: dict[str, int] = field(default_factory=dict)
+    _refused: dict[str, str] = field(default_factory=dict)
+    _woken: threading.Event = field(default_factory=threading.Event)
+    _looked_at_s: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Connect, and compare the workers that are there.
+
+        Raises:
+            DiagnosticError: Dask is missing, there is no cluster or no worker, or one cannot play these matches.
+        """
+        self._client = _connect(self.address)
+        try:
+            notes = self._wait_for_workers()
+            if self._refused:
+                raise DiagnosticError(*(_unfit(worker, why) for worker, why in self._refused.items()))
+            self._note(notes)
+        except BaseException:
+            self._client.close()
+            raise
+
+    @property
+    def lanes(self) -> int:
+        """How many jobs are played at a time; 1 while there is no worker, so that one job waits for it."""
+        return max(1, sum(self._threads.values()))
+
+    def submit(self, job: MatchJob) -> None:
+        """Play a job as soon as a worker is free for it."""
+        self._queue.append(_Waiting(job))
+        self._hand_out()
+
+    def poll(self) -> list[JobOutcome]:
+        """Wait a moment and return what is done.
+
+        Raises:
+            DiagnosticError: the scheduler is gone.
+        """
+        self._woken.wait(POLL_INTERVAL_S)
+        self._woken.clear()
+        if time.monotonic() >= self._looked_at_s + _WORKERS_EVERY_S:
+            self._note(self._look_for_workers())
+        running, self._running = self._running, []
+        outcomes = [outcome for one in running if (outcome := self._outcome(one)) is not None]
+        self._hand_out()
+        return outcomes
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        try:
+            # A worker ends its match as soon as the scheduler has released it.
+            if self._client.status == "running":
+                self._client.cancel([one.future for one in self._running])
+        finally:
+            self._client.close()
+
+    # --- jobs ---------------------------------------------------------------------------------------------------------
+
+    def _hand_out(self) -> None:
+        free = dict(self._threads)
+        for one in self._running:
+            if one.worker in free:  # one that cannot go on may still have another job
+                free[one.worker] -= 1
+        while self._queue and max(free.values(), default=0) > 0:
+            worker = max(free, key=free.__getitem__)
+            free[worker] -= 1
+            waiting = self._queue.popleft()
+            inputs = {} if self.is_shared else self.place.read_inputs(waiting.job)
+            future = self._client.submit(
+                cluster_worker.play, waiting.job.to_json(), inputs, self._shared_folder, workers=[worker], pure=False
+            )
+            future.add_done_callback(lambda _: self._woken.set())
+            self._running.append(_Running(waiting, worker, future))
+
+    def _outcome(self, one: _Running) -> JobOutcome | None:
+        """Return what came of a job; None if it still runs, or waits for another worker."""
+        if one.worker not in self._threads:
+            one.future.cancel()
+            return self._failed(one, f"the worker {one.worker} was lost")
+        if not one.future.done():
+            self._running.append(one)
+            return None
+        if one.future.status != "finished":
+            error = one.future.exception() if one.future.status == "error" else "its job was released"
+            return self._failed(one, f"the worker {one.worker} failed: {error}")
+        returned: cluster_worker.Returned = one.future.result()
+        one.future.release()
+        if returned.of_host:
+            self._refused[one.worker] = returned.complaint
+            self._threads.pop(one.worker, None)
+            return self._failed(one, f"the worker {one.worker} cannot go on: {returned.complaint}", of_host=True)
+        if returned.result is None:
+            return JobOutcome(one.waiting.job, None, complaint=returned.complaint)
+        folder = self.place.playing / (returned.folder or one.waiting.job.id)
+        for name, content in returned.files.items():
+            path = folder / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(content)
+        return JobOutcome(one.waiting.job, returned.result, folder)
+
+    def _failed(self, one: _Running, complaint: str, *, of_host: bool = False) -> JobOutcome | None:
+        """Hand a job out again if it may be, and there is still a worker if this one failed for a lack of something."""
+        one.waiting.failures += 1
+        if one.waiting.failures < _MAX_ATTEMPTS and (self._threads or not of_host):
+            self._queue.appendleft(one.waiting)
+            self._note([f"{complaint}; its match is handed out again"])
+            return None
+        return JobOutcome(one.waiting.job, None, complaint=complaint, of_host=of_host)
+
+    # --- workers ------------------------------------------------------------------------------------------------------
+
+    def _wait_for_workers(self) -> list[str]:
+        """Wait until there are workers; returns what is to be noted.
+
+        Raises:
+            DiagnosticError: none has come.
+        """
+        until_s = time.monotonic() + _FIRST_WORKER_S
+        while not (notes := self._look_for_workers()):
+            if time.monotonic() > until_s:
+                message = f"the cluster at {self.address} has no workers"
+                help_ = f"start one on each computer: dask worker {self.address} --nthreads 2"
+                raise DiagnosticError(Diagnostic("cluster-no-workers", message, help_))
+            time.sleep(POLL_INTERVAL_S)
+        return notes
+
+    def _look_for_workers(self) -> list[str]:
+        """See which workers have come and gone; the new ones are compared. Returns what is to be noted.
+
+        Raises:
+            DiagnosticError: the scheduler is gone.
+        """
+        if self._client.status != "running":
+            raise _lost(self.address)
+        try:
+            here: dict[str, int] = self._client.nthreads()
+        except OSError as error:
+            raise _lost(self.address) from error
+        self._looked_at_s = time.monotonic()
+        notes = []
+        for worker in self._threads.keys() - here.keys():
+            del self._threads[worker]
+            notes.append(f"the worker {worker} has gone")
+        new = [worker for worker in here if worker not in self._threads and worker not in self._refused]
+        if not new:
+            return notes
+        introduced = self._client.run(cluster_worker.introduce, self._shared_folder, workers=new, on_error="return")
+        for worker, one in introduced.items():
+            why = f"it does not answer: {one}" if isinstance(one, BaseException) else self._unfitness(one)
+            if why:
+                self._refused[worker] = why
+                notes.append(f"the worker {worker} gets no match: {why}")
+            else:
+                self._threads[worker] = here[worker]
+                notes.append(f"the worker {worker} plays {counted(here[worker], 'match', 'matches')} at a time")
+        return notes
+
+    def _unfitness(self, one: cluster_worker.Introduction) -> str:
+        others = [f"{name} {one.versions.get(name, 'none')}, here {version}"
+                  for name, version in self.versions.items() if one.versions.get(name) != version]  # fmt: skip
+        if others:
+            return f"it has other versions: {'; '.join(others)}"
+        return "" if one.sees_folder else f"it does not see the folder {self._shared_folder}"
+
+    def _note(self, lines: Iterable[str]) -> None:
+        for line in lines:
+            self.on_note(shown(line))
+
+    @property
+    def _shared_folder(self) -> str | None:
+        return str(self.place.folder.resolve()) if self.is_shared else None
+
+
+def _connect(address: str) -> Client:
+    """Connect to a scheduler.
+
+    Raises:
+        DiagnosticError: Dask is missing, or there is no scheduler.
+    """
+    try:
+        from distributed import Client  # noqa: PLC0415 - an extra, and slow to import
+    except ImportError as error:
+        help_ = 'install it here and on each worker: pip install "rcj-challenges[cluster]"'
+        raise DiagnosticError(Diagnostic("cluster-missing", "--cluster needs dask.distributed", help_)) from error
+    try:
+        return Client(address, timeout=_CONNECT_S, set_as_default=False)
+    except (OSError, ValueError) as error:
+        message = f"no cluster can be reached at {address}: {error}"
+        help_ = "start one with 'dask scheduler', and give the address that it prints: tcp://192.168.0.7:8786"
+        raise DiagnosticError(Diagnostic("cluster-unreachable", message, help_)) from error
+
+
+def _lost(address: str) -> DiagnosticError:
+    message = f"the connection to the cluster at {address} was lost"
+    help_ = "start the scheduler and its workers, and run again: it goes on where it was"
+    return DiagnosticError(Diagnostic("cluster-lost", message, help_))
+
+
+def _unfit(worker: str, why: str) -> Diagnostic:
+    help_ = "install the same versions there, or end that worker; with --shared the folder must have the same path"
+    return Diagnostic("cluster-worker-unfit", f"the worker {worker} cannot play these matches: {why}", help_)

@@ -1,0 +1,118 @@
+"""What runs on the workers of a cluster: a job in a process of its own, its files in the worker's own folder."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+from collections.abc import Callable, Mapping
+from concurrent.futures import CancelledError
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+from uuid import uuid4
+
+from rcj_challenges.facts.errors import told_of
+from rcj_challenges.records.result import versions
+from rcj_challenges.tournament.executor import JobOutcome, LocalExecutor
+from rcj_challenges.tournament.jobs import MatchJob, Workplace
+
+
+@dataclass(frozen=True)
+class Introduction:
+    """What a worker says of itself.
+
+    Attributes:
+        versions: as in ``result.json``.
+        sees_folder: whether it can use the shared folder; True if there is none.
+    """
+
+    versions: Mapping[str, str]
+    sees_folder: bool
+
+
+@dataclass(frozen=True)
+class Returned:
+    """What came of a job, as it goes back over the network.
+
+    Attributes:
+        result: as in ``result.json``; None if the match could not be played.
+        complaint: why it could not be played.
+        of_host: True if this worker cannot go on.
+        files: of the record by name, unless it is in the shared folder.
+        folder: name of the record's folder in the shared one's ``playing``.
+    """
+
+    result: dict[str, Any] | None
+    complaint: str = ""
+    of_host: bool = False
+    files: Mapping[str, bytes] = field(default_factory=dict)
+    folder: str = ""
+
+
+def introduce(shared: str | None) -> Introduction:
+    """Return what decides whether this worker may play."""
+    is_seen = shared is None or os.access(Workplace(Path(shared)).records, os.W_OK)
+    return Introduction(versions().model_dump(), is_seen)
+
+
+def play(job: Mapping[str, Any], inputs: Mapping[str, bytes], shared: str | None) -> Returned:
+    """Play a job; runs in a thread of a Dask worker.
+
+    Args:
+        job: as data.
+        inputs: the files that it needs by their names in the folder of the tournament's data; empty with `shared`.
+        shared: folder of the tournament's data, if this worker sees it.
+
+    Raises:
+        CancelledError: the job was released: its run was interrupted, or has died.
+    """
+    from distributed import get_worker  # noqa: PLC0415 - an extra
+
+    worker = get_worker()
+    key = worker.get_current_task()
+
+    def is_released() -> bool:
+        task = worker.state.tasks.get(key)
+        return task is None or task.state == "cancelled"
+
+    made_job = MatchJob.from_json(job)
+    try:
+        # Dask removes this folder of a worker that was killed.
+        with tempfile.TemporaryDirectory(prefix="match-", dir=worker.local_directory) as folder:
+            place = Workplace(Path(folder))
+            for name, content in (inputs or Workplace(Path(shared or "")).read_inputs(made_job)).items():
+                path = place.folder / name
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_bytes(content)
+            return _returned(_play(made_job, place, is_released), shared)
+    except OSError as error:
+        return Returned(None, told_of(error), of_host=True)
+
+
+def _play(job: MatchJob, place: Workplace, is_released: Callable[[], bool]) -> JobOutcome:
+    """Play a job in a process of this computer, as a local run does.
+
+    Raises:
+        CancelledError: it was released.
+    """
+    with LocalExecutor(place, 1) as executor:
+        executor.submit(job)
+        while not (outcomes := executor.poll()):
+            if is_released():
+                raise CancelledError
+        return outcomes[0]
+
+
+def _returned(outcome: JobOutcome, shared: str | None) -> Returned:
+    record = outcome.folder
+    if record is None:
+        return Returned(None, outcome.complaint, of_host=outcome.of_host)
+    if shared is None:
+        files = {path.relative_to(record).as_posix(): path.read_bytes() for path in record.rglob("*") if path.is_file()}
+        return Returned(outcome.result, files=files)
+    playing = Workplace(Path(shared)).playing
+    # A name of its own: a run that was killed may have left a copy that is still being written.
+    target = playing / f"{record.name}-{uuid4().hex[:8]}"
+    shutil.copytree(record, target)
+    return Returned(outcome.result, folder=target.name)

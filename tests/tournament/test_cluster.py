@@ -1,0 +1,154 @@
+"""A tournament on a Dask cluster ends with the results of a local run, whatever happens to the workers."""
+
+import os
+import signal
+import sys
+import time
+
+import pytest
+from distributed import LocalCluster
+
+from rcj_challenges.facts.diagnostics import DiagnosticError
+from rcj_challenges.records.result import versions
+from rcj_challenges.tournament.cluster import ClusterExecutor
+from rcj_challenges.tournament.executor import LocalExecutor
+from rcj_challenges.tournament.jobs import Workplace
+from tests.cli.in_this_process import here
+from tests.tournament.store_helpers import Home, Silent
+from tests.tournament.test_killed import DUEL, SHORT, matches_of, what_came_out
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="finds processes by /proc")
+
+
+def new_cluster():
+    return LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0")
+
+
+@pytest.fixture(scope="module")
+def cluster():
+    with new_cluster() as made:
+        yield made
+
+
+def new_home(folder, half_s=0.2):
+    folder.mkdir()
+    (folder / "duel.yaml").write_text(DUEL.replace("half_s: 1,", f"half_s: {half_s},"), encoding="utf-8")
+    return Home(folder, SHORT.replace("round_robin", "round_robin, legs: 2"), teams=("ada", "bee"))
+
+
+def on_cluster(home, cluster, notes=None, *, is_shared=False, **other_versions):
+    (home.data / "records").mkdir(parents=True, exist_ok=True)
+    note = ([] if notes is None else notes).append
+    expected = versions().model_dump() | other_versions
+    return ClusterExecutor(Workplace(home.data), cluster.scheduler_address, expected, is_shared, note)
+
+
+def code_of(error):
+    return error.value.diagnostics[0].code
+
+
+def played_here(folder, half_s=0.2):
+    """Return what comes out of a league that this computer plays."""
+    home = new_home(folder, half_s)
+    home.play(executor=LocalExecutor(Workplace(home.data), 2))
+    return what_came_out(home)
+
+
+def busy_workers(cluster):
+    """Return the process ids of the workers that play a match."""
+    processes = [nanny.process for nanny in list(cluster.workers.values())]
+    return [pid for process in processes if process is not None and (pid := process.pid) and matches_of(process)]
+
+
+def test_two_workers_end_with_the_tables_and_digests_of_this_computer(tmp_path, cluster):
+    home = new_home(tmp_path / "there")
+    home.play(executor=on_cluster(home, cluster))
+    assert what_came_out(home) == played_here(tmp_path / "here")
+    assert home.play()[1].jobs == [], "all records are whole"
+
+
+def test_workers_with_another_version_are_refused_before_the_first_match(tmp_path, cluster):
+    with pytest.raises(DiagnosticError) as error:
+        on_cluster(Home(tmp_path), cluster, mujoco="3.0.0")
+    assert code_of(error) == "cluster-worker-unfit"
+    assert len(error.value.diagnostics) == 2, "each worker"
+
+
+def test_an_address_without_a_cluster_is_refused():
+    with pytest.raises(DiagnosticError) as error:
+        ClusterExecutor(Workplace("data"), "nowhere://x", {}, False, print)
+    assert code_of(error) == "cluster-unreachable"
+
+
+def test_without_dask_the_error_says_how_to_install_it(monkeypatch):
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    with pytest.raises(DiagnosticError) as error:
+        ClusterExecutor(Workplace("data"), "tcp://127.0.0.1:1", {}, False, print)
+    assert code_of(error) == "cluster-missing"
+
+
+def test_a_shared_folder_needs_a_cluster(tmp_path, monkeypatch, capsys):
+    home = Home(tmp_path)
+    assert here(monkeypatch, home.folder, "tournament", "run", "league.yaml", "--shared") == 2
+    assert "error[shared-without-cluster]" in capsys.readouterr().err
+
+
+@pytest.mark.nightly
+def test_records_can_stay_on_a_shared_folder(tmp_path, cluster):
+    home = new_home(tmp_path / "there")
+    home.play(executor=on_cluster(home, cluster, is_shared=True))
+    assert what_came_out(home) == played_here(tmp_path / "here")
+    assert list((home.data / "records" / ".playing").iterdir()) == []
+
+
+@pytest.mark.nightly
+def test_a_job_whose_worker_is_killed_is_handed_out_again(tmp_path):
+    class Killer(Silent):
+        """Kills the first worker that plays."""
+
+        killed = 0
+
+        def moment(self, progress):
+            for pid in busy_workers(cluster):
+                if not self.killed:
+                    self.killed = pid
+                    os.kill(pid, signal.SIGKILL)
+
+    home, notes, killer = new_home(tmp_path / "there", half_s=20), [], Killer()
+    with new_cluster() as cluster:
+        state, _ = home.play(executor=on_cluster(home, cluster, notes), observer=killer)
+    assert killer.killed
+    assert any("handed out again" in note for note in notes)
+    assert len(state.outcomes) == 2
+    assert what_came_out(home) == played_here(tmp_path / "here", half_s=20)
+
+
+@pytest.mark.nightly
+def test_a_job_that_ends_two_workers_could_not_be_played(tmp_path):
+    class Killer(Silent):
+        """Kills each worker that plays."""
+
+        def moment(self, progress):
+            for pid in busy_workers(cluster):
+                os.kill(pid, signal.SIGKILL)
+
+    home, killer = new_home(tmp_path / "there", half_s=600), Killer()
+    with new_cluster() as cluster:
+        home.play(executor=on_cluster(home, cluster), observer=killer)
+    assert [kind for kind, _ in killer.seen] == ["not_played"] * 2
+
+
+@pytest.mark.nightly
+def test_an_interrupted_run_ends_the_matches_on_the_workers(tmp_path, cluster):
+    class Interrupter(Silent):
+        def moment(self, progress):
+            if busy_workers(cluster):
+                raise KeyboardInterrupt
+
+    home = new_home(tmp_path / "there", half_s=600)
+    with pytest.raises(KeyboardInterrupt):
+        home.play(executor=on_cluster(home, cluster), observer=Interrupter())
+    until_s = time.monotonic() + 30
+    while busy_workers(cluster):
+        assert time.monotonic() < until_s
+        time.sleep(0.1)
