@@ -18,10 +18,11 @@ SMALLEST = {
     "challenges": ["--rounds", "1", "--json"],
     "watching": ["--rounds", "1", "--json"],
     "inputs": ["zones", "--json"],
+    "tournament": ["--quick", "--json"],
     "__main__": ["--quick", "--json"],
 }
-"""How each is started; the last four measure no less than what their bars are about."""
-WITH_BARS = {"challenges", "watching", "inputs", "__main__"}
+"""How each is started; the last five measure no less than what their bars are about."""
+WITH_BARS = {"challenges", "watching", "inputs", "tournament", "__main__"}
 NO_BENCHMARKS = {"__init__", "rows"}
 
 
