@@ -159,5 +159,5 @@ def test_a_starter_without_room_leaves_nothing_that_is_in_the_way(tmp_path: Path
 
     monkeypatch.setattr(Path, "open", opened)
     with pytest.raises(starter.StarterError, match="make room there"):
-        starter._write(tmp_path / "a.yaml", "id: a")
+        starter.write_new(tmp_path / "a.yaml", "id: a")
     assert list(tmp_path.iterdir()) == []

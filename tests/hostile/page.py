@@ -69,6 +69,22 @@ _TAIL = """\
 - **The own team**: what a robot says on its team's radio is heard by its team mates, and what they do with it is their affair.
 - Without the layers `filesystem` and `system_calls` (macOS, Windows, old kernels) a program can read and write what the user who
   runs the match can, start processes and use the network. Run strangers' programs there only as a user who owns nothing.
+
+## Inputs
+
+Files of strangers are hostile before any program runs. What is read is bounded by size and count; the largest input inside every
+bound is looked at in at most 5 s of processor time (`python -m benchmarks.inputs`), one more gives a code.
+
+| input | bound | code |
+|---|---|---|
+| archive or folder | 10 MB, 50 MB unpacked, 5000 files, 1000 folders, 12 in one another | `archive.too_large`, `archive.bomb`, `archive.too_many`, `archive.too_many_folders`, `archive.too_deep` |
+| Python that `check` reads | 64 kB a file, 192 kB in all, 5000 imported modules and names, usual encodings | `sources.large`, `sources.unread`, `sources.too_many_imports`, `sources.odd_encoding` |
+| scenario | 1 MB, 10 000 values a file (20 000 with its bases), 256 entries of a mapping, 512 of a list | `scenario-too-large` |
+| misspelt names | compared with 150 known ones, 32 letters of each | |
+| file of a record | a pipe or a device in its place is refused | `record-not-a-file` |
+| request to the live view | an address that cannot be read, a length of more than 12 digits | 400, 413 |
+
+Control characters and direction marks in texts of scenarios are written as escapes in the terminal, the drawing and the sheet.
 """
 
 

@@ -48,7 +48,7 @@ def sleeps():
 
 def test_outcomes_come_in_the_order_of_the_jobs():
     seen = []
-    jobs = [Script("import time; time.sleep(0.3); raise SystemExit(1)"), exits(2), exits(3)]
+    jobs = [Script("import time; time.sleep(1); raise SystemExit(1)"), exits(2), exits(3)]
     assert run_all(jobs, 3, seen.append) == [1, 2, 3]
     assert sorted(seen) == [1, 2, 3]
     assert seen[-1] == 1

@@ -65,7 +65,7 @@ def test_on_a_phone_a_long_name_breaks_rather_than_leaving_the_screen(
 def test_on_a_phone_the_field_fills_the_screen_and_its_key_is_scrolled_to(sheet_of: Callable[..., Any]) -> None:
     page = sheet_of("match", PHONE)
     width_of = """() => {
-      const boxes = [...document.querySelectorAll("svg .label")].map((one) => one.getBoundingClientRect());
+      const boxes = [...document.querySelectorAll("svg .marker")].map((one) => one.getBoundingClientRect());
       return Math.max(...boxes.map((box) => box.right)) - Math.min(...boxes.map((box) => box.left));
     }"""
     assert page.evaluate(width_of) > 0.8 * PHONE["width"]

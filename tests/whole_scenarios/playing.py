@@ -26,7 +26,7 @@ class Puppet:
     requests: int = 0
     started_s: float = 0.0
     fault: Fault | None = None
-    account: Any = None
+    budget: Any = None
     fails_at: int = 10**9
 
     @property
@@ -91,7 +91,7 @@ class _PuppetPlay(_MatchPlay):
                 if robot in specs:
                     chance = random.Random(f"{half.half} {name}")  # noqa: S311 - nothing secret
                     fails_at = chance.choice((10**9, 10**9, 0, 20))
-                    drivers[robot] = Puppet(specs[robot], chance, account=_ACCOUNT, fails_at=fails_at)
+                    drivers[robot] = Puppet(specs[robot], chance, budget=_BUDGET, fails_at=fails_at)
         crew.finish = _nobody_is_told
         return {robot: drivers[robot] for robot in sorted(drivers)}
 
@@ -101,12 +101,13 @@ def _nobody_is_told(_last: object) -> None:
 
 
 @dataclass(frozen=True)
-class _Account:
+class _Budget:
     charged_s: float = 0.0
     slowest_s: float = 0.0
+    started_s: float = 0.0
 
 
-_ACCOUNT = _Account()
+_BUDGET = _Budget()
 
 
 def played(loaded: Loaded, out: Path, seed: int) -> tuple[Path, dict[str, Any]]:
