@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
 from rcj_challenges.tournament.formats.challenge import challenge
@@ -36,8 +36,13 @@ class Season:
         self._cuts = {name: cuts(loaded.tournament, name, self._sizes) for name in loaded.tournament.stages}
         self._cache: dict[Any, Any] = {}
 
-    def state(self, outcomes: Mapping[str, Outcome]) -> SeasonState:
-        """Return the state after these outcomes, by fixture; those of fixtures that do not exist are left out."""
+    def state(self, outcomes: Mapping[str, Outcome], hidden: Collection[str] = ()) -> SeasonState:
+        """Return the state after these outcomes; those of fixtures that do not exist are left out.
+
+        Args:
+            outcomes: by fixture.
+            hidden: fixtures that were played but whose outcomes are left out here.
+        """
         counted = dict(outcomes)
         states: dict[str, StageState] = {}
         for name, stage in self._tournament.stages.items():
@@ -50,6 +55,7 @@ class Season:
                 teams=self.teams,
                 entries=self.loaded.entries,
                 outcomes=counted,
+                hidden=hidden,
                 cuts=self._cuts[name],
                 cache=self._cache,
             )

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+import time
+
 import pytest
 
 from rcj_challenges.controllers.pipes import ChannelClosedError
@@ -42,3 +45,27 @@ def test_end_that_another_wait_noted_survives_further_looks() -> None:
     channel.look()
     with pytest.raises(ChannelClosedError):
         channel.receive(0.0)
+
+
+def test_interval_that_was_measured_during_another_wait_is_closed_by_its_own_wait() -> None:
+    channel = timed(b"start")
+    channel.look()
+    assert channel.receive(0.0) == b"start"
+    channel.is_awaited = True
+    channel.look()  # while another program is awaited: measured from here on
+    channel.channel.frames.append(b"step")  # type: ignore[attr-defined]
+    assert channel.receive_before_measuring() is None
+    channel.look(math.inf)
+    assert channel.receive(0.0) == b"step"
+    assert channel.budget._measured is None
+
+
+def test_match_that_did_something_else_since_the_last_look_charges_no_idle_time() -> None:
+    channel = timed(b"start")
+    channel.look()
+    channel.receive(0.0)
+    channel.is_awaited = True
+    channel.look()
+    time.sleep(0.05)  # the match waits for the end of another program
+    channel.look(math.inf)
+    assert channel.budget.charged_s < 0.02

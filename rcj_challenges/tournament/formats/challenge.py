@@ -72,7 +72,7 @@ def _settle_withdrawn(context: StageContext, fixtures: Sequence[Fixture]) -> set
     gone = set()
     for fixture in fixtures:
         team = fixture.sides[0].teams[0]
-        if fixture.id not in context.outcomes and context.has_left(team):
+        if context.is_unplayed(fixture) and context.has_left(team):
             context.annul(fixture)
             gone.add(team)
     return gone

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -45,6 +45,7 @@ class StageContext:
         teams: all of the tournament, by id.
         entries: where their submissions are, by id.
         outcomes: by fixture; what the withdrawal of teams brings is added.
+        hidden: fixtures that were played but whose outcomes are left out: withdrawals do not decide them.
         cuts: the last places of each table that others are kept apart from: between place 2 and 3 stands 2.
         cache: of what does not depend on outcomes, kept from one state to the next.
     """
@@ -56,6 +57,7 @@ class StageContext:
     teams: Mapping[str, Team]
     entries: Mapping[str, TeamEntry]
     outcomes: dict[str, Outcome]
+    hidden: Collection[str] = ()
     cuts: frozenset[int] = frozenset()
     cache: dict[Any, Any] = field(default_factory=dict)
 
@@ -159,8 +161,14 @@ class StageContext:
         first, second = fixture.sides
         return Match(("+".join(first.teams), "+".join(second.teams)), (outcome.scores[0], outcome.scores[1]))
 
+    def is_unplayed(self, fixture: Fixture) -> bool:
+        """Return whether a fixture has no outcome, not even a hidden one."""
+        return fixture.id not in self.outcomes and fixture.id not in self.hidden
+
     def annul(self, fixture: Fixture) -> None:
         """Let a fixture not count, because a team has left."""
+        if fixture.id in self.hidden:
+            return
         played = self.outcomes.get(fixture.id)
         scores = played.scores if played is not None else (0.0,) * len(fixture.sides)
         self.outcomes[fixture.id] = Outcome(scores, Ruled.ANNULLED, "withdrawn")
@@ -171,7 +179,7 @@ class StageContext:
         A match of two teams that have left is annulled in any case.
         """
         left = [self.has_left(side.teams[0]) for side in fixture.sides]
-        if fixture.id in self.outcomes or not any(left):
+        if not self.is_unplayed(fixture) or not any(left):
             return
         rule = self.tournament.withdrawn
         if all(left) or not isinstance(rule, LostBy):

@@ -73,7 +73,7 @@ def _settle_withdrawn(context: StageContext, fixtures: Sequence[Fixture]) -> lis
     if not left:
         return []
     own = {team: [one for one in fixtures if any(team in side.teams for side in one.sides)] for team in left}
-    unfinished = [team for team in left if any(one.id not in context.outcomes for one in own[team])]
+    unfinished = [team for team in left if any(context.is_unplayed(one) for one in own[team])]
     are_lost = isinstance(context.tournament.withdrawn, LostBy)
     for team in unfinished:
         for fixture in own[team]:

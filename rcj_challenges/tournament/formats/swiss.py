@@ -99,7 +99,7 @@ class _Course:
         for fixture in fixtures:
             teams = [side.teams[0] for side in fixture.sides]
             left = [self.context.has_left(team) for team in teams]
-            was_played = fixture.id in self.context.outcomes
+            was_played = not self.context.is_unplayed(fixture)
             self.context.lose_if_left(fixture)
             if sum(left) == 1 and not was_played and not isinstance(self.context.tournament.withdrawn, LostBy):
                 self.points[teams[left[0]]] += self.context.tournament.points.win

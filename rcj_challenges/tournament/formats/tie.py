@@ -105,7 +105,7 @@ class _Tie:
     def by_forfeit(self, result: TieResult) -> TieResult:
         """Let the opponent of a team that has left advance, if the tie is not decided yet."""
         left = [self.context.has_left(team) for team in self.teams]
-        if result.winner or not any(left):
+        if result.winner or not any(left) or any(one.id in self.context.hidden for one in result.fixtures):
             return result
         played = [one for one in result.fixtures if one.id in self.context.outcomes]
         return TieResult(played, result.scores, self.teams[1 if left[0] and not left[1] else 0], "forfeit")

@@ -34,7 +34,7 @@ def site_source(
     fixtures = [fixture for stage in whole.stages for fixture in stage.fixtures]
     hidden = hidden_fixtures(fixtures, played, release_times(file, whole), now, premieres)
     shown = {fixture: outcome for fixture, outcome in whole.outcomes.items() if fixture not in hidden}
-    state = tournament.season.state(shown)
+    state = tournament.season.state(shown, hidden & played.matches.keys())
     return SiteSource(
         id=tournament.loaded.name,
         title=file.title,
