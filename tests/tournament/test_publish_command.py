@@ -5,6 +5,7 @@ from datetime import UTC, datetime, timedelta
 
 import pytest
 
+from rcj_challenges.tournament.rulings import withdraw
 from tests.cli.in_this_process import here
 from tests.tournament.store_helpers import LEAGUE, Home
 
@@ -56,6 +57,15 @@ def test_what_is_not_released_is_not_shown_nor_what_follows_from_it(tmp_path, pu
     finals = (home.data / "site" / "stages" / "finals.html").read_text("utf-8")
     assert "place 1 of league" in finals
     assert not any(f"teams/{team}.html" in finals for team in ("ada", "bee", "cid"))
+
+
+def test_a_withdrawal_shows_nothing_of_matches_that_are_not_released(tmp_path, publish):
+    home = Home(tmp_path, released(datetime.now(UTC) + timedelta(days=2)))
+    home.play()
+    with home.opened() as tournament:
+        withdraw(tournament, "ada", "the robots are broken", cascade=True)
+    assert publish(home)[1].startswith("0 matches published")
+    assert not (home.data / "site" / "matches").exists()
 
 
 def test_what_was_released_before_is_shown(tmp_path, publish):

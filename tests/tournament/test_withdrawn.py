@@ -126,3 +126,25 @@ def test_a_play_off_that_was_played_stands_when_one_of_its_teams_leaves():
     after = season(stages, names(3), head, {"t01": before.last_rounds("t01")}).state(before.outcomes)
     assert stage(after, "final").teams == stage(before, "final").teams == ("t01", "t02")
     assert after.outcomes == before.outcomes
+
+
+STAGES = {
+    "round_robin": LEAGUE,
+    "swiss": "  swiss: {stage: swiss, rounds: 2}\n",
+    "knock_out": "  cup: {stage: knock_out, legs: 2}\n",
+    "challenge": "  c: {stage: challenge, scenarios: {goals: {scenario: shooter}}}\n",
+}
+
+
+@pytest.mark.parametrize("head", [ANNULLED, LOST])
+@pytest.mark.parametrize("stages", STAGES.values(), ids=STAGES)
+def test_hidden_matches_of_a_team_that_has_left_stay_open(stages, head):
+    before = season(stages, names(4), head)
+    first = [one for one in before.state({}).open_fixtures() if one.round == 1]
+    outcomes = {one.id: by_strength(one) for one in first}
+    after = season(stages, names(4), head, {"t01": before.state(outcomes).last_rounds("t01")})
+    hidden = {one.id for one in first if "t01" in teams_of(one)}
+    shown = {fixture: outcome for fixture, outcome in outcomes.items() if fixture not in hidden}
+    state = after.state(shown, hidden)
+    assert not hidden & state.outcomes.keys()
+    assert hidden <= {one.id for one in state.open_fixtures()}
