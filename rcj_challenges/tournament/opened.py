@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -113,9 +113,7 @@ def _state(season: Season, played: Mapping[str, PlayedFixture], rulings: Sequenc
 
 
 def _outcome(row: RulingRow) -> Outcome:
-    outcome = Outcome(scores=tuple(row.scores), ruled=_RULED[RulingKind(row.kind)], reason=row.reason)
-    # Who forfeits what is played alone comes last in it, whatever the scenario ranks by.
-    return replace(outcome, ruled=Ruled.ANNULLED) if row.kind == RulingKind.FORFEIT and len(row.sides) == 1 else outcome
+    return Outcome(scores=tuple(row.scores), ruled=_RULED[RulingKind(row.kind)], reason=row.reason)
 
 
 def fixture_of(state: SeasonState, fixture_id: str) -> Fixture | None:

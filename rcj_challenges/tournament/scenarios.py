@@ -60,8 +60,8 @@ class ScenarioInfo:
     duration_s: float
 
     def sort_key(self, outcome: Outcome) -> tuple[float, ...]:
-        """Return a key for what one team achieved alone, the smallest for the best; what was annulled is the worst."""
-        if outcome.ruled is Ruled.ANNULLED:
+        """Return a key for what one team achieved alone, the smallest for the best; without a run it is the worst."""
+        if outcome.ruled in (Ruled.ANNULLED, Ruled.FORFEIT):
             return (inf,)
         values = outcome.values or outcome.scores
         return tuple(-one if rank.is_more_better else one for one, rank in zip(values, self.criteria, strict=False))

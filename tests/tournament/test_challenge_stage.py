@@ -121,3 +121,38 @@ def test_an_annulled_run_does_not_count():
     outcomes["c/goals/seed3/t01"] = Outcome((3.0,), Ruled.ANNULLED, "wrong field")
     rows = one.state(outcomes).stages[0].tables[0].rows
     assert [(row.team, row.values, row.played) for row in rows] == [("t02", (6,), 3), ("t01", (3,), 2)]
+
+
+POLES = "  c: {stage: challenge, scenarios: {poles: {scenario: slalom}}, seeds: 2, rank_by: %s}\n"
+
+
+@pytest.mark.parametrize("rule", ["sum", "median", "best"])
+def test_a_corrected_run_has_the_worst_time_of_the_others(rule):
+    one = season(POLES % rule, names(2))
+    outcomes = {fixture.id: alone(4, 20 + run(fixture)) for fixture in one.state({}).open_fixtures()}
+    outcomes["c/poles/seed1/t02"] = Outcome((4.0,), Ruled.CORRECTED, "the goal counts")
+    table = one.state(outcomes).stages[0].tables[0]
+    values = {row.team: row.values for row in table.rows}
+    assert (
+        values
+        == {
+            "sum": {"t01": (8, 43), "t02": (8, 44)},
+            "median": {"t01": (4, 21.5), "t02": (4, 22)},
+            "best": {"t01": (4, 21), "t02": (4, 22)},
+        }[rule]
+    )
+
+
+def test_corrected_runs_alone_are_level_in_what_no_ruling_says():
+    one = season(POLES % "sum", names(1))
+    outcomes = {fixture.id: Outcome((4.0,), Ruled.CORRECTED) for fixture in one.state({}).open_fixtures()}
+    assert one.state(outcomes).stages[0].tables[0].rows[0].values == (8, 0)
+
+
+@pytest.mark.parametrize("rule", ["sum", "median", "best"])
+def test_a_forfeited_run_does_not_improve_the_place(rule):
+    one = season(ONE % f", rank_by: {rule}", names(3))
+    outcomes = {fixture.id: alone(-run(fixture)) for fixture in one.state({}).open_fixtures()}
+    outcomes["c/goals/seed3/t01"] = Outcome((0.0,), Ruled.FORFEIT, "the program was not its own")
+    rows = one.state(outcomes).stages[0].tables[0].rows
+    assert [(row.team, row.place, row.played) for row in rows] == [("t02", 1, 3), ("t03", 1, 3), ("t01", 3, 2)]

@@ -80,13 +80,20 @@ def _settle_withdrawn(context: StageContext, fixtures: Sequence[Fixture]) -> set
 
 def _table(context: StageContext, stage: Challenge, name: str, teams: Sequence[str], fixtures: list[Fixture]) -> Table:
     info = _info(context, stage, name)
-    runs: dict[str, list[Outcome]] = {team: [] for team in teams}
+    runs: dict[str, list[tuple[float, ...]]] = {team: [] for team in teams}
+    forfeits = dict.fromkeys(teams, 0)
     for fixture in fixtures:
         team, outcome = fixture.sides[0].teams[0], context.outcomes.get(fixture.id)
-        if team in runs and outcome is not None and outcome.ruled is not Ruled.ANNULLED:
-            runs[team].append(outcome)
-    values = {team: _counted(stage, info, own) for team, own in runs.items()}
-    keys = {team: (not runs[team], info.sort_key(Outcome((), values=values[team]))) for team in teams}
+        if team not in runs or outcome is None or outcome.ruled is Ruled.ANNULLED:
+            continue
+        if outcome.ruled is Ruled.FORFEIT:
+            forfeits[team] += 1
+        else:
+            runs[team].append(outcome.values or outcome.scores)
+    worst = _worst(info, [run for own in runs.values() for run in own])
+    values = {team: _counted(stage, info, [(*run, *worst[len(run) :]) for run in own]) for team, own in runs.items()}
+    # Without its forfeited runs a team could have a better sum or median than with them.
+    keys = {team: (not runs[team], forfeits[team], info.sort_key(Outcome((), values=values[team]))) for team in teams}
     columns = tuple(criterion.name for criterion in info.criteria)
     # A lot decides the ranking of the stage; in one of several challenges it would decide points.
     may_draw = context.are_decided(fixtures) and len(stage.scenarios) == 1
@@ -114,15 +121,22 @@ def _info(context: StageContext, stage: Challenge, name: str) -> ScenarioInfo:
     return context.scenarios[context.names.use(one.scenario, one.set)]
 
 
-def _counted(stage: Challenge, info: ScenarioInfo, runs: Sequence[Outcome]) -> tuple[float, ...]:
+def _worst(info: ScenarioInfo, runs: Sequence[tuple[float, ...]]) -> tuple[float, ...]:
+    """Return the worst value of each criterion: a run with a corrected score has these in the other criteria."""
+    return tuple(
+        (min if criterion.is_more_better else max)((run[at] for run in runs if at < len(run)), default=0.0)
+        for at, criterion in enumerate(info.criteria)
+    )
+
+
+def _counted(stage: Challenge, info: ScenarioInfo, runs: Sequence[tuple[float, ...]]) -> tuple[float, ...]:
     """Return what counts of a team's runs, for each criterion."""
     if not runs:
         return ()
     if stage.rank_by == "best":
-        best = min(runs, key=info.sort_key)
-        return best.values or best.scores
+        return min(runs, key=lambda run: info.sort_key(Outcome((), values=run)))
     together = median if stage.rank_by == "median" else sum
-    return tuple(on_paper(together(column)) for column in zip(*(run.values or run.scores for run in runs), strict=True))
+    return tuple(on_paper(together(column)) for column in zip(*runs, strict=True))
 
 
 def _total(context: StageContext, stage: Challenge, teams: Sequence[str], tables: Sequence[Table]) -> Table:
