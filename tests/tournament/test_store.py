@@ -1,16 +1,18 @@
 """The store: one writer, one version, and errors that say what to do."""
 
+import sqlite3
 import subprocess
 import sys
 
 import pytest
+from sqlalchemy import create_engine, delete
 
 from rcj_challenges.facts.diagnostics import DiagnosticError
 from rcj_challenges.tournament.reading import read_played
 from rcj_challenges.tournament.season import Outcome
 from rcj_challenges.tournament.store.lock import is_locked
 from rcj_challenges.tournament.store.store import STORE_FILE, Store
-from rcj_challenges.tournament.store.tables import MetaRow
+from rcj_challenges.tournament.store.tables import Base, MetaRow
 from tests.tournament.store_helpers import Home
 
 HOLDER = """
@@ -115,3 +117,33 @@ def test_what_was_played_is_read_with_result_record_submissions_and_time(tmp_pat
     assert {one.team: one.sha256 for one in played.submissions}.items() >= match.submissions.items()
     assert all(one.path.is_file() for one in played.submissions)
     assert Outcome(tuple(match.result["score"].values())).scores == state.outcomes[match.fixture].scores
+
+
+def set_up_to(path, count):
+    """Leave the file of a store as it is after so many tables, when its first command was killed."""
+    with sqlite3.connect(path) as connection:
+        connection.execute("PRAGMA journal_mode=WAL")
+    engine = create_engine(f"sqlite:///{path}")
+    Base.metadata.create_all(engine, tables=Base.metadata.sorted_tables[:count])
+    engine.dispose()
+
+
+@pytest.mark.parametrize("count", range(len(Base.metadata.tables) + 1))
+def test_a_store_whose_making_was_interrupted_is_completed(tmp_path, count):
+    set_up_to(tmp_path / STORE_FILE, count)
+    with Store(tmp_path, writing=False) as store:
+        assert store.rulings() == []
+    with Store(tmp_path, writing=True) as store:
+        store.add_ruling({"kind": "replay", "fixture": "a", "reason": "b"})
+    with Store(tmp_path, writing=False) as store:
+        assert len(store.rulings()) == 1
+
+
+def test_a_database_without_version_and_with_content_is_refused(tmp_path):
+    home = Home(tmp_path)
+    home.play()
+    with Store(home.data, writing=True) as store, store._session() as session:
+        session.execute(delete(MetaRow))
+    with pytest.raises(DiagnosticError) as error:
+        open_store(home.data)
+    assert code_of(error) == "store-version"

@@ -11,7 +11,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
 
-from sqlalchemy import Engine, create_engine, delete, event, select, update
+from sqlalchemy import Engine, create_engine, delete, event, inspect, select, update
 from sqlalchemy.exc import DatabaseError
 from sqlalchemy.orm import Session
 from sqlalchemy.pool import StaticPool
@@ -82,7 +82,7 @@ class Store:
                 self._make_folders()
                 stack.enter_context(WriterLock(folder))
             self._engine = self._made_engine(writing=writing)
-            stack.callback(self._engine.dispose)
+            stack.callback(lambda: self._engine.dispose())  # noqa: PLW0108 - a reader may replace it
             with self._errors():
                 self._prepare(writing=writing)
             self._stack = stack.pop_all()
@@ -239,7 +239,7 @@ class Store:
 
     def _made_engine(self, *, writing: bool) -> Engine:
         if not writing and not self._path.exists():  # nothing was played yet
-            return create_engine("sqlite://", poolclass=StaticPool)
+            return _empty_engine()
         engine = create_engine(f"sqlite:///{self._path}", connect_args={"timeout": _BUSY_S})
 
         @event.listens_for(engine, "connect")
@@ -258,13 +258,15 @@ class Store:
         Raises:
             DiagnosticError: it is damaged, or of another version.
         """
-        is_new = not self._path.exists() or not self._path.stat().st_size
-        if not is_new and writing:
+        if writing and self._path.exists() and self._path.stat().st_size:
             with self._engine.connect() as connection:
                 verdict = connection.exec_driver_sql("PRAGMA quick_check(1)").scalar()
             if verdict != "ok":
                 raise _damaged(self._path, str(verdict))
-        if is_new:
+        if self._is_new():
+            if not writing:
+                self._engine.dispose()
+                self._engine = _empty_engine()
             Base.metadata.create_all(self._engine)
             with Session(self._engine) as session, session.begin():
                 session.merge(MetaRow(key=_VERSION_KEY, value=str(STORE_VERSION)))
@@ -273,6 +275,16 @@ class Store:
             row = session.get(MetaRow, _VERSION_KEY)
         if row is None or row.value != str(STORE_VERSION):
             raise _other_version(self._path, "none" if row is None else row.value)
+
+    def _is_new(self) -> bool:
+        """Return whether there is nothing in it: no table yet, or empty ones because its making was interrupted."""
+        found = set(inspect(self._engine).get_table_names())
+        with self._engine.connect() as connection:
+            return found <= Base.metadata.tables.keys() and all(
+                connection.execute(select(table).limit(1)).first() is None
+                for name, table in Base.metadata.tables.items()
+                if name in found
+            )
 
     @contextmanager
     def _session(self) -> Iterator[Session]:
@@ -295,6 +307,10 @@ class Store:
             if any(word in said.lower() for word in _FULL):
                 raise _unwritable(self._path, said) from error
             raise
+
+
+def _empty_engine() -> Engine:
+    return create_engine("sqlite://", poolclass=StaticPool)
 
 
 def _forget(session: Session, fixtures: Iterable[str]) -> None:
