@@ -108,8 +108,12 @@ def _state(season: Season, played: Mapping[str, PlayedFixture], rulings: Sequenc
         others = [one.id for one in known if one.id in outcomes and sides[one.id] != sides_of(one)]
         if not others:
             return state
-        for fixture in others:  # other teams have advanced than those who played it
-            del outcomes[fixture]
+        for fixture in others:  # it was played, or ruled on, with other teams than those of now
+            own = played.get(fixture)
+            if own is not None and own.sides != sides[fixture]:
+                outcomes[fixture], sides[fixture] = own.outcome, own.sides
+            else:
+                del outcomes[fixture]
 
 
 def _outcome(row: RulingRow) -> Outcome:

@@ -6,6 +6,9 @@ import pytest
 
 from rcj_challenges.facts.diagnostics import DiagnosticError
 from rcj_challenges.tournament.jobs import MatchJob
+from rcj_challenges.tournament.played import RulingKind
+from rcj_challenges.tournament.rulings import decide
+from rcj_challenges.tournament.season import Ruled
 from rcj_challenges.tournament.store.store import Store
 from rcj_challenges.tournament.store.tables import JobRow
 from tests.tournament.store_helpers import LEAGUE, FakeExecutor, Home
@@ -124,3 +127,31 @@ def test_the_address_of_a_job_does_not_depend_on_names_and_records(tmp_path):
     assert MatchJob.from_json(json.loads(json.dumps(data))).id == job.id
     assert MatchJob.from_json({**data, "names": {"blue": "x", "yellow": "y"}, "records": "full"}).id == job.id
     assert MatchJob.from_json({**data, "seed": job.seed + 1}).id != job.id
+
+
+SUPER = """
+tournament_version: 1
+title: Test super teams
+seed: 7
+set: {match.half_s: 2, match.halves: 1}
+teams_folder: teams
+stages: {super: {stage: super_team, super_teams: {red: [ada, bee, cid], white: [dee, eva, fay]}}}
+"""
+
+
+class FewJobs(FakeExecutor):
+    def submit(self, job):
+        assert len(self.jobs) < 3, "it is played again and again"
+        super().submit(job)
+
+
+def test_a_ruling_on_other_super_teams_does_not_hold_for_those_of_now(tmp_path):
+    home = Home(tmp_path, SUPER, ("ada", "bee", "cid", "dee", "eva", "fay"))
+    state, _ = home.play()
+    (fixture,) = state.stages[0].fixtures
+    with home.opened() as tournament:
+        decide(tournament, fixture.id, RulingKind.CORRECTED, "as seen", scores=[9, 1])
+    home.file.write_text(SUPER.replace("cid]", "dee]").replace("[dee,", "[cid,"), encoding="utf-8")
+    state, executor = home.play(executor=FewJobs(None))
+    assert len(executor.jobs) == 1
+    assert state.outcomes[fixture.id].ruled is Ruled.PLAYED
