@@ -46,7 +46,9 @@ def reconcile(tournament: OpenTournament, jobs: JobMaker, *, cascade: bool) -> d
     for fixture in fixtures:
         if not has_whole_record(rows[played[fixture.id].job_id], store.place):
             again[fixture.id] = "its record is damaged"
-    store.forget(again)
+    # What is in no stage now was not compared: if its teams meet again, the job of then is found by its address.
+    known = {fixture.id for fixture in fixtures}
+    store.forget([*again, *(fixture for fixture in played if fixture not in known)])
     return again
 
 

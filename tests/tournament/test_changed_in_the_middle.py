@@ -75,6 +75,21 @@ def test_with_cascade_what_depends_on_a_replaced_team_is_played_again(tmp_path):
     assert home.tables() == fresh.tables()
 
 
+def test_a_final_of_before_does_not_count_when_its_pair_comes_back_with_another_program(tmp_path, monkeypatch):
+    monkeypatch.setattr(
+        "tests.tournament.store_helpers.goals_of",
+        lambda job, _: {seat: int(name[-1]) for seat, name in job.names.items()},
+    )
+    home = Home(tmp_path, teams=())
+    for strengths in ({"ada": 3, "bee": 2, "cid": 1}, {"cid": 5}, {"ada": 6, "cid": 1}):
+        for team, strength in strengths.items():
+            home.hand_in(team, str(strength), f"{team} {strength}")
+        state, _ = home.play(cascade=True)
+    (final,) = state.stages[1].fixtures
+    assert {team for side in final.sides for team in side.teams} == {"ada", "bee"}
+    assert sorted(state.outcomes[final.id].scores) == [2, 6]
+
+
 def test_a_new_name_alone_plays_nothing_again(tmp_path):
     home = Home(tmp_path, GROUP_ONLY)
     home.play()
