@@ -105,7 +105,11 @@ class JobMaker:
 
     def _program(self, fixture: Fixture, team: str, seat: str, loaded: Loaded) -> Program:
         entry = self._tournament.loaded.entries[team]
-        one = self._handed[team, purpose_of(entry, fixture.stage, fixture.group)]
+        one = self._handed.get((team, purpose_of(entry, fixture.stage, fixture.group)))
+        if one is None:  # it has left, and a SuperTeam still counts on its program
+            message = f"{team} has never handed in a submission that can be read, and is to play in '{fixture.id}'"
+            help_ = f"decide that match: 'tournament decide FILE {fixture.id} --forfeit {team} --reason TEXT'"
+            raise DiagnosticError(Diagnostic("submission-unusable", message, help_))
         entrants = entrants_of(seat, loaded.scenario)
         key = (one.archive, repr([entrant.robots for entrant in entrants]))
         if key not in self._digests:

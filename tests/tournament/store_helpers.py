@@ -30,6 +30,15 @@ stages:
   finals: {stage: knock_out, from: league, places: 1-2}
 """
 
+SUPER_TEAMS = """
+tournament_version: 1
+title: Test super teams
+seed: 7
+set: {match.half_s: 2, match.halves: 1}
+teams_folder: teams
+stages: {super: {stage: super_team, super_teams: {red: [ada, bee, cid], white: [dee, eva, fay]}}}
+"""
+
 
 class Home:
     """A folder with a tournament file, its teams, and its data."""

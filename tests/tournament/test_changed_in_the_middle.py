@@ -11,7 +11,7 @@ from rcj_challenges.tournament.rulings import decide
 from rcj_challenges.tournament.season import Ruled
 from rcj_challenges.tournament.store.store import Store
 from rcj_challenges.tournament.store.tables import JobRow
-from tests.tournament.store_helpers import LEAGUE, FakeExecutor, Home
+from tests.tournament.store_helpers import LEAGUE, SUPER_TEAMS, FakeExecutor, Home
 
 GROUP_ONLY = LEAGUE.replace("  finals: {stage: knock_out, from: league, places: 1-2}\n", "")
 
@@ -144,16 +144,6 @@ def test_the_address_of_a_job_does_not_depend_on_names_and_records(tmp_path):
     assert MatchJob.from_json({**data, "seed": job.seed + 1}).id != job.id
 
 
-SUPER = """
-tournament_version: 1
-title: Test super teams
-seed: 7
-set: {match.half_s: 2, match.halves: 1}
-teams_folder: teams
-stages: {super: {stage: super_team, super_teams: {red: [ada, bee, cid], white: [dee, eva, fay]}}}
-"""
-
-
 class FewJobs(FakeExecutor):
     def submit(self, job):
         assert len(self.jobs) < 3, "it is played again and again"
@@ -161,12 +151,12 @@ class FewJobs(FakeExecutor):
 
 
 def test_a_ruling_on_other_super_teams_does_not_hold_for_those_of_now(tmp_path):
-    home = Home(tmp_path, SUPER, ("ada", "bee", "cid", "dee", "eva", "fay"))
+    home = Home(tmp_path, SUPER_TEAMS, ("ada", "bee", "cid", "dee", "eva", "fay"))
     state, _ = home.play()
     (fixture,) = state.stages[0].fixtures
     with home.opened() as tournament:
         decide(tournament, fixture.id, RulingKind.CORRECTED, "as seen", scores=[9, 1])
-    home.file.write_text(SUPER.replace("cid]", "dee]").replace("[dee,", "[cid,"), encoding="utf-8")
+    home.file.write_text(SUPER_TEAMS.replace("cid]", "dee]").replace("[dee,", "[cid,"), encoding="utf-8")
     state, executor = home.play(executor=FewJobs(None))
     assert len(executor.jobs) == 1
     assert state.outcomes[fixture.id].ruled is Ruled.PLAYED

@@ -3,8 +3,11 @@
 import pytest
 
 from rcj_challenges.facts.diagnostics import DiagnosticError
+from rcj_challenges.tournament.fixtures import JobMaker
+from rcj_challenges.tournament.rulings import withdraw
 from rcj_challenges.tournament.season import Status
-from tests.tournament.store_helpers import FakeExecutor, Home, Silent
+from rcj_challenges.tournament.submissions import take_submissions
+from tests.tournament.store_helpers import SUPER_TEAMS, FakeExecutor, Home, Silent
 
 
 def code_of(error):
@@ -108,3 +111,16 @@ def test_what_a_killed_run_left_in_the_middle_is_removed(tmp_path):
 def test_the_executor_is_kept_busy_but_not_given_more_than_one_job_to_wait_for_each_lane(tmp_path):
     home = Home(tmp_path, teams=[f"team{number}" for number in range(7)])
     assert home.play()[1].most_waiting == 4
+
+
+def test_a_team_that_left_without_a_submission_cannot_play_in_a_super_team(tmp_path):
+    teams = ("ada", "bee", "cid", "dee", "eva", "fay")
+    home = Home(tmp_path, SUPER_TEAMS, teams)
+    with home.opened() as tournament:
+        withdraw(tournament, "ada", "its archive cannot be read")
+        entries = [entry for team, entry in tournament.loaded.entries.items() if team != "ada"]
+        jobs = JobMaker(tournament, take_submissions(entries, tournament.store), "off")
+        (fixture,) = tournament.state().stages[0].fixtures
+        with pytest.raises(DiagnosticError) as error:
+            jobs.job_for(fixture)
+    assert code_of(error) == "submission-unusable"
