@@ -26,7 +26,7 @@ def decide(
     scores: Sequence[float] = (),
     cascade: bool = False,
 ) -> list[str]:
-    """Note a ruling on a match; returns the fixtures of later stages that have to be played again.
+    """Note a ruling on a match; returns the fixtures of later rounds and stages that have to be played again.
 
     Args:
         tournament: the tournament; its store is open for writing.
@@ -35,10 +35,10 @@ def decide(
         reason: in the referee's words; it is published.
         loser: of a forfeit: a team of the side that forfeits.
         scores: of a corrected score, by side.
-        cascade: whether later stages that have begun may change.
+        cascade: whether what was played in later rounds and stages may change.
 
     Raises:
-        DiagnosticError: there is no such match or team, the ruling does not fit it, or a later stage has begun.
+        DiagnosticError: there is no such match or team, the ruling does not fit it, or changes a match played later.
     """
     before = tournament.state()
     fixture = _known(before, fixture_id)
@@ -58,7 +58,7 @@ def decide(
         "reason": reason,
     }
     replayed = [fixture_id] if kind is RulingKind.REPLAY else []
-    return _note(tournament, before, row, fixture.stage, replayed, cascade=cascade)
+    return _note(tournament, before, row, fixture, replayed, cascade=cascade)
 
 
 def withdraw(tournament: OpenTournament, team: str, reason: str, *, cascade: bool = False) -> list[str]:
@@ -79,7 +79,7 @@ def withdraw(tournament: OpenTournament, team: str, reason: str, *, cascade: boo
     if before.teams[team].withdrawn:
         raise _wrong("withdrawn-twice", f"'{team}' has withdrawn already", "")
     row = {"kind": WITHDRAWN, "team": team, "last_rounds": before.last_rounds(team), "reason": _checked(reason)}
-    return _note(tournament, before, row, "", [], cascade=cascade)
+    return _note(tournament, before, row, None, [], cascade=cascade)
 
 
 _SCORE_HELP = "give a score for each side, such as --score 2:1, or one number for what a team plays alone"
@@ -89,34 +89,34 @@ def _note(
     tournament: OpenTournament,
     before: SeasonState,
     row: Mapping[str, object],
-    stage: str,
+    ruled: Fixture | None,
     replayed: Sequence[str],
     *,
     cascade: bool,
 ) -> list[str]:
-    """Write a ruling, unless it changes who has come into a stage that has begun.
+    """Write a ruling, unless it changes who has played in a later round or stage.
 
     Args:
         tournament: the tournament.
         before: its state without the ruling.
         row: the ruling.
-        stage: of the match; empty: of none.
+        ruled: the match; None if a team leaves.
         replayed: fixtures of which what was played does not count any more.
-        cascade: whether later stages may change.
+        cascade: whether later rounds and stages may change.
     """
     store = tournament.store
     played = store.played()
     for fixture in replayed:
         played.pop(fixture, None)
     after = tournament.state_with(row, played)
-    begun = {one.name: one for one in before.stages if any(fixture.id in before.outcomes for fixture in one.fixtures)}
-    later = later_stages(tournament.loaded, stage) if stage else list(tournament.loaded.tournament.stages)
+    stages = tournament.loaded.tournament.stages if ruled is None else later_stages(tournament.loaded, ruled.stage)
     lost = [
         fixture.id
-        for name in later
-        if name in begun
-        for fixture in begun[name].fixtures
-        if fixture.id in before.outcomes and fixture.id not in after.outcomes
+        for stage in before.stages
+        for fixture in stage.fixtures
+        if fixture.id in before.outcomes
+        and fixture.id not in after.outcomes
+        and (stage.name in stages or _is_later_round(fixture, ruled))
     ]
     if lost and not cascade:
         fixture = lost[0]
@@ -124,6 +124,10 @@ def _note(
     store.add_ruling(row, forget=[*replayed, *lost])
     tournament.refresh()
     return lost
+
+
+def _is_later_round(fixture: Fixture, ruled: Fixture | None) -> bool:
+    return ruled is not None and fixture.stage == ruled.stage and fixture.round > ruled.round
 
 
 def _known(state: SeasonState, fixture_id: str) -> Fixture:

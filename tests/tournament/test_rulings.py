@@ -18,6 +18,15 @@ stages:
   shots: {stage: challenge, scenarios: {shooter: {scenario: fast_shooter}}}
 """
 
+CUP = """
+tournament_version: 1
+title: Test cup
+seed: 7
+set: {match.half_s: 2, match.halves: 1}
+teams_folder: teams
+stages: {cup: {stage: knock_out}}
+"""
+
 
 def code_of(error):
     return error.value.diagnostics[0].code
@@ -116,6 +125,31 @@ def test_a_ruling_that_changes_who_advanced_is_refused_after_the_next_stage_bega
     assert home.state().stages[1].status is not Status.FINISHED
     assert len(home.play()[1].jobs) == 1, "the final alone is played again"
     assert home.state().stages[1].status is Status.FINISHED
+
+
+@pytest.mark.parametrize("kind", [RulingKind.CORRECTED, RulingKind.REPLAY])
+def test_a_ruling_that_changes_a_later_round_of_its_stage_is_refused_unless_it_cascades(tmp_path, kind):
+    home = Home(tmp_path, CUP, ("ada", "bee", "cid", "dee"))
+    home.play()
+    (final,) = [one for one in home.state().stages[0].fixtures if one.round == 2]
+    semi_final = home.state().stages[0].fixtures[0]
+    was_first = semi_final.sides[0].teams[0] in {team for side in final.sides for team in side.teams}
+    given = {"scores": [0, 50] if was_first else [50, 0]} if kind is RulingKind.CORRECTED else {}
+    with home.opened() as tournament:
+        with pytest.raises(DiagnosticError) as error:
+            decide(tournament, semi_final.id, kind, "as seen", **given)
+        assert code_of(error) == "stage-closed"
+        assert tournament.store.rulings() == []
+        assert decide(tournament, semi_final.id, kind, "as seen", cascade=True, **given) == [final.id]
+
+
+def test_a_ruling_that_changes_no_later_round_is_not_refused(tmp_path):
+    home = Home(tmp_path, CUP, ("ada", "bee", "cid", "dee"))
+    home.play()
+    semi_final = home.state().stages[0].fixtures[0]
+    scores = [9, 0] if home.state().stages[0].ties[0].winner == semi_final.sides[0].teams[0] else [0, 9]
+    with home.opened() as tournament:
+        assert decide(tournament, semi_final.id, RulingKind.CORRECTED, "as seen", scores=scores) == []
 
 
 def test_a_team_that_withdraws_is_marked_and_plays_no_more(tmp_path):
