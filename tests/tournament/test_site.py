@@ -5,6 +5,7 @@ import html
 import io
 import json
 import re
+import shutil
 from collections.abc import Iterator
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
@@ -15,6 +16,7 @@ from urllib.parse import unquote, urlsplit
 import pytest
 
 from rcj_challenges.facts.diagnostics import DiagnosticError
+from rcj_challenges.records.folder import SENSORS
 from rcj_challenges.tournament.season import Outcome, Ruled
 from rcj_challenges.tournament.site import Published, SiteSource, hidden_fixtures, publish
 from rcj_challenges.tournament.site.model import Season
@@ -151,6 +153,20 @@ def test_each_team_has_the_logs_of_its_own_robots_only(data: Path, source: SiteS
         team: sorted(one.name for one in (data / "for_teams" / team / match.slug).glob("*.log")) for team in match.teams
     }
     assert logs == {match.teams[0]: ["B1.log", "B2.log", "B3.log"], match.teams[1]: ["Y1.log", "Y2.log", "Y3.log"]}
+
+
+def test_sensors_that_are_recorded_later_come_into_what_a_team_gets(season: MadeUpSeason, tmp_path: Path) -> None:
+    record = Path(shutil.copytree(season.record, tmp_path / "record"))
+    sensors = (record / SENSORS).rename(tmp_path / "later")
+    outcomes = season.outcomes({"groups": 1})
+    source = replace(season, record=record).source(dict([next(iter(outcomes.items()))]))
+    (match,) = Season(source).released
+    folder = tmp_path / "published" / "for_teams" / match.teams[0] / match.slug
+    publish(source, tmp_path / "published")
+    assert not (folder / "replay.html").exists()
+    sensors.rename(record / SENSORS)
+    publish(source, tmp_path / "published")
+    assert 'id="sensors-1"' in (folder / "replay.html").read_text("utf-8")
 
 
 def test_in_a_super_team_each_team_has_the_log_of_its_robot(data: Path, source: SiteSource) -> None:

@@ -15,6 +15,7 @@ from typing import Any
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import LOGS, REPLAY, SCENARIO
 from rcj_challenges.records.sensors import DAMAGE, read_sensors
+from rcj_challenges.tournament.records import sizes
 from rcj_challenges.tournament.season import Side
 from rcj_challenges.tournament.site.model import MatchView, Season, driver, slug, team_faults
 from rcj_challenges.tournament.site.public import public_facts, read_replay
@@ -41,7 +42,12 @@ def publish_team(tree: Tree, renderer: Renderer, season: Season, team: str, made
     for match in matches:
         folder = f"{home}/{match.slug}"
         made_from = fingerprint(
-            [made_with, match.played.result.get("digest") if match.played else "", season.name(team)]
+            [
+                made_with,
+                match.played.result.get("digest") if match.played else "",
+                season.name(team),
+                _recorded(match.played.record if match.played else None),
+            ]
         )
         tree.folder(folder, made_from, lambda match=match, folder=folder: _write(tree, match, team, folder))  # type: ignore[misc]
     reports = _copy_reports(tree, season, team, home)
@@ -55,6 +61,14 @@ def publish_team(tree: Tree, renderer: Renderer, season: Season, team: str, made
         f"{home}/index.html",
         renderer.page("for_team.html", f"{home}/index.html", team=team, rows=rows, reports=reports),
     )
+
+
+def _recorded(record: Path | None) -> dict[str, int]:
+    """Return the size of each file of a record: ``rerun`` can add sensors to it."""
+    try:
+        return sizes(record) if record is not None else {}
+    except OSError:
+        return {}
 
 
 def _write(tree: Tree, match: MatchView, team: str, folder: str) -> None:
