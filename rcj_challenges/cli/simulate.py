@@ -124,7 +124,8 @@ def _known(jobs: Sequence[Job], loaded: Loaded, programs: Mapping[str, str], out
     """
     from rcj_challenges.match.batch import Outcome
     from rcj_challenges.records.digest import inputs_digest
-    from rcj_challenges.records.folder import RESULT
+    from rcj_challenges.records.errors import RecordError
+    from rcj_challenges.records.folder import RESULT, read_file
     from rcj_challenges.records.lines import parsed
     from rcj_challenges.records.result import has_time_fault, versions
 
@@ -133,12 +134,12 @@ def _known(jobs: Sequence[Job], loaded: Loaded, programs: Mapping[str, str], out
     found: dict[int, Outcome] = {}
     for path in sorted(out.glob(f"*/{RESULT}")):
         try:
-            result = parsed(path.read_bytes())
+            result = parsed(read_file(path))
             is_usable = result["complete"] and result["versions"] == now and not has_time_fault(result)
             job = by_seed.get(result["seed"]) if is_usable and not result["marks"] else None
             if job is not None and result["inputs"] == inputs_digest(loaded.scenario, job.seed, programs):
                 found[job.seed] = Outcome(job, {**result, "folder": str(path.parent)})
-        except (OSError, ValueError, KeyError, TypeError):
+        except (OSError, RecordError, ValueError, KeyError, TypeError):
             continue  # a record that is damaged, or of another version
     return found
 

@@ -93,7 +93,7 @@ def _recorded(folder: Path, teams: Sequence[Path], place: Workplace, sandbox: st
         RcjError: it is not complete, or a program is not to be found.
     """
     from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
-    from rcj_challenges.records.folder import SCENARIO
+    from rcj_challenges.records.folder import SCENARIO, read_file
     from rcj_challenges.records.lines import parsed
     from rcj_challenges.records.result import has_time_fault, read_result
     from rcj_challenges.scenario.load import load_resolved
@@ -104,7 +104,7 @@ def _recorded(folder: Path, teams: Sequence[Path], place: Workplace, sandbox: st
     if not result.complete or "debug" in result.marks:
         why = "it was not played to its end" if not result.complete else "a program had the terminal (--debug)"
         raise DiagnosticError(Diagnostic("not-verifiable", f"{folder.name}: {why}", "verify another record"))
-    loaded = load_resolved(parsed((folder / SCENARIO).read_bytes()))
+    loaded = load_resolved(parsed(read_file(folder / SCENARIO)))
     seats: dict[str, tuple[Program, ...]] = {}
     for seat, entrant in result.entrants.items():
         wanted = {member.programs: member.name for member in entrant.members} or {entrant.programs: entrant.name}

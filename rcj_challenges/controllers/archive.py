@@ -120,7 +120,7 @@ def read_contents(path: Path) -> Contents:
         return _from_zip(path)
     except _OvergrownError as error:
         return _unreadable("folder", error.trouble)
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, RecursionError) as error:  # the last: folders too deep to be searched
         reason = getattr(error, "strerror", None) or error
         where = getattr(error, "filename", None) or path  # a file or folder in it, perhaps
         raise TeamError(f"{told(Path(where), MOST_PATH_SHOWN)}: cannot be read: {reason}") from error

@@ -332,7 +332,7 @@ class Program:
         """Return the program's next message, None if it reached a limit. All other programs are charged meanwhile."""
         longest_s = min(_SLICE_S, self._limits.step_s / _LOOKS_PER_STEP_LIMIT)
         slice_s = min(MEASURED_AFTER_S, longest_s)
-        channel.look()
+        channel.look(math.inf)  # since the last look the match did something else: that time is its own
         while (body := channel.receive(0.0)) is None:
             if self.budget.exceeded is not None:
                 return None

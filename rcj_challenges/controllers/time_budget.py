@@ -248,6 +248,8 @@ class _Measurement:
         longest_s = seen_s = 0.0
         for thread, times in self._seen.items():
             first = firsts.get(thread, ThreadTimes())
+            if times.running_s < first.running_s:  # another thread that got its number
+                first = ThreadTimes()
             running_s = times.running_s - first.running_s
             seen_s += running_s
             longest_s = max(longest_s, running_s + times.ready_s - first.ready_s)

@@ -50,6 +50,8 @@ class TimedChannel:
         """Return the answer, None if it does not arrive until the interval has to be measured."""
         if self._arrived is not None:
             return self._taken()
+        if self._held_up_s is not None:  # measured already while another program was awaited: `look` ends that
+            return None
         body = self.channel.receive(max(0.0, self._released_s + MEASURED_AFTER_S - time.perf_counter()))
         if body is not None:
             self.is_awaited = False

@@ -81,7 +81,7 @@ def token_rows(source: bytes) -> Rows:
     try:
         tokens = tokenize.tokenize(io.BytesIO(source).readline)
         signs.extend(_sign(token) for token in tokens if token.type not in _LAYOUT)
-    except (tokenize.TokenError, SyntaxError, ValueError):
+    except (tokenize.TokenError, SyntaxError, ValueError, LookupError):
         pass  # what comes before the mistake is compared
     return frozenset(hash(tuple(signs[at : at + LENGTH])) for at in range(len(signs) - LENGTH + 1))
 
