@@ -258,7 +258,7 @@ class _Measurement:
 
 
 class _QuietTime:
-    """Idle time on systems that report no ready times: stretches in which CPU time hardly rises."""
+    """Idle time on systems that report no ready times: stretches with almost no rise of CPU time."""
 
     def __init__(self) -> None:
         self._wall_s = self._cpu_s = 0.0

@@ -10,7 +10,7 @@ from difflib import SequenceMatcher, get_close_matches
 from itertools import islice
 
 MAX_COMPARED = 150
-"""Known names that a misspelt one is compared with; among more nobody can say which was meant."""
+"""Known names that a misspelt one is compared with; among more the intended one is a guess."""
 
 MAX_LETTERS = 32
 """Letters of a name that are compared; what differs only behind them is no typing mistake."""
