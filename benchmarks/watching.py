@@ -27,8 +27,8 @@ from typing import Any
 
 from benchmarks.rows import Row, as_users_have_it, parser, show
 from rcj_challenges.controllers.team import open_team
-from rcj_challenges.match.match import MatchPlan, play_match
-from rcj_challenges.match.watching import Silent, Together
+from rcj_challenges.match.observers import NullObserver, ObserverGroup
+from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.scenario.load import load
 from rcj_challenges.views.live import MAX_SPEED, LiveShow
 from rcj_challenges.views.replay.page import write_replay
@@ -68,8 +68,8 @@ def match_of(seconds: float, out: Path, show: LiveShow | None = None) -> tuple[P
     with contextlib.ExitStack() as stack:
         teams = {seat: stack.enter_context(open_team(PROGRAM, *seats)) for seat in loaded.scenario.entrants}
         plan = MatchPlan(loaded, teams, {}, seed=3, out=out)
-        watcher = Silent() if show is None else Together(Silent(), show.watcher)
-        played = play_match(plan, watcher)
+        observer = NullObserver() if show is None else ObserverGroup(NullObserver(), show.observer)
+        played = play_match(plan, observer)
     return played.folder, float(played.result["wall_s"])
 
 

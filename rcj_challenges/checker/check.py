@@ -21,13 +21,13 @@ from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.errors import (
     HostError,
     RcjError,
-    advised,
+    error_hint,
+    format_error,
     interruption_behind,
     is_no_room,
     is_of_the_host,
-    told_of,
 )
-from rcj_challenges.facts.shown import shown, shown_block
+from rcj_challenges.facts.sanitize import sanitize, sanitize_block
 from rcj_challenges.records.errors import RecordError, UnwritableError
 from rcj_challenges.records.logos import PNG_SIGNATURE
 from rcj_challenges.scenario.load import Loaded
@@ -116,7 +116,7 @@ def check_file(
         if inspection is not None and inspection.team is not None:
             _examined(inspection, inspection.team, loaded, options, found, named)
     except HostError as error:
-        found.hindrance = shown(error)
+        found.hindrance = sanitize(error)
     missing = "this computer could not go on" if found.hindrance else "the submission could not be opened"
     for left in STAGES:
         if left not in found.stages:
@@ -128,7 +128,7 @@ def check_file(
         level=level,
         hindrance=found.hindrance or (_unknown(found) if level == "unchecked" else ""),
         our_fault=found.our_fault and not found.hindrance,
-        team=shown(inspection.display_name) if inspection is not None else "",
+        team=sanitize(inspection.display_name) if inspection is not None else "",
         digest=inspection.digest if inspection is not None else "",
         repaired=repaired or [],
         stages=stages,
@@ -147,8 +147,8 @@ def _unknown(found: _Findings) -> str:
 
 def crashed_report(named: Called, message: str, details: str = "") -> FileReport:
     """Return the report on a submission whose check itself came to a bad end: nothing is known about it."""
-    block = shown_block(details) if details else ""
-    finding = Finding("check.broken", "unchecked", shown(message, 400), _OUR_REMEDY, details=block)
+    block = sanitize_block(details) if details else ""
+    finding = Finding("check.broken", "unchecked", sanitize(message, 400), _OUR_REMEDY, details=block)
     return _report_without_check(named, finding, finding.message)
 
 
@@ -159,7 +159,7 @@ def unchecked_report(named: Called, hindrance: str) -> FileReport:
         named: what it is called.
         hindrance: what could not be done.
     """
-    return _report_without_check(named, None, shown(hindrance, 400))
+    return _report_without_check(named, None, sanitize(hindrance, 400))
 
 
 def _report_without_check(named: Called, finding: Finding | None, hindrance: str) -> FileReport:
@@ -233,7 +233,7 @@ def _run(found: _Findings, options: CheckOptions, named: Called, rehearsal_in: C
         from rcj_challenges.checker.playing import check_play  # noqa: PLC0415
         from rcj_challenges.checker.starting import check_start  # noqa: PLC0415
     except (ImportError, OSError) as error:
-        raise HostError(f"the physics cannot be loaded: {told_of(error)}") from error
+        raise HostError(f"the physics cannot be loaded: {format_error(error)}") from error
 
     with _private_folders() as folders:
         rehearsal = rehearsal_in(folders.place)
@@ -294,7 +294,7 @@ def _carried_out(found: _Findings, name: StageName, stage: Callable[[], Stage]) 
         ours = error.exit_code == _OUR_EXIT_CODE
         found.our_fault |= ours
         remedy = _OUR_REMEDY if ours else _IMPOSSIBLE_REMEDY
-        impossible = Finding(f"{name}.impossible", "unchecked", shown(error, 400), remedy)
+        impossible = Finding(f"{name}.impossible", "unchecked", sanitize(error, 400), remedy)
         found.stages[name] = Stage(name, [impossible])
     except Exception as error:  # whatever a program does to us, the others are checked
         if interruption_behind(error) is not None:
@@ -318,11 +318,11 @@ def _raise_if_of_the_host(error: Exception) -> None:
         if reason is not None and is_no_room(reason):
             raise temporary_trouble(reason) from error
         if isinstance(reason, HostError) or (reason is not None and is_of_the_host(reason)):
-            raise HostError(told_of(reason)) from error
+            raise HostError(format_error(reason)) from error
 
 
 def _stumbled(name: StageName, error: Exception) -> Finding:
-    message = f"the check itself stumbled at {name} ({type(error).__name__}: {shown(error, 120)})"
+    message = f"the check itself stumbled at {name} ({type(error).__name__}: {sanitize(error, 120)})"
     return Finding(f"{name}.stumbled", "unchecked", message, _OUR_REMEDY)
 
 
@@ -333,15 +333,15 @@ def _match(match: Rehearsed, named: Called, options: CheckOptions) -> MatchRepor
         try:
             replay = from_disk(str(_keep_replay(match, named, options.replays)))
         except OSError as error:
-            no_replay = shown(f"{error.filename or options.replays}: {advised(error)}", 400)
+            no_replay = sanitize(f"{error.filename or options.replays}: {error_hint(error)}", 400)
         except RecordError as error:
-            no_replay = shown(error, 400)
+            no_replay = sanitize(error, 400)
     return match_report(match, replay, no_replay, _outputs(match) if options.show_output else {})
 
 
 def _outputs(match: Rehearsed) -> dict[str, str]:
     """Return what programs printed, by robot, safe to show."""
-    return {robot: shown_block(match.log(robot), _MOST_OUTPUT_LINES) for robot in match.motions}
+    return {robot: sanitize_block(match.log(robot), _MOST_OUTPUT_LINES) for robot in match.motions}
 
 
 def _keep_replay(match: Rehearsed, named: Called, folder: Path) -> Path:

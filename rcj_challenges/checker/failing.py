@@ -9,7 +9,7 @@ from rcj_challenges.checker.advice.table import Hint
 from rcj_challenges.checker.findings import Finding, StageName
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed
 from rcj_challenges.controllers.log import AFTER_ITS_END, ANOTHER_THREAD
-from rcj_challenges.facts.shown import shown, shown_block
+from rcj_challenges.facts.sanitize import sanitize, sanitize_block
 from rcj_challenges.facts.timing import s_from_ticks
 
 _BETWEEN = (ANOTHER_THREAD.strip(), AFTER_ITS_END)
@@ -61,10 +61,10 @@ def _finding(
     return Finding(
         code=f"{stage}.{kind}",
         level="failure",
-        message=f"{when}{shown(detail, 300) or kind}{hint.message}",
+        message=f"{when}{sanitize(detail, 300) or kind}{hint.message}",
         remedy=hint.remedy,
         where=", ".join(robots),
-        details=shown_block(report) if report else "",
+        details=sanitize_block(report) if report else "",
     )
 
 

@@ -7,7 +7,7 @@ from pathlib import PurePath, PurePosixPath, PureWindowsPath
 
 from rcj_challenges.checker.advice.crash_site import unquote
 from rcj_challenges.controllers.team import Team
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 
 _MOST_LETTERS = 300  # of a path that is looked for
 _MODULE = re.compile(r"^ModuleNotFoundError: No module named '(?P<module>\w{1,100})")
@@ -41,6 +41,6 @@ def _help_for(team: Team, name: str) -> str:
         return ""
     program = next(iter(team.files), PurePosixPath("the program"))
     return (
-        f"{shown(name)} lies beside {shown(program)}, but only that one file was given: give the folder in which "
+        f"{sanitize(name)} lies beside {sanitize(program)}, but only that one file was given: give the folder in which "
         "both lie"
     )

@@ -19,7 +19,7 @@ from rcj_challenges.checker.check import CheckOptions, check_file, crashed_repor
 from rcj_challenges.checker.many_given import Called, called
 from rcj_challenges.checker.report import FileReport
 from rcj_challenges.controllers.team import TeamError
-from rcj_challenges.facts.errors import told_of
+from rcj_challenges.facts.errors import format_error
 from rcj_challenges.match.worker_pool import Attempt, python_command, run_all
 from rcj_challenges.scenario.load import Loaded, load_resolved
 from rcj_challenges.scenario.models.scenario import Limits
@@ -70,7 +70,7 @@ class _Job:
         return Attempt(_dead_report(self.called, process.returncode, err.decode("utf-8", "replace")), is_final=False)
 
     def start_failed(self, error: OSError) -> FileReport:
-        return unchecked_report(self.called, f"no process could be started for it: {told_of(error)}")
+        return unchecked_report(self.called, f"no process could be started for it: {format_error(error)}")
 
 
 def check_many(

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from rcj_challenges.checker.report import LeftOut
 from rcj_challenges.controllers.disk_names import from_disk
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 
 ARCHIVES = frozenset({".zip", ".rar", ".7z", ".tar", ".gz", ".tgz", ".bz2", ".xz"})
 """Endings of what was meant to be a submission; all but ZIPs get the verdict that they are none."""
@@ -63,7 +63,7 @@ def in_folders(given: Sequence[Path]) -> Given:
         for submission in found:
             paths.setdefault(_place(submission), submission)
         for other, reason in others.items():
-            beside.setdefault(_place(other), LeftOut(file=shown(from_disk(str(other))), reason=reason))
+            beside.setdefault(_place(other), LeftOut(file=sanitize(from_disk(str(other))), reason=reason))
     return Given(list(paths.values()), [other for place, other in beside.items() if place not in paths])
 
 
@@ -80,7 +80,7 @@ def called(paths: Sequence[Path]) -> list[Called]:
         found.append(Called(name, slug))
     seen: Counter[str] = Counter()
     for index, one in enumerate(found):
-        name = shown(one.name)
+        name = sanitize(one.name)
         seen[name] += 1
         # Of very long names the middle is not shown.
         found[index] = Called(name if seen[name] == 1 else f"{name} ({seen[name]})", one.slug)
@@ -125,7 +125,7 @@ def _in_folder(folder: Path) -> tuple[list[Path], dict[Path, str]]:
         return archives, {entry: _why_not(entry) for entry in entries if entry not in archives}
     if program is None:
         return [folder], {entry: _why_not(entry) for entry in entries if _is_archive_by_name(entry)}
-    reason = f"the folder was taken for one team's own because of {shown(program.relative_to(folder))}"
+    reason = f"the folder was taken for one team's own because of {sanitize(program.relative_to(folder))}"
     return [folder], dict.fromkeys(archives, f"{reason}; give the archive by its name to check it")
 
 

@@ -15,9 +15,9 @@ from rcj_challenges.checker.findings import Finding, Level, Stage
 from rcj_challenges.checker.growth import Growth
 from rcj_challenges.checker.rehearsal import OWN_TEAM, Rehearsal, Rehearsed, rehearse
 from rcj_challenges.facts.measures import number_words
-from rcj_challenges.facts.shown import shown, shown_block
+from rcj_challenges.facts.sanitize import sanitize, sanitize_block
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
-from rcj_challenges.match.watching import Waits
+from rcj_challenges.match.observers import ProgramTimes
 from rcj_challenges.scenario.halves import longest_half_s
 from rcj_challenges.scenario.load import Loaded
 
@@ -266,7 +266,7 @@ def _too_much(
     return findings
 
 
-def _shorter(first: Mapping[str, Waits], second: Mapping[str, Waits]) -> dict[str, Waits]:
+def _shorter(first: Mapping[str, ProgramTimes], second: Mapping[str, ProgramTimes]) -> dict[str, ProgramTimes]:
     """Return the shorter waits of two rehearsals of one match, by robot."""
     return {
         robot: replace(
@@ -292,10 +292,10 @@ def _threads(match: Rehearsed, side: str) -> list[Finding]:
         Finding(
             code="play.thread",
             level="warning",
-            message=f"{side}a thread of the program ended by an error: {shown(error, 300)}",
+            message=f"{side}a thread of the program ended by an error: {sanitize(error, 300)}",
             remedy=remedy,
             where=", ".join(robots),
-            details=shown_block(report),
+            details=sanitize_block(report),
         )
         for error, (report, robots) in list(ended.items())[:_MOST_COMPLAINTS]
     ]
@@ -309,7 +309,7 @@ def _complaints(match: Rehearsed, side: str) -> list[Finding]:
             if complaint := _complaint(line):
                 said.setdefault(complaint, []).append(robot)
     return [
-        Finding("play.complaint", "warning", f"{side}{shown(what)}", remedy, ", ".join(robots))
+        Finding("play.complaint", "warning", f"{side}{sanitize(what)}", remedy, ", ".join(robots))
         for (what, remedy), robots in list(said.items())[:_MOST_COMPLAINTS]
     ]
 
@@ -321,7 +321,7 @@ def _complaint(line: str) -> tuple[str, str] | None:
 
 
 def _summary(match: Rehearsed, side: str) -> Finding:
-    against = "".join(f" against {shown(name)}" for name in match.opponents.values())
+    against = "".join(f" against {sanitize(name)}" for name in match.opponents.values())
     score = " : ".join(map(number_words, match.result["score"].values()))
     touches = sum(1 for motion in match.motions.values() if motion.ball_touches)
     summary = f"{side}{match.simulated_s:.0f} s played{against}, score {score}"
@@ -336,9 +336,9 @@ def _others_failed(match: Rehearsed, side: str) -> list[Finding]:
         return []
     first = match.faults_of_others[0]
     robots = ", ".join(dict.fromkeys(fault["robot"] for fault in match.faults_of_others))
-    names = " and ".join(map(shown, match.opponents.values()))
+    names = " and ".join(map(sanitize, match.opponents.values()))
     when = f"the first after {s_from_ticks(first['tick']):.1f} s"
-    detail = shown(first["detail"], 120) or first["kind"]
+    detail = sanitize(first["detail"], 120) or first["kind"]
     message = f"{side}programs of the opponent failed ({names}: {robots}; {when}: {detail}): the score says little"
     if OWN_TEAM in match.opponents.values():
         remedy = "these are your own programs, on the other side"

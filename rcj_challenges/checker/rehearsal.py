@@ -16,9 +16,9 @@ from typing import Any
 from rcj_challenges.checker.growth import Amounts, FollowedTeam, Growth
 from rcj_challenges.controllers.team import Team, TeamError, open_team
 from rcj_challenges.facts.play import Snapshot, Verdict
-from rcj_challenges.match.match import MatchPlan, play_match
+from rcj_challenges.match.observers import NullObserver, ProgramTimes
+from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.match.samples import sample_team
-from rcj_challenges.match.watching import Silent, Waits
 from rcj_challenges.records.folder import LOGS
 from rcj_challenges.scenario.halves import longest_half_s
 from rcj_challenges.scenario.load import Loaded, load_resolved
@@ -102,7 +102,7 @@ class Rehearsed:
     faults: list[dict[str, Any]]
     faults_of_others: list[dict[str, Any]]
     motions: dict[str, Motion]
-    waits: dict[str, Waits]
+    waits: dict[str, ProgramTimes]
     printed: dict[str, Growth]
     written: dict[str, Growth]
     simulated_s: float
@@ -208,7 +208,7 @@ def _other(rehearsal: Rehearsal, seat: str, stack: ExitStack) -> tuple[Team, str
     return stack.enter_context(open_team(stand_in, scenario.entrants[seat])), _NOBODY
 
 
-class _Observer(Silent):
+class _Observer(NullObserver):
     """Takes note of how robots move, what they touch, and what their programs took: time, and room for what they say.
 
     Args:
@@ -220,7 +220,7 @@ class _Observer(Silent):
         roster, robots = loaded.roster, list(amounts.printed)
         self.amounts = amounts
         self.motions = {robot: Motion() for robot in robots}
-        self.waits: tuple[Waits, ...] = ()
+        self.waits: tuple[ProgramTimes, ...] = ()
         self._watched = [(roster.index[robot], self.motions[robot]) for robot in robots]
         self._of_robot = dict(self._watched)
         self._balls = range(roster.robots, roster.robots + roster.balls)
@@ -247,7 +247,7 @@ class _Observer(Silent):
         """Take note of how much a program printed."""
         self.amounts.said(robot, text)
 
-    def half_ended(self, half: object, waits: tuple[Waits, ...]) -> None:
+    def half_ended(self, half: object, waits: tuple[ProgramTimes, ...]) -> None:
         """Take note of how long programs were waited for."""
         self.waits = waits
 

@@ -23,7 +23,7 @@ from rcj_challenges.controllers.team import LOGO_FILE, Opening, alternatives, ca
 from rcj_challenges.controllers.team_name import NAME_FILE, find_team_name
 from rcj_challenges.controllers.troubles import MOST_OF_A_KIND, MOST_PATH_SHOWN, told, with_remedy
 from rcj_challenges.facts.amounts import counted
-from rcj_challenges.facts.errors import RcjError, advised
+from rcj_challenges.facts.errors import RcjError, error_hint
 from rcj_challenges.records.logos import LogoError, checked_png
 from rcj_challenges.scenario.models.robots import Entrant
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -304,7 +304,7 @@ def _write(out: Path, data: bytes) -> None:
     except FileExistsError:
         raise RepairError(f"{told(out, MOST_PATH_SHOWN)}: there is something already; nothing was written") from None
     except OSError as error:
-        raise RepairError(f"{told(out, MOST_PATH_SHOWN)}: cannot be written: {advised(error)}") from error
+        raise RepairError(f"{told(out, MOST_PATH_SHOWN)}: cannot be written: {error_hint(error)}") from error
     finally:
         if temporary is not None:
             with suppress(OSError):  # gone, or a virus scanner has it open

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 from rcj_challenges.checker.findings import RANKS, STAGES, Level, Stage, StageName, gravest
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.facts.timing import SUBSTEP_S
 
 if TYPE_CHECKING:
@@ -249,7 +249,7 @@ def match_report(match: Rehearsed, replay: str, no_replay: str, outputs: dict[st
         )
     return MatchReport(
         seats=list(match.seats),
-        opponents={seat: shown(name) for seat, name in match.opponents.items()},
+        opponents={seat: sanitize(name) for seat, name in match.opponents.items()},
         score=match.result["score"],
         simulated_s=match.simulated_s,
         wall_s=round(match.wall_s, 3),

@@ -20,7 +20,7 @@ from rcj_challenges.checker.report import (
     StageReport,
 )
 from rcj_challenges.facts.amounts import counted
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 
 WORDS: dict[Level, str] = {"passed": "ok", "warning": "warning", "failure": "failure", "unchecked": "not checked"}
 _STYLES: dict[Level, str] = {"passed": "green", "warning": "yellow", "failure": "bold red", "unchecked": "bold"}
@@ -67,7 +67,7 @@ def print_file(console: Console, file: FileReport) -> None:
         _indented(console, Text(f"as {', '.join(match.seats)}{against}:", style="dim"))
         _print_robots(console, match)
         if match.replay:
-            _indented(console, Text(f"watch: {shown(match.replay, 400)}"))
+            _indented(console, Text(f"watch: {sanitize(match.replay, 400)}"))
         if match.no_replay:
             _indented(console, Text(no_replay(match)))
     for robot, output in file.started.items():
@@ -105,7 +105,9 @@ def no_replay(match: MatchReport) -> str:
 
 def print_table(console: Console, report: CheckReport) -> None:
     """Print one line for each submission."""
-    table = Table("file", "team", "verdict", "first thing to do", title=Text(shown(report.title)), title_justify="left")
+    table = Table(
+        "file", "team", "verdict", "first thing to do", title=Text(sanitize(report.title)), title_justify="left"
+    )
     for column in table.columns:
         column.overflow = "fold"
     for file in report.files:
@@ -230,4 +232,4 @@ def progress_line(done: int, total: int, file: FileReport) -> str:
 
 def repaired_lines(done: Sequence[str]) -> list[str]:
     """Return what was repaired, safe to show."""
-    return [shown(line) for line in done]
+    return [sanitize(line) for line in done]

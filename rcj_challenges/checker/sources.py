@@ -26,7 +26,7 @@ from rcj_challenges.checker.reading import Import, Source, read_sources
 from rcj_challenges.checker.unreadable import PYTHON, what_is_wrong
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.likeness import nearest_name
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 
 _MOST_FINDINGS = 40
 _MOST_LOOKED_FOR = 30  # of modules that are nowhere: to look through thousands of files for each would take hours
@@ -165,7 +165,7 @@ class _Walk:
         return found[0] if found else None
 
     def _outside(self, unit: Unit, wanted: Import) -> list[Unit]:
-        written = "." * wanted.level + shown(wanted.module)
+        written = "." * wanted.level + sanitize(wanted.module)
         message = f'"from {written} import …" does not work here: this file is not inside a package'
         self._say(unit, wanted, "relative_import", message, "write it without the dots")
         return []
@@ -217,14 +217,13 @@ class _Walk:
         use = refused_use(wanted.module, wanted.names)
         if use:
             message = (
-                f'imports "{shown(wanted.module)}", which is for {use}: a match refuses that as soon as it is used'
+                f'imports "{sanitize(wanted.module)}", which is for {use}: a match refuses that as soon as it is used'
             )
             self._add(unit, wanted, "warning", "refused_module", message, "play without it; unused, it does no harm")
         if is_pythons(first) and not is_here(first):
             system = platform.system()
-            message = (
-                f'imports "{shown(first)}", which is part of Python on some computers, but not on this one ({system})'
-            )
+            module = sanitize(first)
+            message = f'imports "{module}", which is part of Python on some computers, but not on this one ({system})'
             self._say(unit, wanted, "not_on_this_computer", message, "do without it: matches are played on any system")
 
     def _missing(self, name: str, inside: list[str]) -> tuple[str, str, str]:
@@ -234,7 +233,7 @@ class _Walk:
             name: what it is called.
             inside: names of what is asked for in it, one in the other: then it is a folder.
         """
-        quoted = shown(name)
+        quoted = sanitize(name)
         nowhere = f'imports "{quoted}", which is neither part of Python, nor numpy or scipy, nor in the submission'
         self._looked_for += 1
         if self._looked_for > _MOST_LOOKED_FOR:
@@ -242,13 +241,16 @@ class _Walk:
         names = self._usual.names()
         other_case = next((near for near in names if near.casefold() == name.casefold()), None)
         if other_case is not None:
-            message = (
-                f'imports "{quoted}", but the module is called "{shown(other_case)}": capital and small letters count'
+            called = sanitize(other_case)
+            message = f'imports "{quoted}", but the module is called "{called}": capital and small letters count'
+            return (
+                "wrong_case",
+                message,
+                f'write "{sanitize(other_case)}"; on Windows and macOS the mistake does not show',
             )
-            return "wrong_case", message, f'write "{shown(other_case)}"; on Windows and macOS the mistake does not show'
         place = self._usual.lies_at(name)
         if place is not None:
-            message = f'imports "{quoted}", but {shown(place)} is not where Python looks for it'
+            message = f'imports "{quoted}", but {sanitize(place)} is not where Python looks for it'
             return "elsewhere", message, "move the file beside the program, or import it by the name of its folder"
         return "missing_module", nowhere, self._instead_of_missing(name, inside, names)
 
@@ -261,25 +263,25 @@ class _Walk:
             return beside
         hidden = self._usual.hidden(name)
         if hidden is not None:
-            return f"call {shown(hidden)} {shown(name)}.py: Windows hides the last ending"
+            return f"call {sanitize(hidden)} {sanitize(name)}.py: Windows hides the last ending"
         near = nearest_name(name, [*INSTALLED, *names], 0.75)
         # Of robot1, robot2 and robot3 none is another one misspelled: that file was forgotten.
         if near is not None and re.findall(r"\d+", near) == re.findall(r"\d+", name):
-            return f'did you mean "{shown(near)}"?'
+            return f'did you mean "{sanitize(near)}"?'
         if inside:
-            folder = f"the folder {shown(name)} (with {shown('/'.join(inside))}.py in it)"
+            folder = f"the folder {sanitize(name)} (with {sanitize('/'.join(inside))}.py in it)"
             return f"put {folder} beside the program or the program's folder, or do without it"
-        return f"put {shown(name)}.py beside the program, or do without it"
+        return f"put {sanitize(name)}.py beside the program, or do without it"
 
     def _no_such_part(self, module: Module, name: str, part: str) -> tuple[str, str, str]:
-        whole = shown(f"{name}.{part}")
+        whole = sanitize(f"{name}.{part}")
         if module.folder is None:
             return (
                 "missing_part",
-                f'imports "{whole}", but "{shown(name)}" is a file, not a folder',
-                f"correct the import: a file of the same folder is imported as {shown(part)}",
+                f'imports "{whole}", but "{sanitize(name)}" is a file, not a folder',
+                f"correct the import: a file of the same folder is imported as {sanitize(part)}",
             )
-        message = f'imports "{whole}", but there is no {shown(part)}.py in the folder {shown(module.folder)}'
+        message = f'imports "{whole}", but there is no {sanitize(part)}.py in the folder {sanitize(module.folder)}'
         return "missing_part", message, "add the file to the submission, or correct the import"
 
     def _say(self, unit: Unit, wanted: Import, code: str, message: str, remedy: str) -> None:
@@ -296,7 +298,7 @@ class _Walk:
             self._add(unit, wanted, "failure", code, message, remedy)
 
     def _add(self, unit: Unit, wanted: Import, level: Level, code: str, message: str, remedy: str) -> None:
-        where = f"{shown(unit[0])}:{wanted.line}:{wanted.column}"
+        where = f"{sanitize(unit[0])}:{wanted.line}:{wanted.column}"
         self.findings.append(Finding(f"sources.{code}", level, message, remedy, where))
 
 
@@ -327,7 +329,7 @@ def _unreadable(
         if not source.wrong:
             continue
         code, message, remedy = what_is_wrong(source, files[path])
-        where = ":".join([shown(path), *(str(number) for number in (source.line, source.column) if number)])
+        where = ":".join([sanitize(path), *(str(number) for number in (source.line, source.column) if number)])
         level: Level = "failure" if used.get(path) and code not in _NOT_LOOKED_INTO else "warning"
         if path not in used:
             message += "; no program seems to use this file"
@@ -352,7 +354,7 @@ def _empty(sources: Mapping[PurePosixPath, Source], entries: set[PurePosixPath])
     for entry in sorted(entries):
         if entry in sources and sources[entry].empty:
             message = "the program is empty"
-            yield Finding("sources.empty", "failure", message, "put your program into this file", shown(entry))
+            yield Finding("sources.empty", "failure", message, "put your program into this file", sanitize(entry))
 
 
 def _shadowing(
@@ -368,18 +370,21 @@ def _shadowing(
     listed = tuple(files)
     hiding = {path for entry in entries for path in Library(listed, places_of(entry)).shadows()} - entries
     for path in sorted(_never_imported(listed, entries)):
-        message = f'"import controller" always gives the module of the match: {shown(path)} is never imported'
+        message = f'"import controller" always gives the module of the match: {sanitize(path)} is never imported'
         remedy = "give it another name if programs need what is in it; if it is only for your editor, all is well"
-        yield Finding("sources.passed_over", "warning", message, remedy, shown(path))
+        yield Finding("sources.passed_over", "warning", message, remedy, sanitize(path))
     for path, name in sorted(unread.items()):
-        message = (
-            f'"import {name}" always gives the module of Python, loaded before any program: {shown(path)} is never read'
-        )
+        file = sanitize(path)
+        message = f'"import {name}" always gives the module of Python, loaded before any program: {file} is never read'
         remedy = "give it another name, and import it by that; as it is, no program gets what is in it"
-        yield Finding("sources.passed_over", "warning", message, remedy, shown(path))
+        yield Finding("sources.passed_over", "warning", message, remedy, sanitize(path))
     for path in sorted(hiding - unread.keys()):
-        message = f'this file hides "{shown(path.stem)}", a module of Python or of numpy and scipy, from your programs'
-        yield Finding("sources.shadows", "warning", message, "give it another name, unless you mean that", shown(path))
+        message = (
+            f'this file hides "{sanitize(path.stem)}", a module of Python or of numpy and scipy, from your programs'
+        )
+        yield Finding(
+            "sources.shadows", "warning", message, "give it another name, unless you mean that", sanitize(path)
+        )
 
 
 def _never_imported(files: Iterable[PurePosixPath], entries: set[PurePosixPath]) -> set[PurePosixPath]:

@@ -6,7 +6,7 @@ import platform
 import re
 
 from rcj_challenges.checker.reading import MAX_IMPORTS, MOST_BYTES, Source
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 
 PYTHON = f"Python {platform.python_version()}"
 
@@ -65,7 +65,7 @@ def what_is_wrong(source: Source, content: bytes) -> tuple[str, str, str]:
     """
     if source.wrong in _WITHOUT_WORDS:
         return _WITHOUT_WORDS[source.wrong]
-    said = shown(source.said)
+    said = sanitize(source.said)
     if source.wrong == "odd_encoding":
         return "odd_encoding", f"the file says that it is written in {said}, which no editor writes", _SAVE_AS_UTF8
     if "null bytes" in said:

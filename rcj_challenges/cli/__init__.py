@@ -104,7 +104,14 @@ def _told(error: BaseException, *, begun: bool, interrupted: bool = False) -> in
     """
     from rcj_challenges.cli.faults import report_our_fault
     from rcj_challenges.cli.says import is_of_the_output, output_trouble, say_no_more
-    from rcj_challenges.facts.errors import RcjError, interruption_behind, is_held, is_no_room, is_of_the_host, told_of
+    from rcj_challenges.facts.errors import (
+        RcjError,
+        format_error,
+        interruption_behind,
+        is_held,
+        is_no_room,
+        is_of_the_host,
+    )
 
     error = _or_not_installed(error)
     if isinstance(error, RcjError) and error.exit_code != OUR_FAULT:
@@ -124,7 +131,7 @@ def _told(error: BaseException, *, begun: bool, interrupted: bool = False) -> in
         where = f": {error.filename}" if isinstance(error, OSError) and error.filename else ""
         remedy = "; close the program that may have it open" if isinstance(error, OSError) and is_held(error) else ""
         remedy = "; make room there" if where and is_no_room(error) else remedy
-        _complain(f"this computer cannot go on: {told_of(error)}{where}{remedy}")
+        _complain(f"this computer cannot go on: {format_error(error)}{where}{remedy}")
         return WRONG_INPUT
     usage = _usage_error(error)
     if usage is None and interrupted:
@@ -262,13 +269,13 @@ def _usage_error(error: BaseException) -> int | None:
 def _complain(message: str) -> None:
     from rcj_challenges.cli.says import say_no_more
     from rcj_challenges.facts.letters import READABLE
-    from rcj_challenges.facts.shown import shown_whole
+    from rcj_challenges.facts.sanitize import sanitize_lines
 
     for stream in (sys.stdout, sys.stderr):
         reconfigure = getattr(stream, "reconfigure", None)
         if reconfigure is not None:
             reconfigure(errors=READABLE)
     try:
-        print(shown_whole(message), file=sys.stderr, flush=True)  # noqa: T201 - this is the terminal
+        print(sanitize_lines(message), file=sys.stderr, flush=True)  # noqa: T201 - this is the terminal
     except OSError:  # a full disk, or nobody there: the exit code still tells
         say_no_more(sys.stderr)

@@ -54,7 +54,7 @@ def advice_on_standing(robots: Sequence[str], faults: Sequence[Mapping[str, Any]
     """Return what to do about robots that never set off, and write it into their logs.
 
     Args:
-        robots: of `StandingWatcher`.
+        robots: of `StandingObserver`.
         faults: as in the result: whose program failed stands for that reason.
         logs: folder with the robots' logs.
     """

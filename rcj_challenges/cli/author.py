@@ -7,7 +7,7 @@ from pathlib import Path
 
 from rcj_challenges.cli.outputs import refuse_devices
 from rcj_challenges.cli.says import typed
-from rcj_challenges.facts.errors import RcjError, advised
+from rcj_challenges.facts.errors import RcjError, error_hint
 
 _HTML = (".html", ".htm")
 
@@ -99,6 +99,6 @@ def _deliver(content: str | bytes, out: Path | None) -> int:
         # Bytes, so that no system changes the ends of lines.
         out.write_bytes(content.encode("utf-8") if isinstance(content, str) else content)
     except OSError as error:
-        raise OutputError(f"{out}: cannot be written: {advised(error)}") from error
+        raise OutputError(f"{out}: cannot be written: {error_hint(error)}") from error
     sys.stdout.write(f"{out}\n")
     return 0

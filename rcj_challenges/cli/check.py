@@ -14,7 +14,7 @@ import typer
 from rcj_challenges.cli.completion import complete_scenarios
 from rcj_challenges.cli.help import SUBMIT, Command
 from rcj_challenges.cli.says import say_json, say_progress
-from rcj_challenges.facts.errors import RcjError, advised
+from rcj_challenges.facts.errors import RcjError, error_hint
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -209,7 +209,7 @@ def _or_usage_error(path: Path, done: str) -> Iterator[None]:
     try:
         yield
     except (OSError, ValueError) as error:
-        reason = advised(error) if isinstance(error, OSError) else str(error)
+        reason = error_hint(error) if isinstance(error, OSError) else str(error)
         raise CheckUsageError(f"{_safe(path)}: cannot be {done}: {reason}") from error
 
 
@@ -306,6 +306,6 @@ def _write_page(report: CheckReport, path: Path) -> None:
 
 
 def _safe(path: Path) -> str:
-    from rcj_challenges.facts.shown import shown
+    from rcj_challenges.facts.sanitize import sanitize
 
-    return shown(path)
+    return sanitize(path)

@@ -18,7 +18,7 @@ from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.errors import RcjError
 
 if TYPE_CHECKING:
-    from rcj_challenges.match.judging import Difference, Judgement, Score
+    from rcj_challenges.match.rejudge import Difference, Judgement, Score
     from rcj_challenges.records.result import RunResult
     from rcj_challenges.scenario.models.scenario import Scenario
 
@@ -158,10 +158,10 @@ def _closing(told: Sequence[dict[str, Any]], options: JudgeOptions) -> Iterator[
 
 
 def _judge_one(folder: Path, options: JudgeOptions, scenario: Scenario | None) -> _Judged:
-    from rcj_challenges.match.judging import differences, judge_again, recorded
+    from rcj_challenges.match.rejudge import differences, recorded, rejudge
     from rcj_challenges.records.changed import refusing_changes
     from rcj_challenges.records.recorded_scenario import read_scenario, read_unresolved
-    from rcj_challenges.records.refereelog import events_as_lines, read_referee_log
+    from rcj_challenges.records.referee_log import events_as_lines, read_referee_log
     from rcj_challenges.records.result import read_result
     from rcj_challenges.records.trajectory import Trajectory
     from rcj_challenges.scenario.dump import dumped
@@ -174,7 +174,7 @@ def _judge_one(folder: Path, options: JudgeOptions, scenario: Scenario | None) -
             scenario = load_recorded(dumped(scenario), read_unresolved(folder), options.overrides).scenario
     trajectory = Trajectory.open(folder)
     with nullcontext() if options.scenario is not None else refusing_changes(folder, scenario):
-        judgement = judge_again(trajectory, scenario)
+        judgement = rejudge(trajectory, scenario)
     before = recorded(trajectory, read_referee_log(folder)[0] or events_as_lines(result), result.score)
     found = differences(before.events, judgement.events)
     alike = len(judgement.events) - sum(one.after is not None for one in found)
@@ -206,14 +206,14 @@ def _as_json(judged: _Judged) -> dict[str, Any]:
 
 def _lines(judged: _Judged, options: JudgeOptions) -> Iterator[str]:
     """Yield what people read of a judgement: scores, then each event that differs."""
-    from rcj_challenges.facts.shown import shown
+    from rcj_challenges.facts.sanitize import sanitize
     from rcj_challenges.views.naming import changes_sides
     from rcj_challenges.views.scoreboard import ranking_lines, score_line
 
     result, judgement, scenario = judged.result, judged.judgement, judged.scenario
     names = {team: entrant.name for team, entrant in result.entrants.items()}
     swap = changes_sides(scenario)
-    yield shown(judged.folder.name)
+    yield sanitize(judged.folder.name)
     yield f"  recorded: {score_line(names, judged.score, sides_change=swap)}" + (
         "" if result.complete else "  (not complete)"
     )
@@ -235,14 +235,14 @@ def _lines(judged: _Judged, options: JudgeOptions) -> Iterator[str]:
 
 
 def _line(one: Difference) -> str:
-    from rcj_challenges.facts.shown import shown
+    from rcj_challenges.facts.sanitize import sanitize
     from rcj_challenges.facts.timing import s_from_ticks
     from rcj_challenges.views.sentences import clock
 
-    told = f"  half {one.half} {clock(s_from_ticks(one.tick)):>7}  {shown(one.event, 60)}: "
+    told = f"  half {one.half} {clock(s_from_ticks(one.tick)):>7}  {sanitize(one.event, 60)}: "
     if one.before is None or one.after is None:
         which = "only now" if one.before is None else "only in the record"
-        payload = ", ".join(f"{key} {shown(value)}" for key, value in (one.after or one.before or {}).items())
+        payload = ", ".join(f"{key} {sanitize(value)}" for key, value in (one.after or one.before or {}).items())
         return told + which + (f" ({payload})" if payload else "")
     keys = [key for key in one.before | one.after if one.before.get(key) != one.after.get(key)]
-    return told + ", ".join(f"{key} {shown(one.before.get(key))} -> {shown(one.after.get(key))}" for key in keys)
+    return told + ", ".join(f"{key} {sanitize(one.before.get(key))} -> {sanitize(one.after.get(key))}" for key in keys)

@@ -11,8 +11,8 @@ from rich.progress import Progress
 from rcj_challenges.cli import OK
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.facts.errors import told_of
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.errors import format_error
+from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.site import publish, site_source
 from rcj_challenges.views.console import console_for
@@ -35,7 +35,7 @@ def publish_tournament(tournament: OpenTournament, now: datetime, premieres: Seq
             task = bars.add_task("matches", total=None)
             published = publish(source, data, lambda done, total: bars.update(task, completed=done, total=total))
     except OSError as error:
-        message = f"cannot write {shown(error.filename or data)}: {told_of(error)}"
+        message = f"cannot write {sanitize(error.filename or data)}: {format_error(error)}"
         help_ = "make room or give access, and publish again; the site of before is still there"
         raise DiagnosticError(Diagnostic("site-unwritable", message, help_)) from error
     lines = [

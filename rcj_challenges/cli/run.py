@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from rcj_challenges.cli.live import LiveOptions
-    from rcj_challenges.match.match import MatchInterruptedError, MatchPlan, PlayedMatch
-    from rcj_challenges.match.watching import Watcher
+    from rcj_challenges.match.observers import Observer
+    from rcj_challenges.match.runner import MatchInterruptedError, MatchPlan, PlayedMatch
     from rcj_challenges.scenario.load import Loaded
     from rcj_challenges.scenario.models.scenario import Scenario
 
@@ -57,25 +57,25 @@ def run_scenario(options: RunOptions) -> int:
     # MuJoCo would load a window system's library, 50 ms, and a match draws nothing.
     os.environ.setdefault("MUJOCO_GL", "disable")
     try:
-        plan, console, watcher = _prepared(options)
+        plan, console, observer = _prepared(options)
     except KeyboardInterrupt as error:
         raise KeyboardInterrupt("the match had not begun, and nothing is recorded") from error
     from rcj_challenges.cli import INTERRUPTED
     from rcj_challenges.cli.live import on_air, stay_on_air
     from rcj_challenges.facts.errors import interruption_behind
-    from rcj_challenges.match.match import MatchInterruptedError, play_match
-    from rcj_challenges.match.standing import StandingWatcher
-    from rcj_challenges.match.watching import Together
+    from rcj_challenges.match.observers import ObserverGroup
+    from rcj_challenges.match.runner import MatchInterruptedError, play_match
+    from rcj_challenges.match.standing import StandingObserver
 
     scenario = plan.loaded.scenario
     titles = {team: plan.name_of(team) for team in plan.teams}
     try:
         with on_air(options.live, scenario, titles, plan.logos, plan.seed, console) as show:
-            standing = StandingWatcher(scenario)
-            outcome = play_match(plan, Together(watcher, standing, *(() if show is None else (show.watcher,))))
+            standing = StandingObserver(scenario)
+            outcome = play_match(plan, ObserverGroup(observer, standing, *(() if show is None else (show.observer,))))
             try:
                 played = _Played(plan, outcome, standing.robots())
-                _tell(options, console, played, getattr(watcher, "trouble", None))
+                _tell(options, console, played, getattr(observer, "trouble", None))
             except BaseException as error:
                 if interruption_behind(error) is None:
                     raise
@@ -112,7 +112,7 @@ def _refuse_contradictions(options: RunOptions) -> None:
         raise UsageError(f"--debug gives a program the terminal, and there is one: it can be given for one of {robots}")
 
 
-def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Watcher]:
+def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Observer]:
     """Return what is to be played, with its teams opened, where it is told, and who tells it."""
     from rcj_challenges.cli.outputs import refuse_devices
     from rcj_challenges.scenario.load import load
@@ -124,13 +124,13 @@ def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Watcher]:
         known(robot, robots, "robot")
 
     # The physics is imported while nobody waits for it yet: opening teams is quick, compiling is not.
-    from rcj_challenges.match.match import MatchPlan
+    from rcj_challenges.match.runner import MatchPlan
     from rcj_challenges.views.console import console_for
-    from rcj_challenges.views.scoreboard import watcher_for
+    from rcj_challenges.views.scoreboard import create_observer
 
     console = console_for(to_stderr=options.json)
     quiet = options.quiet or options.json
-    watcher = watcher_for(console, loaded.scenario, quiet=quiet, shared=bool(options.debug))
+    observer = create_observer(console, loaded.scenario, quiet=quiet, shared=bool(options.debug))
     if options.debug and find_spec("debugpy") is None:
         _say_how_to_debug(console)
     plan = MatchPlan(
@@ -146,7 +146,7 @@ def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Watcher]:
         debug=options.debug,
         record_sensors=options.record_sensors,
     )
-    return plan, console, watcher
+    return plan, console, observer
 
 
 def _say_how_to_debug(console: Console) -> None:
@@ -177,8 +177,8 @@ def _tell(options: RunOptions, console: Console, played: _Played, trouble: OSErr
         HostError: something cannot be written; the match counts all the same.
     """
     from rcj_challenges.cli.says import is_of_the_output, output_trouble
-    from rcj_challenges.facts.errors import HostError, advised, is_of_the_host
-    from rcj_challenges.facts.shown import shown
+    from rcj_challenges.facts.errors import HostError, error_hint, is_of_the_host
+    from rcj_challenges.facts.sanitize import sanitize
 
     try:
         _tell_all(options, console, played)
@@ -188,10 +188,10 @@ def _tell(options: RunOptions, console: Console, played: _Played, trouble: OSErr
         if isinstance(error, BrokenPipeError) or not (isinstance(error, HostError) or is_of_the_host(error)):
             raise
         file = error.filename if isinstance(error, OSError) else None
-        told = f"{shown(file)}: {advised(error)}" if file else advised(error)
+        told = f"{sanitize(file)}: {error_hint(error)}" if file else error_hint(error)
         if isinstance(error, OSError) and not file and (trouble is not None or is_of_the_output(error)):
             told = str(output_trouble(error))
-        whole = f"The match was played to its end, and its record is whole: {shown(played.outcome.folder)}"
+        whole = f"The match was played to its end, and its record is whole: {sanitize(played.outcome.folder)}"
         raise HostError(f"{told}\n{whole}") from error
 
 
@@ -314,12 +314,12 @@ def _summary(
 
 def _told_faults(faults: Sequence[dict[str, Any]]) -> list[str]:
     """Return one line for robots that failed alike at the same tick, whichever half it was: mostly all six do."""
-    from rcj_challenges.facts.shown import shown
+    from rcj_challenges.facts.sanitize import sanitize
 
     alike: dict[tuple[str, int, str], dict[str, None]] = {}
     for fault in faults:
         alike.setdefault((fault["kind"], fault["tick"], fault["detail"]), {})[fault["robot"]] = None
     return [
-        f"program fault: {', '.join(robots)} {kind} at tick {tick}: {shown(detail)} (logs/{next(iter(robots))}.log)"
+        f"program fault: {', '.join(robots)} {kind} at tick {tick}: {sanitize(detail)} (logs/{next(iter(robots))}.log)"
         for (kind, tick, detail), robots in alike.items()
     ]

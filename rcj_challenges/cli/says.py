@@ -18,9 +18,9 @@ if TYPE_CHECKING:
     from _typeshed import ReadableBuffer
     from rich.console import Console
 
-from rcj_challenges.facts.errors import HostError, advised, is_no_room
+from rcj_challenges.facts.errors import HostError, error_hint, is_no_room
 from rcj_challenges.facts.letters import READABLE
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 
 
 def say_json(value: Any) -> None:
@@ -57,8 +57,8 @@ def output_trouble(error: OSError) -> HostError:
     where = ""
     with contextlib.suppress(OSError, ValueError):
         if _is_file(sys.stdout):
-            where = f" ({shown(os.readlink(f'/proc/self/fd/{sys.stdout.fileno()}'))})"  # noqa: PTH115 - no path of ours
-    return HostError(f"the output{where} cannot be written: {advised(error)}")
+            where = f" ({sanitize(os.readlink(f'/proc/self/fd/{sys.stdout.fileno()}'))})"  # noqa: PTH115 - no path of ours
+    return HostError(f"the output{where} cannot be written: {error_hint(error)}")
 
 
 def is_of_the_output(error: BaseException) -> TypeGuard[OSError]:

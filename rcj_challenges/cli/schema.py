@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 from rcj_challenges.cli.outputs import refuse_devices
-from rcj_challenges.facts.errors import RcjError, advised
+from rcj_challenges.facts.errors import RcjError, error_hint
 from rcj_challenges.scenario import json_schema as of_scenarios
 from rcj_challenges.scenario.resources import schemas_folder
 from rcj_challenges.tournament import json_schema as of_tournaments
@@ -37,7 +37,7 @@ def write_schema(out: Path | None, *, of_tournament: bool = False) -> int:
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(schema.schema_text(), encoding="utf-8", newline="\n")
     except OSError as error:
-        raise SchemaFileError(f"{file}: cannot be written: {advised(error)}") from error
+        raise SchemaFileError(f"{file}: cannot be written: {error_hint(error)}") from error
     sys.stdout.write(f"{file}\n")
     return 0
 

@@ -16,7 +16,7 @@ from rcj_challenges.cli.says import say_json, say_progress
 from rcj_challenges.cli.seating import open_teams
 from rcj_challenges.facts.amounts import counted, times
 from rcj_challenges.facts.errors import RcjError
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -154,12 +154,12 @@ def parse_seeds(text: str) -> list[int]:
     for part in text.split(","):
         first, dots, last = part.strip().partition("..")
         if not first.isdecimal() or (dots and not last.isdecimal()):
-            raise SeedsError(f"--seeds {shown(text)}: expected 1..10, 3 or 1,4,7..9")
+            raise SeedsError(f"--seeds {sanitize(text)}: expected 1..10, 3 or 1,4,7..9")
         if max(len(first), len(last)) > _MOST_DIGITS:
-            raise SeedsError(f"--seeds {shown(text)}: a seed has at most {_MOST_DIGITS} digits")
+            raise SeedsError(f"--seeds {sanitize(text)}: a seed has at most {_MOST_DIGITS} digits")
         end = int(last) if dots else int(first)
         if not 0 <= end - int(first) < _MOST_SEEDS:
-            raise SeedsError(f"--seeds {shown(text)}: {shown(part)} is empty or more than {_MOST_SEEDS} seeds")
+            raise SeedsError(f"--seeds {sanitize(text)}: {sanitize(part)} is empty or more than {_MOST_SEEDS} seeds")
         seeds += range(int(first), end + 1)
     return seeds
 

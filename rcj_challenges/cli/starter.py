@@ -9,9 +9,9 @@ import sys
 from pathlib import Path
 
 from rcj_challenges.cli.says import typed
-from rcj_challenges.facts.errors import RcjError, advised
+from rcj_challenges.facts.errors import RcjError, error_hint
 from rcj_challenges.facts.file_names import is_device_of_windows
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.json_schema import FILE
 from rcj_challenges.scenario.resources import names_in, starters_folder
@@ -83,13 +83,13 @@ def refuse_name(file: str, given: str) -> None:
         StarterError: says why.
     """
     if not file.strip("."):
-        raise StarterError(f"'{shown(given)}' is no name of a file; choose one such as relay_race")
+        raise StarterError(f"'{sanitize(given)}' is no name of a file; choose one such as relay_race")
     if is_device_of_windows(file):
         stem = Path(file).stem
         raise StarterError(f"'{stem}' is a device on Windows, where no file has that name; choose another name")
     if _NO_LETTER.search(file):
         what = "a line break, a control character or stray bytes"
-        raise StarterError(f"'{shown(given)}' has {what} in it; choose a name such as relay_race")
+        raise StarterError(f"'{sanitize(given)}' has {what} in it; choose a name such as relay_race")
 
 
 def _schema_seen_from(file: Path) -> str:
@@ -129,4 +129,4 @@ def write_new(path: Path, text: str) -> None:
             path.unlink()
             raise
     except OSError as error:
-        raise StarterError(f"{shown(path)}: cannot be written: {advised(error)}") from error
+        raise StarterError(f"{sanitize(path)}: cannot be written: {error_hint(error)}") from error

@@ -92,13 +92,13 @@ def show_stats(runs: Sequence[Path | None], out: Path, *, as_json: bool, explain
 
 
 def _print(console: Console, stats: Stats, *, explain: bool) -> None:
-    from rcj_challenges.facts.shown import shown
+    from rcj_challenges.facts.sanitize import sanitize
     from rcj_challenges.views.stats.figures import DEFINITIONS, shown_keys
 
     _print_table(console, stats)
     _print_calls(console, stats)
     for note in stats.notes:
-        console.print(f"note: {shown(note, 500)}", markup=False, highlight=False, soft_wrap=True)
+        console.print(f"note: {sanitize(note, 500)}", markup=False, highlight=False, soft_wrap=True)
     if explain:
         for key in shown_keys(stats):
             line = f"{DEFINITIONS[key].title}: {DEFINITIONS[key].text}"
@@ -140,18 +140,20 @@ def _print_table(console: Console, stats: Stats) -> None:
 def _blocks(stats: Stats, keys: Sequence[str]) -> list[list[tuple[str, dict[str, str], str]]]:
     """Return the lines of each team and those of the balls: who, the figures by key, how it is printed."""
     from rcj_challenges.facts.measures import number_words
-    from rcj_challenges.facts.shown import shown
+    from rcj_challenges.facts.sanitize import sanitize
     from rcj_challenges.views.stats.figures import figures
 
     blocks = []
     for name, team in stats.teams.items():
-        block = [(f"{shown(name, 32)}: {number_words(team.points)}", _cells(figures(team.total, stats), keys), "bold")]
+        block = [
+            (f"{sanitize(name, 32)}: {number_words(team.points)}", _cells(figures(team.total, stats), keys), "bold")
+        ]
         for label, robot in sorted(team.robots.items()):
-            block.append((f"  {shown(label, 40)}", _cells(figures(robot, stats), keys), ""))
+            block.append((f"  {sanitize(label, 40)}", _cells(figures(robot, stats), keys), ""))
         blocks.append(block)
     of_balls = ("distance_m", "mean_mps", "max_mps")
     balls = [
-        (shown(name, 32), _cells({key: figures(ball, stats)[key] for key in of_balls}, keys), "")
+        (sanitize(name, 32), _cells({key: figures(ball, stats)[key] for key in of_balls}, keys), "")
         for name, ball in stats.balls.items()
     ]
     return [*blocks, balls]
@@ -172,14 +174,14 @@ def _parts(widths: Sequence[int], room: int) -> list[list[int]]:
 
 def _print_calls(console: Console, stats: Stats) -> None:
     """Print referee calls and faults, a line for each robot that has any."""
-    from rcj_challenges.facts.shown import shown
+    from rcj_challenges.facts.sanitize import sanitize
 
     for name, team in stats.teams.items():
         for label, robot in sorted(team.robots.items()):
             told = [f"{event} {count}" for event, count in sorted(robot.calls.items())]
             told += [f"program fault: {kind} {count}" for kind, count in sorted(robot.faults.items())]
             if told:
-                line = f"{shown(name, 32)} {shown(label, 40)}: {', '.join(told)}"
+                line = f"{sanitize(name, 32)} {sanitize(label, 40)}: {', '.join(told)}"
                 console.print(line, markup=False, highlight=False, soft_wrap=True)
     if stats.calls:
         told = [f"{event} {count}" for event, count in sorted(stats.calls.items())]

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.facts.likeness import nearest_name
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.scenario.resources import shipped_teams
 
 
@@ -36,7 +36,7 @@ def locate_team(given: str) -> Path:
     raise UnknownTeamError(
         Diagnostic(
             "unknown-team",
-            f"no file, folder or sample team '{shown(given)}'",
+            f"no file, folder or sample team '{sanitize(given)}'",
             f"{meant}'rcj-challenge teams' lists the sample teams",
         )
     )

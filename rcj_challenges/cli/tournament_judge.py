@@ -12,7 +12,7 @@ from rcj_challenges.cli.says import say_json
 from rcj_challenges.cli.tournament_tables import score_words, stage_tables
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.match.judging import judge_again
+from rcj_challenges.match.rejudge import rejudge
 from rcj_challenges.records.folder import TRAJECTORY
 from rcj_challenges.records.trajectory import Trajectory
 from rcj_challenges.scenario.load import load_resolved
@@ -62,5 +62,5 @@ def judge_tournament(tournament: OpenTournament, overrides: Sequence[str], *, as
 def _judged(fixture: Fixture, row: JobRow, place: Workplace, overrides: Sequence[str]) -> Outcome:
     loaded = place.load_scenario(row.job["scenario"])
     scenario = load_resolved(loaded.resolved, overrides=overrides).scenario if overrides else loaded.scenario
-    judgement = judge_again(Trajectory.open(place.record_of(row.id)), scenario)
+    judgement = rejudge(Trajectory.open(place.record_of(row.id)), scenario)
     return outcome_of(fixture, {"score": judgement.scores, "ranking": judgement.ranking})

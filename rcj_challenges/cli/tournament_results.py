@@ -13,7 +13,7 @@ from rich.text import Text
 from rcj_challenges.cli import OK
 from rcj_challenges.cli.says import say_json
 from rcj_challenges.cli.tournament_tables import score_words, stage_tables, team_words
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.season import SeasonState
 from rcj_challenges.tournament.store.lock import is_locked
@@ -50,7 +50,7 @@ def print_status(tournament: OpenTournament, *, as_json: bool) -> int:
     lines += [f"{one['stage']}: {one['status']}, {one['done']} of {one['expected']} matches" for one in stages]
     lines += [f"doubtful, a time limit decided something: {fixture}" for fixture in status["doubtful"]]
     lines += [f"withdrawn: {team}" for team in status["withdrawn"]]
-    lines += [f"could not be played: {shown(complaint.strip())}" for complaint in status["failed"]]
+    lines += [f"could not be played: {sanitize(complaint.strip())}" for complaint in status["failed"]]
     for line in lines:
         console.print(line, markup=False, highlight=False, soft_wrap=True)
     return OK

@@ -19,7 +19,7 @@ from rcj_challenges.cli.says import say_progress
 from rcj_challenges.cli.tournament_tables import score_words, stage_tables
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.tournament.executor import Executor, LocalExecutor
 from rcj_challenges.tournament.fixtures import JobMaker
 from rcj_challenges.tournament.opened import OpenTournament
@@ -196,7 +196,7 @@ class RunLines:
         """Print why a match could not be played."""
         self.failed.append(fixture.id)
         lines = complaint.strip().splitlines() or ["its process died"]
-        self.note(f"{fixture.id} could not be played: {shown(lines[-1])}")
+        self.note(f"{fixture.id} could not be played: {sanitize(lines[-1])}")
 
     def played_again(self, fixture: Fixture) -> None:
         """Print that a match is played once more."""
@@ -249,7 +249,7 @@ class RunBoard(RunLines):
         total = progress.done + progress.left
         counts = f"{progress.done} played, {progress.running} running, {progress.left - progress.running} left"
         parts: list[RenderableType] = [
-            Text(f"{shown(self._tournament.loaded.tournament.title)}: {counts}{_left(progress)}"),
+            Text(f"{sanitize(self._tournament.loaded.tournament.title)}: {counts}{_left(progress)}"),
             ProgressBar(total=max(total, 1), completed=progress.done),
             *map(Text, self._newest),
             *_current_tables(progress.state),

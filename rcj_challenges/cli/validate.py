@@ -11,7 +11,7 @@ from rcj_challenges.cli.says import say_json, say_no_more
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError, InFile
 from rcj_challenges.facts.letters import READABLE
-from rcj_challenges.facts.shown import shown_whole
+from rcj_challenges.facts.sanitize import sanitize_lines
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.lint.registry import lint
@@ -125,6 +125,6 @@ def say(text: str, stream: object) -> None:
     write = getattr(stream, "write")  # noqa: B009 - sys.stdout may be replaced by anything that writes
     encoding = getattr(stream, "encoding", None) or "utf-8"
     try:
-        write(shown_whole(text).encode(encoding, READABLE).decode(encoding) + "\n")
+        write(sanitize_lines(text).encode(encoding, READABLE).decode(encoding) + "\n")
     except BrokenPipeError:
         say_no_more(stream)

@@ -30,7 +30,7 @@ def rebuild_replay(run: Path | None, out: Path) -> int:
     Raises:
         RecordError: there is no such record, or nothing in it can be shown.
     """
-    from rcj_challenges.facts.shown import shown
+    from rcj_challenges.facts.sanitize import sanitize
     from rcj_challenges.records.salvage import read_run
     from rcj_challenges.views.replay import write_replay
     from rcj_challenges.views.replay.browse import find_run
@@ -38,7 +38,7 @@ def rebuild_replay(run: Path | None, out: Path) -> int:
     folder = find_run(run, out)
     sys.stdout.write(f"{write_replay(folder)}\n")
     for problem in read_run(folder).problems:
-        sys.stderr.write(f"{shown(problem, 500)}\n")
+        sys.stderr.write(f"{sanitize(problem, 500)}\n")
     return 0
 
 
@@ -50,7 +50,7 @@ def list_records(out: Path) -> int:
     """
     from rich.table import Column, Table
 
-    from rcj_challenges.facts.shown import shown
+    from rcj_challenges.facts.sanitize import sanitize
     from rcj_challenges.views.console import console_for
     from rcj_challenges.views.replay.browse import list_runs
     from rcj_challenges.views.scoreboard import score_line
@@ -59,13 +59,13 @@ def list_records(out: Path) -> int:
     rows: list[tuple[str, str, str, str]] = []
     for row in list_runs(out):
         if row.result is None:
-            rows.append((shown(row.folder.name), "", "", shown(row.problem)))
+            rows.append((sanitize(row.folder.name), "", "", sanitize(row.problem)))
             continue
         names = {team: entrant.name for team, entrant in row.result.entrants.items()}
         swapped = any(seat != team for half in row.result.halves for seat, team in half.sides.items())
         score = score_line(names, row.score, sides_change=swapped) + ("" if row.result.complete else "  (not complete)")
         started = row.result.started[:19].replace("T", " ")
-        rows.append((shown(row.folder.name), started, row.result.scenario, score))
+        rows.append((sanitize(row.folder.name), started, row.result.scenario, score))
     console = console_for()
     if console.width < _NARROW:  # a table would cut off what it tells
         for cells in rows:

@@ -19,9 +19,9 @@ from typing import Self
 
 from rcj_challenges.controllers import scratch
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.facts.errors import HostError, told_of
+from rcj_challenges.facts.errors import HostError, format_error
 from rcj_challenges.facts.file_lock import try_lock
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 
 PREFIX = "rcj-match-"
 LOCK_FILE = "in-use"
@@ -41,7 +41,8 @@ def temporary_trouble(error: BaseException, trouble: str = "cannot be used") -> 
     """
     place = _temporary_folder()
     return HostError(
-        f"the temporary folder{place} {trouble}: {told_of(error)}; make room there, or let {_VARIABLE} name another"
+        f"the temporary folder{place} {trouble}: {format_error(error)}; "
+        f"make room there, or let {_VARIABLE} name another"
     )
 
 
@@ -62,7 +63,7 @@ class DiskFullError(DiagnosticError, HostError):
 def _temporary_folder() -> str:
     """Return a space and the path of the temporary folder; empty if there is none."""
     try:
-        return f" {shown(tempfile.gettempdir())}"
+        return f" {sanitize(tempfile.gettempdir())}"
     except OSError:  # what the system said names the folders that were tried
         return ""
 

@@ -23,7 +23,7 @@ from rcj_challenges.controllers.scheduling import Manners
 from rcj_challenges.controllers.sharing import Sharing
 from rcj_challenges.controllers.time_budget import MEASURED_AFTER_S, TimeBudget, TimeLimits
 from rcj_challenges.controllers.timed_channel import TimedChannel, WaitBudget, wait_together
-from rcj_challenges.facts.errors import HostError, RcjError, is_of_the_host, told_of
+from rcj_challenges.facts.errors import HostError, RcjError, format_error, is_of_the_host
 from rcj_challenges.facts.play import Fault
 from rcj_challenges.facts.streams import stream_seed
 from rcj_challenges.facts.timing import s_from_ticks
@@ -122,8 +122,8 @@ class Program:
             if isinstance(error, HostError):
                 raise
             if is_of_the_host(error):
-                raise HostError(f"the program of {self.name} cannot be started here: {told_of(error)}") from error
-            self._fail("start", f"the program could not be started: {one_line(told_of(error))}")
+                raise HostError(f"the program of {self.name} cannot be started here: {format_error(error)}") from error
+            self._fail("start", f"the program could not be started: {one_line(format_error(error))}")
 
     def release(self, observation: Observation) -> None:
         """Let the program's ``step`` return with this. Does not wait."""

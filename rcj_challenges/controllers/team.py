@@ -22,7 +22,7 @@ from rcj_challenges.controllers.team_name import (
     safe_name,
 )
 from rcj_challenges.controllers.troubles import MOST_PATH_SHOWN, told
-from rcj_challenges.facts.errors import is_of_the_host, told_of
+from rcj_challenges.facts.errors import format_error, is_of_the_host
 from rcj_challenges.facts.likeness import MAX_COMPARED, nearest_name
 from rcj_challenges.scenario.models.robots import Entrant, EntryPoints
 
@@ -114,7 +114,9 @@ class Team:
         except (OSError, ValueError) as error:
             if is_of_the_host(error):
                 raise temporary_trouble(error, "cannot take the team's files") from error
-            raise TeamError(f"{self.source}: {name} cannot be written on this computer: {told_of(error)}") from error
+            raise TeamError(
+                f"{self.source}: {name} cannot be written on this computer: {format_error(error)}"
+            ) from error
 
     def leaves_beside(self, name: str) -> bool:
         """Return whether a file or folder lies beside a program that was given alone, and so was not read.

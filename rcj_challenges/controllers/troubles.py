@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Literal
 
 from rcj_challenges.controllers.disk_names import from_disk
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 
 Level = Literal["passed", "warning", "failure"]
 
@@ -76,5 +76,5 @@ def with_remedy(message: str, remedy: str) -> str:
 
 
 def told(name: object, longest: int = _MOST_LETTERS) -> str:
-    """Return a strange name as one harmless line, shorter than `shown` makes it: several stand in one message."""
-    return shown(from_disk(str(name)) if isinstance(name, Path) else name, longest)
+    """Return a strange name as one harmless line, shorter than `sanitize` makes it: several stand in one message."""
+    return sanitize(from_disk(str(name)) if isinstance(name, Path) else name, longest)

@@ -17,7 +17,7 @@ def plain(value: float) -> int | float:
     return int(value) if isinstance(value, float) and value.is_integer() else value
 
 
-def on_paper(value: float) -> int | float:
+def round_score(value: float) -> int | float:
     """Return a score or counter as it would be on paper: three times 0.1 is 0.3, not 0.30000000000000004.
 
     Every score, counter and sum of them comes through here after each change, so that conditions, events, records and

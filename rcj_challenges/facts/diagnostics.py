@@ -14,7 +14,7 @@ from dataclasses import asdict, dataclass
 from typing import Any, Literal
 
 from rcj_challenges.facts.errors import RcjError
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 
 _CODE = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 _MAX_LETTERS = 1000
@@ -93,11 +93,11 @@ class Diagnostic:
             raise ValueError(f"not a code: {self.code!r}")
 
     def __str__(self) -> str:
-        lines = [f"{self.severity}[{self.code}]: {shown(self.message, _MAX_LETTERS)}"]
+        lines = [f"{self.severity}[{self.code}]: {sanitize(self.message, _MAX_LETTERS)}"]
         if self.where is not None:
-            lines.append(f"  --> {shown(self.where, _MAX_LETTERS)}")
+            lines.append(f"  --> {sanitize(self.where, _MAX_LETTERS)}")
         if self.help:
-            lines.append(f"help: {shown(self.help, _MAX_LETTERS)}")
+            lines.append(f"help: {sanitize(self.help, _MAX_LETTERS)}")
         return "\n".join(lines)
 
     def to_json(self) -> dict[str, Any]:

@@ -46,7 +46,7 @@ def is_held(error: OSError) -> bool:
     return getattr(error, "winerror", None) in _HELD
 
 
-def told_of(error: BaseException) -> str:
+def format_error(error: BaseException) -> str:
     """Return what an error says, of the system's errors without paths: they go into records that are published."""
     return (error.strerror if isinstance(error, OSError) else None) or str(error)
 
@@ -59,9 +59,9 @@ def is_no_room(error: BaseException) -> bool:
     return isinstance(error, OSError) and error.errno in _NO_ROOM
 
 
-def advised(error: BaseException) -> str:
+def error_hint(error: BaseException) -> str:
     """Return what the system says of a file that cannot be written, and what helps if there is no room for it."""
-    return told_of(error) + ("; make room there, or write it elsewhere" if is_no_room(error) else "")
+    return format_error(error) + ("; make room there, or write it elsewhere" if is_no_room(error) else "")
 
 
 def interruption_behind(error: BaseException | None) -> KeyboardInterrupt | None:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from rcj_challenges.facts.errors import told_of
+from rcj_challenges.facts.errors import format_error
 from rcj_challenges.match.worker_pool import Attempt, python_command, run_all
 
 _WRONG_INPUT = 2
@@ -94,7 +94,7 @@ class Job:
 
     def start_failed(self, error: OSError) -> Outcome:
         """Return the outcome of a match whose process could not be started."""
-        complaint = f"this computer cannot start one more match: {told_of(error)}"
+        complaint = f"this computer cannot start one more match: {format_error(error)}"
         return Outcome(self, None, complaint, wrong_input=True)
 
 

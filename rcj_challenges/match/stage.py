@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from rcj_challenges.devices.rack import DeviceRack
 from rcj_challenges.devices.sonar import device_sites
 from rcj_challenges.facts.play import HalfInfo
-from rcj_challenges.match.half import Driver
+from rcj_challenges.match.loop import Driver
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster

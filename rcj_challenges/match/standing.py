@@ -6,7 +6,7 @@ import math
 
 from rcj_challenges.facts.play import HalfInfo, Pose2, Snapshot, Verdict
 from rcj_challenges.facts.timing import ticks_from_s
-from rcj_challenges.match.watching import Silent
+from rcj_challenges.match.observers import NullObserver
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 
@@ -16,7 +16,7 @@ _STANDS_M = 0.02  # the suspension of a braked robot settles by less
 _M_PER_RAD = 0.1
 
 
-class StandingWatcher(Silent):
+class StandingObserver(NullObserver):
     """Adds up how far robots move and turn in the first seconds of each half."""
 
     def __init__(self, scenario: Scenario) -> None:

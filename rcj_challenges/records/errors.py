@@ -6,8 +6,8 @@ import errno
 from pathlib import Path
 from typing import Self
 
-from rcj_challenges.facts.errors import HostError, RcjError, is_held, told_of
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.errors import HostError, RcjError, format_error, is_held
+from rcj_challenges.facts.sanitize import sanitize
 
 
 class RecordError(RcjError):
@@ -28,7 +28,7 @@ class UnwritableError(HostError, RecordError):
         if not isinstance(error.filename, str) or not Path(error.filename).is_relative_to(place):
             return None
         advice = _HELD_ADVICE if is_held(error) else _ADVICE.get(error.errno or 0, "")
-        return cls(f"the record cannot be written: {shown(error.filename)}: {told_of(error)}{advice}")
+        return cls(f"the record cannot be written: {sanitize(error.filename)}: {format_error(error)}{advice}")
 
 
 _HELD_ADVICE = "; close the program that may have it open, or give a folder with --out in which you may write"

@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import BinaryIO
 
 from rcj_challenges.facts.diagnostics import Diagnostic
-from rcj_challenges.facts.errors import is_held, told_of
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.errors import format_error, is_held
+from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.records.errors import RecordError
 
 RECORD_VERSION = 1
@@ -109,9 +109,9 @@ def make_out_folder(out: Path, what: str = "the record") -> None:
     except OSError as error:
         # Systems differ in what they say of a file, or a link to nowhere, that is the folder or on the way to it.
         other = next((path for path in (out, *out.parents) if os.path.lexists(path) and not path.is_dir()), None)
-        why = told_of(error) if other is None else f"{shown(other)} is not a folder"
+        why = format_error(error) if other is None else f"{sanitize(other)} is not a folder"
         raise RecordError(
-            f"cannot make a folder for {what} in {shown(out)}: {why}; give another folder with --out"
+            f"cannot make a folder for {what} in {sanitize(out)}: {why}; give another folder with --out"
         ) from error
 
 
@@ -132,7 +132,8 @@ def make_run_folder(out: Path, name: str) -> Path:
             return folder
     except OSError as error:
         raise RecordError(
-            f"cannot make a folder for the record in {shown(out)}: {told_of(error)}; give another folder with --out"
+            f"cannot make a folder for the record in {sanitize(out)}: {format_error(error)}; "
+            "give another folder with --out"
         ) from error
     raise RecordError(f"cannot make a folder for the record in {out}: there are too many called {name}")
 

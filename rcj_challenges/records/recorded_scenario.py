@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.facts.errors import told_of
+from rcj_challenges.facts.errors import format_error
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import SCENARIO, UNRESOLVED, read_file
 from rcj_challenges.records.lines import parsed
@@ -28,7 +28,7 @@ def read_scenario(folder: Path) -> Scenario:
     except FileNotFoundError:
         raise RecordError(f"{folder.name}: {SCENARIO} is missing") from None
     except OSError as error:
-        raise RecordError(f"{folder.name}: {SCENARIO} cannot be read: {told_of(error)}") from error
+        raise RecordError(f"{folder.name}: {SCENARIO} cannot be read: {format_error(error)}") from error
     except (TypeError, ValueError, RecursionError) as error:
         raise RecordError(f"{folder.name}: {SCENARIO} is damaged: it is not the scenario of a run") from error
 

@@ -13,7 +13,7 @@ from typing import Annotated, Any
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from rcj_challenges.facts.amounts import Score
-from rcj_challenges.facts.errors import told_of
+from rcj_challenges.facts.errors import format_error
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import RESULT, check_version, read_file
 from rcj_challenges.records.lines import parsed
@@ -205,7 +205,7 @@ def read_result(folder: Path) -> RunResult:
     except FileNotFoundError:
         raise RecordError(f"{folder.name}: no record of a run ({RESULT} is missing)") from None
     except (OSError, ValueError) as error:
-        raise RecordError(f"{folder.name}: {RESULT} cannot be read: {told_of(error)}") from error
+        raise RecordError(f"{folder.name}: {RESULT} cannot be read: {format_error(error)}") from error
     record = data.get("record") if isinstance(data, dict) else None
     if type(record) is int:
         check_version(record, folder)

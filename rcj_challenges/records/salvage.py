@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from rcj_challenges.facts.errors import told_of
+from rcj_challenges.facts.errors import format_error
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK, s_from_ticks, ticks_from_s
 from rcj_challenges.records.changed import refusing_changes
@@ -160,7 +160,7 @@ def _salvaged(
     try:
         arrays = _arrays(read_file(path)) if path.exists() else _loose(folder, numbers, len(roster.entities))
     except OSError as error:
-        raise RecordError(f"{folder.name}: {TRAJECTORY} cannot be read: {told_of(error)}") from error
+        raise RecordError(f"{folder.name}: {TRAJECTORY} cannot be read: {format_error(error)}") from error
     tracks = [_track(arrays, half, scenario, result, len(roster.entities)) for half in numbers]
     found = tuple(track for track in tracks if track is not None)
     if found:

@@ -10,7 +10,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
 
-from rcj_challenges.facts.amounts import Score, on_paper
+from rcj_challenges.facts.amounts import Score, round_score
 from rcj_challenges.facts.play import Fault, Firing, HalfInfo, Snapshot, Verdict
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.records.digest import StatesDigest, inputs_digest, run_digest
@@ -306,7 +306,7 @@ class RecordWriter:
         if firing.suppressed is None:
             for seat, points in firing.scored.items():
                 team = half.teams[seat]
-                self._scores[team] = on_paper(self._scores[team] + points)
+                self._scores[team] = round_score(self._scores[team] + points)
 
     def _fault(self, fault: Fault, half: HalfInfo) -> dict[str, Any]:
         entrants = self._header.scenario.entrants

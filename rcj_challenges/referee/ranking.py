@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from rcj_challenges.facts.amounts import Score, on_paper, within_most
+from rcj_challenges.facts.amounts import Score, round_score, within_most
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Scenario
 
 
@@ -40,7 +40,7 @@ def ranked_counters(scenario: Scenario) -> tuple[str, ...]:
 
 def counted_for(scenario: Scenario, team: str, counter: str, halves: Sequence[Tally]) -> Score:
     """Return what a counter counts for a team over halves: those of its own robots, or one that all share."""
-    return on_paper(sum(_count(half, counter, _robots(scenario, half, team)) for half in halves))
+    return round_score(sum(_count(half, counter, _robots(scenario, half, team)) for half in halves))
 
 
 def ranking(scenario: Scenario, scores: Mapping[str, Score], halves: Sequence[Tally]) -> list[dict[str, Any]]:

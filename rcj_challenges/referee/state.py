@@ -5,7 +5,7 @@ from __future__ import annotations
 import struct
 from collections.abc import Mapping, Sequence
 
-from rcj_challenges.facts.amounts import on_paper, plain
+from rcj_challenges.facts.amounts import plain, round_score
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.timing import TICK_S, s_from_ticks, ticks_from_s
 from rcj_challenges.rules.fields import LONGEST_S, Scalar
@@ -52,7 +52,7 @@ class State(RefereeState):
     def _fill(self) -> None:
         kept_counters, kept_flags = self.half.kept.get("counters", {}), self.half.kept.get("flags", {})
         for name, counter in self.scenario.counters.items():
-            first = on_paper(counter.initial)
+            first = round_score(counter.initial)
             if counter.keep == "match" and name in kept_counters:
                 kept = kept_counters[name]
                 self.counters[name] = dict(kept) if isinstance(kept, dict) else kept

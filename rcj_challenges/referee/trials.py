@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from math import hypot
 from typing import Any, Protocol
 
-from rcj_challenges.facts.amounts import counted, on_paper, times
+from rcj_challenges.facts.amounts import counted, round_score, times
 from rcj_challenges.facts.measures import number_words
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.referee.comparing import difference, equal, event_differences, told_difference
@@ -84,7 +84,7 @@ def try_expectation(loaded: HasScenario, name: str) -> Trial:
     half = half_of(scenario, expected.half, expected.seed)
     half = replace(
         half,
-        scores=half.scores | {seat: on_paper(score) for seat, score in expected.given.score.items()},
+        scores=half.scores | {seat: round_score(score) for seat, score in expected.given.score.items()},
         kept=half.kept | _kept(scenario, loaded.roster, expected.given),
     )
     spots = {name: places_of(places) for name, places in (expected.spots or {}).items()}
@@ -238,7 +238,7 @@ def _kept(scenario: Scenario, roster: Roster, given: Given) -> dict[str, dict[st
     return {
         section: {
             name: {
-                member: one if isinstance(one, bool) else on_paper(one)
+                member: one if isinstance(one, bool) else round_score(one)
                 for member, one in (
                     dict.fromkeys(roster.expand(entries[name].per), entries[name].initial) | value
                 ).items()
@@ -354,7 +354,7 @@ def _ended(play: ScriptedPlay) -> str:
 
 def _number(referee: Referee, name: str) -> Number | None:
     value = referee.counters.get(name, referee.scores.get(name))
-    return on_paper(sum(value.values())) if isinstance(value, dict) else value
+    return round_score(sum(value.values())) if isinstance(value, dict) else value
 
 
 def _of_each(what: str, expected: Mapping[str, Scalar], found: object, tolerance: float | None = None) -> Iterable[str]:

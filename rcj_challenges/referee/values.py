@@ -7,7 +7,7 @@ from functools import partial
 from math import floor, nan
 from typing import Any
 
-from rcj_challenges.facts.amounts import on_paper, plain, within_most
+from rcj_challenges.facts.amounts import plain, round_score, within_most
 from rcj_challenges.facts.messages import number_in
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.referee.compiling import CompileContext
@@ -104,7 +104,7 @@ def _heard(value: ToldValue, context: CompileContext, each: str | None) -> Calla
     """Return what tells what a robot has told the referee last; where a number is counted, 0 if it was none."""
     told, robot = context.state.heard, context.members(value.told, each)[0]
     if isinstance(value, NumberTold):
-        return lambda: on_paper(number_in(told.get(robot, "")) or 0)
+        return lambda: round_score(number_in(told.get(robot, "")) or 0)
     return lambda: told.get(robot)
 
 
@@ -198,7 +198,7 @@ def compile_points(points: Any, context: CompileContext, each: str | None) -> Ca
         summed: Number = 0
         for read, weight in parts:
             summed += within_most(read(firing) * weight)  # each part: of ∞ - ∞ nothing could be told
-        return on_paper(summed)
+        return round_score(summed)
 
     return total
 
@@ -266,7 +266,7 @@ def spoken(says: str, state: State, firing: Firing) -> str:
     """Return the sentence with {entity}, {each}, {other}, {team}, {measured}, {limit} and {points} filled in."""
     if "{" not in says:
         return says
-    points = str(on_paper(sum(firing.scored.values())))
+    points = str(round_score(sum(firing.scored.values())))
     filled = {
         "{entity}": _named(firing.subject),
         "{each}": _named(firing.rule.each),

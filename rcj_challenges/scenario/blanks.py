@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from rcj_challenges.facts.amounts import on_paper
+from rcj_challenges.facts.amounts import round_score
 from rcj_challenges.facts.measures import number_words
 from rcj_challenges.rules.actions.score import Score
 from rcj_challenges.rules.fields import Scalar
@@ -87,4 +87,4 @@ def _filled(text: str, known: Mapping[str, str]) -> str:
 def _as_text(value: Scalar) -> str:
     if isinstance(value, bool):
         return str(value).lower()
-    return number_words(on_paper(value), _DECIMALS) if isinstance(value, int | float) else value
+    return number_words(round_score(value), _DECIMALS) if isinstance(value, int | float) else value

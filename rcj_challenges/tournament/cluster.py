@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Self
 
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.tournament import cluster_worker
 from rcj_challenges.tournament.executor import POLL_INTERVAL_S, JobOutcome
 from rcj_challenges.tournament.jobs import MatchJob, Workplace
@@ -235,7 +235,7 @@ class ClusterExecutor:
 
     def _note(self, lines: Iterable[str]) -> None:
         for line in lines:
-            self.on_note(shown(line))
+            self.on_note(sanitize(line))
 
     @property
     def _shared_folder(self) -> str | None:

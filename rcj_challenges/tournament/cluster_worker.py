@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 from uuid import uuid4
 
-from rcj_challenges.facts.errors import told_of
+from rcj_challenges.facts.errors import format_error
 from rcj_challenges.records.result import versions
 from rcj_challenges.tournament.executor import JobOutcome, LocalExecutor
 from rcj_challenges.tournament.jobs import MatchJob, Workplace
@@ -87,7 +87,7 @@ def play(job: Mapping[str, Any], inputs: Mapping[str, bytes], shared: str | None
                 path.write_bytes(content)
             return _returned(_play(made_job, place, is_released), shared)
     except OSError as error:
-        return Returned(None, told_of(error), of_host=True)
+        return Returned(None, format_error(error), of_host=True)
 
 
 def _play(job: MatchJob, place: Workplace, is_released: Callable[[], bool]) -> JobOutcome:

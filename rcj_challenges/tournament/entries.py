@@ -11,7 +11,7 @@ from hashlib import sha256
 from pathlib import Path
 
 from rcj_challenges.facts.diagnostics import Diagnostic
-from rcj_challenges.facts.errors import told_of
+from rcj_challenges.facts.errors import format_error
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.resources import teams_folder
 from rcj_challenges.scenario.tree import Entries, mark_of
@@ -109,7 +109,7 @@ class TeamLists:
         try:
             paths = sorted((self._folder / name).iterdir()) if name is not None else []
         except (OSError, ValueError) as error:
-            message = f"the folder '{name}' cannot be read: {told_of(error)}"
+            message = f"the folder '{name}' cannot be read: {format_error(error)}"
             self._add(where, "teams-folder", message, "create it, and put each team's ZIP into it")
             return {}
         for path in paths:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any, Self
 
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.facts.errors import told_of
+from rcj_challenges.facts.errors import format_error
 from rcj_challenges.records.digest import given_values
 from rcj_challenges.records.folder import replaced
 from rcj_challenges.records.lines import canonical, parsed
@@ -138,7 +138,7 @@ class Workplace:
         try:
             loaded = load_resolved(parsed(path.read_bytes()))
         except (OSError, ValueError, ScenarioError) as error:
-            raise data_file_error(path, told_of(error)) from error
+            raise data_file_error(path, format_error(error)) from error
         if scenario_hash(loaded.scenario) != scenario:
             raise data_file_error(path, "its content does not match its name")
         return loaded
@@ -167,7 +167,7 @@ class Workplace:
         try:
             return {path.relative_to(self.folder).as_posix(): path.read_bytes() for path in paths}
         except OSError as error:
-            raise data_file_error(Path(error.filename), told_of(error)) from error
+            raise data_file_error(Path(error.filename), format_error(error)) from error
 
     def _scenario(self, scenario: str) -> Path:
         return self.folder / "scenarios" / f"{scenario}.json"

@@ -9,7 +9,7 @@ from pathlib import Path
 from pydantic import ValidationError
 
 from rcj_challenges.facts.diagnostics import Diagnostic
-from rcj_challenges.facts.errors import told_of
+from rcj_challenges.facts.errors import format_error
 from rcj_challenges.match.samples import sample_team
 from rcj_challenges.scenario.errors import ScenarioError, listing, nearest
 from rcj_challenges.scenario.halves import half_lengths_s
@@ -130,7 +130,7 @@ def read_tree(path: Path, shown: str) -> Node:
     try:
         return parse_bytes(path.read_bytes(), shown)
     except OSError as error:
-        raise TournamentFileError([problem_at(Mark(shown), "unreadable-file", told_of(error))]) from None
+        raise TournamentFileError([problem_at(Mark(shown), "unreadable-file", format_error(error))]) from None
     except ScenarioError as error:
         marks = [(Mark(one.file, one.line, one.column), one.message) for one in error.problems]
         raise TournamentFileError(problem_at(mark, "invalid-yaml", said) for mark, said in marks) from None

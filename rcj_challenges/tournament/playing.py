@@ -6,7 +6,7 @@ from contextlib import ExitStack
 
 from rcj_challenges.controllers.super_team import SuperTeam
 from rcj_challenges.controllers.team import Team, open_team
-from rcj_challenges.match.match import MatchPlan, PlayedMatch, play_match
+from rcj_challenges.match.runner import MatchPlan, PlayedMatch, play_match
 from rcj_challenges.records.folder import replaced
 from rcj_challenges.records.lines import json_line
 from rcj_challenges.scenario.load import Loaded

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Protocol
 
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.facts.errors import told_of
+from rcj_challenges.facts.errors import format_error
 from rcj_challenges.records.folder import when_free
 from rcj_challenges.records.result import has_time_fault
 from rcj_challenges.tournament.executor import Executor, JobOutcome
@@ -122,7 +122,7 @@ class Runner:
             with self.executor:
                 self._play_all()
         except OSError as error:
-            raise cannot_go_on(self._place.folder, told_of(error)) from error
+            raise cannot_go_on(self._place.folder, format_error(error)) from error
         return self._state
 
     # --- the loop -----------------------------------------------------------------------------------------------------

@@ -18,7 +18,7 @@ from rcj_challenges.checker.report_html import html_page
 from rcj_challenges.controllers.archive import MOST_PACKED_BYTES, Contents, TeamError, read_contents
 from rcj_challenges.controllers.team import opening_of
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError, InFile
-from rcj_challenges.facts.errors import told_of
+from rcj_challenges.facts.errors import format_error
 from rcj_challenges.records.folder import replaced
 from rcj_challenges.records.lines import json_line
 from rcj_challenges.scenario.load import Loaded
@@ -73,7 +73,7 @@ def take_submissions(entries: Iterable[TeamEntry], store: Store) -> dict[tuple[s
             try:
                 handed[entry.id, purpose] = _take(entry.id, purpose, source, store.place.submissions)
             except (OSError, TeamError) as error:
-                message = f"the submission of {entry.id} cannot be read: {told_of(error)}"
+                message = f"the submission of {entry.id} cannot be read: {format_error(error)}"
                 problems.append(Diagnostic("submission-unreadable", message, _REPLACE, InFile(str(source))))
     if problems:
         raise DiagnosticError(*problems)

@@ -6,10 +6,10 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from rcj_challenges.facts.amounts import Score, on_paper
+from rcj_challenges.facts.amounts import Score, round_score
 from rcj_challenges.facts.measures import number_words
 from rcj_challenges.facts.play import Event, Firing, HalfInfo, Verdict
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.rules.actions.emit import Emit
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -60,7 +60,7 @@ class Commentator:
         """Begin a half."""
         self._scores = dict(half.scores)
         self._unannounced.clear()
-        self._names = told_apart({seat: shown(name, 32) for seat, name in half.team_names.items()})
+        self._names = told_apart({seat: sanitize(name, 32) for seat, name in half.team_names.items()})
 
     def remarks(self, verdict: Verdict) -> Iterator[Remark]:
         """Yield what there is to say about one verdict: its events, then points that were given without one."""
@@ -86,7 +86,7 @@ class Commentator:
 
     def _score(self, event: Event, scored: dict[str, Score]) -> Remark:
         for seat, points in scored.items():
-            self._scores[seat] = on_paper(self._scores[seat] + points)
+            self._scores[seat] = round_score(self._scores[seat] + points)
         seat = max(scored, key=lambda one: scored[one])  # who gained, else who lost
         gain = "" if scored[seat] == 1 else f"{scored[seat]:+g}, "
         return Remark(f"{_name(event)}  {self._standing(seat)}  ({seat}, {gain}{_time(event)})", seat)
@@ -104,11 +104,11 @@ def _points(firing: Firing) -> dict[str, Score]:
 
 def _sentence(event: Event, says: str) -> Remark:
     told = told_beside(event.name, event.payload, says)
-    return Remark(f"{_time(event):>7}  {shown(' · '.join(filter(None, (says or _name(event), told))), 300)}")
+    return Remark(f"{_time(event):>7}  {sanitize(' · '.join(filter(None, (says or _name(event), told))), 300)}")
 
 
 def _name(event: Event) -> str:
-    return shown(event.name.replace("_", " "), 40)
+    return sanitize(event.name.replace("_", " "), 40)
 
 
 def _time(event: Event) -> str:

@@ -10,7 +10,7 @@ from rich.console import Console, ConsoleOptions, RenderableType
 from rich.segment import Segment
 
 from rcj_challenges.facts.letters import READABLE
-from rcj_challenges.facts.shown import shown_whole
+from rcj_challenges.facts.sanitize import sanitize_lines
 
 
 class PatientConsole(Console):
@@ -22,7 +22,7 @@ class PatientConsole(Console):
     def render(self, renderable: RenderableType, options: ConsoleOptions | None = None) -> Iterable[Segment]:
         """Return what is printed, in pieces."""
         for piece in super().render(renderable, options):
-            yield piece if piece.is_control else piece._replace(text=shown_whole(piece.text))
+            yield piece if piece.is_control else piece._replace(text=sanitize_lines(piece.text))
 
     def on_broken_pipe(self) -> None:
         """Say nothing more. Rich would end the command, with exit status 1."""

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import html
 
-from rcj_challenges.facts.shown import shown_whole
+from rcj_challenges.facts.sanitize import sanitize_lines
 
 
 def escaped(text: str) -> str:
     """Return text that can stand in an element or an attribute: visible characters without a meaning in markup."""
-    return html.escape(shown_whole(text))
+    return html.escape(sanitize_lines(text))

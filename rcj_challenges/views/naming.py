@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping
 
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.records.result import RunResult
 from rcj_challenges.scenario.models.scenario import Scenario
 
@@ -31,8 +31,9 @@ def told_apart(names: Mapping[str, str], *, sides_change: bool = False) -> dict[
         names: by team: its seat, that of the first half where sides are changed.
         sides_change: whether a team plays from another seat later, so that its seat alone would mislead.
     """
-    several = Counter(shown(name)[:_LONGEST] for name in names.values())
+    several = Counter(sanitize(name)[:_LONGEST] for name in names.values())
     first = " first" if sides_change else ""
     return {
-        team: f"{name} ({team}{first})" if several[shown(name)[:_LONGEST]] > 1 else name for team, name in names.items()
+        team: f"{name} ({team}{first})" if several[sanitize(name)[:_LONGEST]] > 1 else name
+        for team, name in names.items()
     }

@@ -15,9 +15,9 @@ from rich.text import Text
 
 from rcj_challenges.facts.measures import measure_words, measured_words, number_words
 from rcj_challenges.facts.play import Fault, HalfInfo, Snapshot, Verdict
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.facts.timing import TICK_S, s_from_ticks
-from rcj_challenges.match.watching import Progress, Silent, Watcher
+from rcj_challenges.match.observers import NullObserver, Observer, Progress
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Scenario
 from rcj_challenges.views.commentary import Commentator
 from rcj_challenges.views.naming import told_apart
@@ -29,7 +29,7 @@ _EVENTS_SHOWN = 6
 _BAR_COLUMNS = 30
 
 
-def watcher_for(console: Console, scenario: Scenario, *, quiet: bool, shared: bool) -> Watcher:
+def create_observer(console: Console, scenario: Scenario, *, quiet: bool, shared: bool) -> Observer:
     """Return the scoreboard in a terminal, plain lines elsewhere; if quiet what programs print, if that is asked for.
 
     Args:
@@ -73,12 +73,12 @@ def _team_names(half: HalfInfo) -> dict[str, str]:
 
 
 def _seats(half: HalfInfo) -> str:
-    return ", ".join(f"{seat}: {shown(name, 32)}" for seat, name in half.team_names.items())
+    return ", ".join(f"{seat}: {sanitize(name, 32)}" for seat, name in half.team_names.items())
 
 
 def _titles(names: Mapping[str, str], *, sides_change: bool) -> dict[str, str]:
     """Return the names by seat as a line may show them."""
-    return told_apart({seat: shown(name, 32) for seat, name in names.items()}, sides_change=sides_change)
+    return told_apart({seat: sanitize(name, 32) for seat, name in names.items()}, sides_change=sides_change)
 
 
 def decided_by_score_alone(rank: Sequence[Criterion]) -> bool:
@@ -157,7 +157,7 @@ def pace(progress: Progress) -> str:
     return f"{progress.factor:.0f} x real time, done in about {progress.remaining_s:.0f} s"
 
 
-class PrintedLines(Silent):
+class PrintedLines(NullObserver):
     """What programs print whose output is shown, and nothing else.
 
     Attributes:
@@ -171,7 +171,7 @@ class PrintedLines(Silent):
     def printed(self, robot: str, text: str) -> None:
         """Show what a program printed."""
         for line in text.splitlines():
-            self._say(f"{robot} | {shown(line.expandtabs(4), 2000)}")
+            self._say(f"{robot} | {sanitize(line.expandtabs(4), 2000)}")
 
     def _say(self, line: str) -> None:
         if self.trouble is None:
@@ -223,7 +223,7 @@ class PlainLines(PrintedLines):
             self._say(remark.text)
 
 
-class Scoreboard(Silent):
+class Scoreboard(NullObserver):
     """A live board: teams, score, clock, speed, last events. What changed the score stays above it."""
 
     progress_every_ticks = 125
@@ -263,7 +263,7 @@ class Scoreboard(Silent):
     def printed(self, robot: str, text: str) -> None:
         """Show what a program printed, above the board."""
         for line in text.splitlines():
-            self._console.print(f"{robot} | {shown(line.expandtabs(4), 2000)}", markup=False, highlight=False)
+            self._console.print(f"{robot} | {sanitize(line.expandtabs(4), 2000)}", markup=False, highlight=False)
 
     def finished(self, result: dict[str, Any]) -> None:
         """Take the board down."""
@@ -282,7 +282,7 @@ class Scoreboard(Silent):
         score = _one_line(score_so_far(half, progress.scores), "bold")
         names = _team_names(half)
         for seat, team in half.teams.items():
-            score.highlight_words([shown(names[team], 32)], self._styles.get(seat, ""))
+            score.highlight_words([sanitize(names[team], 32)], self._styles.get(seat, ""))
         time = f"{clock(s_from_ticks(progress.clock_ticks))} / {clock(s_from_ticks(half.ticks))}"
         status = Table.grid(padding=(0, 2))
         status.add_row(

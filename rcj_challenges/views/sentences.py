@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rcj_challenges.facts.play import Fault
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.facts.timing import s_from_ticks
 
 
@@ -15,4 +15,4 @@ def clock(seconds: float) -> str:
 
 def fault_line(fault: Fault) -> str:
     """Return one line for a program's fault."""
-    return f"{clock(s_from_ticks(fault.tick)):>7}  {fault.robot}: {fault.kind}: {shown(fault.detail)}"
+    return f"{clock(s_from_ticks(fault.tick)):>7}  {fault.robot}: {fault.kind}: {sanitize(fault.detail)}"

@@ -31,12 +31,12 @@ from rcj_challenges.checker.report import (
 )
 from rcj_challenges.checker.report_html import html_page
 from rcj_challenges.checker.report_text import print_report, summary, verdict
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 
 PNG = base64.b64decode(
     "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="
 )
-EVIL = shown("<script>alert(1)</script>\x1b[2J\u202e\"'&</style>--><img src=x onerror=y>[/bold][red]:smile:")
+EVIL = sanitize("<script>alert(1)</script>\x1b[2J\u202e\"'&</style>--><img src=x onerror=y>[/bold][red]:smile:")
 
 
 def finding(level="failure", message="it broke", remedy="mend it", where="robot.py:3:1", *, repair=False, details=""):
@@ -277,7 +277,7 @@ def test_names_of_strangers_do_no_harm_in_the_page(tmp_path):
 @settings(deadline=None)
 @given(st.text(max_size=60))
 def test_whatever_a_team_is_called_the_page_stays_whole(name):
-    safe = shown(name)
+    safe = sanitize(name)
     told = report(file_report(safe, [finding(message=safe, where=safe)], team=safe))
     tags = parsed(html_page(told, Path()))
     assert set(tags.tags) <= TAGS - {"img"}

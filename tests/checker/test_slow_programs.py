@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import pytest
 
 from rcj_challenges.checker.playing import _slow
-from rcj_challenges.match.watching import Waits
+from rcj_challenges.match.observers import ProgramTimes
 from rcj_challenges.scenario.load import load
 
 # Of a half of 600 s, 18750 ticks, a program may take 60 s, and 2 s for a step.
@@ -14,7 +14,7 @@ REHEARSAL = SimpleNamespace(loaded=load("match", ["match.half_s=600", "limits.ha
 
 def told(waited_s: float, slowest_s: float = 0.1):
     """Return what is said of a program after 12 s of play: a fiftieth of a half."""
-    match = SimpleNamespace(simulated_s=12.0, waits={"B1": Waits("B1", 375, 0.5, waited_s, slowest_s)})
+    match = SimpleNamespace(simulated_s=12.0, waits={"B1": ProgramTimes("B1", 375, 0.5, waited_s, slowest_s)})
     return _slow(REHEARSAL, match, "blue: ")
 
 

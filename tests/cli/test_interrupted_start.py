@@ -41,7 +41,7 @@ def test_while_the_command_line_is_loaded(tmp_path: Path, module: str) -> None:
     assert not list(tmp_path.iterdir())
 
 
-MOMENTS = ["rcj_challenges.scenario.load", "rcj_challenges.match.match", "rcj_challenges.views.scoreboard"]
+MOMENTS = ["rcj_challenges.scenario.load", "rcj_challenges.match.runner", "rcj_challenges.views.scoreboard"]
 WAYS = ["--json", "--quiet", "--no-replay"]
 
 

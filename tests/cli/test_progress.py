@@ -8,15 +8,15 @@ import pytest
 from rich.console import Console
 from rich.text import Text
 
-from rcj_challenges.match.clerk import HalfClerk
-from rcj_challenges.match.watching import Progress, Silent
+from rcj_challenges.match.observers import NullObserver, Progress
+from rcj_challenges.match.pacing import TickEffects
 from rcj_challenges.referee.script import half_of
 from rcj_challenges.scenario.load import load
-from rcj_challenges.views.scoreboard import PlainLines, Scoreboard, watcher_for
+from rcj_challenges.views.scoreboard import PlainLines, Scoreboard, create_observer
 
 
 class Counting:
-    """As much of a referee as the clerk asks."""
+    """As much of a referee as the effects asks."""
 
     def __init__(self, clock_ticks):
         self.clock_ticks = clock_ticks
@@ -34,7 +34,7 @@ class Nothing:
         pass
 
 
-class Listening(Silent):
+class Listening(NullObserver):
     progress_every_ticks = 100
 
     def __init__(self):
@@ -45,22 +45,24 @@ class Listening(Silent):
 
 
 def heard_at(tick, clock_ticks, later_ticks):
-    """Return what a watcher hears of a half of 300 ticks, so many ticks after it began."""
+    """Return what an observer hears of a half of 300 ticks, so many ticks after it began."""
     listening = Listening()
     half = replace(half_of(load("match").scenario), ticks=300)
-    clerk = HalfClerk(half, later_ticks, Counting(clock_ticks), Nothing(), listening, Nothing(), (), real_time=False)
-    clerk.ticked(SimpleNamespace(tick=tick), Nothing(), b"", b"")
+    effects = TickEffects(
+        half, later_ticks, Counting(clock_ticks), Nothing(), listening, Nothing(), (), real_time=False
+    )
+    effects.ticked(SimpleNamespace(tick=tick), Nothing(), b"", b"")
     (progress,) = listening.heard
     return progress
 
 
 def test_how_long_programs_took_to_start_is_not_taken_for_the_pace_of_the_match(monkeypatch):
     now = SimpleNamespace(s=0.0)
-    monkeypatch.setattr("rcj_challenges.match.clerk.time", SimpleNamespace(perf_counter=lambda: now.s))
+    monkeypatch.setattr("rcj_challenges.match.pacing.time", SimpleNamespace(perf_counter=lambda: now.s))
     listening, half = Listening(), replace(half_of(load("match").scenario), ticks=301)
-    clerk = HalfClerk(half, 0, Counting(101), Nothing(), listening, Nothing(), (), real_time=False)
+    effects = TickEffects(half, 0, Counting(101), Nothing(), listening, Nothing(), (), real_time=False)
     for tick, took_s in ((0, 30.0), *((tick, 0.01) for tick in range(1, 101))):
-        clerk.ticked(SimpleNamespace(tick=tick), Nothing(), b"", b"")
+        effects.ticked(SimpleNamespace(tick=tick), Nothing(), b"", b"")
         now.s += took_s
     (progress,) = listening.heard
     assert progress.remaining_s == pytest.approx(2.0)
@@ -70,11 +72,11 @@ def test_how_long_programs_took_to_start_is_not_taken_for_the_pace_of_the_match(
 def test_in_real_time_the_match_does_not_hurry_after_programs_that_were_slow_to_start(monkeypatch):
     now, slept = SimpleNamespace(s=0.0), []
     clock = SimpleNamespace(perf_counter=lambda: now.s, sleep=slept.append)
-    monkeypatch.setattr("rcj_challenges.match.clerk.time", clock)
+    monkeypatch.setattr("rcj_challenges.match.pacing.time", clock)
     half = half_of(load("match").scenario)
-    clerk = HalfClerk(half, 0, Counting(0), Nothing(), Listening(), Nothing(), (), real_time=True)
+    effects = TickEffects(half, 0, Counting(0), Nothing(), Listening(), Nothing(), (), real_time=True)
     for tick, took_s in ((0, 5.0), (1, 0.002), (2, 0.002)):
-        clerk.ticked(SimpleNamespace(tick=tick), Nothing(), b"", b"")
+        effects.ticked(SimpleNamespace(tick=tick), Nothing(), b"", b"")
         now.s += took_s
     assert slept == pytest.approx([0.032, 0.062])
 
@@ -168,4 +170,4 @@ def test_a_terminal_that_cannot_be_drawn_over_shows_plain_lines(monkeypatch, ter
     """One inside an editor, for instance: no scoreboard can be drawn there, and without lines the match is silent."""
     monkeypatch.setenv("TERM", kind)
     console = Console(file=io.StringIO(), force_terminal=terminal)
-    assert type(watcher_for(console, load("match").scenario, quiet=False, shared=False)) is shown_by
+    assert type(create_observer(console, load("match").scenario, quiet=False, shared=False)) is shown_by

@@ -458,7 +458,7 @@ def test_two_runs_at_once_never_share_a_folder(tmp_path, team):
 
 
 def test_a_fault_of_ours_leaves_a_report_and_exit_code_3(tmp_path, monkeypatch, capsys, team):
-    monkeypatch.setattr("rcj_challenges.match.match.play_match", None)
+    monkeypatch.setattr("rcj_challenges.match.runner.play_match", None)
     assert here(monkeypatch, tmp_path, *short(team)) == 3
     (report,) = tmp_path.glob("rcj-challenge-report-*.txt")
     assert "Traceback" in report.read_text("utf-8")
@@ -471,7 +471,7 @@ def test_physics_that_become_unstable_are_a_fault_of_ours_with_a_report(tmp_path
     def unstable(*_, **__):
         raise PhysicsFault("the physics became unstable in tick 7")
 
-    monkeypatch.setattr("rcj_challenges.match.match.play_match", unstable)
+    monkeypatch.setattr("rcj_challenges.match.runner.play_match", unstable)
     assert here(monkeypatch, tmp_path, *short(team)) == 3
     (report,) = tmp_path.glob("rcj-challenge-report-*.txt")
     assert "unstable in tick 7" in report.read_text("utf-8")

@@ -7,7 +7,7 @@ import pytest
 from rcj_challenges.cli.advice import advice_on_standing
 from rcj_challenges.facts.play import Placement, Snapshot, Verdict
 from rcj_challenges.facts.timing import ticks_from_s
-from rcj_challenges.match.standing import WATCHED_S, StandingWatcher
+from rcj_challenges.match.standing import WATCHED_S, StandingObserver
 from rcj_challenges.referee.script import half_of
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.roster import Roster
@@ -27,15 +27,15 @@ TICKS = ticks_from_s(WATCHED_S) + 1
 
 def standing_after(move):
     """Return who stands after a half in which ``move(tick)`` gives the pose of B1, and a placement of it or none."""
-    watcher, roster = StandingWatcher(MATCH), Roster.of(MATCH)
-    watcher.half_started(half_of(MATCH))
+    observer, roster = StandingObserver(MATCH), Roster.of(MATCH)
+    observer.half_started(half_of(MATCH))
     for tick in range(TICKS):
         pose, placed = move(tick)
         poses = [(0.1 * number, 0.0, 0.0) for number in range(len(roster.entities))]
         poses[roster.index["B1"]] = pose
         placements = (Placement(roster.index["B1"], *placed),) if placed else ()
-        watcher.ticked(Snapshot(tick, [poses], [], [], ()), Verdict(placements=placements))
-    return watcher.robots()
+        observer.ticked(Snapshot(tick, [poses], [], [], ()), Verdict(placements=placements))
+    return observer.robots()
 
 
 @pytest.mark.parametrize(
@@ -53,9 +53,9 @@ def test_who_neither_drives_nor_turns_stands(move, stands):
 
 
 def test_a_half_that_is_too_short_tells_nothing():
-    watcher = StandingWatcher(MATCH)
-    watcher.half_started(half_of(MATCH))
-    assert watcher.robots() == []
+    observer = StandingObserver(MATCH)
+    observer.half_started(half_of(MATCH))
+    assert observer.robots() == []
 
 
 def test_a_robot_whose_program_failed_is_left_out(tmp_path):

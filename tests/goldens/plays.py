@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rcj_challenges.controllers.team import open_team
-from rcj_challenges.match.match import MatchPlan, play_match
+from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.records.result import versions
 from rcj_challenges.referee.trials import try_expectation
 from rcj_challenges.scenario.load import load

@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.match.judging import judge_again
+from rcj_challenges.match.rejudge import rejudge
 from rcj_challenges.records.recorded_scenario import read_scenario
 from rcj_challenges.records.result import read_result
 from rcj_challenges.records.trajectory import Trajectory
@@ -36,7 +36,7 @@ def test_the_tests_of_a_scenario_fire_the_same_rules_at_the_same_ticks(play):
 
 def test_a_stored_record_is_judged_as_ever():
     result = read_result(RECORD)
-    judgement = judge_again(Trajectory.open(RECORD), read_scenario(RECORD))
+    judgement = rejudge(Trajectory.open(RECORD), read_scenario(RECORD))
     assert judgement.complete
     assert judgement.events == [event.model_dump() for event in result.events]
     assert judgement.scores == result.score

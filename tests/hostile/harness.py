@@ -38,7 +38,7 @@ import numpy as np
 
 from rcj_challenges.controllers.isolation import LAYERS, active_layers
 from rcj_challenges.controllers.team import Team, open_team
-from rcj_challenges.match.match import MatchPlan, play_match
+from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.records.trajectory import Trajectory
 from rcj_challenges.scenario.load import Loaded, load
 

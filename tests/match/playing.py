@@ -6,7 +6,7 @@ from itertools import count
 from pathlib import Path
 
 from rcj_challenges.controllers.team import open_team
-from rcj_challenges.match.match import MatchPlan, play_match
+from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.records.trajectory import Trajectory
 from rcj_challenges.scenario.load import load
 from tests.match.programs import STAND
@@ -51,7 +51,7 @@ class Place:
         (folder / "team_name.txt").write_text(name, encoding="utf-8")
         return folder
 
-    def play(self, *overrides, blue=None, yellow=None, seed=1, scenario="match", watcher=None, **plan):
+    def play(self, *overrides, blue=None, yellow=None, seed=1, scenario="match", observer=None, **plan):
         """Play a short match: one half of a few seconds unless the overrides say otherwise.
 
         A team that is not given stands still: its first robot runs a program that says so, the others have none, which
@@ -66,7 +66,7 @@ class Place:
         loaded = load(scenario, ["match.halves=1", "match.half_s=5", *stand, *overrides])
         seats = tuple(loaded.scenario.entrants.values())
         teams = {seat: open_team(given[seat], *seats) for seat in loaded.scenario.entrants}
-        outcome = play_match(MatchPlan(loaded, teams, {}, seed=seed, out=self.folder / "runs", **plan), watcher)
+        outcome = play_match(MatchPlan(loaded, teams, {}, seed=seed, out=self.folder / "runs", **plan), observer)
         return Run(outcome.folder, outcome.result)
 
 

@@ -4,7 +4,7 @@ import pytest
 
 from rcj_challenges.controllers.archive import TeamError
 from rcj_challenges.controllers.team import open_team
-from rcj_challenges.match.match import MatchPlan, play_match
+from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.scenario.load import load_text
 from rcj_challenges.views.sheet import sheet_markdown
 from rcj_challenges.views.stats import run_stats

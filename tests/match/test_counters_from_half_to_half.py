@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.match.match import MatchPlan, play_match
+from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.scenario.load import load_text
 from tests.judging_again import judged_again, reflog_of
 from tests.match.playing import Run

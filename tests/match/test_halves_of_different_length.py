@@ -1,6 +1,6 @@
 """A match whose halves have lengths of their own: clock, score, result, and what is judged again from the record."""
 
-from rcj_challenges.match.match import MatchPlan, play_match
+from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.records.trajectory import Trajectory
 from rcj_challenges.scenario.load import load_text
 from rcj_challenges.views.live.telling import live_facts

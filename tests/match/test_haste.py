@@ -10,8 +10,8 @@ from rcj_challenges.controllers.scheduling import AS_EVERYBODY, Manners
 from rcj_challenges.facts.play import Fault
 from rcj_challenges.facts.traffic import Request
 from rcj_challenges.match import haste
-from rcj_challenges.match.half import HalfPlay
 from rcj_challenges.match.haste import SOON_S, Haste
+from rcj_challenges.match.loop import TickLoop
 from rcj_challenges.match.stage import build_stage
 from rcj_challenges.referee.script import half_of
 from rcj_challenges.scenario.load import load
@@ -329,7 +329,7 @@ def told(monkeypatch, stage):
             by_tick.append(notes.copy())
             notes.clear()
 
-        HalfPlay(set_up, half, on_tick, lambda _: None, lambda _: None).play()
+        TickLoop(set_up, half, on_tick, lambda _: None, lambda _: None).play()
         return by_tick[1:]
 
     return play
@@ -367,7 +367,7 @@ def test_all_behave_as_is_wanted_of_them(monkeypatch, stage):
 
     monkeypatch.setattr(Haste, "next_is_soon", next_is_soon)
     half, set_up, _ = stage(10, B1=(1, 5))
-    HalfPlay(set_up, half, lambda *_: None, lambda _: None, lambda _: None).play()
+    TickLoop(set_up, half, lambda *_: None, lambda _: None, lambda _: None).play()
     first, *others = set_up.drivers.values()
     assert first.manners == [room]  # it fails at its fifth step
     # When the half is over they all clean up at once, and the match has nothing to do.
@@ -384,7 +384,7 @@ def test_one_that_computes_for_long_and_all_others_may_do_so_on_all_processors(m
 
     monkeypatch.setattr(Haste, "next_is_soon", next_is_soon)
     half, set_up, _ = stage(5, Y2=(1, None, 2))
-    HalfPlay(set_up, half, lambda *_: None, lambda _: None, lambda _: None).play()
+    TickLoop(set_up, half, lambda *_: None, lambda _: None, lambda _: None).play()
     assert notes == [apart, apart, room, room]
     assert all(one.manners == [apart, room, AS_EVERYBODY] for one in set_up.drivers.values())
 
@@ -393,7 +393,7 @@ def test_what_counts_is_how_long_each_has_computed_that_plays(monkeypatch, stage
     told = []
     monkeypatch.setattr(Haste, "next_is_soon", lambda haste, _: told.append(haste._computed_s_until_now()))
     half, set_up, _ = stage(4, B1=(1, 3))
-    HalfPlay(set_up, half, lambda *_: None, lambda _: None, lambda _: None).play()
+    TickLoop(set_up, half, lambda *_: None, lambda _: None, lambda _: None).play()
     assert told == [dict.fromkeys(range(6), 1.0), dict.fromkeys(range(6), 2.0), dict.fromkeys(range(1, 6), 3.0)]
 
 
@@ -407,6 +407,6 @@ def test_the_match_prepares_the_next_tick_while_programs_think(monkeypatch, stag
         real()
 
     monkeypatch.setattr(set_up.world, "prepare", prepare)
-    HalfPlay(set_up, half, lambda *_: None, lambda _: None, lambda _: None).play()
+    TickLoop(set_up, half, lambda *_: None, lambda _: None, lambda _: None).play()
     # All have been released, and none of them has been asked for its answer.
     assert order == [(6, [1] * 6), (12, [2] * 6), (12, [3] * 6)]

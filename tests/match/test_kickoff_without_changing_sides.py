@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from rcj_challenges.controllers.team import open_team
-from rcj_challenges.match.match import MatchPlan, play_match
+from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.scenario.load import load_text
 
 KEPT = """

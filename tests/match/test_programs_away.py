@@ -6,7 +6,7 @@ import pytest
 
 from rcj_challenges.facts.play import Fault
 from rcj_challenges.facts.traffic import Request
-from rcj_challenges.match.half import HalfPlay
+from rcj_challenges.match.loop import TickLoop
 from rcj_challenges.match.stage import build_stage
 from rcj_challenges.referee.script import half_of
 from rcj_challenges.scenario.load import load
@@ -50,7 +50,7 @@ def played():
         drivers = {index: Away(ticks if name == "Y1" else 1) for index, name in enumerate(robots)}
         stage = build_stage(loaded.scenario, loaded.roster, half, drivers)
         told = []
-        play = HalfPlay(stage, half, lambda *_: None, lambda fault: told.append((play.tick, fault)), lambda _: None)
+        play = TickLoop(stage, half, lambda *_: None, lambda fault: told.append((play.tick, fault)), lambda _: None)
         play.play()
         assert not any(driver.looked_at for index, driver in drivers.items() if robots[index] != "Y1")
         return drivers[robots.index("Y1")], told

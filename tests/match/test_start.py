@@ -5,7 +5,7 @@ import sys
 
 
 def test_the_physics_is_not_loaded_before_programs_are_started():
-    asked = "import sys, rcj_challenges.match.match; print('mujoco' in sys.modules)"
+    asked = "import sys, rcj_challenges.match.runner; print('mujoco' in sys.modules)"
     told = subprocess.run([sys.executable, "-c", asked], check=True, capture_output=True, text=True).stdout
     assert told.strip() == "False"
 

@@ -4,7 +4,7 @@ import hashlib
 
 from rcj_challenges.controllers.super_team import SuperTeam
 from rcj_challenges.controllers.team import open_team
-from rcj_challenges.match.match import MatchPlan, play_match
+from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.scenario.load import load
 from tests.match.playing import Place, Run
 from tests.match.programs import STAND

@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.records.refereelog import read_referee_log
+from rcj_challenges.records.referee_log import read_referee_log
 from tests.judging_again import judged_again, reflog_of
 from tests.match.playing import Place
 from tests.match.programs import AHEAD, STAND

@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from rcj_challenges.match.watching import Silent
+from rcj_challenges.match.observers import NullObserver
 from rcj_challenges.world.errors import PhysicsFault
 from rcj_challenges.world.world import World
 from tests.match.programs import AHEAD, DRIVE, STAND
@@ -107,8 +107,8 @@ def test_programs_are_told_the_end_by_minus_one(play, team_folder):
     assert "the end at 1.024" in play("match.half_s=1", yellow=team_folder(says)).log("Y1")
 
 
-def test_watchers_are_asked_before_each_tick_in_order_and_once(play):
-    class Asked(Silent):
+def test_observers_are_asked_before_each_tick_in_order_and_once(play):
+    class Asked(NullObserver):
         def __init__(self):
             self.ticks = []
 
@@ -116,6 +116,6 @@ def test_watchers_are_asked_before_each_tick_in_order_and_once(play):
             self.ticks.append(tick)
             return 0.0
 
-    watcher = Asked()
-    play("match.half_s=0.32", watcher=watcher)
-    assert watcher.ticks == list(range(1, 11))
+    observer = Asked()
+    play("match.half_s=0.32", observer=observer)
+    assert observer.ticks == list(range(1, 11))

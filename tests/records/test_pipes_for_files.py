@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.refereelog import read_referee_log
+from rcj_challenges.records.referee_log import read_referee_log
 from rcj_challenges.records.result import read_result
 from rcj_challenges.records.salvage import read_run
 from rcj_challenges.records.sensors import read_sensors

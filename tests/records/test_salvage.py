@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REFEREE_LOG, TRAJECTORY_PARTS
 from rcj_challenges.records.recorded_scenario import read_scenario
-from rcj_challenges.records.refereelog import read_referee_log
+from rcj_challenges.records.referee_log import read_referee_log
 from rcj_challenges.records.salvage import read_halves, read_run
 from rcj_challenges.records.testing import (
     begun_run,

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from rcj_challenges.controllers.team import open_team
-from rcj_challenges.match.match import MatchPlan, play_match
+from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.scenario.load import load
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from rcj_challenges.facts.play import Event, Verdict
 from rcj_challenges.facts.timing import TICK_S
-from rcj_challenges.match.watching import Together
+from rcj_challenges.match.observers import ObserverGroup
 from rcj_challenges.records.sensors import SensorWriter
 from rcj_challenges.records.testing import half_info, made_up_play, small_header, small_scenario
 from rcj_challenges.records.writer import RecordWriter
@@ -74,25 +74,25 @@ class MadeUpMatch:
 
     def _play_half(self, writer: RecordWriter, number: int) -> bool:
         """Play a half; returns whether it came to its end."""
-        watcher, ticks = Together(self.show.watcher), self._ticks
+        observer, ticks = ObserverGroup(self.show.observer), self._ticks
         half = half_info(self._scenario, number, ticks, self._header, writer.result["score"])
         writer.begin_half(half)
-        watcher.half_started(half)
+        observer.half_started(half)
         with ExitStack() as recording:
             senses = None
             if self._sensors:
                 senses = recording.enter_context(closing(SensorWriter(writer.folder, number, SENSED)))
-                senses.tell(watcher.sensing(half, SENSED))
+                senses.tell(observer.sensing(half, SENSED))
             for snapshot, verdict in made_up_play(len(self._scenario.robots), ticks):
                 if self._stopped.is_set():
                     return False
                 if snapshot.tick:
-                    watcher.before_tick(snapshot.tick)
+                    observer.before_tick(snapshot.tick)
                 writer.tick(snapshot, verdict, struct.pack("<d", snapshot.substeps[-1][0][0]))
-                watcher.ticked(snapshot, verdict)
+                observer.ticked(snapshot, verdict)
                 if senses is not None:
                     sense(senses, snapshot.tick)
         last = Verdict(events=(Event(ticks, "MATCH_FINISH", {"total_match_time": ticks * TICK_S}),))
         writer.end_half(last)
-        watcher.closing(last, half)
+        observer.closing(last, half)
         return True

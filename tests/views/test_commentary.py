@@ -9,7 +9,7 @@ from rich.console import Console
 from rich.text import Text
 
 from rcj_challenges.facts.play import Event, Firing, Verdict
-from rcj_challenges.match.watching import Progress
+from rcj_challenges.match.observers import Progress
 from rcj_challenges.referee.script import half_of
 from rcj_challenges.scenario.load import load
 from rcj_challenges.views.commentary import Commentator
@@ -89,12 +89,12 @@ def test_what_a_suppressed_rule_would_have_said_is_not_told(half):
 
 def shown_by(kind, half, *, width=80, **console):
     written = io.StringIO()
-    watcher = kind(Console(file=written, width=width, **console), MATCH)
-    watcher.half_started(half)
-    watcher.ticked(None, KICKOFF)
-    watcher.ticked(None, GOAL)
-    watcher.progressed(Progress(half, 625, 625, {"blue": 2, "yellow": 1}, "goal_pause", 49.0, 61.0))
-    watcher.finished({})
+    observer = kind(Console(file=written, width=width, **console), MATCH)
+    observer.half_started(half)
+    observer.ticked(None, KICKOFF)
+    observer.ticked(None, GOAL)
+    observer.progressed(Progress(half, 625, 625, {"blue": 2, "yellow": 1}, "goal_pause", 49.0, 61.0))
+    observer.finished({})
     return written.getvalue()
 
 

@@ -28,7 +28,7 @@ from rcj_challenges.records.testing import (
 from rcj_challenges.views.live import MAX_SPEED, LiveShow, Pace, PortTakenError
 from rcj_challenges.views.live.feed import Feed, poses, said
 from rcj_challenges.views.live.server import MOST_CONNECTIONS, carry_out
-from rcj_challenges.views.live.telling import LiveWatcher
+from rcj_challenges.views.live.telling import LiveObserver
 
 SCENARIO = small_scenario(halves=2, half_s=60.0)
 HEADER = small_header(SCENARIO)
@@ -403,25 +403,25 @@ def test_a_spectator_that_reads_nothing_does_not_hold_up_the_match(show: LiveSho
     stuck = socket.create_connection(("127.0.0.1", show.port), timeout=10)
     stuck.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
     stuck.sendall(f"GET /feed?match={match}&from=0 HTTP/1.1\r\nHost: 127.0.0.1:{show.port}\r\n\r\n".encode())
-    show.watcher.half_started(half_info(SCENARIO, 1, 1875, HEADER))
+    show.observer.half_started(half_info(SCENARIO, 1, 1875, HEADER))
     for snapshot, verdict in made_up_play(ROBOTS, 1875):
-        show.watcher.ticked(snapshot, verdict)
+        show.observer.ticked(snapshot, verdict)
         if snapshot.tick % 100 == 0:
-            show.watcher.flush()
-    show.watcher.flush()
+            show.observer.flush()
+    show.observer.flush()
     assert show._feed.size_bytes > 1875 * CHANNELS * ENTITIES * 2
     stuck.close()
 
 
 def _told(ticks: list[tuple[Any, Verdict]], every: int = 7) -> list[Any]:
     feed = Feed()
-    watcher = LiveWatcher(SCENARIO, feed, Pace(MAX_SPEED))
-    watcher.half_started(half_info(SCENARIO, 1, len(ticks) - 1, HEADER))
+    observer = LiveObserver(SCENARIO, feed, Pace(MAX_SPEED))
+    observer.half_started(half_info(SCENARIO, 1, len(ticks) - 1, HEADER))
     for number, (snapshot, verdict) in enumerate(ticks):
-        watcher.ticked(snapshot, verdict)
+        observer.ticked(snapshot, verdict)
         if number % every == 0:
-            watcher.flush()
-    watcher.flush()
+            observer.flush()
+    observer.flush()
     feed.close()
     return _messages(_all(feed))
 
@@ -463,12 +463,12 @@ def test_goals_faults_phases_and_jumps_are_told_with_their_tick() -> None:
 
 def test_what_the_rules_say_after_the_last_tick_counts() -> None:
     feed = Feed()
-    watcher = LiveWatcher(SCENARIO, feed, Pace(MAX_SPEED))
+    observer = LiveObserver(SCENARIO, feed, Pace(MAX_SPEED))
     half = half_info(SCENARIO, 1, 2, HEADER)
-    watcher.half_started(half)
+    observer.half_started(half)
     for tick in range(3):
-        watcher.ticked(made_up_snapshot(tick, ROBOTS), Verdict())
-    watcher.closing(Verdict(firings=(Firing(2, "goal", None, "half_ended", scored={"yellow": 5}),)), half)
+        observer.ticked(made_up_snapshot(tick, ROBOTS), Verdict())
+    observer.closing(Verdict(firings=(Firing(2, "goal", None, "half_ended", scored={"yellow": 5}),)), half)
     feed.close()
     last = _messages(_all(feed))[-1]
     assert (last["tick"], last["score"]) == (2, {"blue": 0, "yellow": 5})

@@ -19,8 +19,8 @@ from typer.testing import CliRunner
 from rcj_challenges.cli.app import app
 from rcj_challenges.controllers.team import open_team
 from rcj_challenges.facts.errors import RcjError
-from rcj_challenges.match.match import MatchPlan, play_match
-from rcj_challenges.match.watching import Silent, Together
+from rcj_challenges.match.observers import NullObserver, ObserverGroup
+from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.scenario.load import load
 from rcj_challenges.views.live import MAX_SPEED, LiveShow
 
@@ -59,7 +59,7 @@ def play(tmp_path: Path, team: Path) -> Callable[..., dict[str, Any]]:
         if show is None:
             return play_match(plan).result
         with show(loaded.scenario) as shown:
-            return play_match(plan, Together(shown.watcher)).result
+            return play_match(plan, ObserverGroup(shown.observer)).result
 
     return run
 
@@ -125,7 +125,7 @@ def test_a_pause_counts_for_no_programs_limits(play: Callable[..., dict[str, Any
     assert result["complete"]
 
 
-class Holding(Silent):
+class Holding(NullObserver):
     """Somebody who holds up the first ticks of each half."""
 
     def before_tick(self, tick: int) -> float:

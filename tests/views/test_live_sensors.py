@@ -15,8 +15,8 @@ from hypothesis import strategies as st
 
 from rcj_challenges.controllers.team import open_team
 from rcj_challenges.facts.play import HalfInfo
-from rcj_challenges.match.match import MatchPlan, play_match
-from rcj_challenges.match.watching import Together
+from rcj_challenges.match.observers import ObserverGroup
+from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.records.sensors import SensorWriter, read_sensors
 from rcj_challenges.records.testing import (
     half_info,
@@ -29,7 +29,7 @@ from rcj_challenges.scenario.load import load
 from rcj_challenges.views.live import MAX_SPEED, LiveShow, Pace
 from rcj_challenges.views.live.feed import Feed
 from rcj_challenges.views.live.senses import HalfSenses, packed_steps
-from rcj_challenges.views.live.telling import LiveWatcher
+from rcj_challenges.views.live.telling import LiveObserver
 from rcj_challenges.views.replay.sensing import MORE_IN_THE_LOG, MOST_LETTERS, output_block, sensor_block, sensor_facts
 from tests.views.sensing_play import ENDLESS, HOSTILE, SENSED, TURNED, logo, sense
 
@@ -121,20 +121,20 @@ def replayed(half: Any) -> dict[str, Table]:
 def told(folder: Path, ticks: int = TICKS, every: int = 7, sensors: bool = True) -> Told:
     """Play a half without physics; whoever watches is told every so many ticks."""
     feed = Feed()
-    watcher = LiveWatcher(SCENARIO, feed, Pace(MAX_SPEED))
+    observer = LiveObserver(SCENARIO, feed, Pace(MAX_SPEED))
     half = half_info(SCENARIO, 1, ticks, HEADER)
-    watcher.half_started(half)
+    observer.half_started(half)
     writer = SensorWriter(folder, 1, SENSED)
     if sensors:
-        writer.tell(Together(watcher).sensing(half, SENSED))
+        writer.tell(ObserverGroup(observer).sensing(half, SENSED))
     for snapshot, verdict in made_up_play(ROBOTS, ticks):
-        watcher.ticked(snapshot, verdict)
+        observer.ticked(snapshot, verdict)
         sense(writer, snapshot.tick)
         if snapshot.tick % every == 0:
-            watcher.flush()
+            observer.flush()
     writer.printed(0, "last words\n")  # after the half was closed, as a program's last output comes
     writer.close()
-    watcher.flush()
+    observer.flush()
     return Told(feed)
 
 
@@ -275,7 +275,7 @@ def chatty(tmp_path: Path) -> Callable[..., MatchPlan]:
 def test_a_match_that_is_recorded_and_watched_tells_all_of_its_recording(chatty: Callable[..., MatchPlan]) -> None:
     plan = chatty(record_sensors=True)
     with LiveShow(plan.loaded.scenario, {}, 7, logos=plan.logos, speed=MAX_SPEED) as show:
-        played = play_match(plan, Together(show.watcher))
+        played = play_match(plan, ObserverGroup(show.observer))
         show.match_over(played.folder)
         live = Told(show._feed)
         assert all(team["logo"] for team in facts_of(show)["teams"])

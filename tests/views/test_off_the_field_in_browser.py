@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from rcj_challenges.facts.play import Placement, Snapshot, Verdict
-from rcj_challenges.match.watching import Together
+from rcj_challenges.match.observers import ObserverGroup
 from rcj_challenges.records.testing import half_info, made_up_play, small_header, small_scenario
 from rcj_challenges.records.trajectory import Trajectory
 from rcj_challenges.records.writer import RecordWriter
@@ -97,11 +97,11 @@ def test_live_it_stands_nowhere_in_the_picture_either(tmp_path: Path, watch: Cal
     header = small_header(scenario)
     live = LiveShow(scenario, dict(header.team_names), 1, speed=MAX_SPEED)
     try:
-        watcher, half = Together(live.watcher), half_info(scenario, 1, TICKS, header)
-        watcher.half_started(half)
+        observer, half = ObserverGroup(live.observer), half_info(scenario, 1, TICKS, header)
+        observer.half_started(half)
         for snapshot, verdict in _play(len(scenario.robots)):
-            watcher.ticked(snapshot, verdict)
-        watcher.closing(Verdict(), half)
+            observer.ticked(snapshot, verdict)
+        observer.closing(Verdict(), half)
         page = watch(live.address, script=NO_WEBGL)
         until(page, f"replay.recording.last >= {TICKS}")
         page.evaluate(f"replay.seek(1, {TAKEN_OFF + 50})")

@@ -15,7 +15,7 @@ from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.live.feed import Feed
 from rcj_challenges.views.live.pace import MAX_SPEED, Pace
-from rcj_challenges.views.live.telling import LiveWatcher
+from rcj_challenges.views.live.telling import LiveObserver
 from rcj_challenges.views.replay import write_replay
 from rcj_challenges.views.replay.story import MOST_UNANNOUNCED
 
@@ -104,11 +104,11 @@ def test_a_rule_that_pays_all_the_time_does_not_fill_the_page(tmp_path: Path) ->
 
 def test_a_live_match_tells_them_too() -> None:
     scenario, feed = _scenario(), Feed()
-    watcher = LiveWatcher(scenario, feed, Pace(MAX_SPEED))
-    watcher.half_started(half_info(scenario, 1, TICKS, small_header(scenario)))
+    observer = LiveObserver(scenario, feed, Pace(MAX_SPEED))
+    observer.half_started(half_info(scenario, 1, TICKS, small_header(scenario)))
     for tick in range(TICKS + 1):
-        watcher.ticked(made_up_snapshot(tick, 2), _verdict(tick))
-    watcher.closing(Verdict(), half_info(scenario, 1, TICKS, small_header(scenario)))
+        observer.ticked(made_up_snapshot(tick, 2), _verdict(tick))
+    observer.closing(Verdict(), half_info(scenario, 1, TICKS, small_header(scenario)))
     feed.close()
     pieces, at = [], 0
     while piece := feed.read(at, 0.0):

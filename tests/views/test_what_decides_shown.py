@@ -19,7 +19,7 @@ from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.live.feed import Feed
 from rcj_challenges.views.live.pace import MAX_SPEED, Pace
-from rcj_challenges.views.live.telling import LiveWatcher
+from rcj_challenges.views.live.telling import LiveObserver
 from rcj_challenges.views.payloads import told_beside
 from rcj_challenges.views.replay import write_replay
 from rcj_challenges.views.standing import Counting, shows_score
@@ -302,13 +302,13 @@ def test_a_name_at_the_edge_is_written_whole_on_a_phone(show: Callable[..., Any]
 
 def test_a_live_match_tells_what_counts_where_it_changes() -> None:
     scenario, feed = _scenario(), Feed()
-    watcher = LiveWatcher(scenario, feed, Pace(MAX_SPEED))
+    observer = LiveObserver(scenario, feed, Pace(MAX_SPEED))
     half = half_info(scenario, 1, TICKS, small_header(scenario))
-    watcher.half_started(half)
+    observer.half_started(half)
     for tick in range(TICKS + 1):
-        watcher.ticked(made_up_snapshot(tick, 2), _verdict(1, tick))
+        observer.ticked(made_up_snapshot(tick, 2), _verdict(1, tick))
     last = Firing(TICKS, "goal", "Y1", "half_ended")
-    watcher.closing(Verdict(firings=(last,), counted={"laps": {"B1": 1, "Y1": 2}, "best_s": 7}), half)
+    observer.closing(Verdict(firings=(last,), counted={"laps": {"B1": 1, "Y1": 2}, "best_s": 7}), half)
     feed.close()
     told = re.findall(rb'"tick":(\d+),"counted":(\{.*?\]\})', b"".join(iter(_reader(feed), None)))
     assert [(int(tick), json.loads(values)) for tick, values in told] == [

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from rcj_challenges.facts.amounts import on_paper
+from rcj_challenges.facts.amounts import round_score
 from rcj_challenges.facts.diagnostics import Diagnostic
 from rcj_challenges.referee.script import ScriptedPlay
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -37,7 +37,7 @@ def contradictions(findings: list[Diagnostic], scenario: Scenario, play: Scripte
                 told = re.search(r"'([A-Z][A-Z0-9_]*)'", finding.message)
                 wrong = told is not None and told[1] in events
             case "never-written" if section == "counters" and abs(scenario.counters[name].initial) <= 1e15:
-                wrong = _all(referee.counters[name]) != {on_paper(scenario.counters[name].initial)}
+                wrong = _all(referee.counters[name]) != {round_score(scenario.counters[name].initial)}
             case "never-written" if section == "flags":
                 wrong = _all(referee.flags[name]) != {scenario.flags[name].initial}
             case "no-way-to-score":

@@ -9,8 +9,8 @@ from typing import Any
 
 from rcj_challenges.facts.play import Fault
 from rcj_challenges.facts.traffic import MotorCommand, Observation, Request, RobotSpec
-from rcj_challenges.match.match import MatchPlan, _MatchPlay
-from rcj_challenges.match.watching import Silent
+from rcj_challenges.match.observers import NullObserver
+from rcj_challenges.match.runner import MatchPlan, _MatchRunner
 from rcj_challenges.referee.script import ScriptedPlay
 from rcj_challenges.scenario.load import Loaded
 
@@ -80,7 +80,7 @@ class _Team:
     files: dict[Any, bytes] = field(default_factory=dict)
 
 
-class _PuppetPlay(_MatchPlay):
+class _PuppetRunner(_MatchRunner):
     """A match of which the programs are puppets: no processes, all else is real."""
 
     def _launch(self, crew: Any, specs: Any, half: Any) -> Any:
@@ -113,7 +113,7 @@ _BUDGET = _Budget()
 def played(loaded: Loaded, out: Path, seed: int) -> tuple[Path, dict[str, Any]]:
     """Play a match with programs that do something at random; returns its folder and result."""
     teams: Any = {seat: _Team(f"Team {seat}") for seat in loaded.scenario.entrants}
-    outcome = _PuppetPlay(MatchPlan(loaded, teams, {}, seed=seed, out=out, sandbox="off"), Silent()).play()
+    outcome = _PuppetRunner(MatchPlan(loaded, teams, {}, seed=seed, out=out, sandbox="off"), NullObserver()).play()
     return outcome.folder, outcome.result
 
 

@@ -9,7 +9,7 @@ from rcj_challenges.checker.advice.crash_site import OF_NONE, origins_of_none, p
 from rcj_challenges.checker.others import others_that_fit, suggest_scenarios
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.likeness import nearest_name
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.robots import Device
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -68,7 +68,7 @@ def none_hint(scenario: Scenario, team: Team, robot: str, detail: str, log: str)
     made_for = advice.made_for(names[-1])
     single = len(names) == 1 or made_for
     remedy = advice.remedy(names[-1], robot, missing[names[-1]]) if single else _all_of(missing[names[-1]])
-    quoted = _list_calls([f'getDevice("{shown(name)}")' for name in names])
+    quoted = _list_calls([f'getDevice("{sanitize(name)}")' for name in names])
     return f"{quoted} returned None: {made_for + '; ' if made_for else ''}{remedy}"
 
 
@@ -117,7 +117,7 @@ class DeviceAdvice:
             return self._format_others(fits) + _in_place(self._scenario, robot, self._theirs[name], has)
         near = nearest_name(name.casefold(), has.split(", "))
         if near is not None:
-            return f'did you mean "{shown(near)}"?'
+            return f'did you mean "{sanitize(near)}"?'
         return self._format_others(others_that_fit(self._team.files, self._scenario, self._has_all)) + _all_of(has)
 
     def _format_others(self, names: Sequence[str]) -> str:
@@ -153,8 +153,8 @@ def _in_place(scenario: Scenario, robot: str, wanted: Device, has: str) -> str:
     if not alike or wanted.device != "supervisor_receiver":
         return _all_of(has)
     positions = "with" if _plays_2021(scenario) else "without"
-    return f'here "{shown(alike[0])}" gets the referee\'s packets, {positions} positions in them; {_all_of(has)}'
+    return f'here "{sanitize(alike[0])}" gets the referee\'s packets, {positions} positions in them; {_all_of(has)}'
 
 
 def _all_of(has: str) -> str:
-    return f"these robots have: {shown(has, 400)}"
+    return f"these robots have: {sanitize(has, 400)}"

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import PurePosixPath
 
 from rcj_challenges.checker.reached import reached_from
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 
 _MAX_BYTES = 1_000_000  # a longer file is not written by hand
 _MAX_LINE_BYTES = 300
@@ -84,7 +84,7 @@ def _uncalled(own: list[tuple[int, int, bytes]], reached: Mapping[PurePosixPath,
             name = b""
         if name and b".step(" in code and not name.startswith(b"__"):
             if len(re.findall(rb"\b%b\b" % name, text)) == 1:
-                return at, shown(name)
+                return at, sanitize(name)
             name = b""
     return None
 
@@ -98,4 +98,4 @@ def _lines(content: bytes) -> Iterator[tuple[int, int, bytes]]:
 
 
 def _place(path: PurePosixPath, number: int, entry: PurePosixPath) -> str:
-    return f"line {number}" + ("" if path == entry else f" of {shown(path)}")
+    return f"line {number}" + ("" if path == entry else f" of {sanitize(path)}")

@@ -17,7 +17,7 @@ from rcj_challenges.checker.advice.table import Hint, find_old_name, find_row
 from rcj_challenges.checker.file_beside import help_for_file_beside
 from rcj_challenges.controllers.log import AFTER_ITS_END, ANOTHER_THREAD
 from rcj_challenges.controllers.team import Team
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.scenario.models.scenario import Scenario
 
 WHEREABOUTS = "It was here, the innermost call first:\n"
@@ -90,7 +90,9 @@ def _hidden_module(team: Team, detail: str) -> str:
     own = next((path for path in team.files if path.name == f"{module}.py"), None)
     if own is None or module not in sys.stdlib_module_names:
         return ""
-    return f'{shown(own)} has the name of a module of Python, "{module}": give it another name, and import it by that'
+    return (
+        f'{sanitize(own)} has the name of a module of Python, "{module}": give it another name, and import it by that'
+    )
 
 
 def _missing_file(team: Team, detail: str, current: PurePosixPath) -> str:
@@ -101,15 +103,15 @@ def _missing_file(team: Team, detail: str, current: PurePosixPath) -> str:
     name = PureWindowsPath(unquote(missing["path"])).name
     found = next((path for path in team.files if path.name.casefold() == name.casefold()), None)
     root = PurePosixPath("/")  # so that the current folder of this process does not matter
-    folder = shown(current) if current.parts else "the folder of the program"
+    folder = sanitize(current) if current.parts else "the folder of the program"
     if found is not None:
         return (
-            f'write "{shown(relpath(root / found, root / current))}": the file is {shown(found)}, and the current '
-            f"folder is {folder}; capital and small letters count, and / separates folders"
+            f'write "{sanitize(relpath(root / found, root / current))}": the file is {sanitize(found)}, and the '
+            f"current folder is {folder}; capital and small letters count, and / separates folders"
         )
     return (
-        f'{shown(name)} is not in the submission: put it into {folder} and open it as "{shown(name)}"; a folder to '
-        "write into has to be made first (os.makedirs)"
+        f'{sanitize(name)} is not in the submission: put it into {folder} and open it as "{sanitize(name)}"; '
+        "a folder to write into has to be made first (os.makedirs)"
     )
 
 
@@ -122,7 +124,9 @@ def _timeout_hint(team: Team, whereabouts: str) -> Hint | None:
     if found is None or ANOTHER_THREAD.strip() in lines:
         return None
     code = code_at(team.files, found["file"], int(found["line"]))
-    where = f"line {found['line']} of {shown(found['file'])}" + (f" ({shown(code, _MAX_CODE_LETTERS)})" if code else "")
+    where = f"line {found['line']} of {sanitize(found['file'])}" + (
+        f" ({sanitize(code, _MAX_CODE_LETTERS)})" if code else ""
+    )
     return Hint(
         "no_step",
         f"look for a loop or a wait that never calls robot.step(32): the program was in {where}; between two steps "

@@ -9,7 +9,7 @@ import re
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 
 _MAX_GROUP_LETTERS = 80
 _NAME = r"(?P<name>\w{1,100})"
@@ -285,7 +285,7 @@ def find_row(detail: str) -> Hint | None:
     """Return the hint of the first row that fits the last line of a traceback; None if none does."""
     for row, pattern in _COMPILED:
         if found := pattern.search(detail):
-            groups = {name: shown(text, _MAX_GROUP_LETTERS) for name, text in found.groupdict().items()}
+            groups = {name: sanitize(text, _MAX_GROUP_LETTERS) for name, text in found.groupdict().items()}
             return Hint(row.code, row.help.format(**groups))
     return None
 

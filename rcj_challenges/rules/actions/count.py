@@ -2,7 +2,7 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.facts.amounts import on_paper
+from rcj_challenges.facts.amounts import round_score
 from rcj_challenges.rules.base import Action, Binder, Phrases
 from rcj_challenges.rules.bounds import amount_bound, bounds_words, change_bound, taken_away
 from rcj_challenges.rules.fields import Name, described
@@ -67,7 +67,7 @@ expect:
 
         def changed(value: Number, firing: Firing) -> Number:
             value = value if new is None else within(new(firing))
-            return on_paper(value if step is None else value + bounded(step(firing), value))
+            return round_score(value if step is None else value + bounded(step(firing), value))
 
         def act(firing: Firing) -> None:
             value = counters[name]

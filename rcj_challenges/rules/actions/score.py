@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Annotated, Literal
 
-from rcj_challenges.facts.amounts import on_paper
+from rcj_challenges.facts.amounts import round_score
 from rcj_challenges.rules.base import Action, Binder, Phrases
 from rcj_challenges.rules.bounds import bounds_words, change_bound, taken_away
 from rcj_challenges.rules.fields import Name, Strict, described
@@ -81,8 +81,8 @@ expect:
             if entrant is None:
                 return
             given = bounded(points(firing), state.scores[entrant])
-            state.scores[entrant] = on_paper(state.scores[entrant] + given)
-            firing.scored[entrant] = on_paper(firing.scored.get(entrant, 0) + given)
+            state.scores[entrant] = round_score(state.scores[entrant] + given)
+            firing.scored[entrant] = round_score(firing.scored.get(entrant, 0) + given)
 
         return act
 

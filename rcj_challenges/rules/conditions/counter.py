@@ -2,7 +2,7 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.facts.amounts import on_paper
+from rcj_challenges.facts.amounts import round_score
 from rcj_challenges.rules.base import Binder, Phrases
 from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.fields import Name, Names, described
@@ -57,7 +57,7 @@ expect:
     def test(self, to: Binder) -> Test:
         """Return how a counter or a score compares; with ``of``: those of so many."""
         state, name = to.state, self.counter
-        holds = self.comparison(to, rounded=on_paper)
+        holds = self.comparison(to, rounded=round_score)
         return test_of_kept(self, to, state.counters.get(name), lambda whose: holds(state.counter(name, whose)))
 
     def describe(self, phrases: Phrases) -> str:

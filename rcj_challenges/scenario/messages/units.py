@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from math import pi
 
-from rcj_challenges.facts.amounts import on_paper
+from rcj_challenges.facts.amounts import round_score
 from rcj_challenges.facts.measures import number_words
 from rcj_challenges.scenario.tree import Leaf, Node
 
@@ -37,6 +37,6 @@ def for_unit(key: str, node: Node | None, allowed: Collection[str]) -> str:
         value = node.value if isinstance(node, Leaf) and not node.param else None
         if isinstance(value, bool) or not isinstance(value, int | float):
             return f"; it is called '{stem}_{unit}' here, in {unit}"
-        amount = number_words(on_paper(value * others[written.casefold()]), _ROUNDED_TO.get(unit, _DECIMALS))
+        amount = number_words(round_score(value * others[written.casefold()]), _ROUNDED_TO.get(unit, _DECIMALS))
         return f"; it is called '{stem}_{unit}' here, in {unit}: {amount}"
     return ""

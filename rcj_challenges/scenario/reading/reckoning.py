@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from decimal import Context
 from math import isfinite
 
-from rcj_challenges.facts.amounts import on_paper, plain
+from rcj_challenges.facts.amounts import plain, round_score
 from rcj_challenges.facts.measures import number_words
 from rcj_challenges.scenario.errors import nearest
 from rcj_challenges.scenario.messages.wording import expected, found_text
@@ -104,10 +104,10 @@ def _other_way_round(key: str, node: Node) -> str:
     """Return what takes off or divides as plus and times; empty: the key is for something else."""
     number = node.value if isinstance(node, Leaf) and not isinstance(node.value, bool | str) else None
     if key in ("minus", "subtract"):
-        amount = "" if number is None else f": plus: {number_words(on_paper(-number), _DECIMALS)}"
+        amount = "" if number is None else f": plus: {number_words(round_score(-number), _DECIMALS)}"
         return f"; what is taken off is a plus below 0{amount}"
     if key in ("divide", "divided_by", "over") and number:
-        return f"; it is divided by times: {on_paper(1 / number):g}"
+        return f"; it is divided by times: {round_score(1 / number):g}"
     return ""
 
 

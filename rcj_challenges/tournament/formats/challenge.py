@@ -7,7 +7,7 @@ from itertools import groupby
 from statistics import median
 from typing import Any
 
-from rcj_challenges.facts.amounts import on_paper
+from rcj_challenges.facts.amounts import round_score
 from rcj_challenges.tournament.formats.context import Entrant, StageContext, humanized
 from rcj_challenges.tournament.models import Challenge
 from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo
@@ -136,7 +136,7 @@ def _counted(stage: Challenge, info: ScenarioInfo, runs: Sequence[tuple[float, .
     if stage.rank_by == "best":
         return min(runs, key=lambda run: info.sort_key(Outcome((), values=run)))
     together = median if stage.rank_by == "median" else sum
-    return tuple(on_paper(together(column)) for column in zip(*runs, strict=True))
+    return tuple(round_score(together(column)) for column in zip(*runs, strict=True))
 
 
 def _total(context: StageContext, stage: Challenge, teams: Sequence[str], tables: Sequence[Table]) -> Table:
@@ -147,7 +147,7 @@ def _total(context: StageContext, stage: Challenge, teams: Sequence[str], tables
         given = _place_points(stage, found) if stage.combine == "places" else _shares(info.criteria[0], found)
         for team in teams:
             points[team].append(given[team])
-    totals = {team: on_paper(sum(own)) for team, own in points.items()}
+    totals = {team: round_score(sum(own)) for team, own in points.items()}
     is_complete = all(found.complete for found in tables)
     rows = _rows(context, TOTAL, {team: -total for team, total in totals.items()}, may_draw=is_complete)
     return Table(
@@ -186,7 +186,7 @@ def _shares(criterion: Criterion, found: Table) -> dict[str, float]:
         if value == best and best >= 0 and not (criterion.is_more_better and best == 0):
             shares[team] = 100.0
         elif whole > 0:
-            shares[team] = on_paper(round(100 * max(0.0, part / whole), 6))
+            shares[team] = round_score(round(100 * max(0.0, part / whole), 6))
     return shares
 
 

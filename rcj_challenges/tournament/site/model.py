@@ -11,7 +11,7 @@ from functools import cached_property
 from typing import Any
 
 from rcj_challenges.facts.measures import measured_words, number_words
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.tournament.played import PlayedMatch
 from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Ruled, Side, StageState
 from rcj_challenges.tournament.site.public import fault_counts
@@ -42,7 +42,7 @@ def slug(identifier: str) -> str:
 
 def _shown(name: str) -> str:
     """Return a name without what would move its surroundings, or what UTF-8 cannot hold."""
-    return shown(name, _LONGEST_NAME).encode("utf-8", "replace").decode().strip()
+    return sanitize(name, _LONGEST_NAME).encode("utf-8", "replace").decode().strip()
 
 
 def words(name: str) -> str:

@@ -13,7 +13,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from rcj_challenges.facts.measures import measure_words, number_words
-from rcj_challenges.facts.shown import shown, shown_block
+from rcj_challenges.facts.sanitize import sanitize, sanitize_block
 from rcj_challenges.tournament.site.model import Season, group_title, slug, words
 from rcj_challenges.tournament.site.public import fault_moment, fault_words
 from rcj_challenges.tournament.site.schedule import page_of
@@ -39,7 +39,7 @@ class Renderer:
         )
         zone = season.source.time_zone
         self._environment.filters |= {
-            "block": shown_block,
+            "block": sanitize_block,
             "clock": clock,
             "day": lambda at: day(at, zone),
             "fault": fault_words,
@@ -47,7 +47,7 @@ class Renderer:
             "measure": measure_words,
             "moment": fault_moment,
             "number": number_words,
-            "shown": shown,
+            "shown": sanitize,
             "slug": slug,
             "time": lambda at: time_element(at, zone),
             "url": quote,

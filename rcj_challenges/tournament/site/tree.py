@@ -16,7 +16,7 @@ from types import TracebackType
 from typing import Any, Self
 
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.records.folder import when_free
 
 _MANIFEST = ".made_from.json"
@@ -26,7 +26,7 @@ class ForeignFolderError(DiagnosticError):
     """A folder that would be replaced has something else in it."""
 
     def __init__(self, target: Path) -> None:
-        message = f"{shown(target)} is in the way: it was not made by 'tournament publish', so it is not replaced"
+        message = f"{sanitize(target)} is in the way: it was not made by 'tournament publish', so it is not replaced"
         super().__init__(
             Diagnostic("folder-in-the-way", message, "move it elsewhere, or give another folder with --data")
         )

@@ -17,7 +17,7 @@ from sqlalchemy.orm import Session
 from sqlalchemy.pool import StaticPool
 
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.facts.errors import told_of
+from rcj_challenges.facts.errors import format_error
 from rcj_challenges.records.folder import utc_now
 from rcj_challenges.tournament.jobs import MatchJob, Workplace
 from rcj_challenges.tournament.season import Fixture, Outcome
@@ -235,7 +235,7 @@ class Store:
             for folder in (self.place.submissions, self.place.records):
                 folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
-            raise _unwritable(self.place.folder, told_of(error)) from error
+            raise _unwritable(self.place.folder, format_error(error)) from error
 
     def _made_engine(self, *, writing: bool) -> Engine:
         if not writing and not self._path.exists():  # nothing was played yet

@@ -20,7 +20,7 @@ from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.live.feed import Feed, said
 from rcj_challenges.views.live.pace import Pace
 from rcj_challenges.views.live.server import HOST, SpectatorServer, Stage
-from rcj_challenges.views.live.telling import LiveWatcher, live_facts
+from rcj_challenges.views.live.telling import LiveObserver, live_facts
 from rcj_challenges.views.replay.page import LIVE_PAGE, about_run, logo_address, no_logo, page_text, places
 
 _FLUSH_EVERY_S = 0.1
@@ -37,11 +37,11 @@ class PortTakenError(RcjError):
 class LiveShow:
     """Serves a match from before its first tick until it is closed; a context manager.
 
-    Use it as: give `watcher` to the match; afterwards call `match_over`, then `linger` for as long as spectators shall
+    Use it as: give `observer` to the match; afterwards call `match_over`, then `linger` for as long as spectators shall
     be served. Leaving the context ends everything at once, whoever still watches.
 
     Attributes:
-        watcher: to be told of the match.
+        observer: to be told of the match.
         pace: how fast it runs.
         port: where it listens, on loopback only.
     """
@@ -73,7 +73,7 @@ class LiveShow:
         self._feed = Feed()
         self.pace = Pace(speed, self._paced)
         self._feed.append(said({"say": "pace", **self.pace.state}))
-        self.watcher = LiveWatcher(scenario, self._feed, self.pace)
+        self.observer = LiveObserver(scenario, self._feed, self.pace)
         match = secrets.token_urlsafe(9)
         facts = live_facts(scenario, dict(titles), seed)
         self._no_logos = _give_logos(facts, logos or {})
@@ -108,7 +108,7 @@ class LiveShow:
         Args:
             folder: of the record; its replay page is served if it is there.
         """
-        self.watcher.flush()
+        self.observer.flush()
         self.pace.release()
         page = folder / REPLAY
         self._stage.replay = page if page.is_file() else None
@@ -152,7 +152,7 @@ class LiveShow:
 
     def _keep_telling(self) -> None:
         while not self._ended.wait(_FLUSH_EVERY_S):
-            self.watcher.flush()
+            self.observer.flush()
 
 
 def _give_logos(facts: dict[str, Any], logos: Mapping[str, bytes]) -> list[tuple[str, str]]:

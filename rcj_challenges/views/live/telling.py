@@ -1,4 +1,4 @@
-"""From what the match tells its watchers to the messages of the feed, in the words of the replay page."""
+"""From what the match tells its observers to the messages of the feed, in the words of the replay page."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from typing import Any
 
 import numpy as np
 
-from rcj_challenges.facts.amounts import on_paper
+from rcj_challenges.facts.amounts import round_score
 from rcj_challenges.facts.play import Fault, HalfInfo, Snapshot, Verdict
 from rcj_challenges.facts.timing import TICK_S, ticks_from_s
-from rcj_challenges.match.watching import Silent
+from rcj_challenges.match.observers import NullObserver
 from rcj_challenges.records.lines import json_line
 from rcj_challenges.records.reflog import event_line, events_of, firing_line
 from rcj_challenges.records.sensors import SensedRobot, SensorListener
@@ -71,7 +71,7 @@ def _unit_m(scenario: Scenario) -> float:
     return max(FINEST_M, reach_m / 32_767)
 
 
-class LiveWatcher(Silent):
+class LiveObserver(NullObserver):
     """Fills the feed from the calls of a match.
 
     On a tick it only keeps the poses; `flush`, called from another thread some times a second, makes messages of them.
@@ -212,7 +212,7 @@ class LiveWatcher(Silent):
         for firing in scored:
             for seat, points in firing.scored.items():
                 team = half.teams[seat]
-                self._scores[team] = on_paper(self._scores[team] + points)
+                self._scores[team] = round_score(self._scores[team] + points)
         return bool(scored)
 
     def _half_facts(self, half: HalfInfo) -> dict[str, Any]:

@@ -10,11 +10,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from rcj_challenges.facts.amounts import Score
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY, RESULT
 from rcj_challenges.records.recorded_scenario import read_scenario
-from rcj_challenges.records.refereelog import points_so_far, read_referee_log
+from rcj_challenges.records.referee_log import points_so_far, read_referee_log
 from rcj_challenges.records.result import RunResult, read_result
 from rcj_challenges.views.replay.page import write_replay
 
@@ -43,11 +43,11 @@ def list_runs(out: Path) -> list[RunRow]:
         RecordError: there is no such folder, or none in it.
     """
     if not _is_folder(out):
-        raise RecordError(f"no folder {shown(out)}: no run was recorded there")
+        raise RecordError(f"no folder {sanitize(out)}: no run was recorded there")
     folders = _folders(out)
     if not folders:
-        itself = f"; it is a record itself: rcj-challenge view {shown(out)}" if _is_record(out) else ""
-        raise RecordError(f"no run was recorded in {shown(out)} yet{itself}")
+        itself = f"; it is a record itself: rcj-challenge view {sanitize(out)}" if _is_record(out) else ""
+        raise RecordError(f"no run was recorded in {sanitize(out)} yet{itself}")
     return [_row(folder) for folder in folders]
 
 
@@ -64,7 +64,7 @@ def find_run(run: Path | None, out: Path) -> Path:
     if run is None:
         folders = _folders(out) if _is_folder(out) else []
         if not folders:
-            raise RecordError(f"no run was recorded in {shown(out)} yet")
+            raise RecordError(f"no run was recorded in {sanitize(out)} yet")
         return folders[0]
     # Who stands in a record and names another one means no file in here.
     in_it = [run.parent] if len(run.parts) > 1 or os.path.lexists(run) else []
@@ -78,8 +78,8 @@ def find_run(run: Path | None, out: Path) -> Path:
         names = ", ".join(sorted(folder.name for folder in fitting)[:5])
         raise RecordError(f"{run.name!r} fits several records: {names}")
     if _is_folder(run):
-        raise RecordError(f"no record '{shown(run)}': there is no {RESULT} in this folder")
-    raise RecordError(f"no record '{shown(run)}': give its folder, or its name in {shown(out)}")
+        raise RecordError(f"no record '{sanitize(run)}': there is no {RESULT} in this folder")
+    raise RecordError(f"no record '{sanitize(run)}': give its folder, or its name in {sanitize(out)}")
 
 
 def open_replay(folder: Path) -> tuple[Path, bool]:

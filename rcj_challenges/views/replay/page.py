@@ -16,7 +16,7 @@ from rcj_challenges.records.changed import refusing_changes
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY, replaced
 from rcj_challenges.records.logos import MOST_LOGO_BYTES, LogoError, checked_png, logo_path
-from rcj_challenges.records.refereelog import damaged_lines
+from rcj_challenges.records.referee_log import damaged_lines
 from rcj_challenges.records.result import RunResult
 from rcj_challenges.records.salvage import RunRecord, read_run
 from rcj_challenges.records.sensors import DAMAGE, read_sensors

@@ -13,9 +13,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.facts.amounts import Score, on_paper
+from rcj_challenges.facts.amounts import Score, round_score
 from rcj_challenges.facts.measures import number_words
-from rcj_challenges.records.refereelog import events_as_lines, read_referee_log
+from rcj_challenges.records.referee_log import events_as_lines, read_referee_log
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.records.result import RunResult
 from rcj_challenges.records.trajectory import HalfTrack
@@ -114,7 +114,7 @@ def _follow_the_score(story: Story, half: HalfTrack, firings: list[dict[str, Any
         if firing["scored"]:
             for seat, points in firing["scored"].items():
                 if teams.get(seat) in scores:
-                    scores[teams[seat]] = on_paper(scores[teams[seat]] + points)
+                    scores[teams[seat]] = round_score(scores[teams[seat]] + points)
             changes.append([firing["tick"], dict(scores)])
     story.score_changes[half.info.half] = changes
 

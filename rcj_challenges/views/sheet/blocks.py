@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from rcj_challenges.facts.shown import shown_whole
+from rcj_challenges.facts.sanitize import sanitize_lines
 from rcj_challenges.views.markup import escaped
 
 
@@ -110,7 +110,7 @@ def _markdown(block: Block) -> str:
 
 
 def _plain(text: str) -> str:
-    return shown_whole(" ".join(text.split())).translate(_MARKDOWN_MARKS)
+    return sanitize_lines(" ".join(text.split())).translate(_MARKDOWN_MARKS)
 
 
 def _html(block: Block) -> str:

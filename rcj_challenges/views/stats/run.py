@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from rcj_challenges.records.changed import refusing_changes
-from rcj_challenges.records.refereelog import damaged_lines, points_so_far, read_referee_log
+from rcj_challenges.records.referee_log import damaged_lines, points_so_far, read_referee_log
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.records.salvage import RunRecord, read_run
 from rcj_challenges.records.trajectory import HalfTrack

@@ -6,7 +6,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.facts.errors import advised
+from rcj_challenges.facts.errors import error_hint
 
 
 class VideoError(DiagnosticError):
@@ -32,7 +32,7 @@ class VideoInterruptedError(KeyboardInterrupt):
 
 def cannot_write(path: Path, error: OSError) -> VideoError:
     """Return the error about a file that cannot be written."""
-    return VideoError("cannot-write", f"{path}: {advised(error)}", "write it elsewhere with --out FILE")
+    return VideoError("cannot-write", f"{path}: {error_hint(error)}", "write it elsewhere with --out FILE")
 
 
 def require_packages(*packages: str) -> None:

@@ -18,7 +18,7 @@ from rcj_challenges.facts.timing import SUBSTEP_S, SUBSTEPS_PER_TICK, TICK_S, s_
 from rcj_challenges.records.changed import refusing_changes
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.recorded_scenario import read_scenario
-from rcj_challenges.records.refereelog import damaged_lines
+from rcj_challenges.records.referee_log import damaged_lines
 from rcj_challenges.records.result import RunResult, read_result
 from rcj_challenges.records.salvage import read_halves
 from rcj_challenges.records.trajectory import HalfTrack

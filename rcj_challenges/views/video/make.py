@@ -11,7 +11,7 @@ from pathlib import Path
 
 from PIL import Image
 
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.records.folder import replaced
 from rcj_challenges.views.video.camera import Camera
 from rcj_challenges.views.video.clips import Clip, Moment, frame_count, moments
@@ -131,8 +131,8 @@ def write_video(
     from rcj_challenges.views.video.mp4 import Mp4Writer  # noqa: PLC0415 - a snapshot needs no av
 
     total = frame_count(clips, float(fps), speed)
-    names = " - ".join(shown(title, 60) for title in footage.titles.values())
-    with Mp4Writer(path, size, fps, f"{names}: {shown(footage.scenario.title, 100)}") as video:
+    names = " - ".join(sanitize(title, 60) for title in footage.titles.values())
+    with Mp4Writer(path, size, fps, f"{names}: {sanitize(footage.scenario.title, 100)}") as video:
         for done, moment in enumerate(moments(footage, clips, float(fps), speed), 1):
             video.add(draw(moment))
             if progress is not None:

@@ -13,7 +13,7 @@ import av
 import numpy as np
 from PIL import Image
 
-from rcj_challenges.facts.errors import advised
+from rcj_challenges.facts.errors import error_hint
 from rcj_challenges.records.folder import when_free
 from rcj_challenges.views.video.errors import VideoError, VideoInterruptedError, cannot_write
 
@@ -106,7 +106,7 @@ class Mp4Writer:
             self._temporary.replace(self._part)
             raise VideoError(
                 "cannot-write",
-                f"{self._path}: {advised(error)}",
+                f"{self._path}: {error_hint(error)}",
                 f"close the program that shows it; the complete video is kept in {self._part}",
             ) from error
 

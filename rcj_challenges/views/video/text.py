@@ -6,7 +6,7 @@ from functools import cache
 
 from PIL import Image, ImageDraw, ImageFont
 
-from rcj_challenges.facts.shown import shown
+from rcj_challenges.facts.sanitize import sanitize
 
 _FAMILIES = (
     ("NotoSans-Regular.ttf", "NotoSans-Bold.ttf"),
@@ -34,7 +34,7 @@ Font = ImageFont.FreeTypeFont | ImageFont.ImageFont
 
 def text_mask(text: str, size_px: int, *, bold: bool = False, max_width_px: float = float("inf")) -> Image.Image:
     """Return one line of text as a mask (``L``), as tall as every line of this size, cut to a width with ``…``."""
-    line = shown(text, 300)
+    line = sanitize(text, 300)
     font = _font_for(line, size_px, bold)
     if font.getlength(line) > max_width_px:
         while line and font.getlength(line + "…") > max_width_px:
@@ -47,7 +47,7 @@ def text_mask(text: str, size_px: int, *, bold: bool = False, max_width_px: floa
 
 def text_width_px(text: str, size_px: int, *, bold: bool = False) -> float:
     """Return the width of one line of text."""
-    line = shown(text, 300)
+    line = sanitize(text, 300)
     return float(_font_for(line, size_px, bold).getlength(line))
 
 

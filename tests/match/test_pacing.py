@@ -4,8 +4,8 @@ import time
 
 import pytest
 
-from rcj_challenges.match.match import MatchInterruptedError
-from rcj_challenges.match.watching import Silent
+from rcj_challenges.match.observers import NullObserver
+from rcj_challenges.match.runner import MatchInterruptedError
 
 SAYS = """from controller import Robot
 robot = Robot()
@@ -14,7 +14,7 @@ while robot.step(32) != -1:
 """
 
 
-class Noting(Silent):
+class Noting(NullObserver):
     progress_every_ticks = 8
 
     def __init__(self):
@@ -41,10 +41,10 @@ class Noting(Silent):
 
 @pytest.fixture(scope="module")
 def told(shared_place):
-    watcher = Noting()
+    observer = Noting()
     team = shared_place.team_folder(SAYS)
-    shared_place.play("match.half_s=0.96", yellow=team, watcher=watcher, show_output=frozenset({"Y2"}))
-    return watcher
+    shared_place.play("match.half_s=0.96", yellow=team, observer=observer, show_output=frozenset({"Y2"}))
+    return observer
 
 
 def test_each_tick_is_told_and_how_far_it_is_every_so_many(told):
@@ -69,22 +69,22 @@ def test_what_programs_print_is_shown_twice_a_second_and_at_the_end_of_whom_it_i
 def test_by_the_clock_no_tick_is_judged_before_its_time(shared_place):
     began = []
 
-    class Timing(Silent):
+    class Timing(NullObserver):
         def ticked(self, snapshot, verdict):
             began.append(time.perf_counter())
 
-    shared_place.play("match.half_s=0.96", watcher=Timing(), real_time=True)
+    shared_place.play("match.half_s=0.96", observer=Timing(), real_time=True)
     assert all(at_s - began[0] >= 0.032 * (tick - 1) - 0.01 for tick, at_s in enumerate(began[1:], start=1))
 
 
-def test_of_a_match_that_is_broken_off_watchers_hear_that_it_is_over_and_not_complete(shared_place):
+def test_of_a_match_that_is_broken_off_observers_hear_that_it_is_over_and_not_complete(shared_place):
     class Interrupting(Noting):
         def ticked(self, snapshot, verdict):
             super().ticked(snapshot, verdict)
             if snapshot.tick == 5:
                 raise KeyboardInterrupt
 
-    watcher = Interrupting()
+    observer = Interrupting()
     with pytest.raises(MatchInterruptedError):
-        shared_place.play("match.half_s=0.96", watcher=watcher)
-    assert watcher.ends == [("half", 1, 0), ("match", False, 6)]
+        shared_place.play("match.half_s=0.96", observer=observer)
+    assert observer.ends == [("half", 1, 0), ("match", False, 6)]

@@ -11,8 +11,8 @@ from typing import Protocol, Self
 from rcj_challenges.controllers.scheduling import Manners
 from rcj_challenges.facts.play import Fault, HalfInfo
 from rcj_challenges.facts.traffic import Observation, Request, RobotSpec
-from rcj_challenges.match.half import Driver
-from rcj_challenges.match.watching import Watcher
+from rcj_challenges.match.loop import Driver
+from rcj_challenges.match.observers import Observer
 from rcj_challenges.records.sensors import SensedRobot, SensorWriter
 from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.scenario.models.robots import BallReceiverDevice
@@ -60,17 +60,17 @@ class LogTail:
             self._file.close()
 
 
-class Listened(Driver, Protocol):
+class LoggingDriver(Driver, Protocol):
     """A driver with a log: a program."""
 
     def keep_output(self) -> None:
         """Put into its log what it has printed until now."""
 
 
-class _Overheard:
+class _RecordedDriver:
     """A driver whose conversation with the match is written down."""
 
-    def __init__(self, driver: Listened, number: int, writer: SensorWriter, tail: LogTail) -> None:
+    def __init__(self, driver: LoggingDriver, number: int, writer: SensorWriter, tail: LogTail) -> None:
         self._driver = driver
         self._number = number
         self._writer = writer
@@ -113,7 +113,7 @@ class _Overheard:
         return answer
 
 
-class Overhearing:
+class SensorRecording:
     """The sensor recording of one half while it is played; a context manager.
 
     It only listens: the loop, the programs and the digest are the same with and without it.
@@ -136,20 +136,21 @@ class Overhearing:
         self._robots = _sensed(scenario, self._specs)
         self._writer = SensorWriter(record.folder, half, self._robots) if on else None
 
-    def on(self, drivers: Mapping[int, Listened]) -> Mapping[int, Driver]:
+    def on(self, drivers: Mapping[int, LoggingDriver]) -> Mapping[int, Driver]:
         """Return drivers by robot index that are listened to."""
         writer = self._writer
         if writer is None:
             return drivers
         numbers = {robot: number for number, robot in enumerate(self._specs)}
         return {
-            robot: _Overheard(driver, numbers[robot], writer, self._tails[robot]) for robot, driver in drivers.items()
+            robot: _RecordedDriver(driver, numbers[robot], writer, self._tails[robot])
+            for robot, driver in drivers.items()
         }
 
-    def tell(self, watcher: Watcher, half: HalfInfo) -> None:
-        """Let a watcher have what is recorded from now on, if anything is and it wants it."""
+    def tell(self, observer: Observer, half: HalfInfo) -> None:
+        """Let an observer have what is recorded from now on, if anything is and it wants it."""
         if self._writer is not None:
-            self._writer.tell(watcher.sensing(half, self._robots))
+            self._writer.tell(observer.sensing(half, self._robots))
 
     def __enter__(self) -> Self:
         return self

@@ -1,4 +1,4 @@
-"""The clerk of a half: everything that is told, written or waited for on a tick, and decides nothing."""
+"""The effects of a half: everything that is told, written or waited for on a tick, and decides nothing."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from rcj_challenges.controllers.crew import Crew
 from rcj_challenges.facts.play import HalfInfo, Snapshot, Verdict
 from rcj_challenges.facts.timing import TICK_S
-from rcj_challenges.match.watching import Progress, Watcher
+from rcj_challenges.match.observers import Observer, Progress
 from rcj_challenges.records.writer import RecordWriter
 
 if TYPE_CHECKING:
@@ -18,15 +18,15 @@ if TYPE_CHECKING:
 _OUTPUT_EVERY_TICKS = 16
 
 
-class HalfClerk:
-    """Writes the record of a half, tells watchers, shows programs' output, and keeps the pace of the clock.
+class TickEffects:
+    """Writes the record of a half, tells observers, shows programs' output, and keeps the pace of the clock.
 
     Args:
         half: what is played.
         later_ticks: how long the halves after it are.
         referee: asked for the scores and the clock.
         record: of the run.
-        watcher: who is told.
+        observer: who is told.
         crew: whose output is shown.
         show_output: robots whose output is shown.
         real_time: True: no tick is judged before the clock, which starts with the first one, has come to it.
@@ -38,7 +38,7 @@ class HalfClerk:
         later_ticks: int,
         referee: Referee,
         record: RecordWriter,
-        watcher: Watcher,
+        observer: Observer,
         crew: Crew,
         show_output: Collection[str],
         *,
@@ -48,10 +48,10 @@ class HalfClerk:
         self._later_ticks = later_ticks
         self._referee = referee
         self._record = record
-        self._watcher = watcher
+        self._observer = observer
         self._shown = [program for name, program in crew.programs.items() if name in show_output]
         self._real_time = real_time
-        self._every_ticks = max(1, watcher.progress_every_ticks)
+        self._every_ticks = max(1, observer.progress_every_ticks)
         self._began_s = time.perf_counter()
 
     def ticked(self, snapshot: Snapshot, verdict: Verdict, state: bytes, poses: bytes) -> None:
@@ -60,11 +60,11 @@ class HalfClerk:
         tick = snapshot.tick
         if tick <= 1:  # after tick 0 it is waited until all programs have started
             self._began_s = time.perf_counter()
-        self._watcher.ticked(snapshot, verdict)
+        self._observer.ticked(snapshot, verdict)
         for event in verdict.events:
-            self._watcher.event(event, self._half)
+            self._observer.event(event, self._half)
         if tick % self._every_ticks == 0 and tick:
-            self._watcher.progressed(self._progress(tick, verdict))
+            self._observer.progressed(self._progress(tick, verdict))
         if self._shown and tick % _OUTPUT_EVERY_TICKS == 0:
             self._show_output()
         if self._real_time:
@@ -74,9 +74,9 @@ class HalfClerk:
 
     def closed(self, closing: Verdict) -> None:
         """Tell of what the rules said after the last tick, and show the last output."""
-        self._watcher.closing(closing, self._half)
+        self._observer.closing(closing, self._half)
         for event in closing.events:
-            self._watcher.event(event, self._half)
+            self._observer.event(event, self._half)
         self._show_output()
 
     def _progress(self, tick: int, verdict: Verdict) -> Progress:
@@ -99,4 +99,4 @@ class HalfClerk:
         for program in self._shown:
             text = program.new_output()
             if text:
-                self._watcher.printed(program.name, text)
+                self._observer.printed(program.name, text)

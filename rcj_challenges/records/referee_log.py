@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.facts.amounts import Score, counted, on_paper
+from rcj_challenges.facts.amounts import Score, counted, round_score
 from rcj_challenges.records.folder import REFEREE_LOG, read_file
 from rcj_challenges.records.lines import parsed
 from rcj_challenges.records.result import RunResult
@@ -70,7 +70,7 @@ def points_in(
         for seat, scored in () if line.get("suppressed") else line.get("scored", {}).items():
             team = teams_in(line["half"]).get(seat, seat)
             if team in points:  # in a damaged log any name may stand
-                points[team] = on_paper(points[team] + scored)
+                points[team] = round_score(points[team] + scored)
     return points
 
 

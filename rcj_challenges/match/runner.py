@@ -14,16 +14,16 @@ from rcj_challenges.controllers.program import Program
 from rcj_challenges.controllers.super_team import SuperTeam
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.devices.fitting import fit, robot_specs
-from rcj_challenges.facts.errors import interruption_behind, told_of
+from rcj_challenges.facts.errors import format_error, interruption_behind
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.facts.traffic import RobotSpec
-from rcj_challenges.match.carried import Carried
-from rcj_challenges.match.clerk import HalfClerk
-from rcj_challenges.match.half import HalfOutcome, HalfPlay
+from rcj_challenges.match.carry_over import CarryOver
 from rcj_challenges.match.loading import load_stage
-from rcj_challenges.match.overhearing import Overhearing
-from rcj_challenges.match.watching import Silent, Waits, Watcher
+from rcj_challenges.match.loop import LoopResult, TickLoop
+from rcj_challenges.match.observers import NullObserver, Observer, ProgramTimes
+from rcj_challenges.match.pacing import TickEffects
+from rcj_challenges.match.sensor_recording import SensorRecording
 from rcj_challenges.records.errors import UnwritableError
 from rcj_challenges.records.logos import logo_of
 from rcj_challenges.records.result import MemberResult
@@ -102,7 +102,7 @@ class MatchInterruptedError(KeyboardInterrupt):
         self.trouble = trouble
 
 
-def play_match(plan: MatchPlan, watcher: Watcher | None = None) -> PlayedMatch:
+def play_match(plan: MatchPlan, observer: Observer | None = None) -> PlayedMatch:
     """Play all halves of a match and record them.
 
     Raises:
@@ -110,7 +110,7 @@ def play_match(plan: MatchPlan, watcher: Watcher | None = None) -> PlayedMatch:
         MatchInterruptedError: somebody interrupted it; the record is closed, marked as not complete.
     """
     try:
-        return _MatchPlay(plan, watcher or Silent()).play()
+        return _MatchRunner(plan, observer or NullObserver()).play()
     except OSError as error:
         unwritable = UnwritableError.of(error, plan.out)
         if unwritable is None:
@@ -118,13 +118,13 @@ def play_match(plan: MatchPlan, watcher: Watcher | None = None) -> PlayedMatch:
         raise unwritable from error
 
 
-class _MatchPlay:
-    def __init__(self, plan: MatchPlan, watcher: Watcher) -> None:
+class _MatchRunner:
+    def __init__(self, plan: MatchPlan, observer: Observer) -> None:
         self._plan = plan
-        self._watcher = watcher
+        self._observer = observer
         self._scenario = plan.loaded.scenario
         self._roster = plan.loaded.roster
-        self._carried = Carried(self._scenario)
+        self._carry_over = CarryOver(self._scenario)
         self._held_up_s = 0.0
         self._began = 0.0
         self._start_up_s: float | None = None
@@ -149,17 +149,17 @@ class _MatchPlay:
                 for number in range(1, self._scenario.match.halves + 1):
                     if self._play_half(number, record).ends_match:
                         break
-                record.finish({"ranking": self._carried.ranking()} | self._times())
+                record.finish({"ranking": self._carry_over.ranking()} | self._times())
             except BaseException as error:
                 stopped_by = interruption_behind(error) or error
                 trouble = self._break_off(record, stopped_by)
-                self._watcher.finished(record.result)
+                self._observer.finished(record.result)
                 if isinstance(stopped_by, KeyboardInterrupt):
                     raise MatchInterruptedError(PlayedMatch(record.folder, record.result), trouble) from error
                 raise
         played = PlayedMatch(record.folder, record.result)
         try:
-            self._watcher.finished(record.result)
+            self._observer.finished(record.result)
         except KeyboardInterrupt as error:
             raise MatchInterruptedError(played, "") from error
         return played
@@ -170,32 +170,32 @@ class _MatchPlay:
             if not record.result["complete"]:
                 record.break_off(type(error), self._times())
         except OSError as failure:
-            return told_of(failure)
+            return format_error(failure)
         return ""
 
     def _times(self) -> dict[str, float]:
         wall_s = time.perf_counter() - self._began - self._held_up_s
         return {"wall_s": round(wall_s, 3), "start_up_s": round(self._start_up_s or 0.0, 3)}
 
-    def _play_half(self, number: int, record: RecordWriter) -> HalfOutcome:
+    def _play_half(self, number: int, record: RecordWriter) -> LoopResult:
         """Play one half with a world and processes of its own; programs start while the world is compiled."""
         plan, scenario, roster = self._plan, self._scenario, self._roster
         half = self._half_info(number)
         specs = robot_specs(scenario, roster, fit(scenario, roster))
         crew_plan = CrewPlan(scenario.limits, half.half, plan.seed, record.logs, sandbox=plan.sandbox, debug=plan.debug)
-        overhearing = Overhearing(scenario, record, number, specs, on=plan.record_sensors)
-        with overhearing, Crew(crew_plan) as crew:
+        recording = SensorRecording(scenario, record, number, specs, on=plan.record_sensors)
+        with recording, Crew(crew_plan) as crew:
             drivers = self._launch(crew, specs, half)
             # While programs start, and not before: loading the physics takes as long as they do.
-            stage = load_stage()(scenario, roster, half, overhearing.on(drivers))
+            stage = load_stage()(scenario, roster, half, recording.on(drivers))
             referee, rack = stage.referee, stage.rack
             later_ticks = sum(ticks_from_s(half_s) for half_s in half_lengths_s(scenario.match)[number:])
-            told = (record, self._watcher, crew, plan.show_output)
-            clerk = HalfClerk(half, later_ticks, referee, *told, real_time=plan.real_time)
+            told = (record, self._observer, crew, plan.show_output)
+            effects = TickEffects(half, later_ticks, referee, *told, real_time=plan.real_time)
             record.begin_half(half)
-            self._watcher.half_started(half)
-            overhearing.tell(self._watcher, half)
-            outcome = HalfPlay(stage, half, clerk.ticked, self._watcher.fault, self._before_tick).play()
+            self._observer.half_started(half)
+            recording.tell(self._observer, half)
+            outcome = TickLoop(stage, half, effects.ticked, self._observer.fault, self._before_tick).play()
             record.end_half(outcome.closing, referee.scores, outcome.ended)
             crew.finish(
                 {
@@ -204,16 +204,16 @@ class _MatchPlay:
                     if driver.fault is None
                 }
             )
-            clerk.closed(outcome.closing)
-        self._watcher.half_ended(half, tuple(_waits(driver) for driver in drivers.values()))
-        self._carried.add(half, referee, outcome.ticks)
+            effects.closed(outcome.closing)
+        self._observer.half_ended(half, tuple(_waits(driver) for driver in drivers.values()))
+        self._carry_over.add(half, referee, outcome.ticks)
         return outcome
 
     def _before_tick(self, tick: int) -> None:
-        """Wait for the watcher; how long is not the time that the match took."""
+        """Wait for the observer; how long is not the time that the match took."""
         if self._start_up_s is None:
             self._start_up_s = time.perf_counter() - self._began
-        self._held_up_s += self._watcher.before_tick(tick)
+        self._held_up_s += self._observer.before_tick(tick)
 
     def _launch(self, crew: Crew, specs: Mapping[int, RobotSpec], half: HalfInfo) -> dict[int, Program]:
         """Start the programs of all seats; returns them by robot index."""
@@ -238,8 +238,8 @@ class _MatchPlay:
             match_id=self._plan.match_id,
             team_names={seat: self._plan.name_of(team) for seat, team in teams.items()},
             teams=teams,
-            scores=by_seat(self._carried.scores, teams),
-            kept=dict(self._carried.kept),
+            scores=by_seat(self._carry_over.scores, teams),
+            kept=dict(self._carry_over.kept),
         )
 
 
@@ -248,6 +248,6 @@ def _members(team: Team | SuperTeam) -> tuple[MemberResult, ...]:
     return tuple(MemberResult(name=member.name, programs=member.digest) for member in members)
 
 
-def _waits(program: Program) -> Waits:
+def _waits(program: Program) -> ProgramTimes:
     budget = program.budget
-    return Waits(program.name, program.requests, budget.started_s, budget.charged_s, budget.slowest_s)
+    return ProgramTimes(program.name, program.requests, budget.started_s, budget.charged_s, budget.slowest_s)

@@ -7,7 +7,7 @@ import pytest
 from typer.testing import CliRunner
 
 from rcj_challenges.cli.app import app
-from rcj_challenges.match.overhearing import LogTail
+from rcj_challenges.match.sensor_recording import LogTail
 from rcj_challenges.records.sensors import read_sensors
 from rcj_challenges.records.testing import write_made_up_run
 from tests.match.playing import alone

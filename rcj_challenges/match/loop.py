@@ -40,7 +40,7 @@ class Driver(Protocol):
 
 
 @dataclass(frozen=True)
-class HalfOutcome:
+class LoopResult:
     """How a half ended.
 
     Attributes:
@@ -63,14 +63,14 @@ OnTick = Callable[[Snapshot, Verdict, bytes, bytes], None]
 """Takes what was seen, what was said of it, and from the world `state_bytes` and `poses_bytes`."""
 
 
-def goes_on(referee: Referee, verdict: Verdict, tick: int, half: HalfInfo) -> bool:
+def should_continue(referee: Referee, verdict: Verdict, tick: int, half: HalfInfo) -> bool:
     """Return whether another tick follows this one: the clock of the half decides, which a phase may stop."""
     if verdict.ended is not None or referee.time_is_up:
         return False
     return tick < MOST_LENGTHS * half.ticks
 
 
-class HalfPlay:
+class TickLoop:
     """Plays one half, tick by tick.
 
     Programs of all robots that are due are released first and collected afterwards, so that they overlap with each
@@ -111,14 +111,14 @@ class HalfPlay:
         self._manners = AS_EVERYBODY
         self.tick = 0
 
-    def play(self) -> HalfOutcome:
+    def play(self) -> LoopResult:
         """Play to the end. Programs still wait in their last ``step`` then: the caller tells them that it is over.
 
         Raises:
             PhysicsFault: the simulation became unstable.
         """
         verdict = self._begin()
-        while goes_on(self._stage.referee, verdict, self.tick, self._half):
+        while should_continue(self._stage.referee, verdict, self.tick, self._half):
             self._before_tick(self.tick + 1)
             verdict = self._one_tick(self.tick + 1)
         self._behave(AS_EVERYBODY)  # what they do at the end they all do at once, and the match has nothing to do
@@ -127,7 +127,7 @@ class HalfPlay:
         ended = closing.ended if closing.ends_match else verdict.ended
         if ended is None and not self._stage.referee.time_is_up:
             ended = f"the clock of the half stood still for too long: {self.tick} ticks were played"
-        return HalfOutcome(self.tick, ended, closing.ends_match, closing)
+        return LoopResult(self.tick, ended, closing.ends_match, closing)
 
     def _begin(self) -> Verdict:
         """Tick 0: draws, layouts, arming; no physics. Programs run to their first ``step``."""
@@ -162,7 +162,7 @@ class HalfPlay:
         stage.rack.begin_sensing(tick, verdict)
         self.tick = tick
 
-        due = self._sense_and_release(tick, plays_on=goes_on(stage.referee, verdict, tick, self._half))
+        due = self._sense_and_release(tick, plays_on=should_continue(stage.referee, verdict, tick, self._half))
         self._on_tick(snapshot, verdict, state, stage.world.poses_bytes())
         stage.world.prepare()  # what does not depend on their answers is done while they think
         self._collect(due)

@@ -10,10 +10,10 @@ from typing import Any
 from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.facts.play import Event, HalfInfo
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
-from rcj_challenges.match.carried import Carried
-from rcj_challenges.match.half import goes_on
+from rcj_challenges.match.carry_over import CarryOver
+from rcj_challenges.match.loop import should_continue
 from rcj_challenges.records.lines import json_line
-from rcj_challenges.records.refereelog import points_in
+from rcj_challenges.records.referee_log import points_in
 from rcj_challenges.records.reflog import event_line, events_of
 from rcj_challenges.records.trajectory import HalfTrack, Trajectory
 from rcj_challenges.referee.engine import Referee
@@ -93,7 +93,7 @@ class Difference:
         }
 
 
-def judge_again(trajectory: Trajectory, scenario: Scenario) -> Judgement:
+def rejudge(trajectory: Trajectory, scenario: Scenario) -> Judgement:
     """Judge a recorded match by the rules of a scenario; scores and what is kept pass from half to half by these.
 
     The poses stay those that were recorded: what these rules put elsewhere goes on from where it was.
@@ -107,23 +107,23 @@ def judge_again(trajectory: Trajectory, scenario: Scenario) -> Judgement:
     """
     roster = Roster.of(scenario)
     _must_fit(trajectory, scenario, roster)
-    carried = Carried(scenario)
+    carry_over = CarryOver(scenario)
     events: list[dict[str, Any]] = []
     halves: list[JudgedHalf] = []
     over = False
     for track in trajectory.halves[: scenario.match.halves]:
         if track.start is None or over:
             break
-        info = _info(track.info, scenario, carried)
+        info = _info(track.info, scenario, carry_over)
         referee = Referee(scenario, roster, info)
         half, told, over = _judge_half(track, referee, info)
         halves.append(half)
         # As JSON they can be compared with those of a record.
         events += [json.loads(json_line(event_line(info.half, event))) for event in told]
-        carried.add(info, referee, half.ticks)
+        carry_over.add(info, referee, half.ticks)
     all_there = over or len(halves) == scenario.match.halves
     complete = all_there and all(half.complete for half in halves)
-    return Judgement(carried.scores, carried.ranking(), events, tuple(halves), complete)
+    return Judgement(carry_over.scores, carry_over.ranking(), events, tuple(halves), complete)
 
 
 @dataclass(frozen=True)
@@ -213,14 +213,14 @@ def _told(played: Sequence[str], wanted: Sequence[str]) -> str:
     return lists if set(played) != set(wanted) else f"their order differs: {lists}"
 
 
-def _info(recorded: HalfInfo, scenario: Scenario, carried: Carried) -> HalfInfo:
+def _info(recorded: HalfInfo, scenario: Scenario, carry_over: CarryOver) -> HalfInfo:
     """Return the facts of a half as these rules have them: who sat where stays, what was counted before does not."""
     return replace(
         recorded,
         halves=scenario.match.halves,
         ticks=ticks_from_s(half_length_s(scenario.match, recorded.half)),
-        scores=by_seat(carried.scores, recorded.teams),
-        kept=dict(carried.kept),
+        scores=by_seat(carry_over.scores, recorded.teams),
+        kept=dict(carry_over.kept),
     )
 
 
@@ -231,12 +231,12 @@ def _judge_half(track: HalfTrack, referee: Referee, info: HalfInfo) -> tuple[Jud
     told = list(events_of(track.start, verdict))
     tick = 0
     for snapshot in track.snapshots():
-        if not goes_on(referee, verdict, tick, info):
+        if not should_continue(referee, verdict, tick, info):
             break
         verdict = referee.judge(snapshot)
         told += events_of(snapshot, verdict)
         tick = snapshot.tick
-    if goes_on(referee, verdict, tick, info):
+    if should_continue(referee, verdict, tick, info):
         return JudgedHalf(info.half, tick, None, complete=False), told, False
     closing = referee.finish()
     told += closing.events

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from rcj_challenges.match.judging import MisfitError, differences, judge_again, recorded
+from rcj_challenges.match.rejudge import MisfitError, differences, recorded, rejudge
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import load, load_resolved
 
@@ -39,7 +39,7 @@ def by(gift):
 
     def judged(*overrides):
         resolved = json.loads((gift.folder / "scenario.json").read_text("utf-8"))
-        return judge_again(gift.trajectory, load_resolved(resolved, overrides=overrides).scenario)
+        return rejudge(gift.trajectory, load_resolved(resolved, overrides=overrides).scenario)
 
     return judged
 
@@ -93,9 +93,9 @@ def test_a_rule_that_ends_the_match_ends_it_in_the_first_half(by):
 
 def test_a_scenario_with_others_on_the_field_cannot_judge_it(gift):
     with pytest.raises(MisfitError, match=r"the match had B1, .*, the scenario has Y3, ball, walls"):
-        judge_again(gift.trajectory, load("fast_shooter").scenario)
+        rejudge(gift.trajectory, load("fast_shooter").scenario)
     with pytest.raises(MisfitError, match=r"the scenario has B1, B2, B3, Y1, Y2, Y3, ball, coin, walls"):
-        judge_again(gift.trajectory, load("match", ["balls.coin={start_m: [0.4, 0]}"]).scenario)
+        rejudge(gift.trajectory, load("match", ["balls.coin={start_m: [0.4, 0]}"]).scenario)
 
 
 def test_a_param_of_a_record_is_refused_for_its_value_stands_where_it_is_used(gift):

@@ -34,7 +34,7 @@ class Progress:
 
 
 @dataclass(frozen=True, slots=True)
-class Waits:
+class ProgramTimes:
     """What time one program was charged in a half (`TimeBudget`); it differs from run to run.
 
     Attributes:
@@ -52,7 +52,7 @@ class Waits:
     slowest_s: float
 
 
-class Watcher(Protocol):
+class Observer(Protocol):
     """Someone who watches a match. Calls must return fast: the match waits for them."""
 
     progress_every_ticks: int
@@ -88,15 +88,15 @@ class Watcher(Protocol):
     def closing(self, verdict: Verdict, half: HalfInfo) -> None:
         """What the rules said after the last tick of a half; its events come by themselves too."""
 
-    def half_ended(self, half: HalfInfo, waits: tuple[Waits, ...]) -> None:
+    def half_ended(self, half: HalfInfo, waits: tuple[ProgramTimes, ...]) -> None:
         """A half is over, and its programs are gone."""
 
     def finished(self, result: dict[str, Any]) -> None:
         """The match is over, or was broken off (the result is not ``complete``), and its record is closed."""
 
 
-class Silent:
-    """A watcher that does nothing; the base of those who want only some of the calls."""
+class NullObserver:
+    """An observer that does nothing; the base of those who want only some of the calls."""
 
     progress_every_ticks = 625
 
@@ -131,69 +131,69 @@ class Silent:
     def closing(self, verdict: Verdict, half: HalfInfo) -> None:
         """Do nothing."""
 
-    def half_ended(self, half: HalfInfo, waits: tuple[Waits, ...]) -> None:
+    def half_ended(self, half: HalfInfo, waits: tuple[ProgramTimes, ...]) -> None:
         """Do nothing."""
 
     def finished(self, result: dict[str, Any]) -> None:
         """Do nothing."""
 
 
-class Together:
-    """Several watchers as one; how often they hear of the progress is for the first to say."""
+class ObserverGroup:
+    """Several observers as one; how often they hear of the progress is for the first to say."""
 
-    def __init__(self, *watchers: Watcher) -> None:
-        self._watchers = watchers
-        self.progress_every_ticks = watchers[0].progress_every_ticks
+    def __init__(self, *observers: Observer) -> None:
+        self._observers = observers
+        self.progress_every_ticks = observers[0].progress_every_ticks
 
     def half_started(self, half: HalfInfo) -> None:
         """Tell all."""
-        for watcher in self._watchers:
-            watcher.half_started(half)
+        for observer in self._observers:
+            observer.half_started(half)
 
     def sensing(self, half: HalfInfo, robots: Sequence[SensedRobot]) -> Sequence[SensorListener]:
         """Ask all."""
-        return [listener for watcher in self._watchers for listener in watcher.sensing(half, robots)]
+        return [listener for observer in self._observers for listener in observer.sensing(half, robots)]
 
     def progressed(self, progress: Progress) -> None:
         """Tell all."""
-        for watcher in self._watchers:
-            watcher.progressed(progress)
+        for observer in self._observers:
+            observer.progressed(progress)
 
     def event(self, event: Event, half: HalfInfo) -> None:
         """Tell all."""
-        for watcher in self._watchers:
-            watcher.event(event, half)
+        for observer in self._observers:
+            observer.event(event, half)
 
     def fault(self, fault: Fault) -> None:
         """Tell all."""
-        for watcher in self._watchers:
-            watcher.fault(fault)
+        for observer in self._observers:
+            observer.fault(fault)
 
     def printed(self, robot: str, text: str) -> None:
         """Tell all."""
-        for watcher in self._watchers:
-            watcher.printed(robot, text)
+        for observer in self._observers:
+            observer.printed(robot, text)
 
     def ticked(self, snapshot: Snapshot, verdict: Verdict) -> None:
         """Tell all."""
-        for watcher in self._watchers:
-            watcher.ticked(snapshot, verdict)
+        for observer in self._observers:
+            observer.ticked(snapshot, verdict)
 
     def before_tick(self, tick: int) -> float:
         """Ask all."""
-        return sum([watcher.before_tick(tick) for watcher in self._watchers])
+        return sum([observer.before_tick(tick) for observer in self._observers])
 
     def closing(self, verdict: Verdict, half: HalfInfo) -> None:
         """Tell all."""
-        for watcher in self._watchers:
-            watcher.closing(verdict, half)
+        for observer in self._observers:
+            observer.closing(verdict, half)
 
-    def half_ended(self, half: HalfInfo, waits: tuple[Waits, ...]) -> None:
+    def half_ended(self, half: HalfInfo, waits: tuple[ProgramTimes, ...]) -> None:
         """Tell all."""
-        for watcher in self._watchers:
-            watcher.half_ended(half, waits)
+        for observer in self._observers:
+            observer.half_ended(half, waits)
 
     def finished(self, result: dict[str, Any]) -> None:
         """Tell all."""
-        for watcher in self._watchers:
-            watcher.finished(result)
+        for observer in self._observers:
+            observer.finished(result)

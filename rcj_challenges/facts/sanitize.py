@@ -20,7 +20,7 @@ _MOST_MARKS = 4  # combining marks on one letter; more of them cover the lines a
 _MARKS = frozenset({"Mn", "Me"})
 
 
-def shown(text: object, longest: int = MOST_LETTERS) -> str:
+def sanitize(text: object, longest: int = MOST_LETTERS) -> str:
     r"""Return text as one harmless line of at most ``longest`` letters.
 
     Control characters, direction marks, line breaks, lone surrogates, private and unassigned characters become
@@ -34,7 +34,7 @@ def shown(text: object, longest: int = MOST_LETTERS) -> str:
     return _cut(_spelled(_cut(said, 2 * longest + 2)), longest)
 
 
-def shown_block(text: str, most_lines: int = MOST_BLOCK_LINES) -> str:
+def sanitize_block(text: str, most_lines: int = MOST_BLOCK_LINES) -> str:
     """Return text of several lines, each of them harmless: a traceback, or what a program printed.
 
     Args:
@@ -46,10 +46,10 @@ def shown_block(text: str, most_lines: int = MOST_BLOCK_LINES) -> str:
         head = most_lines // 4
         left_out = len(lines) - most_lines
         lines = [*lines[:head], f"… {left_out} lines left out …", *lines[len(lines) - (most_lines - head) :]]
-    return "\n".join(shown(line, MOST_BLOCK_LETTERS) for line in lines)
+    return "\n".join(sanitize(line, MOST_BLOCK_LETTERS) for line in lines)
 
 
-def shown_whole(text: str) -> str:
+def sanitize_lines(text: str) -> str:
     """Return a whole text, each line of it harmless: what is printed or drawn of a scenario, or says what is wrong."""
     return "\n".join(map(_spelled, text.split("\n")))
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:  # it is loaded while programs start
     from rcj_challenges.referee.engine import Referee
 
 
-class Carried:
+class CarryOver:
     """Points, what is kept for the next half, and what was counted until now.
 
     Attributes:
