@@ -1,11 +1,20 @@
-"""``rcj-challenge explain``: prints the page of a code, or the list of all codes."""
+"""``rcj-challenge explain``: prints the page of a code, or the list of all codes.
+
+A room that reports problems with codes has a module ``code_pages`` with a mapping ``PAGES`` from each of its codes to a
+page: one sentence that says what the code means, then what to do about it, as an author or a pupil reads it. A code of
+several rooms has its page in the lowest of them.
+"""
 
 from __future__ import annotations
 
-import inspect
 import sys
+from collections.abc import Mapping
 from difflib import get_close_matches
+from importlib import import_module
+from importlib.util import find_spec
+from pkgutil import iter_modules
 
+import rcj_challenges
 from rcj_challenges.cli.validate import say
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
 
@@ -33,11 +42,12 @@ def explain(code: str | None) -> int:
 
 
 def code_pages() -> dict[str, str]:
-    """Return the page of each code: what it means, its message and its help."""
-    from rcj_challenges.scenario.lint.registry import LINT_RULES
+    """Return the page of each code."""
+    return {code: page for pages in pages_by_room().values() for code, page in pages.items()}
 
-    pages = {}
-    for rule in LINT_RULES:
-        texts = f"warning: {rule.message}\nhelp: {rule.help}".replace("{{", "{").replace("}}", "}")
-        pages[rule.code] = f"{inspect.getdoc(type(rule))}\n\n{texts}"
-    return pages
+
+def pages_by_room() -> dict[str, Mapping[str, str]]:
+    """Return the pages of each room that has some."""
+    names = sorted(module.name for module in iter_modules(rcj_challenges.__path__) if module.ispkg)
+    modules = {name: f"{rcj_challenges.__name__}.{name}.code_pages" for name in names}
+    return {name: import_module(module).PAGES for name, module in modules.items() if find_spec(module) is not None}
