@@ -100,7 +100,7 @@ def match_rows(folder: Path, *, is_quick: bool) -> list[Row]:
 
 def _run_job(tournament: OpenTournament, fixture: Fixture, jobs: JobMaker, half_s: float, out: Path) -> Job:
     """Return a fixture as a match by `run`."""
-    paths = {side.seat: tournament.loaded.entries[side.teams[0]].path for side in fixture.sides}
+    paths = {side.seat: tournament.loaded.entries[side.teams[0]].source for side in fixture.sides}
     teams = [argument for seat, path in paths.items() for argument in (f"--{seat}", str(path))]
     seed = jobs.job_for(fixture).seed
     return Job(seed, ("match", "--set", f"match.half_s={half_s:g}", *teams, "--out", str(out)))

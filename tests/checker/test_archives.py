@@ -323,6 +323,29 @@ def test_what_is_neither_file_nor_folder_is_not_waited_for(tmp_path: Path) -> No
         inspect(tmp_path / "pipe.zip", scenario())
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no paths of this length")
+def test_a_record_with_folders_too_deep_to_be_searched_is_an_error(tmp_path: Path) -> None:
+    import os
+
+    record = tmp_path / "team" / "runs"
+    record.mkdir(parents=True)
+    (record / "logs").mkdir()
+    (record / "trajectory.npz").touch()
+    levels = 1500
+    inside = os.open(record, os.O_RDONLY)
+    for _ in range(levels):  # longer than a path may be: made step by step
+        os.mkdir("d", dir_fd=inside)
+        deeper = os.open("d", os.O_RDONLY, dir_fd=inside)
+        os.close(inside)
+        inside = deeper
+    os.close(inside)
+    try:
+        with pytest.raises(TeamError, match="cannot be read"):
+            inspect(tmp_path / "team", scenario())
+    finally:
+        subprocess.run(["rm", "-rf", str(record)], check=True)  # pytest's own clearing is recursive
+
+
 @pytest.mark.parametrize(
     "name", ["bomb_of_zeros", "bomb_in_many_files", "bomb_that_claims_to_be_small", "hundred_thousand_entries_denied"]
 )
