@@ -23,8 +23,11 @@ from rcj_challenges.rules.actions import ACTIONS, AnyAction
 from rcj_challenges.rules.conditions import CONDITIONS, AnyCondition
 from rcj_challenges.rules.conditions.all_of import AllOf
 from rcj_challenges.rules.conditions.any_of import AnyOf
+from rcj_challenges.rules.facing import Facing, Towards
 from rcj_challenges.rules.fields import Colour, DurationS, EventName, Name, Names, Point
-from rcj_challenges.rules.places import At, Facing, Kick, Mirror, Towards
+from rcj_challenges.rules.kick import Kick
+from rcj_challenges.rules.mirror import Mirror
+from rcj_challenges.rules.places import PLACES, At
 from rcj_challenges.rules.triggers import TRIGGERS, AnyTrigger
 from rcj_challenges.rules.values import (
     Bound,
@@ -58,7 +61,7 @@ from rcj_challenges.scenario.shape import bare, fields, is_model, is_union, memb
 ROOT = Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs" / "reference-scenario.md"
 WORDS = ROOT / "docs" / "words"
-VOCABULARIES = {"triggers": TRIGGERS, "conditions": CONDITIONS, "actions": ACTIONS}
+VOCABULARIES = {"places": PLACES, "triggers": TRIGGERS, "conditions": CONDITIONS, "actions": ACTIONS}
 """The words with an example of their own, by kind."""
 STAGE = """schema_version: 1
 id: example
@@ -194,7 +197,7 @@ CHAPTERS = (
         "Section `gates`: lines to be crossed. Section `spots`: points with a name. Section `groups`: several robots, "
         "balls, obstacles, zones, gates or spots under one name; `robots`, `balls`, `obstacles`, `walls` and each "
         "colour of a robot always exist.",
-        (Word("gates", places.Gate), Word("spots", places.Spot)),
+        (Word("gates", places.Gate), Word("spots", places.Spot, example="spot")),
         "ground",
     ),
     Chapter(

@@ -11,17 +11,22 @@ from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.geometry.regions import Region
 from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.referee.nearness import targets_of
-from rcj_challenges.referee.places import compile_mirror, compile_putting, random_point, spots_of, where_now
-from rcj_challenges.referee.setting_down import Board, Job
+from rcj_challenges.referee.placement import PlacementJob, compile_placement
+from rcj_challenges.referee.placement_board import PlacementBoard
+from rcj_challenges.referee.random_points import point_sampler
 from rcj_challenges.referee.values import compile_bound, compile_points, compile_value, counter_reader
 from rcj_challenges.rules.actions.place import Place
-from rcj_challenges.rules.base import Binder, Trigger
+from rcj_challenges.rules.base import Trigger
+from rcj_challenges.rules.binder import Binder, Scope
 from rcj_challenges.rules.fields import LONGEST_S, Name, Names, Point, Scalar
-from rcj_challenges.rules.places import Mirror, OnLine, UniformIn
+from rcj_challenges.rules.mirror import Mirror
 from rcj_challenges.rules.values import Bound, CounterValue, Lasts, Points, Value
 from rcj_challenges.scenario.floor import on_floor
+from rcj_challenges.scenario.measured import centre_of, middle_of
+from rcj_challenges.scenario.starting import start_noise_m, start_pose
 from rcj_challenges.tracking.bound_rules import BoundRule, Firing, TriggerBinding
 from rcj_challenges.tracking.gates import GateLine
+from rcj_challenges.tracking.places import Anchor, StartPose
 from rcj_challenges.tracking.sequences import SequenceTracker
 from rcj_challenges.tracking.state import Clock, Number
 from rcj_challenges.tracking.target import Target
@@ -30,7 +35,79 @@ from rcj_challenges.tracking.trackers import Tracker
 _T = TypeVar("_T", bound=Tracker)
 
 
-class RuleBinder:
+class NameScope:
+    """Implements `Scope`: what names stand for in a rule or a layout.
+
+    Args:
+        context: what the compilers of all words share.
+        each: the name that ``each`` stands for; None: it is not known there.
+    """
+
+    def __init__(self, context: CompileContext, each: str | None) -> None:
+        self.state = context.state
+        self._context = context
+        self._each = each
+
+    def members(self, names: Names) -> tuple[str, ...]:
+        """Return what names stand for: groups expanded, ``each`` replaced, without repeats, in order."""
+        return self._context.members(names, self._each)
+
+    def whose(self, name: str | None) -> str | None:
+        """Return whose counter, flag, timer or sequence a name stands for; None: all of them, or the only one."""
+        return self._context.whose(name, self._each)
+
+    def start_of(self, entity: int) -> StartPose:
+        """Return where an entity starts."""
+        scenario, name = self._context.scenario, self._context.roster.entities[entity]
+        return StartPose(start_pose(scenario, name), start_noise_m(scenario, name))
+
+    def spot(self, name: str) -> Callable[[], Point]:
+        """Return what reads where a spot is now, or the spot that a draw of this name decided."""
+        context, spots, draws = self._context, self.state.spots, self.state.draws
+        if name in context.scenario.draws and name not in spots:
+            return lambda: spots[context.spot_name(draws[name])]
+        spot = context.spot_name(name)
+        return lambda: spots[spot]
+
+    def spots(self, names: Names) -> Callable[[], tuple[Point, ...]]:
+        """Return what reads where spots are now, in order.
+
+        Raises:
+            ValueError: one of them is no spot.
+        """
+        spots, members = self.state.spots, self.members(names)
+        points = tuple(spots[self._context.spot_name(name)] for name in members)
+        if self._context.remembered.isdisjoint(members):
+            return lambda: points
+        return lambda: tuple(spots[name] for name in members)
+
+    def anchor(self, what: Name | Point) -> Callable[[], Anchor]:
+        """Return what finds the entity, spot or point for which a name stands now; a draw's name, what it decided."""
+        if isinstance(what, tuple):
+            point = Anchor(lambda _board: what)
+            return lambda: point
+        member = self.members(what)[0]
+        among = self._context.roster.drawn.get(member)
+        if among is None:
+            anchor = self._one_anchor(member)
+            return lambda: anchor
+        anchors, draws = {one: self._one_anchor(one) for one in among}, self.state.draws
+        return lambda: anchors[str(draws[member])]
+
+    def _one_anchor(self, name: str) -> Anchor:
+        roster = self._context.roster
+        index = roster.index.get(name, len(roster.entities))
+        if index < len(roster.entities):
+            return Anchor(lambda board: board.poses[index][:2], entity=index)
+        spot, spots = self._context.spot_name(name), self.state.spots
+        return Anchor(lambda _board: spots[spot])
+
+    def random_point(self, zones: Names) -> Callable[[Random], Point]:
+        """Return what draws a point of zones, every one equally likely."""
+        return point_sampler({name: self._context.scenario.zones[name] for name in self.members(zones)})
+
+
+class RuleBinder(NameScope):
     """Implements `Binder` for one rule.
 
     Args:
@@ -39,14 +116,13 @@ class RuleBinder:
     """
 
     def __init__(self, context: CompileContext, rule: BoundRule) -> None:
+        super().__init__(context, rule.each)
         self.rule = rule
-        self.state = context.state
         self.hits = context.hits
         self.contacts = context.contacts
         self.pose_history = context.pose_history
         self.clock_events = context.clock_events
         self.drawn: Mapping[str, tuple[str, ...]] = context.roster.drawn
-        self._context = context
         self._trigger = ""
         self._position = 0
 
@@ -70,10 +146,6 @@ class RuleBinder:
         return TriggerBinding(self.rule, name, self._trigger, (self.rule.rank, self._position, turn))
 
     # --- names ------------------------------------------------------------------------------------------------------
-
-    def members(self, names: Names) -> tuple[str, ...]:
-        """Return what names stand for: groups expanded, ``each`` replaced, without repeats, in order."""
-        return self._context.members(names, self.rule.each)
 
     def entities(self, names: Names) -> tuple[int, ...]:
         """Return the indices of entities."""
@@ -121,10 +193,6 @@ class RuleBinder:
         """Return the index of one thing that can be touched."""
         return self._context.thing(name, self.rule.each)
 
-    def whose(self, name: str | None) -> str | None:
-        """Return whose counter, flag, timer or sequence a name stands for; None: all of them, or the only one."""
-        return self._context.whose(name, self.rule.each)
-
     def drawn_value(self, value: Scalar) -> Scalar:
         """Return a value of a draw: ``each`` is a name where the rule is for one."""
         return self._context.drawn_value(value, self.rule.each)
@@ -135,15 +203,36 @@ class RuleBinder:
 
     def locate(self, what: Name | Point) -> Callable[[], Point | None]:
         """Return what finds where a thing, a spot, a zone's centre or a point is; None while it is off the field."""
-        return where_now(self._context, what, self.rule.each)
+        if isinstance(what, tuple):
+            return lambda: what
+        state, name = self.state, self.members(what)[0]
+        among = self.drawn.get(name)
+        if among is None:
+            return self._locate_one(name)
+        finders = {one: self._locate_one(one) for one in among}
+        return lambda: finders[str(state.draws[name])]()  # noqa: PLW0108 - which one is known when it is called
+
+    def _locate_one(self, name: str) -> Callable[[], Point | None]:
+        context, state = self._context, self.state
+        if name in context.scenario.zones:
+            centre = centre_of(context.scenario.zones[name])
+            return lambda: centre
+        if name in context.roster.entities:
+            index = context.roster.index[name]
+            return lambda: state.poses[index][:2] if state.present[index] else None
+        if name in context.scenario.obstacles:
+            middle = middle_of(context.scenario.obstacles[name])[:2]
+            return lambda: middle
+        spot = context.spot_name(name)
+        return lambda: state.spots[spot]
 
     def free_spots(self, names: Names, clearance_m: float) -> Callable[[], Iterable[bool]]:
         """Return what finds for each of some spots whether no robot's or ball's centre is near."""
         state, bodies = self.state, self._context.bodies
-        spots = spots_of(self._context, names, self.rule.each)
+        spots = self.spots(names)
 
         def free() -> Iterable[bool]:
-            board = Board(state, bodies, set())
+            board = PlacementBoard(state, bodies, set())
             return (board.free(spot, clearance_m, None) for spot in spots())
 
         return free
@@ -210,14 +299,6 @@ class RuleBinder:
 
     # --- places -----------------------------------------------------------------------------------------------------
 
-    def random_point(self, place: UniformIn | OnLine) -> Callable[[Random], Point]:
-        """Return what draws a point of zones or of a segment, every one equally likely."""
-        return random_point(place, self._context, self.rule.each)
-
-    def mirror_signs(self, mirror: Mirror | None) -> Callable[[], Point]:
-        """Return what reads the signs of x and y that a mirror gives now; without one they are positive."""
-        return (lambda: (1, 1)) if mirror is None else compile_mirror(mirror, self._context)
-
     def decided_place(self, spot: str) -> Point | None:
         """Return where a test has decided that chance sets a spot this time; None: chance decides."""
         return self.state.decided_place(spot)
@@ -226,41 +307,41 @@ class RuleBinder:
         """Return whether a point lies inside the walls."""
         return on_floor(point, self._context.floor)
 
-    def layout_jobs(self, layout: str, mirror: Mirror | None) -> list[Job]:
+    def layout_jobs(self, layout: str, mirror: Mirror | None) -> list[PlacementJob]:
         """Return the placements of a layout, in order."""
         context, each = self._context, self.rule.each
         key = (layout, each, mirror)
-        puttings = context.layouts.get(key)
-        if puttings is None:
-            puttings = context.layouts[key] = [
-                compile_putting(placing, context, entity, each, stream, also=mirror)
+        specs = context.layouts.get(key)
+        if specs is None:
+            specs = context.layouts[key] = [
+                compile_placement(placing, self, entity, stream, also=mirror)
                 for number, placing in enumerate(context.scenario.placements[layout])
                 for entity in context.entities(placing.entity, each)
                 for stream in (f"placement/{layout}/{number}/{self.name_of(entity)}",)
             ]
-        return [Job(putting.entity, putting, self.rule) for putting in puttings]
+        return [PlacementJob(spec.entity, spec, self.rule) for spec in specs]
 
-    def placement_job(self, placing: Place, entity: int) -> Job:
+    def placement_job(self, placing: Place, entity: int) -> PlacementJob:
         """Return the placement of one entity."""
         stream = f"rule/{self.rule.name}/{self.name_of(entity)}"
-        return Job(entity, compile_putting(placing, self._context, entity, self.rule.each, stream), self.rule)
+        return PlacementJob(entity, compile_placement(placing, self, entity, stream), self.rule)
 
-    def place(self, jobs: list[Job]) -> None:
+    def place(self, jobs: list[PlacementJob]) -> None:
         """Ask for placements, to be carried out after all actions of the tick."""
         for job in jobs:
-            if job.putting is not None and job.putting.flips:
-                self._context.queue.ask(replace(job, signs=job.putting.signs()))
+            if job.spec is not None and job.spec.mirrors:
+                self._context.queue.ask(replace(job, signs=job.spec.signs_now()))
             else:
                 self._context.queue.ask(job)
 
-    def place_later(self, job: Job, ticks: int) -> None:
+    def place_later(self, job: PlacementJob, ticks: int) -> None:
         """Ask for a placement so many ticks from now, of what is off the field until then."""
         self._context.queue.ask_later(replace(job, due=self.state.tick + ticks, comes_back=True))
 
     def remove(self, entity: int) -> None:
         """Ask for an entity to be taken off the field."""
-        self._context.queue.ask(Job(entity, None, self.rule))
+        self._context.queue.ask(PlacementJob(entity, None, self.rule))
 
 
 if TYPE_CHECKING:
-    _: type[Binder] = RuleBinder
+    _: tuple[type[Scope], type[Binder]] = (NameScope, RuleBinder)

@@ -7,11 +7,11 @@ from typing import TypeVar
 
 from rcj_challenges.geometry.regions import AnyOf, Drawn, Outlined, Region
 from rcj_challenges.referee.bodies import Bodies
-from rcj_challenges.referee.setting_down import Putting, Queue
+from rcj_challenges.referee.placement import PlacementQueue, PlacementSpec
 from rcj_challenges.referee.state import State
 from rcj_challenges.referee.zones import region_of
 from rcj_challenges.rules.fields import Names, Scalar
-from rcj_challenges.rules.places import Mirror
+from rcj_challenges.rules.mirror import Mirror
 from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.floor import floor_parts
 from rcj_challenges.scenario.followed import followed, phases_of
@@ -59,7 +59,7 @@ class CompileContext:
         self.clock_events = ClockEvents()
         self.contacts = Contacts(state.roster.robots)
         self.bodies = Bodies(state.scenario, state.roster)
-        self.queue = Queue()
+        self.queue = PlacementQueue()
         self.emit: Callable[[str, dict[str, object], tuple[str, ...]], None] = lambda _name, _payload, _about: None
         self.enter_phase: Callable[[str], None] = lambda _phase: None
         self.timers_changed: Callable[[], None] = self.trackers.reschedule
@@ -67,7 +67,7 @@ class CompileContext:
         self.floor = floor_parts(state.scenario.field)
         self.remembered = frozenset(remembered_spots(state.scenario))
         self._sequences: dict[tuple[str, str], SequenceTracker] = {}
-        self.layouts: dict[tuple[str, str | None, Mirror | None], list[Putting]] = {}
+        self.layouts: dict[tuple[str, str | None, Mirror | None], list[PlacementSpec]] = {}
         self._members: dict[tuple[Names, str | None], tuple[str, ...]] = {}
         self._shared: dict[tuple[object, ...], Tracker] = {}
 
@@ -143,6 +143,17 @@ class CompileContext:
             return self.zone(name)
         draws, regions = self.state.draws, {zone: self.zone(zone) for zone in among}
         return Drawn(lambda: regions[str(draws[name])])
+
+    def spot_name(self, name: object) -> str:
+        """Return the name of a spot.
+
+        Raises:
+            ValueError: there is no spot of this name.
+        """
+        if not isinstance(name, str) or name not in self.state.spots:
+            message = f"unknown spot {name!r}"
+            raise ValueError(message)
+        return name
 
     def reset_with_draws(self, tracker: Tracker, names: tuple[str, ...]) -> None:
         """Reset a tracker whenever one of the draws among these names decides otherwise."""

@@ -14,13 +14,13 @@ from rcj_challenges.facts.messages import number_in
 from rcj_challenges.facts.play import Event, Fault, HalfInfo, Placement, Snapshot, Verdict
 from rcj_challenges.facts.play import Firing as FiringRecord
 from rcj_challenges.referee.assembling import assemble
+from rcj_challenges.referee.binding import NameScope
 from rcj_challenges.referee.broadcasting import Broadcasting
 from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.referee.denied import Denial, Denied
 from rcj_challenges.referee.no_room import no_room_sentence
-from rcj_challenges.referee.places import compile_putting
+from rcj_challenges.referee.placement import PlacementJob, carry_out, compile_placement
 from rcj_challenges.referee.ranking import ranked_counters
-from rcj_challenges.referee.setting_down import Job, set_down
 from rcj_challenges.referee.state import State
 from rcj_challenges.referee.values import spoken
 from rcj_challenges.rules.fields import Scalar
@@ -369,18 +369,18 @@ class Referee:
         for entity, name in enumerate(self._state.roster.entities):
             if start_noise_m(self._state.scenario, name) != (0.0, 0.0) and not self._queue.concerns(entity):
                 placing = Placing(entity=name, at="start")
-                putting = compile_putting(placing, self._context, entity, None, f"placement/start/{name}")
-                self._queue.ask(Job(entity, putting, None))
+                spec = compile_placement(placing, NameScope(self._context, None), entity, f"placement/start/{name}")
+                self._queue.ask(PlacementJob(entity, spec, None))
 
-    def _set_down(self) -> tuple[Placement, ...]:
+    def _carry_out(self) -> tuple[Placement, ...]:
         state = self._state
         jobs = self._queue.take(state)
         if not jobs:
             return ()
-        placements, failed = set_down(jobs, state, self._context.bodies)
+        placements, failed = carry_out(jobs, state, self._context.bodies)
         for job in failed:
             self._tell_no_room(job)
-            if job.putting is not None and job.putting.retry:
+            if job.spec is not None and job.spec.retry:
                 self._queue.ask_later(replace(job, due=state.tick + 1, instead_of=None, told=True))
             elif job.instead_of is not None and not state.present[job.entity]:
                 # What was to be taken off and placed in one tick, and stays, was never off.
@@ -392,12 +392,12 @@ class Referee:
             self._trackers.on_placed(moved)
         return tuple(placements)
 
-    def _tell_no_room(self, job: Job) -> None:
+    def _tell_no_room(self, job: PlacementJob) -> None:
         """Note in the log, once, that what a rule placed found no room: its event and its sentence have been told."""
         state = self._state
-        if job.told or job.rule is None or job.putting is None:
+        if job.told or job.rule is None or job.spec is None:
             return
-        says = no_room_sentence(job, job.putting, state, self._context.bodies)
+        says = no_room_sentence(job, job.spec, state, self._context.bodies)
         name = state.roster.entities[job.entity]
         told = FiringRecord(
             state.tick, job.rule.name, name, "place", suppressed="no_room", says=says, other=job.rule.other
@@ -407,7 +407,7 @@ class Referee:
     # --- answering --------------------------------------------------------------------------------------------------
 
     def _verdict(self) -> Verdict:
-        placements = self._set_down() if self._queue.busy else ()
+        placements = self._carry_out() if self._queue.busy else ()
         events, firings = tuple(self._events), tuple(self._firings)
         broadcast = self._broadcast
         told, told_only = (None, None) if broadcast is None else broadcast.told(self._state.tick)

@@ -7,7 +7,6 @@ from math import sqrt
 
 from rcj_challenges.geometry.polygons import distance_to_segment_m
 from rcj_challenges.referee.compiling import CompileContext
-from rcj_challenges.referee.places import spot_name
 from rcj_challenges.scenario.models.field import Obstacle, Wall
 from rcj_challenges.tracking.target import Target
 
@@ -51,7 +50,7 @@ def _target(name: str, context: CompileContext) -> Target:
         return Target(gate.distance_m, None, gate.anchor)
     if name in scenario.obstacles:
         return _fixed(scenario.obstacles[name])
-    spot = spot_name(context, name)
+    spot = context.spot_name(name)
     return _standing(lambda: state.spots[spot])
 
 

@@ -6,8 +6,8 @@ from typing import Annotated, Literal
 from pydantic import Field, StringConstraints
 
 from rcj_challenges.facts.messages import MOST_LETTERS, READS, is_said
-from rcj_challenges.rules.base import Phrases
 from rcj_challenges.rules.fields import Scalar, Strict, described
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import listed, number
 from rcj_challenges.rules.values import DrawValue
 

@@ -9,6 +9,9 @@ from rcj_challenges.facts.measures import measure_words, number_words
 _DIGITS = 9  # behind the point: to so many scores and counters are exact
 _MOST = 1e15  # what neither a score nor a counter exceeds
 
+USUALLY_FREE_M = 0.08
+"""A spot is free if no centre is nearer than this, in m, unless the scenario says otherwise."""
+
 
 @dataclass(frozen=True)
 class Subject:
@@ -82,6 +85,17 @@ def seconds(value: float) -> str:
 def metres(value: float) -> str:
     """Return a length in m, or in cm below 10 cm."""
     return f"{value * 100:g} cm" if value < 0.1 else f"{value:g} m"
+
+
+def metres_alike(values: Sequence[float]) -> list[str]:
+    """Return lengths that stand side by side in one unit: in m, or all in cm where one is below 10 cm, none 1 m."""
+    small = any(0 < value < 0.1 for value in values) and all(value < 1 for value in values)
+    return [f"{value * 100:g} cm" if small else f"{value:g} m" for value in values]
+
+
+def within_words(clearance_m: float) -> str:
+    """Return within which distance a spot must be free, if it is not the usual one: `` within 5 cm``."""
+    return "" if clearance_m == USUALLY_FREE_M else f" within {metres(clearance_m)}"
 
 
 def degrees(value_rad: float) -> str:

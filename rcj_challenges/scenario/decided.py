@@ -7,7 +7,9 @@ from itertools import product
 
 from rcj_challenges.geometry.polygons import Point, distance_to_segment_m
 from rcj_challenges.rules.actions.set_spot import SetSpot
-from rcj_challenges.rules.places import Mirror, OnLine, UniformIn
+from rcj_challenges.rules.mirror import Mirror
+from rcj_challenges.rules.places.on_line import OnLine
+from rcj_challenges.rules.places.uniform_in import UniformIn
 from rcj_challenges.scenario.floor import floor_parts, on_floor
 from rcj_challenges.scenario.floor_shapes import lies_in
 from rcj_challenges.scenario.models.scenario import Expectation, Scenario

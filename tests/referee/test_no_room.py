@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import pytest
+from rcj_challenges.referee.placement import ATTEMPTS_WAITING
 
 from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.engine import Referee
-from rcj_challenges.referee.setting_down import ATTEMPTS_WAITING
 from rcj_challenges.referee.trials import run_expectation
 from rcj_challenges.scenario.load import load_text
 

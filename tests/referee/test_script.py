@@ -1,21 +1,14 @@
 """The stage itself, the `expect` blocks, and that every word has its tests."""
 
-import re
 import time
 from pathlib import Path
 
 import pytest
 
-from rcj_challenges.referee.places import PLACES
 from rcj_challenges.referee.trials import run_expectation
-from rcj_challenges.rules.actions import ACTIONS
-from rcj_challenges.rules.conditions import CONDITIONS
-from rcj_challenges.rules.triggers import TRIGGERS
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
-
-VOCABULARIES = (("Trigger", TRIGGERS), ("Condition", CONDITIONS), ("Action", ACTIONS))
 
 SCENARIOS = sorted((Path(__file__).parents[2] / "scenarios").glob("*.yaml"))
 
@@ -216,17 +209,3 @@ def _timed(play, ticks: int) -> float:
     began = time.process_time()
     play.play(ticks)
     return time.process_time() - began
-
-
-@pytest.mark.parametrize(
-    ("kind", "words"),
-    [
-        *((kind, [word.name() for word in vocabulary.words()]) for kind, vocabulary in VOCABULARIES),
-        ("Place", PLACES),
-    ],
-)
-def test_every_word_has_a_test_class_of_its_name(kind, words):
-    tests = "".join(path.read_text(encoding="utf-8") for path in Path(__file__).parent.glob("test_*.py"))
-    classes = set(re.findall(r"^class (Test\w+)", tests, re.MULTILINE))
-    wanted = {f"Test{kind}{word.title().replace('_', '')}" for word in words}
-    assert wanted - classes == set()

@@ -4,8 +4,10 @@ import json
 from math import hypot
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Binder, Phrases, Trigger
+from rcj_challenges.rules.base import Trigger
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import Names, Positive, described
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import metres
 from rcj_challenges.rules.refs import ENTITIES
 from rcj_challenges.rules.triggers import TRIGGERS

@@ -6,8 +6,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from rcj_challenges.rules.facing import Facing
 from rcj_challenges.rules.fields import Name, Names, Point
-from rcj_challenges.rules.places import At, Facing
+from rcj_challenges.rules.places import At
 from rcj_challenges.rules.values import Points
 from rcj_challenges.scenario.load import load_text
 from rcj_challenges.scenario.messages.wording import expectation

@@ -39,7 +39,7 @@ def result(value, times=None, plus=None):
     return [one.message for one in refused] or leaf.value
 
 
-def on_paper(number: float) -> Fraction:
+def round_score(number: float) -> Fraction:
     """Return a number as it is written, not as the binary one next to it."""
     return Fraction(repr(number))
 
@@ -52,7 +52,7 @@ class TestArithmetic:
     @example(0.7, -1, 0.7)
     @example(94906265, 94906267, 0)
     def test_it_is_the_number_that_one_gets_on_paper(self, value, times, plus):
-        exact = on_paper(value) * on_paper(times) + on_paper(plus)
+        exact = round_score(value) * round_score(times) + round_score(plus)
         # What is whole stays exact, also where it has more digits than a float.
         assert result(value, times, plus) in (exact, float(exact))
 
@@ -70,7 +70,7 @@ class TestArithmetic:
     def test_what_comes_out_whole_is_a_whole_number(self, value, times, plus):
         found = result(value, times, plus)
         # From 2 ** 53 on every float is whole, whatever it stands for.
-        assert abs(found) >= 2**53 or isinstance(found, int) == (on_paper(found).denominator == 1)
+        assert abs(found) >= 2**53 or isinstance(found, int) == (round_score(found).denominator == 1)
 
     @given(numbers, numbers)
     def test_what_is_left_out_changes_nothing(self, value, other):
@@ -84,7 +84,7 @@ class TestArithmetic:
         found = result(value, times)
         if isinstance(found, list):
             assert found[0].endswith(" is no number that can be written: it is too large")
-            assert abs(on_paper(value) * on_paper(times)) > 1e308
+            assert abs(round_score(value) * round_score(times)) > 1e308
         else:
             assert isfinite(found)
 

@@ -2,10 +2,10 @@
 
 import pytest
 
+from rcj_challenges.rules.phrasing import metres_alike
 from rcj_challenges.scenario.load import load
 from rcj_challenges.views.drawing.shapes import point_words
 from rcj_challenges.views.sheet import sheet_markdown
-from rcj_challenges.views.sheet.phrases import metres_alike
 from tests.views.sheets import sentence, sheet
 
 pytestmark = pytest.mark.usefixtures("without_drawing")

@@ -16,7 +16,7 @@ from pydantic.fields import FieldInfo
 from rcj_challenges.rules.actions.score import Score
 from rcj_challenges.rules.conditions.all_of import AllOf
 from rcj_challenges.rules.conditions.any_of import AnyOf
-from rcj_challenges.rules.places import DrawnSpeed
+from rcj_challenges.rules.kick import DrawnSpeed
 from rcj_challenges.rules.refs import KEEPERS, Ref, Reference, SectionRef, ref_of
 from rcj_challenges.rules.values import DrawnDuration, HighestOfOthers, LowestOfOthers, NumberDraw, WeightedDraw
 from rcj_challenges.scenario.models.scenario import Rule

@@ -3,9 +3,11 @@
 from typing import Annotated, Literal
 
 from rcj_challenges.facts.amounts import round_score
-from rcj_challenges.rules.base import Action, Binder, Phrases
+from rcj_challenges.rules.base import Action
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.bounds import amount_bound, bounds_words, change_bound, taken_away
 from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import COUNTER, WHOSE
 from rcj_challenges.rules.values import Points
 from rcj_challenges.tracking.bound_rules import Act, Firing

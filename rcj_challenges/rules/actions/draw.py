@@ -4,8 +4,10 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from rcj_challenges.rules.base import Action, Binder, Phrases
+from rcj_challenges.rules.base import Action
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import Name, Scalar, described
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import quoted_measure
 from rcj_challenges.rules.refs import DRAW, DrawnValue
 from rcj_challenges.tracking.bound_rules import Act

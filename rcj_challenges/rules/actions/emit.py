@@ -2,8 +2,10 @@
 
 from typing import Literal
 
-from rcj_challenges.rules.base import Action, Binder, Phrases
+from rcj_challenges.rules.base import Action
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import EventName, Name, described
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.values import Value
 from rcj_challenges.tracking.bound_rules import Act, Firing
 

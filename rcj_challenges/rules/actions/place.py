@@ -2,16 +2,21 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Action, Binder, Phrases
+from rcj_challenges.rules.base import Action
+from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.facing import Facing
 from rcj_challenges.rules.fields import Name, Names, described
+from rcj_challenges.rules.mirror import Mirror
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import quoted
-from rcj_challenges.rules.places import At, Attempts, ClearanceM, Facing, MayKick, Mirror, NoiseM, Roll, WithoutRoom
+from rcj_challenges.rules.placement import Attempts, ClearanceM, NoiseM, Roll, WithoutRoom, placement_words
+from rcj_challenges.rules.places import At
 from rcj_challenges.rules.refs import ENTITIES, SectionRef
 from rcj_challenges.rules.values import DrawValue
 from rcj_challenges.tracking.bound_rules import Act
 
 
-class Place(Action, MayKick):
+class Place(Action):
     """Put entities somewhere: either one placement, or a layout by its name."""
 
     action: Literal["place"]
@@ -61,9 +66,8 @@ expect:
 
     def describe(self, phrases: Phrases) -> str:
         """Return the action as a clause: ``yellow gets 1 point``."""
-        if self.layout is None:
-            return phrases.placing(self)
-        which = (
-            quoted(self.layout) if isinstance(self.layout, str) else f"the layout drawn as {quoted(self.layout.draw)}"
-        )
+        if self.entity is not None and self.at is not None:
+            return placement_words(phrases, self.entity, self.at, self)
+        layout = self.layout
+        which = f"the layout drawn as {quoted(layout.draw)}" if isinstance(layout, DrawValue) else quoted(layout or "")
         return f"things are put as in {which}{phrases.mirrored_layout(self)}"

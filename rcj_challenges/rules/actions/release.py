@@ -3,8 +3,10 @@
 from typing import Annotated, Literal
 
 from rcj_challenges.rules.actions.hold import Hold
-from rcj_challenges.rules.base import Action, Binder, Phrases
+from rcj_challenges.rules.base import Action
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import Names, described
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import ROBOTS
 from rcj_challenges.tracking.bound_rules import Act
 

@@ -3,9 +3,13 @@
 from typing import Annotated, Literal
 
 from rcj_challenges.rules.actions.place import Place
-from rcj_challenges.rules.base import Action, Binder, Phrases
+from rcj_challenges.rules.base import Action
+from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.facing import Facing
 from rcj_challenges.rules.fields import Names, described
-from rcj_challenges.rules.places import At, Facing
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.placement import looks_words, put_words
+from rcj_challenges.rules.places import At
 from rcj_challenges.rules.refs import ENTITIES
 from rcj_challenges.rules.values import Lasts
 from rcj_challenges.tracking.bound_rules import Act, Firing
@@ -56,4 +60,8 @@ expect:
         """Return the action as a clause: ``yellow gets 1 point``."""
         who = phrases.all_of(self.entity)
         gone = f"{who.does('is', 'are')} taken off the field"
-        return f"{gone} and after {phrases.lasting(self.for_s)} {phrases.put_back(self)}" if self.for_s else gone
+        if not self.for_s:
+            return gone
+        back = put_words(phrases, self.entity, self.back_at)
+        looks = looks_words(phrases, self.entity, self.back_at, self.facing)
+        return f"{gone} and after {phrases.lasting(self.for_s)} {back}{looks}"

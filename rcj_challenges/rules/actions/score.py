@@ -4,9 +4,11 @@ from collections.abc import Callable
 from typing import Annotated, Literal
 
 from rcj_challenges.facts.amounts import round_score
-from rcj_challenges.rules.base import Action, Binder, Phrases
+from rcj_challenges.rules.base import Action
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.bounds import bounds_words, change_bound, taken_away
 from rcj_challenges.rules.fields import Name, Strict, described
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import counted, plain
 from rcj_challenges.rules.refs import THING, SectionRef
 from rcj_challenges.rules.values import Points

@@ -4,9 +4,13 @@ from collections.abc import Callable
 from typing import Annotated, Literal
 
 from rcj_challenges.facts.messages import position_in
-from rcj_challenges.rules.base import Action, Binder, Phrases
+from rcj_challenges.rules.base import Action
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import Name, Point, described
-from rcj_challenges.rules.places import Mirror, OnLine, UniformIn
+from rcj_challenges.rules.mirror import Mirror
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.places.on_line import OnLine
+from rcj_challenges.rules.places.uniform_in import UniformIn
 from rcj_challenges.rules.refs import FIXED, MOVING, SPOT, Ref
 from rcj_challenges.rules.values import ToldValue
 from rcj_challenges.tracking.bound_rules import Act, Firing
@@ -71,7 +75,8 @@ expect:
         What is off the field leaves it where it is.
         """
         state, name = to.state, self.spot
-        where, signs = self._where(to), to.mirror_signs(self.mirror)
+        where = self._where(to)
+        mirror = None if self.mirror is None else self.mirror.compile(state)
         is_random = isinstance(self.to, UniformIn | OnLine)
 
         def act(_firing: Firing) -> None:
@@ -79,7 +84,7 @@ expect:
             if decided is not None:
                 state.spots[name] = decided
                 return
-            sign_x, sign_y = signs()
+            sign_x, sign_y = (1.0, 1.0) if mirror is None else mirror()
             for _ in range(_MAX_TRIES if is_random else 1):
                 point = where()
                 if point is None:
@@ -98,7 +103,7 @@ expect:
                 heard, robot = to.state.heard, to.members(self.to.told)[0]
                 return lambda: position_in(heard.get(robot, ""))
             case UniformIn() | OnLine():
-                sample, state, stream = to.random_point(self.to), to.state, f"spot/{self.spot}"
+                sample, state, stream = self.to.sampler(to), to.state, f"spot/{self.spot}"
                 return lambda: sample(state.stream(stream))
             case _:
                 return to.locate(self.to)
@@ -110,11 +115,11 @@ expect:
         elif isinstance(self.to, str):
             where = phrases.owned("centre" if phrases.may_be_zone(self.to) else "place", self.to)
         elif isinstance(self.to, UniformIn | OnLine):
-            where = phrases.aim(self.to)
+            where = self.to.aim(phrases)
         else:
             where = phrases.point(self.to)
-        mirrored = phrases.mirrored(self.mirror, self.to)
-        return f"{where}{mirrored}{',' if mirrored else ''} is remembered as {phrases.thing(self.spot)}"
+        mirrored = f", mirrored {self.mirror.describe(phrases)}," if self.mirror is not None else ""
+        return f"{where}{mirrored} is remembered as {phrases.thing(self.spot)}"
 
 
 _MAX_TRIES = 1000

@@ -4,9 +4,11 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from rcj_challenges.rules.base import Binder, Condition, Phrases
+from rcj_challenges.rules.base import Condition
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.conditions.several import all_hold, one_holds, opposites, watched_by
 from rcj_challenges.rules.conditions.vocabulary import CONDITIONS
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.tracking.bound_rules import Test
 
 

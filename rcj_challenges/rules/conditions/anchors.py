@@ -1,6 +1,6 @@
 """The entities to which conditions measure or look."""
 
-from rcj_challenges.rules.base import Binder
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import Name, Point
 
 

@@ -3,10 +3,11 @@
 from typing import Annotated, Literal
 
 from rcj_challenges.facts.amounts import round_score
-from rcj_challenges.rules.base import Binder, Phrases
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.fields import Name, Names, described
 from rcj_challenges.rules.kept import asked, kept, test_of_kept
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import plain, quoted_measure
 from rcj_challenges.rules.quantifier import Quantifier
 from rcj_challenges.rules.refs import READABLE, WHOSE_OF

@@ -3,10 +3,11 @@
 from collections.abc import Iterable
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Binder, Phrases
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.comparison import Compared, to_mm
 from rcj_challenges.rules.conditions.anchors import anchors
 from rcj_challenges.rules.fields import Name, Names, Point, described
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import number
 from rcj_challenges.rules.quantifier import Quantifier, quantified
 from rcj_challenges.rules.refs import MEASURED_TO, MOVING, Ref

@@ -2,9 +2,11 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Binder, Condition, Phrases
+from rcj_challenges.rules.base import Condition
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import Name, Names, described
 from rcj_challenges.rules.kept import asked, kept, test_of_kept
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import quoted
 from rcj_challenges.rules.quantifier import Quantifier
 from rcj_challenges.rules.refs import FLAG, WHOSE_OF

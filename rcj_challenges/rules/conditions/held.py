@@ -2,8 +2,10 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Binder, Condition, Phrases
+from rcj_challenges.rules.base import Condition
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import Names, described
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.quantifier import Quantifier, quantified
 from rcj_challenges.rules.refs import ROBOTS
 from rcj_challenges.tracking.bound_rules import Test

@@ -3,9 +3,11 @@
 from math import atan2, cos, pi, sin
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Binder, Condition, Phrases
+from rcj_challenges.rules.base import Condition
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.conditions.anchors import anchors
 from rcj_challenges.rules.fields import Name, Names, Point, described
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import degrees, heading
 from rcj_challenges.rules.quantifier import Quantifier, quantified
 from rcj_challenges.rules.refs import ROBOTS, SEEN

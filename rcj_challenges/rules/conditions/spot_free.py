@@ -2,8 +2,11 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Binder, Condition, Phrases
+from rcj_challenges.rules.base import Condition
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import Names, NotNegative, described
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.phrasing import USUALLY_FREE_M, within_words
 from rcj_challenges.rules.quantifier import Quantifier, quantified
 from rcj_challenges.rules.refs import SPOTS
 from rcj_challenges.tracking.bound_rules import Test
@@ -15,7 +18,7 @@ class SpotFree(Condition):
     condition: Literal["spot_free"]
     spot: Annotated[Names, SPOTS] = described(..., "a spot, or a group with `of`")
     of: Quantifier = described("any", "how many of a group must be free")
-    clearance_m: NotNegative = described(0.08, "free: no robot's or ball's centre within this, in m")
+    clearance_m: NotNegative = described(USUALLY_FREE_M, "free: no robot's or ball's centre within this, in m")
 
     EXAMPLE = """
 rules:
@@ -42,4 +45,4 @@ expect:
     def describe(self, phrases: Phrases) -> str:
         """Return the part of a sentence that follows ``if``."""
         who = phrases.quantified(self.of, self.spot, negate=self.negate).does("is", "are")
-        return f"{who} free{phrases.clearance(self.clearance_m)}"
+        return f"{who} free{within_words(self.clearance_m)}"

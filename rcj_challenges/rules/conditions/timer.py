@@ -3,10 +3,11 @@
 from typing import Annotated, Literal
 
 from rcj_challenges.facts.timing import s_from_ticks
-from rcj_challenges.rules.base import Binder, Phrases
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.fields import Name, Names, described
 from rcj_challenges.rules.kept import asked, kept, test_of_kept
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import number, quoted
 from rcj_challenges.rules.quantifier import Quantifier
 from rcj_challenges.rules.refs import TIMER, WHOSE_OF

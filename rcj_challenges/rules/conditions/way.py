@@ -2,9 +2,10 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Binder, Phrases
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.comparison import Compared, to_mm
 from rcj_challenges.rules.fields import Names, described
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import number
 from rcj_challenges.rules.quantifier import Quantifier, quantified
 from rcj_challenges.rules.refs import ENTITIES

@@ -5,8 +5,10 @@ from typing import Annotated, Literal
 
 from rcj_challenges.facts.play import Pose2
 from rcj_challenges.geometry.regions import Cell
-from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
+from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Trigger
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import Names, described
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import ENTITIES, GATES
 from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding
 from rcj_challenges.tracking.gates import GateLine

@@ -7,8 +7,10 @@ from pydantic import Field
 
 from rcj_challenges.facts.play import Pose2
 from rcj_challenges.geometry.regions import Cell, FarFrom
-from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
+from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Trigger
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import Names, Point, Positive, described
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import metres
 from rcj_challenges.rules.refs import ENTITIES
 from rcj_challenges.tracking.bound_rules import HitBuffer

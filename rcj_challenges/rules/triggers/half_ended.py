@@ -2,7 +2,9 @@
 
 from typing import Literal
 
-from rcj_challenges.rules.base import Binder, Phrases, Trigger
+from rcj_challenges.rules.base import Trigger
+from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.triggers.half_started import HalfStarted
 
 

@@ -3,9 +3,11 @@
 from typing import Literal
 
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s, whole_ticks_within_s
-from rcj_challenges.rules.base import Binder, Phrases, Trigger
+from rcj_challenges.rules.base import Trigger
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.conditions import AnyCondition
 from rcj_challenges.rules.fields import DurationS, Names, NotNegative, described
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import seconds
 from rcj_challenges.tracking.bound_rules import HitBuffer, Test
 from rcj_challenges.tracking.state import RefereeState

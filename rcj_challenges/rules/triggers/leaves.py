@@ -2,8 +2,10 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
+from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Trigger
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import Names, described
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import ENTITIES, ZONES
 from rcj_challenges.rules.triggers.enters import zone_tracker
 

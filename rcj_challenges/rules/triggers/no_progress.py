@@ -7,8 +7,10 @@ from math import sqrt
 from typing import Annotated, Literal
 
 from rcj_challenges.facts.timing import ticks_from_s
-from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
+from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Trigger
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import DurationS, Names, Positive, described
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import metres, seconds
 from rcj_challenges.rules.refs import ENTITIES
 from rcj_challenges.tracking.bound_rules import HitBuffer

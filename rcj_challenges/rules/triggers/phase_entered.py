@@ -4,8 +4,10 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from rcj_challenges.rules.base import Binder, Phrases, Trigger
+from rcj_challenges.rules.base import Trigger
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import quoted
 from rcj_challenges.rules.refs import PHASE
 

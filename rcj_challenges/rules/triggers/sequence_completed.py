@@ -2,8 +2,10 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Binder, Phrases, Trigger
+from rcj_challenges.rules.base import Trigger
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import Name, Names, described
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import ENTITIES, SEQUENCE
 from rcj_challenges.tracking.sequences import SequenceTracker
 

@@ -6,8 +6,10 @@ from typing import Annotated, Literal
 from rcj_challenges.facts.play import Pose2
 from rcj_challenges.facts.timing import s_from_ticks, whole_ticks_within_s
 from rcj_challenges.geometry.regions import Cell, Region
-from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
+from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Trigger
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import DurationS, Names, NotNegative, described
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import seconds
 from rcj_challenges.rules.refs import ENTITIES, ZONES
 from rcj_challenges.tracking.bound_rules import HitBuffer

@@ -2,8 +2,10 @@
 
 from typing import Literal
 
-from rcj_challenges.rules.base import Binder, Phrases, Trigger
+from rcj_challenges.rules.base import Trigger
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import DurationS, described
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import seconds
 from rcj_challenges.tracking.clock_events import Alarm
 

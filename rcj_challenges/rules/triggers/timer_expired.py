@@ -3,8 +3,10 @@
 from typing import Annotated, Literal
 
 from rcj_challenges.facts.timing import s_from_ticks
-from rcj_challenges.rules.base import Binder, Phrases, Trigger
+from rcj_challenges.rules.base import Trigger
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import Name, Names, described
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import quoted
 from rcj_challenges.rules.refs import TIMER
 from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding

@@ -4,8 +4,10 @@ from functools import partial
 from math import acos, cos
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Binder, Phrases, Trigger
+from rcj_challenges.rules.base import Trigger
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import Names, Positive, described
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import degrees
 from rcj_challenges.rules.refs import Ref
 from rcj_challenges.tracking.bound_rules import HitBuffer

@@ -4,8 +4,10 @@ from functools import partial
 from typing import Annotated, Literal
 
 from rcj_challenges.facts.timing import ticks_from_s
-from rcj_challenges.rules.base import Binder, Phrases, Trigger
+from rcj_challenges.rules.base import Trigger
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import DurationS, Names, described
+from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import seconds
 from rcj_challenges.rules.refs import FIXED, MOVING, THINGS, Ref
 from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding

@@ -7,7 +7,7 @@ from typing import Any
 
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.rules.fields import LONGEST_S
-from rcj_challenges.rules.places import MAX_KICK_MPS, DrawnSpeed
+from rcj_challenges.rules.kick import MAX_KICK_MPS, DrawnSpeed
 from rcj_challenges.rules.values import DrawnDuration, NumberDraw, WeightedDraw
 from rcj_challenges.scenario.messages.wording import found_text
 from rcj_challenges.scenario.tree import Leaf

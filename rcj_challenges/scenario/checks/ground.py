@@ -8,7 +8,7 @@ from itertools import pairwise
 from math import dist
 
 from rcj_challenges.geometry.polygons import Point, is_simple
-from rcj_challenges.rules.places import UniformIn
+from rcj_challenges.rules.places.uniform_in import UniformIn
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.models.field import FieldModel, Obstacle, Wall
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone

@@ -26,7 +26,7 @@ from rcj_challenges.rules.conditions.timer import TimerIs
 from rcj_challenges.rules.conditions.told import Told
 from rcj_challenges.rules.conditions.way import WayIs
 from rcj_challenges.rules.fields import Scalar, Strict
-from rcj_challenges.rules.places import Kick
+from rcj_challenges.rules.kick import Kick
 from rcj_challenges.rules.quantifier import AtLeast
 from rcj_challenges.rules.triggers.holds import Holds
 from rcj_challenges.rules.triggers.stays_in import StaysIn

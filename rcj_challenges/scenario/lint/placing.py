@@ -11,7 +11,12 @@ from rcj_challenges.rules.actions.remove import Remove
 from rcj_challenges.rules.actions.set_phase import SetPhase
 from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.conditions.distance import Distance
-from rcj_challenges.rules.places import AtPoint, AtSpot, FurthestFree, NearestFree, OnLine, UniformIn
+from rcj_challenges.rules.places.furthest_free import FurthestFree
+from rcj_challenges.rules.places.nearest_free import NearestFree
+from rcj_challenges.rules.places.on_line import OnLine
+from rcj_challenges.rules.places.point import AtPoint
+from rcj_challenges.rules.places.spot import AtSpot
+from rcj_challenges.rules.places.uniform_in import UniformIn
 from rcj_challenges.rules.triggers.half_started import HalfStarted
 from rcj_challenges.rules.values import DistanceValue
 from rcj_challenges.scenario.checks.ground import Floor, obstacle_bodies

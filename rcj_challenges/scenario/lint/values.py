@@ -16,7 +16,9 @@ from rcj_challenges.rules.conditions.spot_free import SpotFree
 from rcj_challenges.rules.conditions.timer import TimerIs
 from rcj_challenges.rules.conditions.way import WayIs
 from rcj_challenges.rules.fields import Strict
-from rcj_challenges.rules.places import MAX_KICK_MPS, FurthestFree, NearestFree
+from rcj_challenges.rules.kick import MAX_KICK_MPS
+from rcj_challenges.rules.places.furthest_free import FurthestFree
+from rcj_challenges.rules.places.nearest_free import NearestFree
 from rcj_challenges.rules.triggers.displaced import Displaced
 from rcj_challenges.rules.triggers.holds import Holds
 from rcj_challenges.rules.triggers.no_progress import NoProgress

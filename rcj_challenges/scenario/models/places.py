@@ -4,8 +4,11 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from rcj_challenges.rules.facing import Facing
 from rcj_challenges.rules.fields import Colour, Name, Names, Point, Positive, Strict, described
-from rcj_challenges.rules.places import At, Attempts, ClearanceM, Facing, MayKick, Mirror, NoiseM, Roll, WithoutRoom
+from rcj_challenges.rules.mirror import Mirror
+from rcj_challenges.rules.placement import Attempts, ClearanceM, NoiseM, Roll, WithoutRoom
+from rcj_challenges.rules.places import At
 from rcj_challenges.rules.refs import MEMBERS, ONE_ENTITY
 
 
@@ -75,7 +78,7 @@ class Spot(Strict):
 # --- where things go ------------------------------------------------------------------------------------------------
 
 
-class Placing(MayKick):
+class Placing(Strict):
     """How one or more entities are put somewhere."""
 
     entity: Annotated[Names, MEMBERS] = described(

@@ -11,19 +11,17 @@ from rcj_challenges.rules.actions.place import Place
 from rcj_challenges.rules.actions.remove import Remove
 from rcj_challenges.rules.actions.set_spot import SetSpot
 from rcj_challenges.rules.fields import Names
-from rcj_challenges.rules.places import (
-    At,
-    AtPoint,
-    AtSpot,
-    Choice,
-    FurthestFree,
-    Mirror,
-    NearestFree,
-    OnLine,
-    RelativeTo,
-    Start,
-    UniformIn,
-)
+from rcj_challenges.rules.mirror import Mirror
+from rcj_challenges.rules.places import At
+from rcj_challenges.rules.places.choice import Choice
+from rcj_challenges.rules.places.furthest_free import FurthestFree
+from rcj_challenges.rules.places.nearest_free import NearestFree
+from rcj_challenges.rules.places.on_line import OnLine
+from rcj_challenges.rules.places.point import AtPoint
+from rcj_challenges.rules.places.relative_to import RelativeTo
+from rcj_challenges.rules.places.spot import AtSpot
+from rcj_challenges.rules.places.start import Start
+from rcj_challenges.rules.places.uniform_in import UniformIn
 from rcj_challenges.rules.values import DrawValue, ToldValue
 from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.models.places import Placing

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from rcj_challenges.facts.colours import hex_colour
-from rcj_challenges.rules.places import OnLine
+from rcj_challenges.rules.places.on_line import OnLine
 from rcj_challenges.scenario.models.field import Box as BoxObstacle
 from rcj_challenges.scenario.models.field import Cylinder, Wall
 from rcj_challenges.scenario.models.places import Gate, Zone

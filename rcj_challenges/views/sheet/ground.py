@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from rcj_challenges.rules.phrasing import degrees, listed, metres, plain, quoted
+from rcj_challenges.rules.phrasing import degrees, listed, metres, metres_alike, plain, quoted
 from rcj_challenges.scenario.models import field as models
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.remembered import remembered_spots, set_at_once
@@ -13,7 +13,6 @@ from rcj_challenges.views.drawing import draw_scenario
 from rcj_challenges.views.drawing.shapes import point_words
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Picture, Table
 from rcj_challenges.views.sheet.nouns import Nouns
-from rcj_challenges.views.sheet.phrases import metres_alike
 
 
 def field_blocks(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:

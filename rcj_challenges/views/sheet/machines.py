@@ -9,14 +9,13 @@ from typing import Any
 from rcj_challenges.devices.channels import entrant_of, team_channels
 from rcj_challenges.devices.fitting import is_full_turn
 from rcj_challenges.facts.timing import TICK_S
-from rcj_challenges.rules.phrasing import counted, degrees, heading, listed, metres, plain
+from rcj_challenges.rules.phrasing import counted, degrees, heading, listed, metres, metres_alike, plain
 from rcj_challenges.scenario.models import robots as models
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.own_devices import devices_of
 from rcj_challenges.views.drawing.shapes import point_words
 from rcj_challenges.views.sheet.blocks import Block, Heading, Paragraph, Table
 from rcj_challenges.views.sheet.nouns import Nouns
-from rcj_challenges.views.sheet.phrases import metres_alike
 
 _RADIO = (models.TeamEmitterDevice, models.TeamReceiverDevice)
 

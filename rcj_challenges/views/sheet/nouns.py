@@ -17,10 +17,9 @@ from rcj_challenges.scenario.roster import WALLS, Roster, row_of, written_for
 from rcj_challenges.scenario.set_draws import set_from_the_start
 from rcj_challenges.views.sheet.absent import taken_off
 from rcj_challenges.views.sheet.meeting import may_meet
-from rcj_challenges.views.sheet.mirrored import mirrored_layout_words, mirrored_words
-from rcj_challenges.views.sheet.phrases import amount, lasting, within_words
+from rcj_challenges.views.sheet.mirrored import mirrored_layout_words
+from rcj_challenges.views.sheet.phrases import amount, lasting
 from rcj_challenges.views.sheet.phrases import value as value_words
-from rcj_challenges.views.sheet.places import AIMS, placing_words, put_back_words
 
 _MEASURED_BY_SEVERAL = "what was measured"
 """Said where triggers of one rule measure different things."""
@@ -330,10 +329,6 @@ class Nouns:
         """Return points, counts or limits: a number, a counter, a sum of weighted parts, or the most or least."""
         return amount(self, value)
 
-    def clearance(self, clearance_m: float) -> str:
-        """Return within which distance a spot must be free, if it is not the usual one: `` within 5 cm``."""
-        return within_words(clearance_m)
-
     def every_kept(self, kind: str, name: str, entity: str | None) -> str:
         """Return the same for an action, where no entity means all of them."""
         one = getattr(self.scenario, f"{kind}s").get(name)
@@ -357,25 +352,18 @@ class Nouns:
         """Return how long something lasts: ``15 s``, ``5 s or 8 s, as “pause” is drawn``."""
         return lasting(self, lasts_s)
 
-    def placing(self, placing: Any) -> str:
-        """Return a placement as a clause."""
-        return placing_words(self, placing)
-
-    def put_back(self, removal: Any) -> str:
-        """Return where what is removed comes back to: ``put on the spot “centre”, facing the ball``."""
-        return put_back_words(self, removal)
-
-    def aim(self, at: Any) -> str:
-        """Return a place as what is aimed at: ``a random point of the blue goal``."""
-        return AIMS[type(at)](self, at)
-
     def may_be_zone(self, name: str) -> bool:
         """Return whether a name may stand for a zone."""
         return any(one in self.scenario.zones for one in self.meant(name))
 
-    def mirrored(self, mirror: Any, at: Any) -> str:
-        """Return how a place is mirrored; an empty text where it is not, or where that changes nothing."""
-        return mirrored_words(self, mirror, at)
+    def draw_values(self, draw: str) -> tuple[Scalar, ...]:
+        """Return the values of a draw."""
+        return self.scenario.draws[draw].values
+
+    def is_entity(self, name: str) -> bool:
+        """Return whether a name stands for an entity, and not for a spot or a draw."""
+        members = self.roster.expand(name)
+        return not any(member in self.scenario.spots or member in self.scenario.draws for member in members)
 
     def mirrored_layout(self, action: Any) -> str:
         """Return how all places of a layout are mirrored, and what its kicks are aimed at."""

@@ -15,6 +15,7 @@ from rcj_challenges.rules.actions.sequence import SequenceAction
 from rcj_challenges.rules.actions.set_phase import SetPhase
 from rcj_challenges.rules.bounds import bounds_words
 from rcj_challenges.rules.phrasing import counted, listed, number, plain, quoted, quoted_measure, seconds
+from rcj_challenges.rules.placement import placement_words
 from rcj_challenges.rules.triggers.no_progress import NoProgress
 from rcj_challenges.rules.values import CounterValue
 from rcj_challenges.scenario.blanks import description_of
@@ -39,7 +40,6 @@ from rcj_challenges.views.sheet.ground import field_blocks
 from rcj_challenges.views.sheet.machines import has, robot_blocks
 from rcj_challenges.views.sheet.nouns import Nouns
 from rcj_challenges.views.sheet.phrases import amount, lasting, value
-from rcj_challenges.views.sheet.places import placing_words
 from rcj_challenges.views.sheet.rules import rule_blocks, when_words
 from rcj_challenges.views.sheet.spoken import spoken
 from rcj_challenges.views.sheet.told import told_blocks
@@ -359,7 +359,8 @@ def _places(scenario: Scenario, nouns: Nouns) -> Iterator[Block]:
     for name, layout in scenario.placements.items():
         if name not in used:
             continue
-        yield Paragraph(f"{quoted(name)}: {'; '.join(placing_words(nouns, placing) for placing in layout)}.")
+        placed = (placement_words(nouns, placing.entity, placing.at, placing) for placing in layout)
+        yield Paragraph(f"{quoted(name)}: {'; '.join(placed)}.")
 
 
 def _entry_words(scenario: Scenario) -> Iterator[Block]:

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from rcj_challenges.rules.conditions.spot_free import SpotFree
-from rcj_challenges.rules.phrasing import listed, metres, number, plain, quoted, quoted_measure, seconds
+from rcj_challenges.rules.phrasing import listed, number, plain, quoted, quoted_measure, seconds
 from rcj_challenges.rules.values import (
     CounterValue,
     DistanceValue,
@@ -34,9 +33,6 @@ from rcj_challenges.rules.values import (
 if TYPE_CHECKING:
     from rcj_challenges.views.sheet.nouns import Nouns
 
-USUALLY_FREE_M = float(SpotFree.model_fields["clearance_m"].default)
-"""Nearer than this is nobody to a spot that is free, in m, where nothing else is said."""
-
 
 def lasting(nouns: Nouns, lasts_s: float | DrawnDuration | CounterValue) -> str:
     """Return how long something lasts: ``15 s``, ``5 s or 8 s, as “pause” is drawn``, as many s as a counter says."""
@@ -46,17 +42,6 @@ def lasting(nouns: Nouns, lasts_s: float | DrawnDuration | CounterValue) -> str:
         return seconds(lasts_s)
     times_s = sorted({float(value) for value in nouns.scenario.draws[lasts_s.draw].values})
     return f"{listed([seconds(time_s) for time_s in times_s], 'or')}, as {quoted_measure(lasts_s.draw)} is drawn"
-
-
-def within_words(clearance_m: float) -> str:
-    """Return within which distance a spot must be free, if it is not the usual one: `` within 5 cm``."""
-    return "" if clearance_m == USUALLY_FREE_M else f" within {metres(clearance_m)}"
-
-
-def metres_alike(values: Sequence[float]) -> list[str]:
-    """Return lengths that stand side by side in one unit: in m, or all in cm where one is below 10 cm, none 1 m."""
-    small = any(0 < value < 0.1 for value in values) and all(value < 1 for value in values)
-    return [f"{value * 100:g} cm" if small else f"{value:g} m" for value in values]
 
 
 def value(nouns: Nouns, value: Any) -> str:

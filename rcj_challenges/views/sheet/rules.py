@@ -16,8 +16,9 @@ from rcj_challenges.rules.conditions.last_touch import LastTouch
 from rcj_challenges.rules.conditions.looks import Looks
 from rcj_challenges.rules.conditions.speed import Speed
 from rcj_challenges.rules.conditions.spot_free import SpotFree
-from rcj_challenges.rules.phrasing import listed, metres, quoted, seconds, times
-from rcj_challenges.rules.places import FurthestFree, NearestFree
+from rcj_challenges.rules.phrasing import USUALLY_FREE_M, listed, metres, quoted, seconds, times
+from rcj_challenges.rules.places.furthest_free import FurthestFree
+from rcj_challenges.rules.places.nearest_free import NearestFree
 from rcj_challenges.rules.triggers.half_started import HalfStarted
 from rcj_challenges.rules.triggers.holds import Holds
 from rcj_challenges.rules.values import LastTouchValue
@@ -28,7 +29,6 @@ from rcj_challenges.scenario.other import meant_in, names_other, others_of
 from rcj_challenges.scenario.visiting import visit
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph
 from rcj_challenges.views.sheet.nouns import Nouns
-from rcj_challenges.views.sheet.phrases import USUALLY_FREE_M
 from rcj_challenges.views.sheet.spoken import spoken
 
 _Named = tuple[str, Rule]

@@ -1,0 +1,190 @@
+"""What words need to be compiled, as protocols; the referee implements them."""
+
+from collections.abc import Callable, Iterable, Mapping
+from random import Random
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
+
+from rcj_challenges.rules.fields import Name, Names, Point, Scalar
+from rcj_challenges.tracking.bound_rules import BoundRule, Firing, HitBuffer, TriggerBinding
+from rcj_challenges.tracking.clock_events import ClockEvents
+from rcj_challenges.tracking.contacts import Contacts
+from rcj_challenges.tracking.gates import GateLine
+from rcj_challenges.tracking.places import Anchor, StartPose
+from rcj_challenges.tracking.pose_history import PoseHistory
+from rcj_challenges.tracking.sequences import SequenceTracker
+from rcj_challenges.tracking.state import Clock, Number, RefereeState
+from rcj_challenges.tracking.target import Target
+from rcj_challenges.tracking.trackers import Tracker
+
+if TYPE_CHECKING:
+    from rcj_challenges.geometry.regions import Region
+
+_T = TypeVar("_T", bound=Tracker)
+
+
+class Scope(Protocol):
+    """What a place needs to be compiled, in a rule or a layout."""
+
+    @property
+    def state(self) -> RefereeState:
+        """The referee's memory; read it when something is placed, not when the place is compiled."""
+
+    def members(self, names: Names) -> tuple[str, ...]:
+        """Return what names stand for: groups expanded, ``each`` replaced, without repeats, in order."""
+
+    def start_of(self, entity: int) -> StartPose:
+        """Return where an entity starts."""
+
+    def whose(self, name: str | None) -> str | None:
+        """Return whose counter, flag, timer or sequence a name stands for; None: all of them, or the only one."""
+
+    def spot(self, name: str) -> Callable[[], Point]:
+        """Return what reads where a spot is now, or the spot that a draw of this name decided."""
+
+    def spots(self, names: Names) -> Callable[[], tuple[Point, ...]]:
+        """Return what reads where spots are now, in order."""
+
+    def anchor(self, what: Name | Point) -> Callable[[], Anchor]:
+        """Return what finds the entity, spot or point for which a name stands now; a draw's name, what it decided."""
+
+    def random_point(self, zones: Names) -> Callable[[Random], Point]:
+        """Return what draws a point of zones, every one equally likely."""
+
+
+class Binder(Scope, Protocol):
+    """What a trigger, a condition or an action needs to be compiled for one rule."""
+
+    @property
+    def rule(self) -> BoundRule:
+        """The rule for which it is compiled."""
+
+    @property
+    def hits(self) -> HitBuffer:
+        """Where trackers report."""
+
+    @property
+    def contacts(self) -> Contacts:
+        """What touches what."""
+
+    @property
+    def pose_history(self) -> PoseHistory:
+        """Judged poses of the past."""
+
+    @property
+    def clock_events(self) -> ClockEvents:
+        """Triggers that no tracker follows."""
+
+    @property
+    def drawn(self) -> Mapping[str, tuple[str, ...]]:
+        """For each draw that decides on a place: the places."""
+
+    def entities(self, names: Names) -> tuple[int, ...]:
+        """Return the indices of entities."""
+
+    def things(self, names: Names) -> tuple[int, ...]:
+        """Return the indices of what can be touched: entities, fixed obstacles, walls."""
+
+    def index_of(self, name: str) -> int | None:
+        """Return the index of something that can be touched; None for anything else."""
+
+    def name_of(self, entity: int) -> str:
+        """Return the name of an entity."""
+
+    def region(self, names: Names) -> "Region":
+        """Return the region of a zone, or of several zones taken as one."""
+
+    def gate(self, name: str) -> GateLine:
+        """Return a gate."""
+
+    def sequences(self, name: str) -> dict[str | None, SequenceTracker]:
+        """Return the trackers of a sequence by whose it is; None for one that is not kept per entity."""
+
+    def track(self, kind: type[_T], key: tuple[object, ...], make: Callable[[], _T]) -> _T:
+        """Return the tracker that follows ``key`` in the phases of the rule; rules that follow the same share it."""
+
+    def track_alone(self, tracker: Tracker) -> None:
+        """Follow a tracker that is not shared, in the phases of the rule."""
+
+    def reset_with_draws(self, tracker: Tracker, names: tuple[str, ...]) -> None:
+        """Reset a tracker whenever one of the draws among these names decides otherwise."""
+
+    def binding(self, entity: int | None = None) -> TriggerBinding:
+        """Return the rule's binding to the trigger that is compiled.
+
+        Args:
+            entity: the index of what it is about.
+        """
+
+    def thing(self, name: str) -> int:
+        """Return the index of one thing that can be touched."""
+
+    def drawn_value(self, value: Scalar) -> Scalar:
+        """Return a value of a draw: ``each`` is a name where the rule is for one."""
+
+    def targets(self, named: Name | Point) -> tuple[Target, ...]:
+        """Return what a distance is measured to: what a name stands for, or a point."""
+
+    def locate(self, what: Name | Point) -> Callable[[], Point | None]:
+        """Return what finds where a thing, a spot, a zone's centre or a point is; None while it is off the field."""
+
+    def free_spots(self, names: Names, clearance_m: float) -> Callable[[], Iterable[bool]]:
+        """Return what finds for each of some spots whether no robot's or ball's centre is near."""
+
+    def bound(self, bound: Any) -> Callable[[], Number]:
+        """Return what reads what is compared with: a number, a counter, or the lowest or highest of others."""
+
+    # --- for actions ------------------------------------------------------------------------------------------------
+
+    def points(self, points: Any) -> Callable[[Firing], Number]:
+        """Return what reads a number of points: one amount, or the sum of numbers and weighted ones."""
+
+    def value(self, value: Any) -> Callable[[Firing], Any]:
+        """Return what reads a value of an event's payload."""
+
+    def ticks(self, lasts_s: Any) -> Callable[[], int]:
+        """Return what reads how many ticks something lasts: a number, or what a draw or a counter says."""
+
+    def wind_up(self, timer: str, clock: Clock, owner: str | None) -> None:
+        """Give a clock of a timer its length, as its draw has decided or its counter says by now."""
+
+    def timers_changed(self) -> None:
+        """Reschedule the trackers after a timer was started or stopped."""
+
+    def reset(self, tracker: Tracker) -> None:
+        """Reset a tracker, because a rule says so."""
+
+    def release(self, robots: tuple[int, ...]) -> None:
+        """Let robots go that rules hold."""
+
+    def decide_draw(self, draw: str, value: Scalar | None) -> None:
+        """Draw anew, or set a draw to a value; what follows the draw is reset if it changed."""
+
+    def draw_values(self, draw: str) -> tuple[Scalar, ...]:
+        """Return the values of a draw."""
+
+    def enter_phase(self, phase: str) -> None:
+        """Enter a phase, at once."""
+
+    def emit(self, event: str, payload: dict[str, object], about: tuple[str, ...]) -> None:
+        """Write an event."""
+
+    def decided_place(self, spot: str) -> Point | None:
+        """Return where a test has decided that chance sets a spot this time; None: chance decides."""
+
+    def is_on_floor(self, point: Point) -> bool:
+        """Return whether a point lies inside the walls."""
+
+    def layout_jobs(self, layout: str, mirror: Any) -> list[Any]:
+        """Return the placements of a layout, in order."""
+
+    def placement_job(self, placing: Any, entity: int) -> Any:
+        """Return the placement of one entity."""
+
+    def place(self, jobs: list[Any]) -> None:
+        """Ask for placements, to be carried out after all actions of the tick."""
+
+    def place_later(self, job: Any, ticks: int) -> None:
+        """Ask for a placement so many ticks from now, of what is off the field until then."""
+
+    def remove(self, entity: int) -> None:
+        """Ask for an entity to be taken off the field."""

@@ -1,0 +1,71 @@
+"""A ball that rolls away from where it is put."""
+
+from typing import Annotated, Any
+
+from pydantic import Field
+
+from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.fields import Name, Strict, described
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.phrasing import listed, number, quoted_measure
+from rcj_challenges.rules.places import At, place_of
+from rcj_challenges.rules.refs import DRAW
+from rcj_challenges.rules.values import CounterValue
+from rcj_challenges.tracking.places import CompiledKick
+
+MAX_KICK_MPS = 3
+"""Up to what the walls are known to hold, with a margin (ADR 2)."""
+_KickSpeed = Annotated[float, Field(gt=0, le=MAX_KICK_MPS)]
+
+
+class DrawnSpeed(Strict):
+    """The speed that a draw decided, when the ball is set down."""
+
+    draw: Annotated[Name, DRAW] = described(..., "a draw whose values are speeds in m/s, over 0 and up to 3")
+
+
+class Kick(Strict):
+    """A ball rolls away from where it is put; what mirrors its place mirrors its aim too. In tests it stays there."""
+
+    towards: At = described(..., "where it rolls to: any word of `at`; chance decides anew each time")
+    speed_mps: (
+        _KickSpeed | Annotated[tuple[_KickSpeed, _KickSpeed], Field(strict=False)] | DrawnSpeed | CounterValue
+    ) = described(
+        ...,
+        "how fast it sets off, in m/s, over 0 and up to 3; [least, most]: every speed between equally likely; "
+        "{draw: NAME}: what that has decided; {counter: NAME}: what that is when the ball is set down: more than 3 is "
+        "3, and at 0 or less it lies still",
+        union_mode="left_to_right",
+    )
+
+    def compile(self, to: Scope, entity: int) -> CompiledKick:
+        """Return the compiled aim, and what reads the speed."""
+        towards, speed, state = place_of(self.towards).compile(to, entity), self.speed_mps, to.state
+        match speed:
+            case tuple():
+                return CompiledKick(towards, lambda: speed)
+            case DrawnSpeed():
+                return CompiledKick(towards, lambda: _exactly(state.draws[speed.draw]))
+            case CounterValue():
+                whose = to.whose(speed.entity)
+                return CompiledKick(towards, lambda: _exactly(min(state.counter(speed.counter, whose), MAX_KICK_MPS)))
+            case _:
+                return CompiledKick(towards, lambda: _exactly(speed))
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return how fast it rolls, and where to: ``at 0.5 m/s towards the ball``."""
+        return f"{self._how_fast(phrases)} towards {place_of(self.towards).aim(phrases)}"
+
+    def _how_fast(self, phrases: Phrases) -> str:
+        speed = self.speed_mps
+        if isinstance(speed, DrawnSpeed):
+            drawn = sorted({float(mps) for mps in phrases.draw_values(speed.draw)})
+            return f"at {listed([number(mps) for mps in drawn], 'or')} m/s, as {quoted_measure(speed.draw)} is drawn,"
+        if isinstance(speed, CounterValue):
+            return f"at as many m/s as {phrases.amount(speed)} tells, {MAX_KICK_MPS} at most,"
+        speeds = speed if isinstance(speed, tuple) else (speed,)
+        return f"at {' to '.join(dict.fromkeys(map(number, speeds)))} m/s"
+
+
+def _exactly(speed_mps: Any) -> tuple[float, float]:
+    return (float(speed_mps), float(speed_mps))

@@ -1,0 +1,111 @@
+"""What words need to be explained, as a protocol; the rule sheet implements it."""
+
+from typing import Any, Protocol
+
+from rcj_challenges.rules.fields import Names, Scalar
+from rcj_challenges.rules.phrasing import Subject
+
+
+class Phrases(Protocol):
+    """How the names of a scenario are written in sentences; the rule sheet implements it."""
+
+    def any_of(self, names: Names) -> str:
+        """Return the one of several that a rule is about: ``one of the robots``, ``Y1 or Y2``."""
+
+    def another_of(self, names: Names, than: Names) -> str:
+        """Return the one of several that another one meets: ``another of the robots``, if that is a robot too."""
+
+    def all_of(self, names: Names) -> Subject:
+        """Return several together: ``the blue robots and Y3``."""
+
+    def point(self, at: Any, measured_from: Any = None) -> str:
+        """Return a named thing or a point ``(x, y)``; of a group the nearest of it is meant."""
+
+    def owned(self, what: str, names: Names, name: str = "") -> str:
+        """Return what belongs to one of several: ``its program``, ``the timer “rest” of one of the robots``."""
+
+    def kept(self, kind: str, name: str, entity: str | None) -> str:
+        """Return a counter, flag, timer or sequence with whose it is: ``the counter “laps” of Y1``."""
+
+    def owners(self, kind: str, name: str) -> str | None:
+        """Return the group of which each has a counter, flag, timer or sequence of its own; None for a single one."""
+
+    def one_of_owners(self, kind: str, name: str) -> str | None:
+        """Return whose of several it is: ``each`` if the rule is for each of its owners, else the group; or None."""
+
+    def sequence_of(self, sequence: str) -> str:
+        """Return what a sequence follows: an entity, or the group of which each member has one of its own."""
+
+    def timer_of(self, timer: str) -> str | None:
+        """Return the group of entities of which each has a timer of its own; None where it is not kept for such."""
+
+    def timer_length_s(self, timer: str) -> float | None:
+        """Return the length of a timer; None if a draw or a counter decides it."""
+
+    def stands_fast(self, names: Names) -> bool:
+        """Return whether names stand for nothing but fixed obstacles."""
+
+    def meeting_zones(self, names: Names) -> int:
+        """Return how many zones names stand for if any two of them may meet, else 0."""
+
+    def clock_may_stop(self) -> bool:
+        """Return whether a phase stops the clock of the half."""
+
+    def thing(self, name: str) -> str:
+        """Return one thing: ``Y1``, ``the ball``, ``the spot “centre”``; ``each`` is ``it``."""
+
+    def quantified(self, of: Any, names: Names, *, negate: bool) -> Subject:
+        """Return how many of several must do something: ``none of the robots``; negated, the opposite of it."""
+
+    def of_those_there(self, of: Any, names: Names, *, negate: bool) -> Subject:
+        """Return the same where nothing is asked of what is off the field."""
+
+    def may_be_off(self, names: Any) -> bool:
+        """Return whether a rule takes any of what names stand for off the field; of a point none does."""
+
+    def off_as_a_whole(self, at: Any, measured_from: Any = None) -> Subject | None:
+        """Return what must be off the field for nothing to be measured to it; None: some of it is always on it."""
+
+    def drawn(self, draw: str, written: Scalar) -> str:
+        """Return a value of a draw: ``“west”``."""
+
+    def is_set(self, draw: str) -> bool:
+        """Return whether a draw is what rules set, from the start of each half."""
+
+    def is_entrant(self, name: str) -> bool:
+        """Return whether a name is that of an entrant."""
+
+    def keepers(self, kind: str, name: str) -> str:
+        """Return the group of which each has a counter, flag, timer or sequence of its own."""
+
+    def sequence_step(self, sequence: str, step: str) -> str:
+        """Return a step of a sequence, with what it means if it is the last."""
+
+    def amount(self, value: Any) -> str:
+        """Return points, counts or limits: a number, a counter, a sum of weighted parts, or the most or least."""
+
+    def draw_values(self, draw: str) -> tuple[Scalar, ...]:
+        """Return the values of a draw."""
+
+    def is_entity(self, name: str) -> bool:
+        """Return whether a name stands for an entity, and not for a spot or a draw."""
+
+    def what_drawn(self, draw: str) -> str:
+        """Return what a draw decided: ``what was drawn as “target”``."""
+
+    # --- for actions ------------------------------------------------------------------------------------------------
+
+    def every_kept(self, kind: str, name: str, entity: str | None) -> str:
+        """Return a counter, flag, timer or sequence with whose it is, where no entity stands for all of them."""
+
+    def value(self, value: Any) -> str:
+        """Return a value of an event's payload in words."""
+
+    def lasting(self, lasts_s: Any) -> str:
+        """Return how long something lasts: ``15 s``, ``5 s or 8 s, as “pause” is drawn``."""
+
+    def may_be_zone(self, name: str) -> bool:
+        """Return whether a name may stand for a zone."""
+
+    def mirrored_layout(self, action: Any) -> str:
+        """Return how all places of a layout are mirrored, and what its kicks are aimed at."""

@@ -1,0 +1,102 @@
+"""How something is put somewhere, whether a layout or a rule says so: shared fields, and the sentence."""
+
+from typing import Annotated, Literal, Protocol
+
+from pydantic import Field
+
+from rcj_challenges.rules.facing import Facing, facing_words
+from rcj_challenges.rules.fields import Names, NotNegative, Point
+from rcj_challenges.rules.kick import Kick
+from rcj_challenges.rules.mirror import Mirror, mirrored_words
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.phrasing import metres, metres_alike
+from rcj_challenges.rules.places import At, place_of
+from rcj_challenges.rules.places.start import Start
+
+NoiseM = Annotated[Point, Field(description="half width of uniform noise on x and y, in m, 0 to 5")]
+ClearanceM = Annotated[
+    NotNegative, Field(description="smallest gap to the outline of any other body, in m; the field's walls are none")
+]
+Attempts = Annotated[
+    int,
+    Field(
+        ge=1,
+        le=10_000,
+        description="how often a random place is drawn before giving up; what waits for room draws 4 on each further "
+        "tick",
+    ),
+]
+WithoutRoom = Annotated[
+    Literal["retry", "stay"],
+    Field(
+        description="no room: retry on every tick in which the rule lives, without repeating events, or stay where it "
+        "is; the log says which"
+    ),
+]
+Roll = Annotated[Kick | None, Field(description="only balls: it rolls away from there; left out: it lies still")]
+
+
+class _Placement(Protocol):
+    @property
+    def facing(self) -> Facing: ...
+    @property
+    def noise_m(self) -> Point: ...
+    @property
+    def mirror(self) -> Mirror | None: ...
+    @property
+    def min_clearance_m(self) -> float: ...
+    @property
+    def on_failure(self) -> Literal["retry", "stay"]: ...
+    @property
+    def kick(self) -> Kick | None: ...
+
+
+def placement_words(phrases: Phrases, entity: Names, at: At, placement: _Placement) -> str:
+    """Return a placement as a clause: ``Y1 is put on the spot “centre”, facing the ball``."""
+    wide = zip("xy", metres_alike(placement.noise_m), placement.noise_m, strict=True)
+    noise = ", ".join(f"± {words} in {axis}" for axis, words, wide_m in wide if wide_m)
+    who, place = phrases.all_of(entity), place_of(at)
+    rolls = _rolls(phrases, at, placement)
+    if place.is_where_it_is(entity) and rolls and not noise:
+        return f"{who.does('rolls', 'roll')} on from where it is, {rolls}{_room(placement)}"
+    parts = [
+        put_words(phrases, entity, at),
+        f" ({noise})" if noise else "",
+        mirrored_words(phrases, placement.mirror, at),
+        looks_words(phrases, entity, at, placement.facing),
+        _room(placement),
+        f", and {'each rolls' if who.plural else 'rolls'} {rolls}" if rolls else "",
+    ]
+    return f"{who.does('is', 'are')} {''.join(parts)}"
+
+
+def put_words(phrases: Phrases, entity: Names, at: At) -> str:
+    """Return where something is put: ``put at their starts``, ``each put on the spot “centre”``."""
+    return place_of(at).put(phrases, entity, plural=phrases.all_of(entity).plural)
+
+
+def looks_words(phrases: Phrases, entity: Names, at: At, facing: Facing) -> str:
+    """Return which way it looks there: ``, facing the ball``; of several at their starts ``, each facing the ball``."""
+    words = facing_words(phrases, facing)
+    each = "each " if phrases.all_of(entity).plural and isinstance(place_of(at), Start) else ""
+    return f", {each}{words}" if words else ""
+
+
+def _rolls(phrases: Phrases, at: At, placement: _Placement) -> str:
+    """Return how fast a ball rolls off and where to, and how that is mirrored; as its place is, if that was said."""
+    kick, mirror = placement.kick, placement.mirror
+    if kick is None:
+        return ""
+    rolls, changed = kick.describe(phrases), place_of(kick.towards).mirrored(phrases)
+    if mirror is None or changed is None:
+        return rolls
+    if place_of(at).mirrored(phrases) is None:
+        return f"{rolls}{mirrored_words(phrases, mirror, kick.towards)}"
+    return f"{rolls}, mirrored in the same way{changed}"
+
+
+def _room(placement: _Placement) -> str:
+    """Return how much room it needs, and what happens if there is none."""
+    gap_m = placement.min_clearance_m
+    gap = f", at least {metres(gap_m)} from everything but the walls" if gap_m else ""
+    return gap + (", or left where it is if there is no room" if placement.on_failure == "stay" else "")

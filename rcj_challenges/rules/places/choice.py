@@ -1,0 +1,52 @@
+"""The place ``choice``."""
+
+from collections.abc import Callable
+from typing import Annotated
+
+from pydantic import Field
+
+from rcj_challenges.rules.base import PlaceWord
+from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.fields import Name, Point
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.phrasing import listed
+from rcj_challenges.rules.refs import Ref
+from rcj_challenges.tracking.places import PlaceResolver
+
+
+class Choice(PlaceWord):
+    """One of several spots or points, equally likely, or as a draw decided."""
+
+    choice: Annotated[tuple[Name | Point, ...], Ref("spot", frozenset({"spot"}), groups=True, drawn=True)] = Field(
+        ..., strict=False, min_length=1, description="spots, groups of spots, draws that decide among spots, or points"
+    )
+
+    KEY = "choice"
+    EXAMPLE = """
+rules:
+  put:
+    triggers: [{trigger: half_started}]
+    actions: [{action: place, entity: ball, at: {choice: [[0.5, 0], [0.5, 0.1]]}}]
+expect:
+  one_of_the_two:
+    keyframes: [{at_s: 1}]
+    lasts_s: 2
+    poses: {ball: [0.5, 0.05]}
+    tolerance_m: 0.051
+"""
+
+    def compile(self, to: Scope, _entity: int) -> PlaceResolver:
+        """Return what draws one of the spots and points; a draw among them stands for the spot that it decided."""
+        options = [option for one in self.choice for option in _options(one, to)]
+        return PlaceResolver(lambda request: request.mirrored(request.rng.choice(options)()), random=len(options) > 1)
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the place as the part of a sentence that follows ``put``."""
+        options = [phrases.any_of(one) if isinstance(one, str) else phrases.point(one) for one in self.choice]
+        return f"on {listed(options, 'or')}"
+
+
+def _options(option: Name | Point, to: Scope) -> list[Callable[[], Point]]:
+    if isinstance(option, tuple):
+        return [lambda: option]
+    return [to.spot(name) for name in to.members(option)]

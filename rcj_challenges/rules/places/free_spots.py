@@ -1,0 +1,65 @@
+"""What the places ``nearest_free`` and ``furthest_free`` share."""
+
+from math import sqrt
+from typing import Protocol
+
+from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.fields import Name, Names, Point
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.phrasing import within_words
+from rcj_challenges.tracking.places import PlaceRequest, PlaceResolver
+
+# Distances are compared to the nanometre, so that spots at equal distances stand in the order of the file.
+_EQUAL_DIGITS = 9
+CLEARANCE_DESCRIPTION = (
+    "a spot is free when no robot's or ball's centre is within this, in m, not even that of what is put there, and "
+    "that has room there"
+)
+
+
+class _FreeSpot(Protocol):
+    @property
+    def choose_among(self) -> int: ...
+    @property
+    def clearance_m(self) -> float: ...
+
+
+def compile_free_spot(
+    place: _FreeSpot, to: Scope, names: Names, reference: Name | Point | None, *, sign: float
+) -> PlaceResolver:
+    """Return what draws one of the first free spots in the order of their distances.
+
+    Args:
+        place: among how many one is drawn, and how free they must be.
+        to: what names stand for.
+        names: the spots.
+        reference: from where distances are measured; None: from what is put there.
+        sign: 1: the nearest first; -1: the furthest first.
+    """
+    locate = None if reference is None else to.anchor(reference)
+    spots = to.spots(names)
+
+    def find(request: PlaceRequest) -> Point | None:
+        board, entity = request.board, request.entity
+        x, y = board.poses[entity][:2] if locate is None else locate().locate(board)
+        free = [
+            spot
+            for spot in map(request.mirrored, spots())
+            if board.free(spot, place.clearance_m, entity) and request.fits(spot)
+        ]
+        free.sort(key=lambda spot: round(sign * sqrt((spot[0] - x) ** 2 + (spot[1] - y) ** 2), _EQUAL_DIGITS))
+        return request.rng.choice(free[: place.choose_among]) if free else None
+
+    return PlaceResolver(find, random=place.choose_among > 1)
+
+
+def describe_free_spot(
+    place: _FreeSpot, phrases: Phrases, how: str, names: Names, reference: Name | Point | None
+) -> str:
+    """Return the place, ``how`` being ``nearest to`` or ``furthest from``."""
+    clearance = within_words(place.clearance_m)
+    own = f" ({clearance.strip()})" if clearance else ""
+    those = f"that free one{own} of {phrases.all_of(names).text} which is"
+    if place.choose_among > 1:
+        those = f"a random one of those {place.choose_among} free ones{own} of {phrases.all_of(names).text} which are"
+    return f"on {those} {how} {'where it is' if reference is None else phrases.point(reference)}"

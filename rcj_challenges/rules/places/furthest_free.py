@@ -1,0 +1,50 @@
+"""The place ``furthest_free``."""
+
+from typing import Annotated
+
+from pydantic import Field
+
+from rcj_challenges.rules.base import PlaceWord
+from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.fields import Name, Names, NotNegative, Point, described
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.phrasing import USUALLY_FREE_M
+from rcj_challenges.rules.places.free_spots import CLEARANCE_DESCRIPTION, compile_free_spot, describe_free_spot
+from rcj_challenges.rules.refs import ANCHOR, SPOTS
+from rcj_challenges.tracking.places import PlaceResolver
+
+
+class FurthestFree(PlaceWord):
+    """The furthest free spot."""
+
+    furthest_free: Annotated[Names, SPOTS] = described(..., "spots, or a group of spots")
+    from_: Annotated[Name | Point | None, ANCHOR] = Field(
+        None,
+        alias="from",
+        description="the entity, spot or point to be far from, each, or a draw's name; left out: the moved entity",
+    )
+    choose_among: int = described(1, "draw one of this many furthest", ge=1, le=100)
+    clearance_m: NotNegative = described(USUALLY_FREE_M, CLEARANCE_DESCRIPTION)
+
+    KEY = "furthest_free"
+    EXAMPLE = """
+rules:
+  put_back:
+    triggers: [{trigger: touches, entity: Y1, other: walls}]
+    actions: [{action: place, entity: Y1, at: {furthest_free: [middle_blue, middle_yellow], from: ball}}]
+expect:
+  far_from_the_ball:
+    keyframes:
+      - {at_s: 0.5, place: {ball: [0, 0.6], B3: [0.5, 0], Y3: [0.5, -0.6]}}
+      - {at_s: 1, touch: [[Y1, walls]]}
+    lasts_s: 2
+    poses: {Y1: [0, -0.2]}
+"""
+
+    def compile(self, to: Scope, _entity: int) -> PlaceResolver:
+        """Return what draws one of the furthest free spots."""
+        return compile_free_spot(self, to, self.furthest_free, self.from_, sign=-1.0)
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the place as the part of a sentence that follows ``put``."""
+        return describe_free_spot(self, phrases, "furthest from", self.furthest_free, self.from_)

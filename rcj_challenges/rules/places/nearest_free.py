@@ -1,0 +1,47 @@
+"""The place ``nearest_free``."""
+
+from typing import Annotated
+
+from rcj_challenges.rules.base import PlaceWord
+from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.fields import Name, Names, NotNegative, Point, described
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.phrasing import USUALLY_FREE_M
+from rcj_challenges.rules.places.free_spots import CLEARANCE_DESCRIPTION, compile_free_spot, describe_free_spot
+from rcj_challenges.rules.refs import ANCHOR, SPOTS
+from rcj_challenges.tracking.places import PlaceResolver
+
+
+class NearestFree(PlaceWord):
+    """A random one of the nearest free spots."""
+
+    nearest_free: Annotated[Names, SPOTS] = described(..., "spots, or a group of spots")
+    to: Annotated[Name | Point | None, ANCHOR] = described(
+        None, "the entity, spot or point to be near, each, or a draw's name; left out: the moved entity"
+    )
+    choose_among: int = described(1, "draw one of this many nearest", ge=1, le=100)
+    clearance_m: NotNegative = described(USUALLY_FREE_M, CLEARANCE_DESCRIPTION)
+
+    KEY = "nearest_free"
+    EXAMPLE = """
+rules:
+  put_back:
+    triggers: [{trigger: leaves, entity: ball, zone: in_play}]
+    actions: [{action: place, entity: ball, at: {nearest_free: neutral_spots, choose_among: 1}}]
+expect:
+  the_middle_of_yellows_half_is_nearest:
+    keyframes:
+      - {at_s: 0.5, place: {ball: [0.1, -0.1], Y3: [0.5, 0.5], Y1: [-0.5, 0], Y2: [-0.5, 0.6]}}
+      - {at_s: 1, place: {ball: [0, -0.9]}}
+    lasts_s: 2
+    poses: {ball: [0.3, -0.3]}
+    tolerance_m: 0.61
+"""
+
+    def compile(self, to: Scope, _entity: int) -> PlaceResolver:
+        """Return what draws one of the nearest free spots."""
+        return compile_free_spot(self, to, self.nearest_free, self.to, sign=1.0)
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the place as the part of a sentence that follows ``put``."""
+        return describe_free_spot(self, phrases, "nearest to", self.nearest_free, self.to)

@@ -1,0 +1,59 @@
+"""The place ``on_line``."""
+
+from collections.abc import Callable
+from random import Random
+
+from pydantic import Field
+
+from rcj_challenges.rules.base import PlaceWord
+from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.fields import Point
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.tracking.places import PlaceResolver
+
+
+class OnLine(PlaceWord):
+    """A random point of a segment, every point equally likely."""
+
+    on_line: tuple[Point, Point] = Field(..., strict=False, description="both ends, [[x, y], [x, y]] in m")
+
+    KEY = "on_line"
+    EXAMPLE = """
+rules:
+  put:
+    triggers: [{trigger: half_started}]
+    actions: [{action: place, entity: ball, at: {on_line: [[-0.45, 0], [0.45, 0]]}}]
+expect:
+  somewhere_on_the_line:
+    keyframes: [{at_s: 1}]
+    lasts_s: 2
+    poses: {ball: [0, 0]}
+    tolerance_m: 0.45
+"""
+
+    def compile(self, to: Scope, _entity: int) -> PlaceResolver:
+        """Return what draws a point."""
+        sample = self.sampler(to)
+        return PlaceResolver(lambda request: request.mirrored(sample(request.rng)), random=True)
+
+    def sampler(self, _to: Scope) -> Callable[[Random], Point]:
+        """Return what draws a point from a stream."""
+        (ax, ay), (bx, by) = self.on_line
+
+        def sample(rng: Random) -> Point:
+            share = rng.random()
+            return (ax + share * (bx - ax), ay + share * (by - ay))
+
+        return sample
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the place as the part of a sentence that follows ``put``."""
+        return f"anywhere on {self._line(phrases)}"
+
+    def aim(self, phrases: Phrases) -> str:
+        """Return the place as what a kick is aimed at."""
+        return f"a random point of {self._line(phrases)}"
+
+    def _line(self, phrases: Phrases) -> str:
+        start, end = map(phrases.point, self.on_line)
+        return f"the line from {start} to {end}"

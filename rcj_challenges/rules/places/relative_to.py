@@ -1,0 +1,96 @@
+"""The place ``relative_to``."""
+
+from math import cos, sin
+from typing import Annotated
+
+from rcj_challenges.rules.base import PlaceWord
+from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.fields import Name, Names, Point, described
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.phrasing import listed, metres_alike
+from rcj_challenges.rules.refs import ANCHOR
+from rcj_challenges.tracking.places import PlaceRequest, PlaceResolver
+
+
+class RelativeTo(PlaceWord):
+    """Beside another entity or spot; of a ball itself, with a kick: it rolls on from where it is, another way."""
+
+    relative_to: Annotated[Name, ANCHOR] = described(
+        ..., "an entity or spot, each, or a draw's name: what that has decided"
+    )
+    offset_m: Point = described(
+        (0.0, 0.0), "[x, y] from it in m; a mirror mirrors a spot with its offset, of an entity the offset only"
+    )
+    turns: bool = described(False, "True: the offset is in the entity's own frame, x forward, and no mirror changes it")
+
+    KEY = "relative_to"
+    EXAMPLE = """
+rules:
+  free_kick:
+    triggers: [{trigger: time_reached, at_s: 1}]
+    actions: [{action: place, entity: ball, at: {relative_to: Y1, offset_m: [0.1, 0], turns: true}}]
+expect:
+  a_tenth_of_a_metre_in_front_of_it:
+    keyframes: [{at_s: 0.5, place: {Y1: [-0.5, -0.1, 0]}}]
+    lasts_s: 2
+    poses: {ball: [-0.4, -0.1]}
+"""
+
+    def compile(self, to: Scope, _entity: int) -> PlaceResolver:
+        """Return what finds the point beside something.
+
+        A mirror turns the offset over; a spot is mirrored with it, an entity is not.
+        """
+        anchored, (dx, dy) = to.anchor(self.relative_to), self.offset_m
+
+        def find(request: PlaceRequest) -> Point:
+            anchor = anchored()
+            x, y = anchor.locate(request.board)
+            if anchor.entity is None:
+                return request.mirrored((x + dx, y + dy))
+            if self.turns:
+                yaw = request.board.poses[anchor.entity][2]
+                return (x + dx * cos(yaw) - dy * sin(yaw), y + dx * sin(yaw) + dy * cos(yaw))
+            offset_x, offset_y = request.mirrored((dx, dy))
+            return (x + offset_x, y + offset_y)
+
+        return PlaceResolver(find)
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the place as the part of a sentence that follows ``put``."""
+        thing = phrases.thing(self.relative_to)
+        return self._beside(f"at {thing}", thing, thing)
+
+    def aim(self, phrases: Phrases) -> str:
+        """Return the place as what a kick is aimed at."""
+        return f"the point {self.describe(phrases)}" if any(self.offset_m) else phrases.thing(self.relative_to)
+
+    def put(self, phrases: Phrases, entity: Names, *, plural: bool) -> str:
+        """Return where something is put; beside itself: ``put 5 cm towards +x of where it is``."""
+        if entity != self.relative_to:
+            return super().put(phrases, entity, plural=plural)
+        return f"{'each ' if plural else ''}put {self._beside('where it is', 'where it is', 'it')}"
+
+    def _beside(self, at: str, of: str, turned: str) -> str:
+        ways = (("to the front", "to the back"), ("to the left", "to the right"))
+        if not self.turns:
+            ways = (("towards +x", "towards -x"), ("towards +y", "towards -y"))
+        how_far = metres_alike([abs(far) for far in self.offset_m])
+        steps = [
+            f"{words} {way[0] if far > 0 else way[1]}"
+            for far, words, way in zip(self.offset_m, how_far, ways, strict=True)
+            if far
+        ]
+        if not steps:
+            return f"right {at}"
+        return f"{listed(steps, 'and')} of {of}" + (f", as {turned} is turned" if self.turns else "")
+
+    def is_where_it_is(self, entity: Names) -> bool:
+        """Return whether an entity is put right where it is already."""
+        return entity == self.relative_to and not any(self.offset_m)
+
+    def mirrored(self, phrases: Phrases) -> str | None:
+        """Return what of it a mirror changes: of a place beside an entity only the way there, if that turns not."""
+        if not phrases.is_entity(self.relative_to):
+            return ""
+        return None if self.turns or not any(self.offset_m) else f" as seen from {phrases.thing(self.relative_to)}"

@@ -1,0 +1,48 @@
+"""The place ``spot``."""
+
+from typing import Annotated
+
+from rcj_challenges.rules.base import PlaceWord
+from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.refs import MOVING, Ref
+from rcj_challenges.tracking.places import PlaceResolver
+
+_SPOT = Ref(
+    "spot",
+    frozenset({"spot"}),
+    drawn=True,
+    instead="beside what moves is {relative_to: NAME, offset_m: [0.1, 0]}",
+    instead_of=MOVING,
+)
+
+
+class AtSpot(PlaceWord):
+    """A spot, by its name."""
+
+    spot: Annotated[Name, _SPOT] = described(..., "name of the spot, or of a draw that decides among spots")
+
+    KEY = "spot"
+    EXAMPLE = """
+spots:
+  mark: {x_m: 0.5, y_m: -0.1}
+rules:
+  put:
+    triggers: [{trigger: time_reached, at_s: 1}]
+    actions: [{action: place, entity: ball, at: {spot: mark}}]
+expect:
+  it_lies_there:
+    keyframes: [{at_s: 1}]
+    lasts_s: 2
+    poses: {ball: [0.5, -0.1]}
+"""
+
+    def compile(self, to: Scope, _entity: int) -> PlaceResolver:
+        """Return what finds the spot, or the one that a draw decided."""
+        read = to.spot(to.members(self.spot)[0])
+        return PlaceResolver(lambda request: request.mirrored(read()))
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the place as the part of a sentence that follows ``put``."""
+        return f"on {phrases.thing(self.spot)}"

@@ -1,0 +1,53 @@
+"""The place ``uniform_in``."""
+
+from collections.abc import Callable
+from random import Random
+from typing import Annotated
+
+from rcj_challenges.rules.base import PlaceWord
+from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.fields import Names, Point, described
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.refs import Ref
+from rcj_challenges.tracking.places import PlaceResolver
+
+
+class UniformIn(PlaceWord):
+    """A random point of a zone, or of several taken as one; every point equally likely."""
+
+    uniform_in: Annotated[Names, Ref("zone", frozenset({"zone"}), groups=True)] = described(
+        ..., "a bounded zone; with a list or group: in any of them"
+    )
+
+    KEY = "uniform_in"
+    EXAMPLE = """
+zones:
+  middle: {shape: circle, centre_m: [0.4, 0], radius_m: 0.1}
+rules:
+  put:
+    triggers: [{trigger: time_reached, at_s: 1}]
+    actions: [{action: place, entity: ball, at: {uniform_in: middle}, min_clearance_m: 0.02}]
+expect:
+  somewhere_in_the_circle:
+    keyframes: [{at_s: 1}]
+    lasts_s: 2
+    poses: {ball: [0.4, 0]}
+    tolerance_m: 0.1
+"""
+
+    def compile(self, to: Scope, _entity: int) -> PlaceResolver:
+        """Return what draws a point."""
+        sample = self.sampler(to)
+        return PlaceResolver(lambda request: request.mirrored(sample(request.rng)), random=True)
+
+    def sampler(self, to: Scope) -> Callable[[Random], Point]:
+        """Return what draws a point from a stream."""
+        return to.random_point(self.uniform_in)
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the place as the part of a sentence that follows ``put``."""
+        return f"anywhere in {phrases.any_of(self.uniform_in)}"
+
+    def aim(self, phrases: Phrases) -> str:
+        """Return the place as what a kick is aimed at."""
+        return f"a random point of {phrases.any_of(self.uniform_in)}"

@@ -1,0 +1,95 @@
+"""Places as plain data: what a compiled place finds, for what, and on which field."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple, Protocol
+
+from rcj_challenges.facts.play import Pose2
+
+Point = tuple[float, float]
+
+
+class Board(Protocol):
+    """The field while things are placed."""
+
+    @property
+    def poses(self) -> list[Pose2]:
+        """By entity, where it is: placed already, or not moved, or (lifted) where it was."""
+
+    def free(self, spot: Point, clearance_m: float, entity: int | None) -> bool:
+        """Return whether no robot's or ball's centre is nearer to a spot than the clearance.
+
+        Args:
+            spot: [x, y] in m.
+            clearance_m: strict limit in m.
+            entity: the one that is to be put there, if any: its own present place counts as well.
+        """
+
+
+class StartPose(NamedTuple):
+    """Where an entity starts: its pose, and the half widths of the noise on x and y, in m."""
+
+    pose: Pose2
+    noise_m: Point
+
+
+class Anchor(NamedTuple):
+    """Something beside which things are put: where it is now, and the entity's index; None: a spot or a point."""
+
+    locate: Callable[[Board], Point]
+    entity: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class PlaceRequest:
+    """What a place is looked for.
+
+    Attributes:
+        board: the field now.
+        entity: index of what is to be put there.
+        mirrored: mirrors a point as the scenario asks (or not).
+        rng: the stream of this use.
+        fits: whether the entity can stand at a point, with the facing it will have.
+    """
+
+    board: Board
+    entity: int
+    mirrored: Callable[[Point], Point]
+    rng: random.Random
+    fits: Callable[[Point], bool]
+
+
+@dataclass(frozen=True)
+class PlaceResolver:
+    """A compiled place.
+
+    Attributes:
+        find: returns a point, or None if there is none (no free spot).
+        random: whether another attempt can give another point.
+        noise_m: half widths of noise that the place itself brings along (a start pose's).
+    """
+
+    find: Callable[[PlaceRequest], Point | None]
+    random: bool = False
+    noise_m: Point = (0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class CompiledKick:
+    """How a ball rolls away from where it is put.
+
+    Attributes:
+        towards: the place that it is aimed at.
+        speeds_mps: returns the least and the most as they are now; every speed between is equally likely, and at 0 or
+            less it lies still.
+    """
+
+    towards: PlaceResolver
+    speeds_mps: Callable[[], tuple[float, float]]
+
+
+CompiledFacing = Callable[[Board, int, Point, random.Random], float]
+"""Returns the yaw in rad for the board, the entity, the point and the stream."""
