@@ -20,6 +20,7 @@ from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
 from rcj_challenges.rules.actions import ACTIONS, AnyAction
+from rcj_challenges.rules.base import Vocabulary
 from rcj_challenges.rules.conditions import CONDITIONS, AnyCondition
 from rcj_challenges.rules.conditions.all_of import AllOf
 from rcj_challenges.rules.conditions.any_of import AnyOf
@@ -29,31 +30,13 @@ from rcj_challenges.rules.kick import Kick
 from rcj_challenges.rules.mirror import Mirror
 from rcj_challenges.rules.places import PLACES, At
 from rcj_challenges.rules.triggers import TRIGGERS, AnyTrigger
-from rcj_challenges.rules.values import (
-    Bound,
-    CounterValue,
-    DistanceValue,
-    DrawValue,
-    FlagValue,
-    HeldValue,
-    Lasts,
-    LastTouchValue,
-    Points,
-    PositionValue,
-    TimerValue,
-    ToldValue,
-    Value,
-    WayValue,
-    WeightedCounter,
-    WeightedDistance,
-    WeightedDraw,
-    WeightedFlag,
-    WeightedTimer,
-    WeightedTold,
-    WeightedWay,
-    WeightedWord,
-    WordValue,
-)
+from rcj_challenges.rules.values import BOUNDS, VALUES, Bound, Lasts, Points, Value
+from rcj_challenges.rules.values.counter import CounterValue
+from rcj_challenges.rules.values.draw import DrawValue
+from rcj_challenges.rules.values.flag import FlagValue
+from rcj_challenges.rules.values.highest import HighestOfOthers
+from rcj_challenges.rules.values.lowest import LowestOfOthers
+from rcj_challenges.rules.values.term import Term
 from rcj_challenges.scenario.json_schema import keywords, sentence_of
 from rcj_challenges.scenario.models import field, places, robots, scenario, state
 from rcj_challenges.scenario.shape import bare, fields, is_model, is_union, members, tags, without_none
@@ -61,7 +44,14 @@ from rcj_challenges.scenario.shape import bare, fields, is_model, is_union, memb
 ROOT = Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs" / "reference-scenario.md"
 WORDS = ROOT / "docs" / "words"
-VOCABULARIES = {"places": PLACES, "triggers": TRIGGERS, "conditions": CONDITIONS, "actions": ACTIONS}
+VOCABULARIES: dict[str, Vocabulary] = {
+    "places": PLACES,
+    "values": VALUES,
+    "limits": BOUNDS,
+    "triggers": TRIGGERS,
+    "conditions": CONDITIONS,
+    "actions": ACTIONS,
+}
 """The words with an example of their own, by kind."""
 STAGE = """schema_version: 1
 id: example
@@ -241,31 +231,17 @@ CHAPTERS = (
     Chapter(
         "Values",
         "What may stand in a payload or a broadcast, besides a literal; in `points:` and `count` too: `counter`, "
-        "`flag`, `timer` (whole seconds, rounded down, or with `fraction: true`), `distance` (0 while it is null), "
-        "`way`, and `draw` and `word` if they are numbers; in `points:` also a list of which all is added: numbers, "
-        "and these with weights.",
+        "`flag`, `timer` and times by `word` (whole seconds, rounded down, or with `fraction: true`), `distance` (0 "
+        "while it is null), `way`, `told` if it is a number (else 0), and `draw` and `word` if they are numbers, or a "
+        "list of which all is added: numbers, and these, each with a `weight` beside its own keys. Conditions compare "
+        "with numbers, `counter`, `lowest` and `highest`.",
         (
-            Word("counter", CounterValue, example="counter_value"),
-            Word("flag", FlagValue, example="flag_value"),
-            Word("draw", DrawValue, example="draw_value"),
-            Word("word", WordValue),
-            Word("position_of", PositionValue),
-            Word("distance", DistanceValue, example="distance_value"),
-            Word("way", WayValue, example="way_value"),
-            Word("timer", TimerValue, example="timer_value"),
-            Word("held", HeldValue, example="held"),
-            Word("last_touch", LastTouchValue, example="last_touch_value"),
-            Word("told", ToldValue, example="told_value"),
-            Word("weighted_counter", WeightedCounter, own_example=False),
-            Word("weighted_flag", WeightedFlag, own_example=False),
-            Word("weighted_draw", WeightedDraw, own_example=False),
-            Word("weighted_word", WeightedWord, own_example=False),
-            Word("weighted_distance", WeightedDistance, own_example=False),
-            Word("weighted_way", WeightedWay, own_example=False),
-            Word("weighted_timer", WeightedTimer, own_example=False),
-            Word("weighted_told", WeightedTold, own_example=False),
+            *_tagged(Value),
+            Word("lowest", LowestOfOthers, own_example=False),
+            Word("highest", HighestOfOthers, own_example=False),
+            Word("weight", Term, own_example=False),
         ),
-        "rules",
+        "values",
     ),
     Chapter(
         "Broadcast, result, limits",
@@ -296,11 +272,11 @@ CHAPTERS = (
 
 def read_examples() -> list[Example]:
     """Return all examples: of the words, then those in files, in the order of files and lines."""
-    found = [
-        Example(kind, (word.name(),), word.EXAMPLE.strip("\n") + "\n")
-        for kind, vocabulary in VOCABULARIES.items()
-        for word in vocabulary.words()
-    ]
+    of_words: dict[type, Example] = {}
+    for kind, vocabulary in VOCABULARIES.items():
+        for word in vocabulary.words():
+            of_words.setdefault(word, Example(kind, (word.name(),), word.EXAMPLE.strip("\n") + "\n"))
+    found = list(of_words.values())
     for path in sorted(WORDS.glob("*.yaml")):
         text = path.read_text(encoding="utf-8")
         parts = re.split(r"^--- # (.+)\n", text, flags=re.MULTILINE)[1:]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from random import Random
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.geometry.regions import Region
@@ -14,17 +14,16 @@ from rcj_challenges.referee.nearness import targets_of
 from rcj_challenges.referee.placement import PlacementJob, compile_placement
 from rcj_challenges.referee.placement_board import PlacementBoard
 from rcj_challenges.referee.random_points import point_sampler
-from rcj_challenges.referee.values import compile_bound, compile_points, compile_value, counter_reader
 from rcj_challenges.rules.actions.place import Place
 from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.binder import Binder, Scope
-from rcj_challenges.rules.fields import LONGEST_S, Name, Names, Point, Scalar
+from rcj_challenges.rules.fields import Name, Names, Point, Scalar
 from rcj_challenges.rules.mirror import Mirror
-from rcj_challenges.rules.values import Bound, CounterValue, Lasts, Points, Value
+from rcj_challenges.rules.values import Lasts, duration_s
 from rcj_challenges.scenario.floor import on_floor
 from rcj_challenges.scenario.measured import centre_of, middle_of
 from rcj_challenges.scenario.starting import start_noise_m, start_pose
-from rcj_challenges.tracking.bound_rules import BoundRule, Firing, TriggerBinding
+from rcj_challenges.tracking.bound_rules import BoundRule, TriggerBinding
 from rcj_challenges.tracking.gates import GateLine
 from rcj_challenges.tracking.places import Anchor, StartPose
 from rcj_challenges.tracking.sequences import SequenceTracker
@@ -45,16 +44,17 @@ class NameScope:
 
     def __init__(self, context: CompileContext, each: str | None) -> None:
         self.state = context.state
+        self.each = each
+        self.contacts = context.contacts
         self._context = context
-        self._each = each
 
     def members(self, names: Names) -> tuple[str, ...]:
         """Return what names stand for: groups expanded, ``each`` replaced, without repeats, in order."""
-        return self._context.members(names, self._each)
+        return self._context.members(names, self.each)
 
     def whose(self, name: str | None) -> str | None:
         """Return whose counter, flag, timer or sequence a name stands for; None: all of them, or the only one."""
-        return self._context.whose(name, self._each)
+        return self._context.whose(name, self.each)
 
     def start_of(self, entity: int) -> StartPose:
         """Return where an entity starts."""
@@ -106,6 +106,54 @@ class NameScope:
         """Return what draws a point of zones, every one equally likely."""
         return point_sampler({name: self._context.scenario.zones[name] for name in self.members(zones)})
 
+    def entity(self, name: str) -> int:
+        """Return the index of one entity."""
+        return self._context.entity(name, self.each)
+
+    def thing(self, name: str) -> int:
+        """Return the index of one thing that can be touched."""
+        return self._context.thing(name, self.each)
+
+    def name_of(self, entity: int) -> str:
+        """Return the name of an entity."""
+        return self._context.roster.entities[entity]
+
+    def is_robot(self, name: str) -> bool:
+        """Return whether a name is that of a robot."""
+        return name in self._context.scenario.robots
+
+    def is_present(self, name: str) -> bool:
+        """Return whether something is on the field now; what is no entity always is."""
+        index = self._context.roster.index.get(name, len(self.state.present))
+        return index >= len(self.state.present) or self.state.present[index]
+
+    def pose(self, name: str) -> Callable[[], tuple[float, ...] | None]:
+        """Return what reads where something is: [x, y, yaw], of a spot [x, y]; None while it is off the field."""
+        member, state = self.members(name)[0], self.state
+        among = self._context.roster.drawn.get(member)
+        if among is None:
+            return self._one_pose(member)
+        poses = {one: self._one_pose(one) for one in among}
+        return lambda: poses[str(state.draws[member])]()  # noqa: PLW0108 - which one is known when it is called
+
+    def _one_pose(self, name: str) -> Callable[[], tuple[float, ...] | None]:
+        state, roster = self.state, self._context.roster
+        if name in state.spots:
+            return lambda: state.spots[name]
+        index = self._context.thing(name, None)
+        if index < len(roster.entities):
+            return lambda: state.poses[index] if state.present[index] else None
+        middle = middle_of(self._context.scenario.obstacles[name])
+        return lambda: middle
+
+    def targets(self, named: Name | Point) -> tuple[Target, ...]:
+        """Return what a distance is measured to: what a name stands for, or a point."""
+        return targets_of(named, self._context, self.each)
+
+    def half_length_s(self) -> Number:
+        """Return the length of the half in s."""
+        return self.state.half_length_s()
+
 
 class RuleBinder(NameScope):
     """Implements `Binder` for one rule.
@@ -119,7 +167,6 @@ class RuleBinder(NameScope):
         super().__init__(context, rule.each)
         self.rule = rule
         self.hits = context.hits
-        self.contacts = context.contacts
         self.pose_history = context.pose_history
         self.clock_events = context.clock_events
         self.drawn: Mapping[str, tuple[str, ...]] = context.roster.drawn
@@ -159,10 +206,6 @@ class RuleBinder(NameScope):
         """Return the index of something that can be touched; None for anything else."""
         return self._context.roster.index.get(name)
 
-    def name_of(self, entity: int) -> str:
-        """Return the name of an entity."""
-        return self._context.roster.entities[entity]
-
     # --- what is followed -------------------------------------------------------------------------------------------
 
     def region(self, names: Names) -> Region:
@@ -189,42 +232,33 @@ class RuleBinder(NameScope):
         """Reset a tracker whenever one of the draws among these names decides otherwise."""
         self._context.reset_with_draws(tracker, names)
 
-    def thing(self, name: str) -> int:
-        """Return the index of one thing that can be touched."""
-        return self._context.thing(name, self.rule.each)
-
     def drawn_value(self, value: Scalar) -> Scalar:
         """Return a value of a draw: ``each`` is a name where the rule is for one."""
         return self._context.drawn_value(value, self.rule.each)
-
-    def targets(self, named: Name | Point) -> tuple[Target, ...]:
-        """Return what a distance is measured to: what a name stands for, or a point."""
-        return targets_of(named, self._context, self.rule.each)
 
     def locate(self, what: Name | Point) -> Callable[[], Point | None]:
         """Return what finds where a thing, a spot, a zone's centre or a point is; None while it is off the field."""
         if isinstance(what, tuple):
             return lambda: what
-        state, name = self.state, self.members(what)[0]
+        name = self.members(what)[0]
         among = self.drawn.get(name)
         if among is None:
             return self._locate_one(name)
-        finders = {one: self._locate_one(one) for one in among}
-        return lambda: finders[str(state.draws[name])]()  # noqa: PLW0108 - which one is known when it is called
+        finders, draws = {one: self._locate_one(one) for one in among}, self.state.draws
+        return lambda: finders[str(draws[name])]()  # noqa: PLW0108 - which one is known when it is called
 
     def _locate_one(self, name: str) -> Callable[[], Point | None]:
-        context, state = self._context, self.state
-        if name in context.scenario.zones:
-            centre = centre_of(context.scenario.zones[name])
+        zone = self._context.scenario.zones.get(name)
+        if zone is not None:
+            centre = centre_of(zone)
             return lambda: centre
-        if name in context.roster.entities:
-            index = context.roster.index[name]
-            return lambda: state.poses[index][:2] if state.present[index] else None
-        if name in context.scenario.obstacles:
-            middle = middle_of(context.scenario.obstacles[name])[:2]
-            return lambda: middle
-        spot = context.spot_name(name)
-        return lambda: state.spots[spot]
+        read_pose = self._one_pose(name)
+
+        def locate() -> Point | None:
+            pose = read_pose()
+            return None if pose is None else (pose[0], pose[1])
+
+        return locate
 
     def free_spots(self, names: Names, clearance_m: float) -> Callable[[], Iterable[bool]]:
         """Return what finds for each of some spots whether no robot's or ball's centre is near."""
@@ -237,27 +271,11 @@ class RuleBinder(NameScope):
 
         return free
 
-    def bound(self, bound: Bound) -> Callable[[], Number]:
-        """Return what reads what is compared with: a number, a counter, or the lowest or highest of others."""
-        return compile_bound(bound, self._context, self.rule.each)
-
     # --- for actions ------------------------------------------------------------------------------------------------
-
-    def points(self, points: Points) -> Callable[[Firing], Number]:
-        """Return what reads a number of points: one amount, or the sum of numbers and weighted ones."""
-        return compile_points(points, self._context, self.rule.each)
-
-    def value(self, value: Value) -> Callable[[Firing], Any]:
-        """Return what reads a value of an event's payload."""
-        return compile_value(value, self._context, self.rule.each)
 
     def ticks(self, lasts_s: Lasts) -> Callable[[], int]:
         """Return what reads how many ticks something lasts: a number, or what a draw or a counter says."""
-        if isinstance(lasts_s, CounterValue):
-            read = counter_reader(lasts_s, self._context, self.rule.each)
-            # A counter may be anything: to end a match as a fault because a penalty is too long helps no one.
-            return lambda: ticks_from_s(min(max(0.0, read()), LONGEST_S))
-        return lambda: self.state.lasting_ticks(lasts_s)
+        return lambda: ticks_from_s(duration_s(lasts_s, self.state, self.each, least_s=0.0))
 
     def wind_up(self, timer: str, clock: Clock, owner: str | None) -> None:
         """Give a clock of a timer its length, as its draw has decided or its counter says by now."""

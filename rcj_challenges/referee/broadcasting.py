@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from rcj_challenges.referee.binding import NameScope
 from rcj_challenges.referee.compiling import CompileContext
-from rcj_challenges.referee.values import Reader, compile_value
-from rcj_challenges.rules.values import Value
+from rcj_challenges.rules.values import Value, compile_value
 from rcj_challenges.scenario.models.scenario import Broadcast
-from rcj_challenges.tracking.bound_rules import BoundRule, Firing
+from rcj_challenges.tracking.bound_rules import BoundRule, Firing, Reader
 
 Told = dict[str, Any]
 
@@ -44,7 +44,8 @@ class Broadcasting:
 
 
 def _readers(fields: Mapping[str, Value], context: CompileContext) -> dict[str, Reader]:
-    return {key: compile_value(value, context, None) for key, value in fields.items()}
+    scope = NameScope(context, None)
+    return {key: compile_value(value, scope) for key, value in fields.items()}
 
 
 def _read(readers: Mapping[str, Reader]) -> Told:

@@ -21,8 +21,8 @@ from rcj_challenges.referee.denied import Denial, Denied
 from rcj_challenges.referee.no_room import no_room_sentence
 from rcj_challenges.referee.placement import PlacementJob, carry_out, compile_placement
 from rcj_challenges.referee.ranking import ranked_counters
+from rcj_challenges.referee.says import fill_blanks
 from rcj_challenges.referee.state import State
-from rcj_challenges.referee.values import spoken
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.drawn import Series
 from rcj_challenges.scenario.models.places import Placing
@@ -323,7 +323,7 @@ class Referee:
                 limit=firing.limit,
                 scored=firing.scored,
                 suppressed=suppressed,
-                says=spoken(rule.says, state, firing),
+                says=fill_blanks(rule.says, state, firing),
                 place=firing.place,
             )
         )

@@ -7,19 +7,15 @@ from collections.abc import Mapping, Sequence
 
 from rcj_challenges.facts.amounts import plain, round_score
 from rcj_challenges.facts.play import HalfInfo
-from rcj_challenges.facts.timing import TICK_S, s_from_ticks, ticks_from_s
-from rcj_challenges.rules.fields import LONGEST_S, Scalar
-from rcj_challenges.rules.values import CounterValue, DrawnDuration
-from rcj_challenges.scenario.catalogue import EACH
+from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
+from rcj_challenges.rules.fields import Scalar
+from rcj_challenges.rules.values import Lasts, duration_s
 from rcj_challenges.scenario.drawn import Series, drawable, series_of
 from rcj_challenges.scenario.halves import half_length_s
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.models.state import Draw, Phase
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.tracking.state import Clock, Number, RefereeState
-
-Lasting = float | DrawnDuration | CounterValue
-"""How long something lasts, as the scenario's models have it."""
 
 _FLOAT32 = struct.Struct("<f")
 
@@ -106,7 +102,7 @@ class State(RefereeState):
             for whose, clock in self.timers[name].items():
                 self.wind_up(clock, timer.lasts_s, whose)
 
-    def wind_up(self, clock: Clock, lasts_s: Lasting, whose: str | None) -> None:
+    def wind_up(self, clock: Clock, lasts_s: Lasts, whose: str | None) -> None:
         """Give a clock its length, as its draw has decided or its counter says by now.
 
         Args:
@@ -114,24 +110,12 @@ class State(RefereeState):
             lasts_s: how long it lasts.
             whose: whom it is kept for; None for a single one.
         """
-        clock.length_s = self._lasting_s(lasts_s, whose)
+        clock.length_s = duration_s(lasts_s, self, whose)
         clock.length = ticks_from_s(clock.length_s)
 
-    def lasting_ticks(self, lasts_s: Lasting) -> int:
+    def lasting_ticks(self, lasts_s: Lasts) -> int:
         """Return a duration in ticks, as its draw has decided or its counter says by now."""
-        return ticks_from_s(self._lasting_s(lasts_s))
-
-    def _lasting_s(self, lasts_s: Lasting, each: str | None = None) -> float:
-        match lasts_s:
-            case DrawnDuration():
-                return float(self.draws[lasts_s.draw])
-            case CounterValue():
-                whose = each if lasts_s.entity == EACH else lasts_s.entity
-                said = self.counter(lasts_s.counter, whose)
-                # A counter may be anything: to end a match as a fault because it was reckoned too far helps nobody.
-                return min(max(TICK_S, float(said)), LONGEST_S)
-            case _:
-                return lasts_s
+        return ticks_from_s(duration_s(lasts_s, self, None))
 
     def set_draw(self, name: str, value: Scalar) -> None:
         """Let a draw have a value, which has been drawn then."""

@@ -14,8 +14,10 @@ from pydantic_core import CoreSchema
 from rcj_challenges.rules.binder import Binder, Scope
 from rcj_challenges.rules.fields import Names, Strict, described
 from rcj_challenges.rules.phrases import Phrases
-from rcj_challenges.tracking.bound_rules import Act, Test
+from rcj_challenges.rules.phrasing import number
+from rcj_challenges.tracking.bound_rules import Act, Firing, Reader, Test
 from rcj_challenges.tracking.places import PlaceResolver
+from rcj_challenges.tracking.state import Number
 
 ENTITY_DESCRIPTION = "whose: an entity (a robot, a ball or a movable obstacle), a group (any of them), or each"
 
@@ -262,3 +264,49 @@ class PlaceWord(FormWord):
     def mirrored(self, _phrases: Phrases) -> str | None:
         """Return what of it a mirror changes: an empty text for all of it, `` as seen from Y1``; None: nothing."""
         return ""
+
+
+class ValueWord(FormWord):
+    """A value that rules name, ``{counter: laps}``.
+
+    Attributes:
+        UNIT: of what unit it is, if of any.
+    """
+
+    UNIT: ClassVar[str] = ""
+
+    def now(self, to: Scope) -> Callable[[], Any]:
+        """Return what reads the value, of one that is the same whichever rule fires.
+
+        Args:
+            to: what names stand for.
+        """
+        raise NotImplementedError
+
+    def read(self, to: Scope) -> Reader:
+        """Return what reads the value when a rule fires; it can be written as JSON."""
+        read_now = self.now(to)
+        return lambda _firing: read_now()
+
+    def number(self, to: Scope) -> Reader:
+        """Return what reads the value where a number is asked for; 0 if there is none."""
+        read = self.read(to)
+
+        def read_number(firing: Firing) -> Number:
+            value: Number | None = read(firing)
+            return 0 if value is None else value
+
+        return read_number
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the value in words: ``whether the flag “out” is set``."""
+        raise NotImplementedError
+
+    def describe_number(self, phrases: Phrases) -> str:
+        """Return the value in words where a number is asked for: ``1 if the flag “out” is set``."""
+        return self.describe(phrases)
+
+    def describe_times(self, phrases: Phrases, weight: float) -> str:
+        """Return the number times a weight: ``2 times the counter “laps”``."""
+        words = self.describe_number(phrases)
+        return words if weight == 1 else f"{number(weight)} times {words}"

@@ -5,7 +5,7 @@ from random import Random
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
 from rcj_challenges.rules.fields import Name, Names, Point, Scalar
-from rcj_challenges.tracking.bound_rules import BoundRule, Firing, HitBuffer, TriggerBinding
+from rcj_challenges.tracking.bound_rules import BoundRule, HitBuffer, TriggerBinding
 from rcj_challenges.tracking.clock_events import ClockEvents
 from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.gates import GateLine
@@ -23,11 +23,19 @@ _T = TypeVar("_T", bound=Tracker)
 
 
 class Scope(Protocol):
-    """What a place needs to be compiled, in a rule or a layout."""
+    """What names stand for in a rule, a layout or the broadcast."""
 
     @property
     def state(self) -> RefereeState:
-        """The referee's memory; read it when something is placed, not when the place is compiled."""
+        """The referee's memory; read it when a rule fires or something is placed, not when a word is compiled."""
+
+    @property
+    def each(self) -> str | None:
+        """The name that ``each`` stands for; None: it is not known there."""
+
+    @property
+    def contacts(self) -> Contacts:
+        """What touches what."""
 
     def members(self, names: Names) -> tuple[str, ...]:
         """Return what names stand for: groups expanded, ``each`` replaced, without repeats, in order."""
@@ -50,6 +58,30 @@ class Scope(Protocol):
     def random_point(self, zones: Names) -> Callable[[Random], Point]:
         """Return what draws a point of zones, every one equally likely."""
 
+    def entity(self, name: str) -> int:
+        """Return the index of one entity."""
+
+    def thing(self, name: str) -> int:
+        """Return the index of one thing that can be touched."""
+
+    def name_of(self, entity: int) -> str:
+        """Return the name of an entity."""
+
+    def is_robot(self, name: str) -> bool:
+        """Return whether a name is that of a robot."""
+
+    def is_present(self, name: str) -> bool:
+        """Return whether something is on the field now; what is no entity always is."""
+
+    def pose(self, name: str) -> Callable[[], tuple[float, ...] | None]:
+        """Return what reads where something is: [x, y, yaw], of a spot [x, y]; None while it is off the field."""
+
+    def targets(self, named: Name | Point) -> tuple[Target, ...]:
+        """Return what a distance is measured to: what a name stands for, or a point."""
+
+    def half_length_s(self) -> Number:
+        """Return the length of the half in s."""
+
 
 class Binder(Scope, Protocol):
     """What a trigger, a condition or an action needs to be compiled for one rule."""
@@ -61,10 +93,6 @@ class Binder(Scope, Protocol):
     @property
     def hits(self) -> HitBuffer:
         """Where trackers report."""
-
-    @property
-    def contacts(self) -> Contacts:
-        """What touches what."""
 
     @property
     def pose_history(self) -> PoseHistory:
@@ -86,9 +114,6 @@ class Binder(Scope, Protocol):
 
     def index_of(self, name: str) -> int | None:
         """Return the index of something that can be touched; None for anything else."""
-
-    def name_of(self, entity: int) -> str:
-        """Return the name of an entity."""
 
     def region(self, names: Names) -> "Region":
         """Return the region of a zone, or of several zones taken as one."""
@@ -115,14 +140,8 @@ class Binder(Scope, Protocol):
             entity: the index of what it is about.
         """
 
-    def thing(self, name: str) -> int:
-        """Return the index of one thing that can be touched."""
-
     def drawn_value(self, value: Scalar) -> Scalar:
         """Return a value of a draw: ``each`` is a name where the rule is for one."""
-
-    def targets(self, named: Name | Point) -> tuple[Target, ...]:
-        """Return what a distance is measured to: what a name stands for, or a point."""
 
     def locate(self, what: Name | Point) -> Callable[[], Point | None]:
         """Return what finds where a thing, a spot, a zone's centre or a point is; None while it is off the field."""
@@ -130,19 +149,10 @@ class Binder(Scope, Protocol):
     def free_spots(self, names: Names, clearance_m: float) -> Callable[[], Iterable[bool]]:
         """Return what finds for each of some spots whether no robot's or ball's centre is near."""
 
-    def bound(self, bound: Any) -> Callable[[], Number]:
-        """Return what reads what is compared with: a number, a counter, or the lowest or highest of others."""
-
     # --- for actions ------------------------------------------------------------------------------------------------
 
-    def points(self, points: Any) -> Callable[[Firing], Number]:
-        """Return what reads a number of points: one amount, or the sum of numbers and weighted ones."""
-
-    def value(self, value: Any) -> Callable[[Firing], Any]:
-        """Return what reads a value of an event's payload."""
-
     def ticks(self, lasts_s: Any) -> Callable[[], int]:
-        """Return what reads how many ticks something lasts: a number, or what a draw or a counter says."""
+        """Return what reads how many ticks something lasts."""
 
     def wind_up(self, timer: str, clock: Clock, owner: str | None) -> None:
         """Give a clock of a timer its length, as its draw has decided or its counter says by now."""

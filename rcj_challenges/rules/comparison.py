@@ -2,15 +2,12 @@
 
 from collections.abc import Callable
 
-from rcj_challenges.rules.base import Condition
+from rcj_challenges.rules.base import Condition, ValueWord
 from rcj_challenges.rules.binder import Binder
-from rcj_challenges.rules.fields import described
+from rcj_challenges.rules.fields import MM_DIGITS, described
 from rcj_challenges.rules.phrases import Phrases
-from rcj_challenges.rules.values import Bound, CounterValue, HighestOfOthers, LowestOfOthers
+from rcj_challenges.rules.values import Bound, amount_words, compile_bound
 from rcj_challenges.tracking.state import Number
-
-MM_DIGITS = 3
-"""To the millimetre: what is measured is told and counted so, and compared so with what was counted."""
 
 
 def to_mm(metres: Number) -> Number:
@@ -38,7 +35,7 @@ class Compared(Condition):
     def compares_with_counter(self) -> bool:
         """Return whether it compares with a counter, or with those of others."""
         bounds = (self.at_least, self.at_most, self.equals)
-        return any(isinstance(bound, CounterValue | LowestOfOthers | HighestOfOthers) for bound in bounds)
+        return any(isinstance(bound, ValueWord) for bound in bounds)
 
     def comparison(
         self, to: Binder, rounded: Callable[[Number], Number] = _unchanged,
@@ -52,7 +49,7 @@ class Compared(Condition):
             counted: what is done to a number before it is compared with a counter: as it would be counted.
         """
         bounds = (self.at_least, self.at_most, self.equals)
-        least, most, equals = (None if bound is None else to.bound(bound) for bound in bounds)
+        least, most, equals = (None if bound is None else compile_bound(bound, to) for bound in bounds)
         for_least, for_most, for_equals = (
             _unchanged if isinstance(bound, int | float) else counted for bound in bounds
         )
@@ -77,12 +74,12 @@ class Compared(Condition):
         bounds = (("at least", self.at_least), ("at most", self.at_most), ("exactly", self.equals))
         limits = [(words, limit) for words, limit in bounds if limit is not None]
         if all(isinstance(limit, int | float) for _, limit in limits):
-            numbers = " and ".join(f"{words} {phrases.amount(limit)}{unit}" for words, limit in limits)
+            numbers = " and ".join(f"{words} {amount_words(phrases, limit)}{unit}" for words, limit in limits)
             return f"{numbers}{where}" if numbers else ""
         return " and ".join(
-            f"{words} {phrases.amount(limit)}{unit}{where}"
+            f"{words} {amount_words(phrases, limit)}{unit}{where}"
             if isinstance(limit, int | float) or not unit
-            else f"{words} as many{unit}{where} as {phrases.amount(limit)} says"
+            else f"{words} as many{unit}{where} as {amount_words(phrases, limit)} says"
             for words, limit in limits
         )
 

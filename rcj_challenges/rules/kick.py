@@ -10,7 +10,8 @@ from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import listed, number, quoted_measure
 from rcj_challenges.rules.places import At, place_of
 from rcj_challenges.rules.refs import DRAW
-from rcj_challenges.rules.values import CounterValue
+from rcj_challenges.rules.values import amount_words
+from rcj_challenges.rules.values.counter import CounterValue
 from rcj_challenges.tracking.places import CompiledKick
 
 MAX_KICK_MPS = 3
@@ -62,7 +63,7 @@ class Kick(Strict):
             drawn = sorted({float(mps) for mps in phrases.draw_values(speed.draw)})
             return f"at {listed([number(mps) for mps in drawn], 'or')} m/s, as {quoted_measure(speed.draw)} is drawn,"
         if isinstance(speed, CounterValue):
-            return f"at as many m/s as {phrases.amount(speed)} tells, {MAX_KICK_MPS} at most,"
+            return f"at as many m/s as {amount_words(phrases, speed)} tells, {MAX_KICK_MPS} at most,"
         speeds = speed if isinstance(speed, tuple) else (speed,)
         return f"at {' to '.join(dict.fromkeys(map(number, speeds)))} m/s"
 

@@ -9,7 +9,7 @@ from rcj_challenges.facts.messages import MOST_LETTERS, READS, is_said
 from rcj_challenges.rules.fields import Scalar, Strict, described
 from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import listed, number
-from rcj_challenges.rules.values import DrawValue
+from rcj_challenges.rules.values.draw import DrawValue
 
 SaidText = Annotated[
     str,

@@ -9,6 +9,10 @@ from rcj_challenges.rules.phrasing import Subject
 class Phrases(Protocol):
     """How the names of a scenario are written in sentences; the rule sheet implements it."""
 
+    @property
+    def measured(self) -> str:
+        """What the triggers of the rule measure."""
+
     def any_of(self, names: Names) -> str:
         """Return the one of several that a rule is about: ``one of the robots``, ``Y1 or Y2``."""
 
@@ -81,8 +85,8 @@ class Phrases(Protocol):
     def sequence_step(self, sequence: str, step: str) -> str:
         """Return a step of a sequence, with what it means if it is the last."""
 
-    def amount(self, value: Any) -> str:
-        """Return points, counts or limits: a number, a counter, a sum of weighted parts, or the most or least."""
+    def all_but_each(self, counter: str) -> str:
+        """Return whose lowest or highest counter a rule reads: ``all others on the field``; without ``each`` of all."""
 
     def draw_values(self, draw: str) -> tuple[Scalar, ...]:
         """Return the values of a draw."""
@@ -97,12 +101,6 @@ class Phrases(Protocol):
 
     def every_kept(self, kind: str, name: str, entity: str | None) -> str:
         """Return a counter, flag, timer or sequence with whose it is, where no entity stands for all of them."""
-
-    def value(self, value: Any) -> str:
-        """Return a value of an event's payload in words."""
-
-    def lasting(self, lasts_s: Any) -> str:
-        """Return how long something lasts: ``15 s``, ``5 s or 8 s, as “pause” is drawn``."""
 
     def may_be_zone(self, name: str) -> bool:
         """Return whether a name may stand for a zone."""

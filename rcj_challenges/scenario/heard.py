@@ -7,7 +7,8 @@ from rcj_challenges.rules.conditions.told import Told
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.rules.message import Message
 from rcj_challenges.rules.triggers.tells import Tells
-from rcj_challenges.rules.values import DrawValue, ToldValue
+from rcj_challenges.rules.values.draw import DrawValue
+from rcj_challenges.rules.values.told import ToldValue
 from rcj_challenges.scenario.models.robots import TeamEmitterDevice
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.own_devices import devices_of

@@ -7,7 +7,7 @@ from math import atan2
 
 from rcj_challenges.rules.actions.set_spot import SetSpot
 from rcj_challenges.rules.fields import Strict
-from rcj_challenges.rules.values import DistanceValue
+from rcj_challenges.rules.values.distance import DistanceValue
 from rcj_challenges.scenario.models.field import Box, Cylinder, Obstacle, Wall
 from rcj_challenges.scenario.models.places import CircleZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Rule, Scenario

@@ -12,7 +12,7 @@ from rcj_challenges.rules.actions.score import Score
 from rcj_challenges.rules.fields import Names, Strict
 from rcj_challenges.rules.refs import Ref, has_drawn_value, ref_of
 from rcj_challenges.rules.triggers.touches import Touches
-from rcj_challenges.rules.values import WordValue
+from rcj_challenges.rules.values.word import WordValue
 from rcj_challenges.scenario.blanks import in_braces
 from rcj_challenges.scenario.catalogue import OTHER
 from rcj_challenges.scenario.models.scenario import Rule, Scenario

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rcj_challenges.rules.actions.set_spot import SetSpot
-from rcj_challenges.rules.values import ToldValue
+from rcj_challenges.rules.values.told import ToldValue
 from rcj_challenges.scenario.beginnings import starting_each_half
 from rcj_challenges.scenario.models.places import Spot
 from rcj_challenges.scenario.models.scenario import Scenario

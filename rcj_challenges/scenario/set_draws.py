@@ -7,7 +7,7 @@ from typing import Any
 
 from rcj_challenges.rules.actions.draw import DrawAction
 from rcj_challenges.rules.triggers.half_started import HalfStarted
-from rcj_challenges.rules.values import DrawnDuration
+from rcj_challenges.rules.values.draw import DrawnDuration
 from rcj_challenges.scenario.beginnings import starting_each_half
 from rcj_challenges.scenario.catalogue import BOUND
 from rcj_challenges.scenario.models.scenario import Rule, Scenario

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Any
 
 from rcj_challenges.tracking.state import Number
 
@@ -11,6 +12,8 @@ Test = Callable[[], bool]
 """A compiled condition: whether it holds now."""
 Act = Callable[["Firing"], None]
 """A compiled action."""
+Reader = Callable[["Firing"], Any]
+"""Reads a value at the moment of a firing."""
 
 
 @dataclass(slots=True)

@@ -2,8 +2,7 @@
 
 import pytest
 
-from rcj_challenges.referee.values import WORDS
-from rcj_challenges.rules.values import WordValue
+from rcj_challenges.rules.values.word import FACTS, WordValue
 
 
 def payload(play, *, fault: str = "Y1") -> dict:
@@ -137,7 +136,7 @@ class TestValueWord:
 
     def test_every_word_of_the_model_is_known(self):
         literal = WordValue.model_fields["word"].annotation
-        assert set(WORDS) == set(literal.__args__)
+        assert set(FACTS) == set(literal.__args__)
 
 
 def test_a_name_that_looks_like_a_placeholder_stays_a_name(stage):

@@ -29,18 +29,11 @@ from rcj_challenges.rules.conditions.way import WayIs
 from rcj_challenges.rules.triggers.event import OnEvent
 from rcj_challenges.rules.triggers.sequence_broken import SequenceBroken
 from rcj_challenges.rules.triggers.sequence_completed import SequenceCompleted
-from rcj_challenges.rules.values import (
-    CounterValue,
-    FlagValue,
-    NumberTimer,
-    NumberWord,
-    TimerValue,
-    WeightedCounter,
-    WeightedFlag,
-    WeightedTimer,
-    WeightedWord,
-    WordValue,
-)
+from rcj_challenges.rules.values.counter import CounterValue
+from rcj_challenges.rules.values.flag import FlagValue
+from rcj_challenges.rules.values.term import term_of
+from rcj_challenges.rules.values.timer import NumberTimer, TimerValue
+from rcj_challenges.rules.values.word import NumberWord, WordValue
 from rcj_challenges.scenario.models import places, scenario
 
 if TYPE_CHECKING:
@@ -232,9 +225,9 @@ FIT: dict[type, Callable[[Maker, Data], None]] = {
     SequenceCompleted: _kept_each("sequence"),
     SequenceBroken: _kept_each("sequence"),
     OnEvent: _event,
-    **{model: _kept_each("counter") for model in (CounterValue, WeightedCounter)},
-    **{model: _kept_each("flag") for model in (FlagValue, WeightedFlag)},
-    **{model: _kept_each("timer") for model in (TimerValue, NumberTimer, WeightedTimer)},
-    **dict.fromkeys((WordValue, NumberWord, WeightedWord), _word),
+    **{model: _kept_each("counter") for model in (CounterValue, term_of(CounterValue))},
+    **{model: _kept_each("flag") for model in (FlagValue, term_of(FlagValue))},
+    **{model: _kept_each("timer") for model in (TimerValue, NumberTimer, term_of(NumberTimer))},
+    **dict.fromkeys((WordValue, NumberWord, term_of(NumberWord)), _word),
     scenario.Expectation: _expected,
 }

@@ -18,14 +18,17 @@ from rcj_challenges.rules.conditions.all_of import AllOf
 from rcj_challenges.rules.conditions.any_of import AnyOf
 from rcj_challenges.rules.kick import DrawnSpeed
 from rcj_challenges.rules.refs import KEEPERS, Ref, Reference, SectionRef, ref_of
-from rcj_challenges.rules.values import DrawnDuration, HighestOfOthers, LowestOfOthers, NumberDraw, WeightedDraw
+from rcj_challenges.rules.values.draw import DrawnDuration, NumberDraw
+from rcj_challenges.rules.values.highest import HighestOfOthers
+from rcj_challenges.rules.values.lowest import LowestOfOthers
+from rcj_challenges.rules.values.term import term_of
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.shape import Shape, bare, fields, is_model, is_union, members, tags, without_none
 from tests.whole_scenarios.fitting import FIT, sentence
 from tests.whole_scenarios.staging import COLOURS, Data, Stage, point
 
 _BOUNDS = ("gt", "ge", "lt", "le", "min_length", "max_length", "pattern")
-_DRAWN_NUMBERS = {NumberDraw: 1e9, WeightedDraw: 1e9, DrawnDuration: 100, DrawnSpeed: 3}
+_DRAWN_NUMBERS = {NumberDraw: 1e9, term_of(NumberDraw): 1e9, DrawnDuration: 100, DrawnSpeed: 3}
 """Where a draw's name stands for a number, and how large that may be."""
 _RARELY = 0.3
 """How often a key is given that may be left out."""

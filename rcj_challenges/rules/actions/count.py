@@ -9,7 +9,7 @@ from rcj_challenges.rules.bounds import amount_bound, bounds_words, change_bound
 from rcj_challenges.rules.fields import Name, described
 from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import COUNTER, WHOSE
-from rcj_challenges.rules.values import Points
+from rcj_challenges.rules.values import Points, amount_words, compile_points
 from rcj_challenges.tracking.bound_rules import Act, Firing
 from rcj_challenges.tracking.state import Number
 
@@ -62,9 +62,9 @@ expect:
     def compile(self, to: Binder) -> Act:
         """Return what changes a counter: first ``to``, then ``by``."""
         counters, name, whose = to.state.counters, self.counter, to.whose(self.entity)
-        new = None if self.to is None else to.points(self.to)
+        new = None if self.to is None else compile_points(self.to, to)
         by = 1 if self.by is None and self.to is None else self.by
-        step = None if by is None else to.points(by)
+        step = None if by is None else compile_points(by, to)
         within, bounded = amount_bound(self), change_bound(self)
 
         def changed(value: Number, firing: Firing) -> Number:
@@ -86,9 +86,9 @@ expect:
         counter = phrases.every_kept("counter", self.counter, self.entity)
         bounds = bounds_words(self, "counter")
         if self.to is not None:
-            return f"{counter} is set to {phrases.amount(self.to)}{bounds}"
+            return f"{counter} is set to {amount_words(phrases, self.to)}{bounds}"
         if isinstance(self.by, int | float) and self.by < 0:
-            return f"{counter} falls by {phrases.amount(-self.by)}{bounds}"
+            return f"{counter} falls by {amount_words(phrases, -self.by)}{bounds}"
         if taken := taken_away(self, self.by):
-            return f"{counter} falls by {phrases.amount(taken)}{bounds}"
-        return f"{counter} grows by {phrases.amount(1 if self.by is None else self.by)}{bounds}"
+            return f"{counter} falls by {amount_words(phrases, taken)}{bounds}"
+        return f"{counter} grows by {amount_words(phrases, 1 if self.by is None else self.by)}{bounds}"

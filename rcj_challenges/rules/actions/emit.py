@@ -6,7 +6,7 @@ from rcj_challenges.rules.base import Action
 from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import EventName, Name, described
 from rcj_challenges.rules.phrases import Phrases
-from rcj_challenges.rules.values import Value
+from rcj_challenges.rules.values import Value, compile_value, value_words
 from rcj_challenges.tracking.bound_rules import Act, Firing
 
 
@@ -41,7 +41,7 @@ expect:
     def compile(self, to: Binder) -> Act:
         """Return what writes an event."""
         name = self.event
-        payload = {key: to.value(value) for key, value in self.payload.items()}
+        payload = {key: compile_value(value, to) for key, value in self.payload.items()}
 
         def act(firing: Firing) -> None:
             about = tuple(one for one in (firing.subject, firing.place) if one is not None)
@@ -51,5 +51,5 @@ expect:
 
     def describe(self, phrases: Phrases) -> str:
         """Return the action as a clause: ``yellow gets 1 point``."""
-        told = ", ".join(f"{key}: {phrases.value(entry)}" for key, entry in self.payload.items())
+        told = ", ".join(f"{key}: {value_words(phrases, entry)}" for key, entry in self.payload.items())
         return f"{self.event} is announced" + (f" ({told})" if told else "")

@@ -8,7 +8,7 @@ from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import ROBOTS
-from rcj_challenges.rules.values import Lasts
+from rcj_challenges.rules.values import Lasts, duration_words
 from rcj_challenges.tracking.bound_rules import Act, Firing
 
 
@@ -69,5 +69,5 @@ expect:
         """Return the action as a clause: ``yellow gets 1 point``."""
         who = phrases.all_of(self.entity)
         until = f"until {'they are' if who.plural else 'it is'} let go"
-        lasts = until if self.for_s is None else f"for {phrases.lasting(self.for_s)}"
+        lasts = until if self.for_s is None else f"for {duration_words(phrases, self.for_s)}"
         return f"{who.does('is', 'are')} held still {lasts}"

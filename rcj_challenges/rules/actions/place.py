@@ -12,7 +12,7 @@ from rcj_challenges.rules.phrasing import quoted
 from rcj_challenges.rules.placement import Attempts, ClearanceM, NoiseM, Roll, WithoutRoom, placement_words
 from rcj_challenges.rules.places import At
 from rcj_challenges.rules.refs import ENTITIES, SectionRef
-from rcj_challenges.rules.values import DrawValue
+from rcj_challenges.rules.values.draw import DrawValue
 from rcj_challenges.tracking.bound_rules import Act
 
 

@@ -11,7 +11,7 @@ from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.placement import looks_words, put_words
 from rcj_challenges.rules.places import At
 from rcj_challenges.rules.refs import ENTITIES
-from rcj_challenges.rules.values import Lasts
+from rcj_challenges.rules.values import Lasts, duration_words
 from rcj_challenges.tracking.bound_rules import Act, Firing
 
 
@@ -64,4 +64,4 @@ expect:
             return gone
         back = put_words(phrases, self.entity, self.back_at)
         looks = looks_words(phrases, self.entity, self.back_at, self.facing)
-        return f"{gone} and after {phrases.lasting(self.for_s)} {back}{looks}"
+        return f"{gone} and after {duration_words(phrases, self.for_s)} {back}{looks}"

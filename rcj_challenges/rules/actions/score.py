@@ -11,7 +11,7 @@ from rcj_challenges.rules.fields import Name, Strict, described
 from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import counted, plain
 from rcj_challenges.rules.refs import THING, SectionRef
-from rcj_challenges.rules.values import Points
+from rcj_challenges.rules.values import Points, amount_words, compile_points
 from rcj_challenges.tracking.bound_rules import Act, Firing
 
 _RECEIVER = SectionRef("entrant", ("entrants",), words=frozenset({"each", "other"}))
@@ -76,7 +76,8 @@ expect:
 
     def compile(self, to: Binder) -> Act:
         """Return what gives points to an entrant; to none if nothing touched what they are given for."""
-        state, receiver, points, bounded = to.state, self._receiver(to), to.points(self.points), change_bound(self)
+        state, receiver = to.state, self._receiver(to)
+        points, bounded = compile_points(self.points, to), change_bound(self)
 
         def act(firing: Firing) -> None:
             entrant = receiver()
@@ -109,9 +110,9 @@ expect:
         """Return the action as a clause: ``yellow gets 1 point``."""
         who, points, bounds = self.receiver(phrases), self.points, bounds_words(self, "score")
         if taken := taken_away(self, points):
-            return f"{who} loses points: {phrases.amount(taken)}{bounds}"
+            return f"{who} loses points: {amount_words(phrases, taken)}{bounds}"
         if not isinstance(points, int | float):
-            return f"{who} gets points: {phrases.amount(points)}{bounds}"
+            return f"{who} gets points: {amount_words(phrases, points)}{bounds}"
         return f"{who} {'loses' if points < 0 else 'gets'} {counted(abs(points), 'point')}{bounds}"
 
     def receiver(self, phrases: Phrases) -> str:

@@ -12,7 +12,7 @@ from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.places.on_line import OnLine
 from rcj_challenges.rules.places.uniform_in import UniformIn
 from rcj_challenges.rules.refs import FIXED, MOVING, SPOT, Ref
-from rcj_challenges.rules.values import ToldValue
+from rcj_challenges.rules.values.told import ToldValue
 from rcj_challenges.tracking.bound_rules import Act, Firing
 
 

@@ -11,7 +11,8 @@ from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import plain, quoted_measure
 from rcj_challenges.rules.quantifier import Quantifier
 from rcj_challenges.rules.refs import READABLE, WHOSE_OF
-from rcj_challenges.rules.values import CounterValue
+from rcj_challenges.rules.values import amount_words
+from rcj_challenges.rules.values.counter import CounterValue
 from rcj_challenges.tracking.bound_rules import Test
 
 
@@ -71,7 +72,7 @@ expect:
         counter = kept(phrases, self, "counter", self.counter)
         limit = self.only_limit() if self.negate else None
         if limit is not None:
-            return f"{counter} is {'less' if self.at_most is None else 'more'} than {phrases.amount(limit)}"
+            return f"{counter} is {'less' if self.at_most is None else 'more'} than {amount_words(phrases, limit)}"
         return f"{counter} is {'not ' if self.negate else ''}{self.compared(phrases)}"
 
     def _equal(self, phrases: Phrases, equals: CounterValue) -> str:
@@ -79,7 +80,7 @@ expect:
         if phrases.is_entrant(self.counter) and phrases.is_entrant(equals.counter):
             scores = f"the scores of {plain(self.counter)} and {plain(equals.counter)}"
             return f"{scores} {'differ' if self.negate else 'are equal'}"
-        who, other = asked(phrases, self, "counter", self.counter), phrases.amount(equals)
+        who, other = asked(phrases, self, "counter", self.counter), amount_words(phrases, equals)
         if who is not None:
             return f"{who.does('has', 'have')} a counter {quoted_measure(self.counter)} equal to {other}"
         differs = "differs from" if self.negate else "is equal to"

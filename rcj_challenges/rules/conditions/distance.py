@@ -11,6 +11,7 @@ from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import number
 from rcj_challenges.rules.quantifier import Quantifier, quantified
 from rcj_challenges.rules.refs import MEASURED_TO, MOVING, Ref
+from rcj_challenges.rules.values import amount_words
 from rcj_challenges.tracking.bound_rules import Test
 
 
@@ -113,7 +114,7 @@ expect:
                 f"{who.text} is {'less' if self.at_most is None else 'more'} than {number(limit)} m from {point}{off}"
             )
         how = "nearer to" if self.at_most is None else "further from"
-        return f"{who.text} is {how} {point} than {phrases.amount(limit)} says in m{off}"
+        return f"{who.text} is {how} {point} than {amount_words(phrases, limit)} says in m{off}"
 
     def _off(self, phrases: Phrases) -> str:
         """Return what need only be off the field for the opposite of a distance to hold."""

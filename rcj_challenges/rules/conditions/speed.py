@@ -11,6 +11,7 @@ from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import number
 from rcj_challenges.rules.quantifier import Quantifier, quantified
 from rcj_challenges.rules.refs import ENTITIES
+from rcj_challenges.rules.values import amount_words
 from rcj_challenges.tracking.bound_rules import Test
 
 
@@ -72,6 +73,8 @@ expect:
         if limit is None:
             return f"{who.does('moves', 'move')} at a speed of {self.compared(phrases, ' m/s')}"
         how = "slower" if self.at_most is None else "faster"
-        fast = f"{number(limit)} m/s" if isinstance(limit, int | float) else f"{phrases.amount(limit)} says in m/s"
+        fast = (
+            f"{number(limit)} m/s" if isinstance(limit, int | float) else f"{amount_words(phrases, limit)} says in m/s"
+        )
         off = " or is off the field" if phrases.may_be_off(self.entity) else ""
         return f"{who.text} moves {how} than {fast}{off}"

@@ -11,6 +11,7 @@ from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import number, quoted
 from rcj_challenges.rules.quantifier import Quantifier
 from rcj_challenges.rules.refs import TIMER, WHOSE_OF
+from rcj_challenges.rules.values import amount_words
 from rcj_challenges.tracking.bound_rules import Test
 
 
@@ -79,4 +80,4 @@ expect:
         if isinstance(limit, int | float):
             return f"{timer} has run for {'less' if self.at_most is None else 'more'} than {number(limit)} s"
         how = "shorter" if self.at_most is None else "longer"
-        return f"{timer} has run {how} than {phrases.amount(limit)} says in s"
+        return f"{timer} has run {how} than {amount_words(phrases, limit)} says in s"

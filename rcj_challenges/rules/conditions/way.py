@@ -9,6 +9,7 @@ from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import number
 from rcj_challenges.rules.quantifier import Quantifier, quantified
 from rcj_challenges.rules.refs import ENTITIES
+from rcj_challenges.rules.values import amount_words
 from rcj_challenges.tracking.bound_rules import Test
 
 
@@ -59,4 +60,4 @@ expect:
             how = "less" if self.at_most is None else "more"
             return f"{who.text} has a way in this half of {how} than {number(limit)} m"
         how = "shorter" if self.at_most is None else "longer"
-        return f"{who.text} has a {how} way in this half than {phrases.amount(limit)} says in m"
+        return f"{who.text} has a {how} way in this half than {amount_words(phrases, limit)} says in m"

@@ -16,7 +16,8 @@ from rcj_challenges.rules.conditions.drawn import Drawn
 from rcj_challenges.rules.conditions.sequence_at import SequenceAt
 from rcj_challenges.rules.refs import Ref, Reference, SectionRef, refs_of
 from rcj_challenges.rules.triggers.touches import Touches
-from rcj_challenges.rules.values import HighestOfOthers, LowestOfOthers
+from rcj_challenges.rules.values.highest import HighestOfOthers
+from rcj_challenges.rules.values.lowest import LowestOfOthers
 from rcj_challenges.scenario.catalogue import BOUND, EACH, OTHER, Catalogue, texts
 from rcj_challenges.scenario.checks.bound import Bound
 from rcj_challenges.scenario.checks.drawn_numbers import DRAWN_NUMBERS

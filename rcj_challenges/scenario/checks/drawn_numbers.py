@@ -8,7 +8,8 @@ from typing import Any
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.rules.fields import LONGEST_S
 from rcj_challenges.rules.kick import MAX_KICK_MPS, DrawnSpeed
-from rcj_challenges.rules.values import DrawnDuration, NumberDraw, WeightedDraw
+from rcj_challenges.rules.values.draw import DrawnDuration, NumberDraw
+from rcj_challenges.rules.values.term import term_of
 from rcj_challenges.scenario.messages.wording import found_text
 from rcj_challenges.scenario.tree import Leaf
 
@@ -35,7 +36,7 @@ def _no_speed(value: Leaf) -> str:
 
 DRAWN_NUMBERS: dict[Any, Callable[[Leaf], str]] = {
     NumberDraw: _no_number,
-    WeightedDraw: _no_number,
+    term_of(NumberDraw): _no_number,
     DrawnDuration: _no_duration,
     DrawnSpeed: _no_speed,
 }

@@ -31,7 +31,7 @@ from rcj_challenges.rules.quantifier import AtLeast
 from rcj_challenges.rules.triggers.holds import Holds
 from rcj_challenges.rules.triggers.stays_in import StaysIn
 from rcj_challenges.rules.triggers.time_reached import TimeReached
-from rcj_challenges.rules.values import NumberWord
+from rcj_challenges.rules.values.word import NumberWord
 from rcj_challenges.scenario.decided import check_decided_spots
 from rcj_challenges.scenario.drawn import never_drawn
 from rcj_challenges.scenario.errors import in_plain_letters, listing, nearest

@@ -16,15 +16,10 @@ from rcj_challenges.rules.conditions.sequence_at import SequenceAt
 from rcj_challenges.rules.conditions.timer import TimerIs
 from rcj_challenges.rules.triggers.sequence_broken import SequenceBroken
 from rcj_challenges.rules.triggers.sequence_completed import SequenceCompleted
-from rcj_challenges.rules.values import (
-    CounterValue,
-    FlagValue,
-    NumberTimer,
-    TimerValue,
-    WeightedCounter,
-    WeightedFlag,
-    WeightedTimer,
-)
+from rcj_challenges.rules.values.counter import CounterValue
+from rcj_challenges.rules.values.flag import FlagValue
+from rcj_challenges.rules.values.term import term_of
+from rcj_challenges.rules.values.timer import NumberTimer, TimerValue
 from rcj_challenges.scenario.catalogue import EACH, Catalogue, texts
 from rcj_challenges.scenario.checks.bound import Bound
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, child, mark_of, node_at
@@ -32,7 +27,7 @@ from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path,
 _HEARS = (SequenceCompleted, SequenceBroken)
 _READS = (CounterIs, FlagIs, TimerIs, SequenceAt, CounterValue,
           FlagValue, TimerValue, NumberTimer)  # fmt: skip
-_WEIGHTED = (WeightedCounter, WeightedFlag, WeightedTimer)
+_WEIGHTED = (term_of(CounterValue), term_of(FlagValue), term_of(NumberTimer))
 _WRITES = (Count, SetFlag, ToggleFlag, TimerAction, SequenceAction)
 _SECTIONS = {"counter": "counters", "flag": "flags", "timer": "timers", "sequence": "sequences"}
 _PLACES = ("zone", "gate")

@@ -13,7 +13,8 @@ from rcj_challenges.rules.actions.remove import Remove
 from rcj_challenges.rules.actions.set_phase import SetPhase
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.refs import Ref, Reference, ref_of
-from rcj_challenges.rules.values import CounterValue, DrawnDuration, DrawValue
+from rcj_challenges.rules.values.counter import CounterValue
+from rcj_challenges.rules.values.draw import DrawnDuration, DrawValue
 from rcj_challenges.scenario.errors import Problem
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.scenario.models.scenario import Rule, Scenario

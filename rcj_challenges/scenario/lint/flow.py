@@ -13,7 +13,7 @@ from rcj_challenges.rules.triggers.event import OnEvent
 from rcj_challenges.rules.triggers.half_started import HalfStarted
 from rcj_challenges.rules.triggers.phase_entered import PhaseEntered
 from rcj_challenges.rules.triggers.sequence_broken import SequenceBroken
-from rcj_challenges.rules.values import WordValue
+from rcj_challenges.rules.values.word import WordValue
 from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.lint.base import LintRule, Suspicion

@@ -18,7 +18,7 @@ from rcj_challenges.rules.places.point import AtPoint
 from rcj_challenges.rules.places.spot import AtSpot
 from rcj_challenges.rules.places.uniform_in import UniformIn
 from rcj_challenges.rules.triggers.half_started import HalfStarted
-from rcj_challenges.rules.values import DistanceValue
+from rcj_challenges.rules.values.distance import DistanceValue
 from rcj_challenges.scenario.checks.ground import Floor, obstacle_bodies
 from rcj_challenges.scenario.floor import floor_parts, on_floor
 from rcj_challenges.scenario.floor_shapes import points_in, segment_has_floor, zone_has_floor

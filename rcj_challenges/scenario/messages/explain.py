@@ -17,7 +17,8 @@ from rcj_challenges.rules.conditions import AnyCondition
 from rcj_challenges.rules.places import At
 from rcj_challenges.rules.triggers import AnyTrigger
 from rcj_challenges.rules.triggers.timer_expired import TimerExpired
-from rcj_challenges.rules.values import TimerValue, WordValue
+from rcj_challenges.rules.values.timer import TimerValue
+from rcj_challenges.rules.values.word import WordValue
 from rcj_challenges.scenario.catalogue import texts
 from rcj_challenges.scenario.errors import MAX_FOUND, Problem, cut, in_plain_letters, listing, nearest
 from rcj_challenges.scenario.messages.named_places import for_place

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import get_args
 
-from rcj_challenges.rules.values import NumberWord, WordValue
+from rcj_challenges.rules.values.word import NumberWord, WordValue
 from rcj_challenges.scenario.catalogue import texts
 from rcj_challenges.scenario.tree import Entries, Node, Path, child
 

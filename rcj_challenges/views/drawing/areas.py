@@ -22,7 +22,8 @@ from rcj_challenges.rules.places.relative_to import RelativeTo
 from rcj_challenges.rules.places.spot import AtSpot
 from rcj_challenges.rules.places.start import Start
 from rcj_challenges.rules.places.uniform_in import UniformIn
-from rcj_challenges.rules.values import DrawValue, ToldValue
+from rcj_challenges.rules.values.draw import DrawValue
+from rcj_challenges.rules.values.told import ToldValue
 from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.scenario import Rule, Scenario

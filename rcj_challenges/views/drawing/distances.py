@@ -9,7 +9,8 @@ from rcj_challenges.rules.actions.count import Count
 from rcj_challenges.rules.conditions.distance import Distance
 from rcj_challenges.rules.conditions.spot_free import SpotFree
 from rcj_challenges.rules.triggers.displaced import Displaced
-from rcj_challenges.rules.values import Bound, CounterValue
+from rcj_challenges.rules.values import Bound
+from rcj_challenges.rules.values.counter import CounterValue
 from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.roster import Roster, row_of, written_for

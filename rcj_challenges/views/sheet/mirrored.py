@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from rcj_challenges.rules.actions.place import Place
 from rcj_challenges.rules.places import place_of
-from rcj_challenges.rules.values import DrawValue
+from rcj_challenges.rules.values.draw import DrawValue
 
 if TYPE_CHECKING:
     from rcj_challenges.views.sheet.nouns import Nouns

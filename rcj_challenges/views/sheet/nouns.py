@@ -18,8 +18,6 @@ from rcj_challenges.scenario.set_draws import set_from_the_start
 from rcj_challenges.views.sheet.absent import taken_off
 from rcj_challenges.views.sheet.meeting import may_meet
 from rcj_challenges.views.sheet.mirrored import mirrored_layout_words
-from rcj_challenges.views.sheet.phrases import amount, lasting
-from rcj_challenges.views.sheet.phrases import value as value_words
 
 _MEASURED_BY_SEVERAL = "what was measured"
 """Said where triggers of one rule measure different things."""
@@ -325,10 +323,6 @@ class Nouns:
         also = "also when it is " if any(step in places for places in before) else ""
         return f"{written} ({also}complete, until its next step)"
 
-    def amount(self, value: Any) -> str:
-        """Return points, counts or limits: a number, a counter, a sum of weighted parts, or the most or least."""
-        return amount(self, value)
-
     def every_kept(self, kind: str, name: str, entity: str | None) -> str:
         """Return the same for an action, where no entity means all of them."""
         one = getattr(self.scenario, f"{kind}s").get(name)
@@ -343,14 +337,6 @@ class Nouns:
         goes_over = () if self.each is None else self.roster.expand(self.each)
         who = self.all_of(per).text if set(owners).isdisjoint(goes_over) else "all others"
         return f"{who} on the field" if owners[0] in self.roster.entities else who
-
-    def value(self, value: Any) -> str:
-        """Return a value of an event's payload in words."""
-        return value_words(self, value)
-
-    def lasting(self, lasts_s: Any) -> str:
-        """Return how long something lasts: ``15 s``, ``5 s or 8 s, as “pause” is drawn``."""
-        return lasting(self, lasts_s)
 
     def may_be_zone(self, name: str) -> bool:
         """Return whether a name may stand for a zone."""

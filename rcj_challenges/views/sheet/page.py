@@ -17,7 +17,8 @@ from rcj_challenges.rules.bounds import bounds_words
 from rcj_challenges.rules.phrasing import counted, listed, number, plain, quoted, quoted_measure, seconds
 from rcj_challenges.rules.placement import placement_words
 from rcj_challenges.rules.triggers.no_progress import NoProgress
-from rcj_challenges.rules.values import CounterValue
+from rcj_challenges.rules.values import amount_words, duration_words, value_words
+from rcj_challenges.rules.values.counter import CounterValue
 from rcj_challenges.scenario.blanks import description_of
 from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.followed import followed, phases_of
@@ -39,7 +40,6 @@ from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, 
 from rcj_challenges.views.sheet.ground import field_blocks
 from rcj_challenges.views.sheet.machines import has, robot_blocks
 from rcj_challenges.views.sheet.nouns import Nouns
-from rcj_challenges.views.sheet.phrases import amount, lasting, value
 from rcj_challenges.views.sheet.rules import rule_blocks, when_words
 from rcj_challenges.views.sheet.spoken import spoken
 from rcj_challenges.views.sheet.told import told_blocks
@@ -106,7 +106,7 @@ def _timer_words(nouns: Nouns, name: str, timer: Timer) -> str:
     if timer.per and counted is not None and counted.entity == EACH:
         lasts = f"which lasts as many s as its counter {quoted_measure(counted.counter)} says when it starts"
         return f"There is a timer {quoted(name)} for {nouns.each_of(timer.per)}, {lasts}{starts}"
-    lasts = f"lasts {lasting(nouns, timer.lasts_s)}{' when it starts' if counted else ''}"
+    lasts = f"lasts {duration_words(nouns, timer.lasts_s)}{' when it starts' if counted else ''}"
     one_for_each = f"; there is one for {nouns.each_of(timer.per)}" if timer.per else ""
     return f"The timer {quoted(name)} {lasts}{one_for_each}{starts}"
 
@@ -114,7 +114,7 @@ def _timer_words(nouns: Nouns, name: str, timer: Timer) -> str:
 def _phase_words(nouns: Nouns, name: str, phase: Phase) -> str:
     begun = " when it begins" if isinstance(phase.lasts_s, CounterValue) else ""
     lasts = (
-        f"lasts {lasting(nouns, phase.lasts_s)}{begun}, then {quoted(phase.next)} follows"
+        f"lasts {duration_words(nouns, phase.lasts_s)}{begun}, then {quoted(phase.next)} follows"
         if phase.lasts_s
         else ("lasts until a rule begins another")
     )
@@ -195,7 +195,7 @@ def _kept_words(nouns: Nouns, kind: str, name: str) -> str:
 
 def _draw_words(nouns: Nouns, name: str, draw: Draw) -> str:
     # As they are written: a program may be told them, or have to tell them.
-    times = Counter(value(nouns, entry) for entry in draw.values)
+    times = Counter(value_words(nouns, entry) for entry in draw.values)
     if nouns.is_set(name):
         return f"{quoted_measure(name)} is {listed(list(times), 'or')}, as rules set it."
     often = len(times) < len(draw.values)
@@ -309,7 +309,7 @@ def _points_rows(nouns: Nouns, rule: Rule) -> tuple[tuple[str, str, str], ...]:
     nouns = nouns.within(rule)
     for action in rule.actions:
         if isinstance(action, Score):
-            given = f"{amount(nouns, action.points)}{bounds_words(action, 'score')}"
+            given = f"{amount_words(nouns, action.points)}{bounds_words(action, 'score')}"
             points.setdefault(action.receiver(nouns), []).append(given)
     when = spoken(nouns, rule) or when_words(rule, nouns)
     first = dict.fromkeys(list(points)[:1], when)

@@ -21,7 +21,7 @@ from rcj_challenges.rules.places.furthest_free import FurthestFree
 from rcj_challenges.rules.places.nearest_free import NearestFree
 from rcj_challenges.rules.triggers.half_started import HalfStarted
 from rcj_challenges.rules.triggers.holds import Holds
-from rcj_challenges.rules.values import LastTouchValue
+from rcj_challenges.rules.values.last_touch import LastTouchValue
 from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.scenario import Rule, Scenario

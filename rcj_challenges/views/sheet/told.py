@@ -12,7 +12,10 @@ from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.rules.actions.emit import Emit
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.rules.phrasing import listed, plain
-from rcj_challenges.rules.values import DrawValue, PositionValue, Value, WordValue
+from rcj_challenges.rules.values import Value, value_words
+from rcj_challenges.rules.values.draw import DrawValue
+from rcj_challenges.rules.values.position_of import PositionValue
+from rcj_challenges.rules.values.word import WordValue
 from rcj_challenges.scenario.heard import referee_listens, robots_that_speak
 from rcj_challenges.scenario.models.robots import Kit, SupervisorReceiverDevice
 from rcj_challenges.scenario.models.scenario import Broadcast, Scenario
@@ -20,7 +23,6 @@ from rcj_challenges.scenario.own_devices import devices_of
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Table
 from rcj_challenges.views.sheet.machines import has
 from rcj_challenges.views.sheet.nouns import Nouns
-from rcj_challenges.views.sheet.phrases import value
 from rcj_challenges.views.sheet.spoken import spoken
 
 _FLAG_PACKETS = {
@@ -152,7 +154,7 @@ def _told(fields: Mapping[str, Value], nouns: Nouns) -> Table:
             key,
             json.dumps(entry, ensure_ascii=False)
             if isinstance(entry, str | int | float)
-            else value(nouns, entry) + _exactly(nouns.scenario, entry),
+            else value_words(nouns, entry) + _exactly(nouns.scenario, entry),
         )
         for key, entry in fields.items()
     )

@@ -1,0 +1,68 @@
+"""The value ``distance``."""
+
+from collections.abc import Callable
+from typing import Annotated
+
+from pydantic import Field
+
+from rcj_challenges.rules.base import ValueWord
+from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.fields import MM_DIGITS, Name, Point, described
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.refs import MEASURED_TO
+
+
+class DistanceValue(ValueWord):
+    """How far the centres of two things are apart, in m to the millimetre; null while one of them is off the field."""
+
+    distance: Annotated[tuple[Name | Point, Name | Point], Field(strict=False), MEASURED_TO] = described(
+        ...,
+        "two of: an entity, a fixed obstacle, each, a spot, a draw's name, a group (the nearest of it), [x, y] in m; "
+        "one of them may be a wall, a gate or a zone, of which the nearest point counts: inside a zone it is 0",
+    )
+
+    KEY = "distance"
+    UNIT = "m"
+    EXAMPLE = """
+rules:
+  brought:
+    triggers: [{trigger: time_reached, at_s: 3}]
+    # 25 points, less 10 for each metre that it lies away.
+    actions:
+      - {action: score, entrant: yellow, points: [25, {distance: [ball, centre], weight: -10}]}
+      - {action: emit, event: BROUGHT, payload: {distance_m: {distance: [ball, centre]}}}
+    says: The ball is brought; {points} points.
+expect:
+  at_10_cm_it_gives_24_points:
+    keyframes: [{at_s: 2, place: {ball: [0.1, 0]}}]
+    lasts_s: 4
+    score: {yellow: 24}
+    events: [{event: BROUGHT, payload: {distance_m: 0.1}}]
+"""
+
+    def now(self, to: Scope) -> Callable[[], float | None]:
+        """Return what measures the distance; None if one of the two is off the field."""
+        here, there = (to.targets(end) for end in self.distance)
+        if any(one.place is None for one in here):
+            here, there = there, here  # from what is a point to a zone or a gate
+        pairs = [
+            (one.place, other.away_m)
+            for one in here
+            for other in there
+            if one.place is not None and not other.is_with(one.entity)
+        ]
+
+        def read() -> float | None:
+            starts = ((place(), away_m) for place, away_m in pairs)
+            distances = (away_m(*start) for start, away_m in starts if start is not None)
+            nearest = min((one for one in distances if one is not None), default=None)
+            return None if nearest is None else round(nearest, MM_DIGITS)
+
+        return read
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the value in words."""
+        here, there = self.distance
+        one, other = phrases.point(here, there), phrases.point(there, here)
+        inside = any(isinstance(end, str) and phrases.may_be_zone(end) for end in self.distance)
+        return f"the distance between {one} and {other} in {self.UNIT}" + (" (0 inside)" if inside else "")

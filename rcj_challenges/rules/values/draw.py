@@ -1,0 +1,61 @@
+"""The value ``draw``: what a draw decided, where anything, a number or a duration is asked for."""
+
+from collections.abc import Callable
+from typing import Annotated
+
+from rcj_challenges.rules.base import ValueWord
+from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.fields import Name, Scalar, described
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.phrasing import listed, quoted_measure, seconds
+from rcj_challenges.rules.refs import DRAW
+
+
+class DrawValue(ValueWord):
+    """What a draw decided."""
+
+    draw: Annotated[Name, DRAW] = described(..., "a draw")
+
+    KEY = "draw"
+    EXAMPLE = """
+draws: {target: {values: [left, right]}, bonus: {values: [5, 10]}}
+rules:
+  goal:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    actions:
+      - {action: score, entrant: yellow, points: {draw: bonus}}
+      - {action: emit, event: GOAL, payload: {target: {draw: target}}}
+expect:
+  ten_for_the_right_one:
+    draws: {target: right, bonus: 10}
+    keyframes: [{at_s: 1, place: {ball: [0, 0.8]}}]
+    lasts_s: 2
+    score: {yellow: 10}
+    events: [{event: GOAL, payload: {target: right}}]
+"""
+
+    def now(self, to: Scope) -> Callable[[], Scalar]:
+        """Return what reads what the draw decided."""
+        draws, name = to.state.draws, self.draw
+        return lambda: draws[name]
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the value in words."""
+        return phrases.what_drawn(self.draw)
+
+
+class NumberDraw(DrawValue):
+    """What a draw decided, for a draw whose values are all numbers."""
+
+    draw: Annotated[Name, DRAW] = described(..., "a draw of numbers")
+
+
+class DrawnDuration(DrawValue):
+    """The duration that a draw decided."""
+
+    draw: Annotated[Name, DRAW] = described(..., "a draw whose values are durations in s")
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the value in words: ``5 s or 8 s, as “pause” is drawn``."""
+        times_s = sorted({float(value) for value in phrases.draw_values(self.draw)})
+        return f"{listed([seconds(time_s) for time_s in times_s], 'or')}, as {quoted_measure(self.draw)} is drawn"

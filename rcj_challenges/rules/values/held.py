@@ -1,0 +1,40 @@
+"""The value ``held``."""
+
+from collections.abc import Callable
+from functools import partial
+from typing import Annotated
+
+from rcj_challenges.rules.base import ValueWord
+from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.refs import ROBOT
+
+
+class HeldValue(ValueWord):
+    """Whether a robot is held, by a rule or because the phase holds all robots: true or false."""
+
+    held: Annotated[Name, ROBOT] = described(..., "a robot, or each")
+
+    KEY = "held"
+    EXAMPLE = """
+rules:
+  penalty:
+    triggers: [{trigger: touches, entity: Y1, other: walls}]
+    actions: [{action: hold, entity: Y1, for_s: 3}]
+broadcast:
+  fields: {Y1_is_held: {held: Y1}}
+expect:
+  they_are_told_that_it_stands:
+    keyframes: [{at_s: 1, touch: [[Y1, walls]]}]
+    lasts_s: 2
+    told: {robots: {Y1_is_held: true}}
+"""
+
+    def now(self, to: Scope) -> Callable[[], bool]:
+        """Return what reads whether the robot is held."""
+        return partial(to.state.held.holds, to.entity(self.held))
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the value in words."""
+        return f"whether {phrases.thing(self.held)} is held"

@@ -1,0 +1,46 @@
+"""The limit ``highest``."""
+
+from collections.abc import Callable
+from typing import Annotated
+
+from rcj_challenges.rules.base import ValueWord
+from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.phrasing import quoted_measure
+from rcj_challenges.rules.refs import COUNTER
+from rcj_challenges.rules.values.of_others import of_others
+from rcj_challenges.tracking.state import Number
+
+
+class HighestOfOthers(ValueWord):
+    """The highest value that a counter kept per entity has of all others; see the lowest."""
+
+    highest: Annotated[Name, COUNTER] = described(
+        ..., "a counter kept per entity: the highest of all but `each`; without for_each: of all"
+    )
+
+    KEY = "highest"
+    EXAMPLE = """
+counters: {laps: {per: robots}}
+rules:
+  signal:
+    for_each: robots
+    triggers: [{trigger: time_reached, at_s: 2}]
+    conditions: [{condition: counter, counter: laps, entity: each, at_least: {highest: laps}}]
+    actions: [{action: emit, event: FIRST, payload: {robot_name: {word: robot_name}}}]
+expect:
+  who_has_most_is_first:
+    given: {counters: {laps: {B1: 2, B2: 2, B3: 2, Y1: 2, Y2: 3, Y3: 2}}}
+    keyframes: [{at_s: 1}]
+    lasts_s: 3
+    events: [{event: FIRST, payload: {robot_name: Y2}}]
+"""
+
+    def now(self, to: Scope) -> Callable[[], Number]:
+        """Return what reads the highest value; not a number if there are no others."""
+        return of_others(max, self.highest, to)
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the value in words."""
+        return f"the highest counter {quoted_measure(self.highest)} of {phrases.all_but_each(self.highest)}"

@@ -1,0 +1,44 @@
+"""The value ``last_touch``."""
+
+from collections.abc import Callable
+from typing import Annotated
+
+from rcj_challenges.rules.base import ValueWord
+from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.refs import THING
+
+
+class LastTouchValue(ValueWord):
+    """The name of the robot that touched something last since it was put where it is; null if none has."""
+
+    last_touch: Annotated[Name, THING] = described(..., "what was touched: an entity, a fixed obstacle, or each")
+
+    KEY = "last_touch"
+    EXAMPLE = """
+rules:
+  goal:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    actions: [{action: emit, event: GOAL, payload: {by: {last_touch: ball}}}]
+expect:
+  it_was_y3:
+    keyframes: [{at_s: 1, place: {ball: [0, 0.6]}, touch: [[Y3, ball]]}, {at_s: 2, move: {ball: [0, 0.8]}}]
+    lasts_s: 3
+    events: [{event: GOAL, payload: {by: Y3}}]
+"""
+
+    def now(self, to: Scope) -> Callable[[], str | None]:
+        """Return what reads the name of the robot that touched it last; None if none has."""
+        contacts, touched = to.contacts, to.thing(self.last_touch)
+        contacts.follow_last(touched)
+
+        def read() -> str | None:
+            robot = contacts.last(touched)
+            return None if robot is None else to.name_of(robot)
+
+        return read
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the value in words."""
+        return f"the name of the last to touch {phrases.thing(self.last_touch)}"

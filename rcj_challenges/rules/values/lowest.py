@@ -1,0 +1,50 @@
+"""The limit ``lowest``."""
+
+from collections.abc import Callable
+from typing import Annotated
+
+from rcj_challenges.rules.base import ValueWord
+from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.phrasing import quoted_measure
+from rcj_challenges.rules.refs import COUNTER
+from rcj_challenges.rules.values.of_others import of_others
+from rcj_challenges.tracking.state import Number
+
+
+class LowestOfOthers(ValueWord):
+    """The lowest value that a counter kept per entity has of all others.
+
+    Who is off the field does not count. Where nobody else is left, or `each` is off the field, no comparison holds, and
+    each that is negated does.
+    """
+
+    lowest: Annotated[Name, COUNTER] = described(
+        ..., "a counter kept per entity: the lowest of all but `each`; without for_each: of all"
+    )
+
+    KEY = "lowest"
+    EXAMPLE = """
+counters: {laps: {per: robots}}
+rules:
+  signal:
+    for_each: robots
+    triggers: [{trigger: time_reached, at_s: 2}]
+    conditions: [{condition: counter, counter: laps, entity: each, at_most: {lowest: laps}}]
+    actions: [{action: emit, event: LAST, payload: {robot_name: {word: robot_name}}}]
+expect:
+  who_has_fewest_is_last:
+    given: {counters: {laps: {B1: 2, B2: 2, B3: 2, Y1: 2, Y2: 1, Y3: 2}}}
+    keyframes: [{at_s: 1}]
+    lasts_s: 3
+    events: [{event: LAST, payload: {robot_name: Y2}}]
+"""
+
+    def now(self, to: Scope) -> Callable[[], Number]:
+        """Return what reads the lowest value; not a number if there are no others."""
+        return of_others(min, self.lowest, to)
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the value in words."""
+        return f"the lowest counter {quoted_measure(self.lowest)} of {phrases.all_but_each(self.lowest)}"

@@ -1,0 +1,49 @@
+"""The value ``position_of``."""
+
+from collections.abc import Callable
+from typing import Annotated
+
+from rcj_challenges.rules.base import ValueWord
+from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.refs import SEEN
+
+_DIGITS = 6
+"""To the micrometre, finer than float32 poses are anyway."""
+
+
+class PositionValue(ValueWord):
+    """Where an entity is when the rule fires: [x, y, yaw] in m and rad; null while it is off the field.
+
+    Placements are carried out after all actions of the tick: what this rule places is told where it was before. A spot
+    looks no way: [x, y] in m, where it is in that moment if rules set it.
+    """
+
+    position_of: Annotated[Name, SEEN] = described(..., "an entity, a fixed obstacle, each, a spot, or a draw's name")
+
+    KEY = "position_of"
+    EXAMPLE = """
+broadcast:
+  every_ticks: 10
+  fields: {ball: {position_of: ball}}
+expect:
+  all_robots_are_told_where_the_ball_is:
+    keyframes: [{at_s: 1, place: {ball: [0, 0.8]}}]
+    lasts_s: 2
+    told: {robots: {ball: [0, 0.8]}}
+"""
+
+    def now(self, to: Scope) -> Callable[[], list[float] | None]:
+        """Return what reads where something is."""
+        locate = to.pose(self.position_of)
+
+        def read() -> list[float] | None:
+            pose = locate()
+            return None if pose is None else [round(number, _DIGITS) for number in pose]
+
+        return read
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the value in words."""
+        return f"the position of {phrases.thing(self.position_of)}"

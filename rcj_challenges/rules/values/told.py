@@ -1,0 +1,63 @@
+"""The value ``told``."""
+
+from collections.abc import Callable
+from typing import Annotated
+
+from rcj_challenges.facts.amounts import round_score
+from rcj_challenges.facts.messages import number_in
+from rcj_challenges.rules.base import ValueWord
+from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.refs import ROBOT
+from rcj_challenges.tracking.bound_rules import Reader
+
+
+class ToldValue(ValueWord):
+    """What a robot has told the referee by radio, the last time in this half: its text; null if nothing yet.
+
+    As a number it is the number that was told, 0 if it was none.
+    """
+
+    told: Annotated[Name, ROBOT] = described(..., "a robot, or each")
+
+    KEY = "told"
+    EXAMPLE = """
+# A wager: the goal pays as many points as the robot has told before.
+counters: {wager: {}}
+rules:
+  wagered:
+    triggers: [{trigger: tells, entity: Y1, text: [1, 2, 3], is_a: number}]
+    actions: [{action: count, counter: wager, to: {told: Y1}}]
+    says: "{entity} wagers {measured}."
+  goal:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    actions:
+      - {action: score, entrant: yellow, points: [1, {counter: wager}]}
+      - {action: emit, event: GOAL, payload: {told: {told: Y1}}}
+expect:
+  three_and_one_are_four_points:
+    # A message that asks for too much is heard, but this rule is not for it.
+    keyframes: [{at_s: 1, tells: {Y1: 3}}, {at_s: 2, tells: {Y1: 100}}, {at_s: 3, place: {ball: [0, 0.8]}}]
+    lasts_s: 4
+    score: {yellow: 4}
+    events: [{event: GOAL, payload: {told: "100"}}]
+"""
+
+    def now(self, to: Scope) -> Callable[[], str | None]:
+        """Return what reads the text; None if nothing was told yet."""
+        told, robot = to.state.heard, to.members(self.told)[0]
+        return lambda: told.get(robot)
+
+    def number(self, to: Scope) -> Reader:
+        """Return what reads the number; 0 if it was none."""
+        read = self.now(to)
+        return lambda _firing: round_score(number_in(read() or "") or 0)
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the value in words."""
+        return f"what {phrases.thing(self.told)} has told the referee last"
+
+    def describe_number(self, phrases: Phrases) -> str:
+        """Return the number in words."""
+        return f"the number that {phrases.thing(self.told)} has told the referee last"

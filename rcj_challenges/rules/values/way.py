@@ -1,0 +1,58 @@
+"""The value ``way``."""
+
+from collections.abc import Callable
+from typing import Annotated
+
+from rcj_challenges.rules.base import ValueWord
+from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.fields import MM_DIGITS, Name, described
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.refs import ENTITY
+
+
+class WayValue(ValueWord):
+    """How far an entity has driven or rolled in this half, in m to the millimetre, from tick to tick.
+
+    Where rules put it is no way. Since a moment: this less a counter that was set to it then.
+    """
+
+    way: Annotated[Name, ENTITY] = described(..., "an entity, or each")
+
+    KEY = "way"
+    UNIT = "m"
+    EXAMPLE = """
+counters: {way_before_m: {}}
+rules:
+  taken:
+    triggers: [{trigger: touches, entity: Y1, other: ball}]
+    max_executions: 1
+    actions: [{action: count, counter: way_before_m, to: {way: ball}}]
+  brought:
+    triggers: [{trigger: stays_in, entity: ball, zone: blue_goal, limit_s: 0.5}]
+    # 10 points, less 2 for each metre that the ball has come since it was taken.
+    actions:
+      - action: score
+        entrant: yellow
+        points: [10, {way: ball, weight: -2}, {counter: way_before_m, weight: 2}]
+      - {action: emit, event: BROUGHT, payload: {in_all_m: {way: ball}}}
+    says: The ball is brought; {points} points.
+expect:
+  a_metre_costs_2_points:
+    keyframes:
+      - {at_s: 1, place: {ball: [0, -0.2]}}
+      - {at_s: 2, touch: [[Y1, ball]]}
+      - {at_s: 4, move: {ball: [0, 0.8]}}
+    lasts_s: 5
+    score: {yellow: 8}
+    events: [{event: BROUGHT, payload: {in_all_m: 1.2}}]
+"""
+
+    def now(self, to: Scope) -> Callable[[], float]:
+        """Return what reads how far the entity has come."""
+        ways, entity = to.state.ways, to.entity(self.way)
+        to.state.follow_way(entity)
+        return lambda: round(ways[entity], MM_DIGITS)
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the value in words."""
+        return f"{phrases.owned('way', self.way)} in this half in {self.UNIT}"

@@ -1,0 +1,138 @@
+"""The value ``word``: a fact of the match."""
+
+from collections.abc import Callable
+from math import floor
+from typing import Annotated, Any, Literal, NamedTuple
+
+from rcj_challenges.facts.amounts import plain
+from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.rules import phrasing
+from rcj_challenges.rules.base import ValueWord
+from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.refs import ENTRANT
+from rcj_challenges.tracking.bound_rules import Firing, Reader
+from rcj_challenges.tracking.state import Number, RefereeState
+
+
+class WordValue(ValueWord):
+    """A fact of the match by its word."""
+
+    word: Literal[
+        "robot_name", "entity_name", "each_name", "other_name", "team_name", "entrant", "score", "halftime", "match_id",
+        "total_match_time_s", "time_s", "time_left_s", "measured", "limit", "phase", "seed_id",
+    ] = described(..., "the word; times have fractions; measured, limit: the trigger's (of holds: in s); each_name: "
+                  "of the member of for_each; other_name: of the one touched, in a rule of touches")  # fmt: skip
+    of: Annotated[Name | None, ENTRANT] = described(
+        None, "for team_name and score: the entrant; left out: that of the current entity"
+    )
+
+    KEY = "word"
+    EXAMPLE = """
+rules:
+  goal:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    actions:
+      # 60 points, less 1 for each whole second: 9.9 s are 9.
+      - {action: score, entrant: yellow, points: [60, {word: time_s, weight: -1}]}
+      - {action: emit, event: GOAL, payload: {team: {word: team_name, of: yellow}, half: {word: halftime}}}
+expect:
+  after_9_seconds_it_gives_51_points:
+    keyframes: [{at_s: 9.9, place: {ball: [0, 0.8]}}]
+    lasts_s: 11
+    score: {yellow: 51}
+    events: [{event: GOAL, payload: {team: Yellow, half: 1}}]
+"""
+
+    def read(self, to: Scope) -> Reader:
+        """Return what reads the fact."""
+        read, of = FACTS[self.word].read, self.of
+        return lambda firing: read(to, firing, of)
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the value in words."""
+        words = phrases.measured if self.word == "measured" else FACTS[self.word].says
+        return f"{words} of {phrasing.plain(self.of)}" if self.of else words
+
+
+class NumberWord(WordValue):
+    """A number of the match by its word; times count in whole seconds, rounded down, or with their fraction."""
+
+    word: Literal[
+        "score", "halftime", "total_match_time_s", "time_s", "time_left_s", "measured", "limit"
+    ] = described(..., "the word; measured and limit keep their fraction, 0 if nothing was measured")  # fmt: skip
+    of: Annotated[Name | None, ENTRANT] = described(
+        None, "for score: the entrant; left out: that of the current entity"
+    )
+    fraction: bool | None = described(
+        None, "for times: True: with their fraction; left out: whole seconds, rounded down"
+    )
+
+    def number(self, to: Scope) -> Reader:
+        """Return what reads the number."""
+        read = super().number(to)
+        return read if self.fraction or not self._is_time() else (lambda firing: floor(read(firing)))
+
+    def describe_number(self, phrases: Phrases) -> str:
+        """Return the number in words, of a time with what of it counts."""
+        words = self.describe(phrases)
+        return phrasing.whole_seconds(words, with_fraction=bool(self.fraction)) if self._is_time() else words
+
+    def _is_time(self) -> bool:
+        return self.word.endswith("_s")
+
+
+def entrant_of(state: RefereeState, firing: Firing, of: str | None) -> str:
+    """Return an entrant: the named one, else that of the robot that the firing is about; an empty text if none is."""
+    if of is not None:
+        return of
+    owners = (state.entrant_of.get(name) for name in (firing.rule.each, firing.entity) if name is not None)
+    return next((owner for owner in owners if owner is not None), "")
+
+
+def team_name_of(state: RefereeState, firing: Firing, of: str | None) -> str:
+    """Return the name of the team that plays as an entrant."""
+    entrant = entrant_of(state, firing, of)
+    return state.half.team_names.get(entrant, entrant)
+
+
+def _robot_name(to: Scope, firing: Firing, _of: str | None) -> str:
+    names = (name for name in (firing.rule.each, firing.entity) if name is not None and to.is_robot(name))
+    return next(names, "")
+
+
+def _score(to: Scope, firing: Firing, of: str | None) -> Number:
+    return to.state.scores.get(entrant_of(to.state, firing, of), 0)
+
+
+def _rounded(number: float | None) -> Number | None:
+    return None if number is None else plain(round(number, 6))
+
+
+class _Fact(NamedTuple):
+    read: Callable[[Scope, Firing, str | None], Any]
+    says: str
+
+
+FACTS: dict[str, _Fact] = {
+    "robot_name": _Fact(_robot_name, "the name of the robot"),
+    "entity_name": _Fact(lambda _to, firing, _of: firing.subject or "", "the name of the one concerned"),
+    "each_name": _Fact(lambda _to, firing, _of: firing.rule.each or "", "the name of the one that the rule is for"),
+    "other_name": _Fact(lambda _to, firing, _of: firing.rule.other or "", "the name of the other one"),
+    "team_name": _Fact(lambda to, firing, of: team_name_of(to.state, firing, of), "the team name"),
+    "entrant": _Fact(lambda to, firing, of: entrant_of(to.state, firing, of), "the entrant"),
+    "score": _Fact(_score, "the score"),
+    "halftime": _Fact(lambda to, _firing, _of: to.state.half.half, "the number of the half"),
+    "match_id": _Fact(lambda to, _firing, _of: to.state.half.match_id, "the number of the match"),
+    "total_match_time_s": _Fact(lambda to, _firing, _of: to.half_length_s(), "the length of the half in s"),
+    "time_s": _Fact(lambda to, _firing, _of: s_from_ticks(to.state.clock), "the time in s"),
+    "time_left_s": _Fact(
+        lambda to, _firing, _of: s_from_ticks(max(0, to.state.half.ticks - to.state.clock)), "the time left in s"
+    ),
+    "measured": _Fact(lambda _to, firing, _of: _rounded(firing.measured), "what was measured"),
+    "limit": _Fact(lambda _to, firing, _of: _rounded(firing.limit), "the limit"),
+    "phase": _Fact(lambda to, _firing, _of: to.state.phase, "the phase"),
+    "seed_id": _Fact(lambda to, _firing, _of: to.state.seed_id(), "a mark of the seed"),
+}
+"""By word, what reads it and what the sheet says of it."""
