@@ -1,6 +1,5 @@
-"""A trigger that the package does not have, in one file; run as a program it prints what the package makes of it."""
+"""A trigger that the package does not have."""
 
-import json
 from math import hypot
 from typing import Annotated, Literal
 
@@ -10,7 +9,6 @@ from rcj_challenges.rules.fields import Names, Positive, described
 from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import metres
 from rcj_challenges.rules.refs import ENTITIES
-from rcj_challenges.rules.triggers import TRIGGERS
 from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import TickTracker
@@ -76,32 +74,3 @@ class StrayTracker(TickTracker):
     def _distance_m(self) -> float:
         x, y, _ = self._state.poses[self.entities[0]]
         return hypot(x, y)
-
-
-def report() -> dict[str, object]:
-    """Return what validation, referee, lint, sheet, schema and reference make of the trigger."""
-    from rcj_challenges.referee.trials import try_expectation
-    from rcj_challenges.scenario.errors import ScenarioError
-    from rcj_challenges.scenario.json_schema import scenario_schema
-    from rcj_challenges.scenario.load import load_text
-    from rcj_challenges.views.sheet import sheet_markdown
-    from scripts.write_reference import Example, page
-
-    loaded = load_text(Example("triggers", ("strays",), Strays.EXAMPLE).whole)
-    try:
-        load_text(Example("triggers", ("strays",), Strays.EXAMPLE.replace("entity: ball", "entity: bal")).whole)
-        refused = []
-    except ScenarioError as error:
-        refused = [problem.path for problem in error.problems]
-    return {
-        "differences": try_expectation(loaded, "it_is_called_back").differences,
-        "refused": refused,
-        "sheet": sheet_markdown(loaded.scenario, loaded.roster),
-        "schema": scenario_schema()["$defs"]["Strays"]["required"],
-        "reference": page().partition("### strays\n")[2].partition("\n### ")[0],
-    }
-
-
-if __name__ == "__main__":
-    TRIGGERS.add(Strays)
-    print(json.dumps(report()))

@@ -1,0 +1,44 @@
+"""A condition that the package does not have."""
+
+from typing import Annotated, Literal
+
+from rcj_challenges.rules.base import Condition
+from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.phrasing import metres
+from rcj_challenges.rules.refs import ENTITY
+from rcj_challenges.tracking.bound_rules import Test
+
+
+class RightOf(Condition):
+    """Whether an entity is further to the right than a line along the field."""
+
+    condition: Literal["right_of"]
+    entity: Annotated[Name, ENTITY] = described(..., "which")
+    x_m: float = described(..., "x of the line in m")
+
+    EXAMPLE = """
+rules:
+  goal_from_the_right:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    conditions: [{condition: right_of, entity: ball, x_m: 0.05}]
+    actions: [{action: score, entrant: yellow}]
+expect:
+  only_the_second_one_counts:
+    keyframes:
+      - {at_s: 1, place: {ball: [0, 0.8]}}
+      - {at_s: 2, place: {ball: [0, 0]}}
+      - {at_s: 3, place: {ball: [0.1, 0.8]}}
+    lasts_s: 4
+    score: {yellow: 1}
+"""
+
+    def test(self, to: Binder) -> Test:
+        """Return whether the entity is to the right of the line."""
+        state, entity, x_m = to.state, to.entity(self.entity), self.x_m
+        return lambda: state.poses[entity][0] > x_m
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return the part of a sentence that follows ``if``."""
+        return f"{phrases.thing(self.entity)} is {'not ' * self.negate}more than {metres(self.x_m)} to the right"
