@@ -10,9 +10,9 @@ from typing import Any
 
 from rcj_challenges.cli.says import say_json
 from rcj_challenges.cli.validate import say
+from rcj_challenges.expect.runner import TestResult, run_test
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.timing import s_from_ticks
-from rcj_challenges.referee.trials import Trial, try_expectation
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.scenario.reading.inherited import TESTS
@@ -24,7 +24,7 @@ _WALL_DIGITS = 4
 @dataclass(frozen=True)
 class _Played:
     name: str
-    trial: Trial
+    result: TestResult
     wall_s: float
 
 
@@ -76,26 +76,26 @@ def _unusable(path: str, error: ScenarioError) -> dict[str, Any]:
 
 def _play(loaded: Loaded, name: str) -> _Played:
     began = time.perf_counter()
-    trial = try_expectation(loaded, name)
-    return _Played(name, trial, time.perf_counter() - began)
+    result = run_test(loaded, name)
+    return _Played(name, result, time.perf_counter() - began)
 
 
 def _report(path: str, loaded: Loaded, played: list[_Played]) -> dict[str, Any]:
-    fired = {rule for one in played for rule in one.trial.fired}
+    fired = {rule for one in played for rule in one.result.fired}
     return {
         "file": path,
         "title": loaded.scenario.title,
-        "passed": not any(one.trial.differences for one in played),
+        "passed": not any(one.result.differences for one in played),
         "problems": [],
         "tests": [
             {
                 "name": one.name,
-                "passed": not one.trial.differences,
+                "passed": not one.result.differences,
                 "inherited_from": _inherited_from(loaded, one.name),
-                "differences": list(one.trial.differences),
-                "simulated_s": s_from_ticks(one.trial.ticks),
+                "differences": list(one.result.differences),
+                "simulated_s": s_from_ticks(one.result.ticks),
                 "wall_s": round(one.wall_s, _WALL_DIGITS),
-                "rules": list(one.trial.fired),
+                "rules": list(one.result.fired),
             }
             for one in played
         ],

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, TypeVar
 from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.geometry.regions import Region
 from rcj_challenges.referee.compiling import CompileContext
-from rcj_challenges.referee.nearness import targets_of
 from rcj_challenges.referee.placement import PlacementJob, compile_placement
 from rcj_challenges.referee.placement_board import PlacementBoard
 from rcj_challenges.referee.random_points import point_sampler
+from rcj_challenges.referee.targets import targets_of
 from rcj_challenges.rules.actions.place import Place
 from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.binder import Binder, Scope

@@ -17,7 +17,6 @@ from rcj_challenges.referee.assembling import assemble
 from rcj_challenges.referee.binding import NameScope
 from rcj_challenges.referee.broadcasting import Broadcasting
 from rcj_challenges.referee.compiling import CompileContext
-from rcj_challenges.referee.denied import Denial, Denied
 from rcj_challenges.referee.no_room import no_room_sentence
 from rcj_challenges.referee.placement import PlacementJob, carry_out, compile_placement
 from rcj_challenges.referee.ranking import ranked_counters
@@ -29,7 +28,7 @@ from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.starting import start_noise_m
-from rcj_challenges.tracking.bound_rules import BoundRule, Firing, TriggerHit
+from rcj_challenges.tracking.bound_rules import BoundRule, Denial, Denied, Firing, TriggerHit
 from rcj_challenges.tracking.state import Number
 from rcj_challenges.tracking.trackers import NEVER
 

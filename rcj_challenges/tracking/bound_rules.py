@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 from rcj_challenges.tracking.state import Number
 
@@ -66,6 +66,22 @@ class BoundRule:
     def is_active_in(self, phase: str) -> bool:
         """Return whether the rule is active in a phase."""
         return self.phases is None or phase in self.phases
+
+
+class Denial(NamedTuple):
+    """Why a triggered rule did not fire in a tick.
+
+    Attributes:
+        condition: the place of the first of its conditions that did not hold.
+        held_after: whether it held after the rules of that tick had acted.
+    """
+
+    condition: int
+    held_after: bool
+
+
+Denied = dict[str, dict[int, Denial]]
+"""By rule and tick, why it did not fire."""
 
 
 @dataclass(slots=True)

@@ -8,9 +8,9 @@ import pytest
 from rich.console import Console
 from rich.text import Text
 
+from rcj_challenges.expect.scripted_match import half_of
 from rcj_challenges.match.observers import NullObserver, Progress
 from rcj_challenges.match.pacing import TickEffects
-from rcj_challenges.referee.script import half_of
 from rcj_challenges.scenario.load import load
 from rcj_challenges.views.scoreboard import PlainLines, Scoreboard, create_observer
 

@@ -5,10 +5,10 @@ import json
 import pytest
 
 from rcj_challenges.cli.advice import advice_on_standing
+from rcj_challenges.expect.scripted_match import half_of
 from rcj_challenges.facts.play import Placement, Snapshot, Verdict
 from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.match.standing import WATCHED_S, StandingObserver
-from rcj_challenges.referee.script import half_of
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.roster import Roster
 from tests.cli.in_this_process import here

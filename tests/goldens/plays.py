@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rcj_challenges.controllers.team import open_team
+from rcj_challenges.expect.runner import run_test
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.records.result import versions
-from rcj_challenges.referee.trials import try_expectation
 from rcj_challenges.scenario.load import load
 
 FOLDER = Path(__file__).parent
@@ -78,7 +78,7 @@ def played(play: Play, length: str, out: Path) -> dict:
 def judged_tests(name: str) -> dict:
     """Return what comes of all tests in a scenario file: how many there are, and a hash over ticks and fired rules."""
     loaded = load(SCENARIOS / f"{name}.yaml")
-    trials = {test: try_expectation(loaded, test) for test in loaded.scenario.expect}
+    trials = {test: run_test(loaded, test) for test in loaded.scenario.expect}
     assert {test: trial.differences for test, trial in trials.items() if trial.differences} == {}
     data = [[test, trial.ticks, trial.fired] for test, trial in trials.items()]
     return {"tests": len(data), "hash": hashlib.sha256(json.dumps(data).encode()).hexdigest()}

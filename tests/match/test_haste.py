@@ -7,13 +7,13 @@ import pytest
 
 from rcj_challenges.controllers import scheduling, tasks
 from rcj_challenges.controllers.scheduling import AS_EVERYBODY, Manners
+from rcj_challenges.expect.scripted_match import half_of
 from rcj_challenges.facts.play import Fault
 from rcj_challenges.facts.traffic import Request
 from rcj_challenges.match import haste
 from rcj_challenges.match.haste import SOON_S, Haste
 from rcj_challenges.match.loop import TickLoop
 from rcj_challenges.match.stage import build_stage
-from rcj_challenges.referee.script import half_of
 from rcj_challenges.scenario.load import load
 
 AWAKE = 0

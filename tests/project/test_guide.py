@@ -6,10 +6,10 @@ from textwrap import dedent
 
 import pytest
 
+from rcj_challenges.expect.runner import run_test
+from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.referee.ranking import Tally, ranking
-from rcj_challenges.referee.script import ScriptedPlay, half_of
-from rcj_challenges.referee.trials import try_expectation
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import Loaded, load, load_text
 from rcj_challenges.scenario.resources import names_in, presets_folder
@@ -56,8 +56,8 @@ def row(section: str) -> str:
     return found
 
 
-def played(loaded: Loaded, lasts_s: float) -> ScriptedPlay:
-    play = ScriptedPlay(loaded.scenario, loaded.roster)
+def played(loaded: Loaded, lasts_s: float) -> ScriptedMatch:
+    play = ScriptedMatch(loaded.scenario, loaded.roster)
     play.play_until(ticks_from_s(lasts_s))
     return play
 
@@ -95,7 +95,7 @@ def test_a_flag_that_is_kept_stays_with_the_seat_when_the_teams_change_sides():
     first = played(loaded, 2)
     second = replace(half_of(loaded.scenario, 2), kept=first.referee.kept)
     assert second.teams == {"blue": "yellow", "yellow": "blue"}
-    after = ScriptedPlay(loaded.scenario, loaded.roster, second)
+    after = ScriptedMatch(loaded.scenario, loaded.roster, second)
     assert [name for name, done in after.referee.flags["done"].items() if done] == ["Y1"]
 
 
@@ -112,7 +112,7 @@ def test_the_rule_of_the_fifth_step_gives_two_points_if_y3_touched_the_ball_last
     play = "{keyframes: [{at_s: 1, touch: [[%s, ball]]}, {at_s: 2, place: {ball: [0, 0.8]}}], lasts_s: 3, score: {yellow: %d}}"
     tests = "expect:\n" + f"  yes: {play % ('Y3', 2)}\n" + f"  no: {play % ('Y2', 0)}\n"
     loaded = load_text(HEAD + dedent((begins + rest).partition("```")[0]) + tests)
-    assert [try_expectation(loaded, name).differences for name in loaded.scenario.expect] == [(), ()]
+    assert [run_test(loaded, name).differences for name in loaded.scenario.expect] == [(), ()]
     assert lint(loaded) == []
 
 
@@ -122,7 +122,7 @@ def test_the_example_that_extends_the_match_passes_its_own_test_and_lint():
     assert loaded.scenario.match.half_s == 180
     assert lint(loaded) == []
     (name,) = loaded.scenario.expect
-    assert try_expectation(loaded, name).differences == ()
+    assert run_test(loaded, name).differences == ()
 
 
 def test_the_example_of_places_that_follow_from_one_number_is_symmetric_whatever_the_number():
@@ -147,7 +147,7 @@ def test_overtime_is_a_third_half_that_only_a_draw_leads_to_and_a_goal_ends_it()
     ]
     text = dedent((begins + rest).partition("```")[0]) + "\n".join(["expect:", "  inherited: null", *tests]) + "\n"
     loaded = load_text(HEAD.replace("soccersim_v2", "match") + text)
-    trials = {name: try_expectation(loaded, name).differences for name in loaded.scenario.expect}
+    trials = {name: run_test(loaded, name).differences for name in loaded.scenario.expect}
     assert trials == {"led": (), "level": (), "golden": (), "no_goal": ()}
     assert lint(loaded) == []
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from rcj_challenges.referee.trials import try_expectation
+from rcj_challenges.expect.runner import run_test
 from rcj_challenges.scenario.json_schema import sentence_of
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import Loaded, load, load_text
@@ -27,7 +27,7 @@ RECIPES = re.findall(
 
 def differences(loaded: Loaded) -> dict[str, tuple[str, ...]]:
     """Return what comes out differently in the tests of a scenario."""
-    trials = {name: try_expectation(loaded, name).differences for name in loaded.scenario.expect}
+    trials = {name: run_test(loaded, name).differences for name in loaded.scenario.expect}
     return {name: found for name, found in trials.items() if found}
 
 
@@ -118,7 +118,7 @@ EXAMPLE_CHALLENGES = sorted((ROOT / "scenarios" / "examples").glob("*.yaml"))
 @pytest.mark.parametrize("path", EXAMPLE_CHALLENGES, ids=lambda path: path.stem)
 def test_the_example_challenges_come_out_as_they_say_and_every_rule_is_tested(path):
     loaded = load(path)
-    trials = [try_expectation(loaded, name) for name in loaded.scenario.expect]
+    trials = [run_test(loaded, name) for name in loaded.scenario.expect]
     assert [trial.differences for trial in trials if trial.differences] == []
     fired = {rule for trial in trials for rule in trial.fired}
     assert set(loaded.scenario.rules) - fired - {"finish"} == set()

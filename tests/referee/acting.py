@@ -1,6 +1,6 @@
 """Actions set off by a rule at tick 10."""
 
-from rcj_challenges.referee.script import ScriptedPlay
+from rcj_challenges.expect.scripted_match import ScriptedMatch
 
 
 def at_tick_10(*actions: str) -> str:
@@ -8,7 +8,7 @@ def at_tick_10(*actions: str) -> str:
     return f"rules: {{act: {{triggers: [{{trigger: time_reached, at_s: 0.32}}], actions: [{', '.join(actions)}]}}}}"
 
 
-def acted(play: ScriptedPlay) -> ScriptedPlay:
+def acted(play: ScriptedMatch) -> ScriptedMatch:
     """Return the play after tick 10."""
     play.play_until(10)
     return play

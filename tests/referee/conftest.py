@@ -13,7 +13,7 @@ import pytest
 import yaml
 
 import rcj_challenges
-from rcj_challenges.referee.script import ScriptedPlay, half_of
+from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
@@ -65,7 +65,7 @@ def small() -> Callable[..., Scenario]:
     return small_scenario
 
 
-Stage = Callable[..., ScriptedPlay]
+Stage = Callable[..., ScriptedMatch]
 
 
 @pytest.fixture(scope="session")
@@ -74,10 +74,10 @@ def stage() -> Stage:
 
     def begin(
         *sections: str, draws: dict[str, Any] | None = None, half: int = 1, seed: int = 1, **facts: Any
-    ) -> ScriptedPlay:
+    ) -> ScriptedMatch:
         scenario = small_scenario(*sections)
         info = replace(half_of(scenario, half, seed), **facts)
-        return ScriptedPlay(scenario, Roster.of(scenario), info, draws)
+        return ScriptedMatch(scenario, Roster.of(scenario), info, draws)
 
     return begin
 
@@ -101,20 +101,20 @@ def match_play(match: Callable[..., Loaded]) -> Stage:
 
     def begin(
         *overrides: str, half: int = 1, seed: int = 1, kickoff: str | None = "yellow", **facts: Any
-    ) -> ScriptedPlay:
+    ) -> ScriptedMatch:
         played = match(*overrides)
         info = replace(half_of(played.scenario, half, seed), **facts)
         draws = None if kickoff is None else {"first_kickoff": kickoff}
-        return ScriptedPlay(played.scenario, played.roster, info, draws)
+        return ScriptedMatch(played.scenario, played.roster, info, draws)
 
     return begin
 
 
 @pytest.fixture(scope="session")
-def ask() -> Callable[[ScriptedPlay], bool]:
+def ask() -> Callable[[ScriptedMatch], bool]:
     """Return what asks whether the condition holds in the next tick."""
 
-    def asked(play: ScriptedPlay) -> bool:
+    def asked(play: ScriptedMatch) -> bool:
         before = len(play.events_named("TRUE_NOW"))
         play.fail("B1")
         play.play()

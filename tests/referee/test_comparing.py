@@ -2,9 +2,9 @@
 
 import pytest
 
+from rcj_challenges.expect.compare import event_differences
+from rcj_challenges.expect.runner import run_test
 from rcj_challenges.facts.play import Event
-from rcj_challenges.referee.comparing import event_differences
-from rcj_challenges.referee.trials import try_expectation
 from rcj_challenges.scenario.load import load_text
 from rcj_challenges.scenario.models.scenario import Expectation, ExpectedEvent
 from tests.scenario.writing import complaints
@@ -109,7 +109,7 @@ SCORES = "{at_s: 1, place: {ball: [0, 0.8]}}"
 
 def differences(action, keyframe, test, more=""):
     text = f"{HEAD}{more}{GOAL % action}expect: {{it: {{keyframes: [{keyframe}], {test}}}}}"
-    return list(try_expectation(load_text(text), "it").differences)
+    return list(run_test(load_text(text), "it").differences)
 
 
 class TestExpectEnded:
@@ -131,7 +131,7 @@ class TestExpectEnded:
     def test_a_match_that_a_rule_ends_when_the_half_is_over(self):
         rule = "rules: {over: {triggers: [{trigger: half_ended}], actions: [{action: end, what: match}]}}\n"
         text = f"{HEAD}{rule}expect: {{it: {{keyframes: [{{at_s: 1}}], lasts_s: 10, ended: match}}}}"
-        assert try_expectation(load_text(text), "it").differences == ()
+        assert run_test(load_text(text), "it").differences == ()
 
     def test_another_word_is_told_what_there_is(self):
         (said,) = complaints("expect: {it: {keyframes: [{at_s: 1}], lasts_s: 2, ended: game}}")

@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.referee.script import ScriptedPlay
+from rcj_challenges.expect.scripted_match import ScriptedMatch
 
 # A fault of B1's program is the bell at which the condition is asked.
 ASKING = """
@@ -173,7 +173,7 @@ class TestConditionCounter:
         actions: [{action: count, counter: bells}, {action: count, counter: each_bell, entity: Y1, by: 2}]
     """
 
-    def ring(self, play: ScriptedPlay) -> None:
+    def ring(self, play: ScriptedMatch) -> None:
         play.fail("Y1")
         play.play()
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.referee.trials import run_expectation
+from rcj_challenges.expect.runner import run_test
 from tests.scenario.writing import complaints, loaded
 
 HIDING = """spots: {treasure: {x_m: 0, y_m: 0}, mark: {x_m: 0.1, y_m: 0}}
@@ -27,8 +27,10 @@ rules:
 
 def tried(test, lasts_s=1):
     """Return what comes out differently in a test of that scenario."""
-    return run_expectation(
-        loaded(f"{HIDING}expect: {{it: {{keyframes: [{{at_s: 0.5}}], lasts_s: {lasts_s}, {test}}}}}\n"), "it"
+    return list(
+        run_test(
+            loaded(f"{HIDING}expect: {{it: {{keyframes: [{{at_s: 0.5}}], lasts_s: {lasts_s}, {test}}}}}\n"), "it"
+        ).differences
     )
 
 
@@ -126,7 +128,7 @@ class TestExpectTold:
         put = "spots: {treasure: [0.2, 0.1]}, draws: {way: left}"
         hand = "keyframes: [{at_s: 0.5, place: {Y1: [0.2, -0.4], ball: [0.1, 0.2]}}]"
         text = f"{HIDING}expect: {{it: {{{hand}, lasts_s: 1, {put}, told: {told}}}}}\n"
-        assert run_expectation(loaded(text), "it") == differences
+        assert list(run_test(loaded(text), "it").differences) == differences
 
     def test_between_two_broadcasts_the_last_one_counts(self):
         # Ten ticks are 0.32 s: what happens at 0.7 s is told at 0.96 s.
@@ -135,7 +137,7 @@ class TestExpectTold:
             "spots: {treasure: [0.2, 0]}}"
         )
         for lasts_s, differences in ((1, 0), (0.9, 1)):
-            found = run_expectation(loaded(f"{HIDING}expect: {{it: {test % (lasts_s, 0.3)}}}\n"), "it")
+            found = list(run_test(loaded(f"{HIDING}expect: {{it: {test % (lasts_s, 0.3)}}}\n"), "it").differences)
             assert len(found) == differences
 
     @pytest.mark.parametrize(

@@ -3,7 +3,7 @@
 import pytest
 import yaml
 
-from rcj_challenges.referee.trials import run_expectation
+from rcj_challenges.expect.runner import run_test
 from rcj_challenges.scenario.load import load_text
 
 HEAD = "schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {half_s: 60}\n"
@@ -16,7 +16,7 @@ def notes(
     expect = (
         f"expect:\n  it:\n    keyframes: [{keyframes}]\n    lasts_s: 4\n    events: [{wanted}]\n    score: {score}\n"
     )
-    found = run_expectation(load_text(HEAD + more + expect, file="it.yaml"), "it")
+    found = list(run_test(load_text(HEAD + more + expect, file="it.yaml"), "it").differences)
     return [line for line in found if line.startswith("note: ")]
 
 
@@ -147,7 +147,7 @@ DENIED = f"{GOAL}, conditions: [{{condition: half, equals: 2}}]"
 def notes_of(rules: str, expected: str, sections: str = "") -> list[str]:
     """Return the notes on a test that lasts 4 s, in which the ball is put into the goal after 1 s."""
     expect = f"expect: {{it: {{keyframes: [{{at_s: 1, place: {{ball: [0, 0.8]}}}}], lasts_s: 4, {expected}}}}}\n"
-    found = run_expectation(load_text(f"{HEAD}{sections}rules:\n{rules}{expect}", file="it.yaml"), "it")
+    found = list(run_test(load_text(f"{HEAD}{sections}rules:\n{rules}{expect}", file="it.yaml"), "it").differences)
     assert found
     return [line for line in found if line.startswith("note: ")]
 

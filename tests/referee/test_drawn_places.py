@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from rcj_challenges.referee.trials import try_expectation
+from rcj_challenges.expect.runner import run_test
 from rcj_challenges.scenario.load import load_text
 
 LEFT, MIDDLE, RIGHT, OUTSIDE = (-0.3, 0.0), (0.0, 0.0), (0.3, 0.0), (0.0, 0.7)
@@ -191,7 +191,7 @@ expect:
     lasts_s: 3
     score: {yellow: 1}
 """)
-    assert try_expectation(loaded, "only_the_drawn_goal_counts").differences == ()
+    assert run_test(loaded, "only_the_drawn_goal_counts").differences == ()
 
 
 class TestPlaces:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.referee.trials import try_expectation
+from rcj_challenges.expect.runner import run_test
 from rcj_challenges.scenario.load import load_text
 from tests.scenario.writing import complaints
 
@@ -31,7 +31,7 @@ TEST = "expect: {it: {keyframes: [{at_s: 1%s}], lasts_s: 2, ranking: %s}}\n"
 
 def differences(ranking, happens="", given=""):
     test = TEST % (happens, ranking)
-    return try_expectation(load_text(RACE + test.replace("it: {", f"it: {{{given}")), "it").differences
+    return run_test(load_text(RACE + test.replace("it: {", f"it: {{{given}")), "it").differences
 
 
 @pytest.mark.parametrize(

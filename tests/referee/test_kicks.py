@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from rcj_challenges.referee.script import ScriptedPlay
+from rcj_challenges.expect.scripted_match import ScriptedMatch
 
 
 def kicking(at: str, kick: str, more: str = "") -> str:
@@ -17,7 +17,7 @@ def kicking(at: str, kick: str, more: str = "") -> str:
     """
 
 
-def kick(play: ScriptedPlay) -> tuple[float, float]:
+def kick(play: ScriptedMatch) -> tuple[float, float]:
     """Let the rule fire, and return the velocity of the ball's placement."""
     play.fail("Y1")
     play.play()

@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.referee.script import ScriptedPlay, half_of
+from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.scenario.load import load_text
 from tests.referee.test_values import payload, telling
 
@@ -179,7 +179,7 @@ class TestPointsAndParamsInSentences:
 
     @staticmethod
     def firing(loaded):
-        play = ScriptedPlay(loaded.scenario, loaded.roster, half_of(loaded.scenario))
+        play = ScriptedMatch(loaded.scenario, loaded.roster, half_of(loaded.scenario))
         play.place("Y1", 0.0, 0.5)
         play.fail("Y1")
         play.play()

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import pytest
-from rcj_challenges.referee.placement import ATTEMPTS_WAITING
 
+from rcj_challenges.expect.runner import run_test
 from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.engine import Referee
-from rcj_challenges.referee.trials import run_expectation
+from rcj_challenges.referee.placement import ATTEMPTS_WAITING
 from rcj_challenges.scenario.load import load_text
 
 
@@ -158,7 +158,7 @@ expect:
 
 
 def test_a_test_that_fails_says_what_waits_for_room():
-    differences = run_expectation(load_text(FILE % ", poses: {Y1: [0, 0]}"), "it")
+    differences = list(run_test(load_text(FILE % ", poses: {Y1: [0, 0]}"), "it").differences)
     assert len(differences) == 2
     assert differences[0].startswith("Y1: expected at (0, 0)")
     assert differences[1] == "note: from 1.024 s on Y1 waits for room: ball is there (rule put)"
@@ -166,7 +166,7 @@ def test_a_test_that_fails_says_what_waits_for_room():
 
 @pytest.mark.parametrize("more", ["", ", score: {yellow: 0}"])
 def test_a_test_that_passes_says_nothing(more):
-    assert run_expectation(load_text(FILE % more), "it") == []
+    assert list(run_test(load_text(FILE % more), "it").differences) == []
 
 
 NARROW = "zones: {strip: {shape: rect, x_min_m: -0.05, x_max_m: 0.05, y_min_m: -0.01, y_max_m: 0.01}}"

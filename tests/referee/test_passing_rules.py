@@ -8,7 +8,7 @@ from math import dist
 
 import pytest
 
-from rcj_challenges.referee.script import ScriptedPlay
+from rcj_challenges.expect.scripted_match import ScriptedMatch
 from rcj_challenges.scenario.load import load
 
 TICK_OF_A_BALL_M = 0.0077  # 0.24 m/s
@@ -88,7 +88,7 @@ def towards(here: tuple[float, float], aim: tuple[float, float], step_m: float) 
 @pytest.mark.parametrize("seed", [4, 5, 9])
 def test_bounds_are_judged_before_goals_and_goals_before_passes(seed, step_m):
     loaded = load("pass_the_ball")
-    play, hand, rng = ScriptedPlay(loaded.scenario, loaded.roster), ByHand(), random.Random(seed)  # noqa: S311 - a walk
+    play, hand, rng = ScriptedMatch(loaded.scenario, loaded.roster), ByHand(), random.Random(seed)  # noqa: S311 - a walk
     starts = {name: play.pose(name)[:2] for name in loaded.roster.entities}
     aim = next_aim(rng, hand.at)
     for _ in range(3600):

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.referee.bodies import Bodies
-from rcj_challenges.referee.script import ScriptedPlay, half_of
 from rcj_challenges.scenario.roster import Roster
 
 
@@ -21,14 +21,14 @@ def placing(entity: str, at: str, more: str = "") -> str:
     """
 
 
-def put(play: ScriptedPlay, entity: str = "ball") -> tuple[float, float]:
+def put(play: ScriptedMatch, entity: str = "ball") -> tuple[float, float]:
     """Let the rule fire, and return where the entity then is."""
     play.fail("Y1")
     play.play()
     return play.pose(entity)[:2]
 
 
-def many(play: ScriptedPlay, entity: str = "ball", times: int = 60) -> list[tuple[float, float]]:
+def many(play: ScriptedMatch, entity: str = "ball", times: int = 60) -> list[tuple[float, float]]:
     """Return where it is put again and again."""
     return [put(play, entity) for _ in range(times)]
 
@@ -364,7 +364,7 @@ def test_two_never_get_one_spot_and_placements_never_overlap(small, seed, spots,
         placing("[robots, ball]", at, ", facing: {random: true}, max_attempts: 20"),
     )
     roster = Roster.of(scenario)
-    play = ScriptedPlay(scenario, roster, half_of(scenario, seed=seed))
+    play = ScriptedMatch(scenario, roster, half_of(scenario, seed=seed))
     for robot, place in zip(("B1", "B2", "Y1"), crowd, strict=True):
         play.place(robot, *place)
     for _ in range(3):

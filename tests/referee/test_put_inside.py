@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.referee.trials import run_expectation
+from rcj_challenges.expect.runner import run_test
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.scenario.roster import Roster
 
@@ -28,7 +28,7 @@ def differences(small):
         rules = f"rules:\n  {there}\n  {PUT % put}\n"
         test = f"expect: {{it: {{lasts_s: 1, keyframes: {keyframes}, {expected}}}}}"
         scenario = small(rules, test)
-        return run_expectation(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it")
+        return list(run_test(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it").differences)
 
     return run
 

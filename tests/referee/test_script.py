@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from rcj_challenges.referee.trials import run_expectation
+from rcj_challenges.expect.runner import run_test
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
@@ -33,7 +33,7 @@ flags: {up: {}}
 def differences(small):
     def run(block: str) -> list[str]:
         scenario: Scenario = small(RULES, f"expect: {{it: {{lasts_s: 2, {block}}}}}")
-        return run_expectation(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it")
+        return list(run_test(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it").differences)
 
     return run
 
@@ -71,7 +71,7 @@ class TestExpect:
         def compared(lasts_s, held, more="{}"):
             block = f"{{lasts_s: {lasts_s}, keyframes: [{{at_s: 1, touch: [[Y1, ball]]}}], held: {held}}}"
             scenario = small(hold, more, f"expect: {{it: {block}}}")
-            return run_expectation(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it")
+            return list(run_test(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it").differences)
 
         assert compared(1.9, "{Y1: true, Y2: false}") == []
         assert compared(1.9, "{Y1: false, Y2: true}") == [
@@ -120,7 +120,7 @@ class TestExpect:
             "rules: {told: {triggers: [{trigger: half_started}], actions: [{action: emit, event: TOLD, payload: {side: {draw: side}}}]}}",
             "expect: {it: {lasts_s: 1, keyframes: [{at_s: 0}], draws: {side: right}, events: [{event: TOLD, payload: {side: right}}]}}",
         )
-        assert run_expectation(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it") == []
+        assert list(run_test(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it").differences) == []
 
     SERIES = (
         "draws: {side: {values: [left, right]}}",
@@ -137,7 +137,7 @@ class TestExpect:
             *self.SERIES,
             f"expect: {{it: {{lasts_s: 1, draws: {{side: {decided}}}, keyframes: [{frames}], events: [{events}]}}}}",
         )
-        return run_expectation(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it")
+        return list(run_test(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it").differences)
 
     @pytest.mark.parametrize(
         "sides", [["left", "left", "right"], ["right", "left", "right"], ["left", "right", "left"]]
@@ -168,7 +168,7 @@ class TestExpect:
                 "actions: [{action: count, counter: laps, entity: Y1}, {action: set_flag, flag: out, entity: Y1}]}}",
                 f"expect: {{it: {{lasts_s: 1, keyframes: [{{at_s: 0.5, touch: [[Y1, ball]]}}], {block}}}}}",
             )
-            return run_expectation(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it")
+            return list(run_test(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it").differences)
 
         given = "given: {counters: {laps: {B2: 7}}, flags: {out: {B2: true}}}"
         assert (
@@ -189,13 +189,13 @@ class TestExpect:
             "expect: {it: {half: 2, given: {counters: {laps: 4}, flags: {handed_over: true, out: true}}, lasts_s: 1, "
             "keyframes: [{at_s: 0}], events: [{event: TOLD, payload: {laps: 4, out: true}}]}}",
         )
-        assert run_expectation(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it") == []
+        assert list(run_test(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it").differences) == []
 
 
 @pytest.mark.parametrize("path", SCENARIOS, ids=lambda path: path.stem)
 def test_the_tests_written_in_the_shipped_scenarios_pass(path):
     loaded = load(path)
-    assert {name: found for name in loaded.scenario.expect if (found := run_expectation(loaded, name))} == {}
+    assert {name: found for name in loaded.scenario.expect if (found := list(run_test(loaded, name).differences))} == {}
 
 
 def test_a_script_plays_at_200_times_real_time(match_play):

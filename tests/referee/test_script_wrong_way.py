@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.referee.trials import run_expectation
+from rcj_challenges.expect.runner import run_test
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
@@ -32,7 +32,7 @@ NO_STEP = "note: ball crossed halfway backward at 0.32 s: no step of round, whic
 def differences(small):
     def run(block: str, *more: str) -> list[str]:
         scenario: Scenario = small(TO_AND_FRO, *more, f"expect: {{it: {{lasts_s: 1, {block}}}}}")
-        return run_expectation(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it")
+        return list(run_test(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it").differences)
 
     return run
 
@@ -121,7 +121,7 @@ class TestTheCourseOfThePhases:
     def differences(self, small):
         def run(block: str, more: str = "") -> list[str]:
             scenario: Scenario = small(COUNTDOWN, more, f"expect: {{it: {{lasts_s: 2, {block}}}}}")
-            return run_expectation(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it")
+            return list(run_test(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it").differences)
 
         return run
 

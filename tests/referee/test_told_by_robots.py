@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from rcj_challenges.expect.scripted_match import ScriptedMatch
 from rcj_challenges.facts.messages import MOST_LETTERS, is_said, message_text, number_in, position_in
-from rcj_challenges.referee.script import ScriptedPlay
 from rcj_challenges.scenario.load import load_text
 from tests.referee.test_values import payload, telling
 
@@ -151,7 +151,7 @@ class TestConditionTold:
                         actions: [{action: score, entrant: yellow}]}}
             """
         )
-        play = ScriptedPlay(scenario.scenario, scenario.roster)
+        play = ScriptedMatch(scenario.scenario, scenario.roster)
         play.tell("Y1", "x")
         play.play_until(40)
         assert play.referee.scores["yellow"] == 1

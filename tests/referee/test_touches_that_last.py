@@ -2,8 +2,8 @@
 
 import pytest
 
+from rcj_challenges.expect.runner import run_test
 from rcj_challenges.facts.timing import ticks_from_s
-from rcj_challenges.referee.trials import try_expectation
 from rcj_challenges.scenario.load import load_text
 
 TAG = """
@@ -143,7 +143,7 @@ expect:
     )
     def test_a_hand_may_hold_two_together_for_a_time(self, also, lost_s):
         loaded = load_text(self.FILE % (also, lost_s))
-        assert try_expectation(loaded, *loaded.scenario.expect).differences == ()
+        assert run_test(loaded, *loaded.scenario.expect).differences == ()
 
     def test_what_a_rule_puts_elsewhere_is_out_of_the_hand(self, stage):
         play = stage("""

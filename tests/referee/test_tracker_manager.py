@@ -4,8 +4,8 @@ import random
 
 import pytest
 
+from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.geometry.regions import NOWHERE
-from rcj_challenges.referee.script import ScriptedPlay, half_of
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.tracking import trackers
 
@@ -53,7 +53,7 @@ rules:
 """
 
 
-def wander(play: ScriptedPlay, seed: int, ticks: int) -> list[object]:
+def wander(play: ScriptedMatch, seed: int, ticks: int) -> list[object]:
     """Let everything wander, with rests, and return all that the referee said."""
     rng = random.Random(seed)  # noqa: S311 - a reproducible walk
     for _ in range(ticks):
@@ -67,15 +67,15 @@ def wander(play: ScriptedPlay, seed: int, ticks: int) -> list[object]:
 @pytest.mark.parametrize("seed", range(4))
 def test_it_judges_as_one_that_looks_at_everything_closely(small, monkeypatch, seed):
     scenario = small(EVERYTHING)
-    said = wander(ScriptedPlay(scenario, Roster.of(scenario), half_of(scenario)), seed, 1200)
+    said = wander(ScriptedMatch(scenario, Roster.of(scenario), half_of(scenario)), seed, 1200)
     monkeypatch.setattr(trackers, "common_cell", lambda _one, _other: NOWHERE)
     monkeypatch.setattr(trackers, "_stayed", lambda _cell, _entity, _substeps: False)
-    assert wander(ScriptedPlay(scenario, Roster.of(scenario), half_of(scenario)), seed, 1200) == said
+    assert wander(ScriptedMatch(scenario, Roster.of(scenario), half_of(scenario)), seed, 1200) == said
     rules = {firing.rule for firing in said if hasattr(firing, "rule")}
     assert rules >= {"zones", "way", "own", "away"}
 
 
 def test_the_same_snapshots_give_the_same_verdicts(small):
     scenario = small(EVERYTHING)
-    plays = [ScriptedPlay(scenario, Roster.of(scenario), half_of(scenario)) for _ in range(2)]
+    plays = [ScriptedMatch(scenario, Roster.of(scenario), half_of(scenario)) for _ in range(2)]
     assert wander(plays[0], 7, 600) == wander(plays[1], 7, 600)

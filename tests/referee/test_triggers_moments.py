@@ -2,8 +2,8 @@
 
 import pytest
 
+from rcj_challenges.expect.scripted_match import ScriptedMatch
 from rcj_challenges.facts.timing import ticks_from_s
-from rcj_challenges.referee.script import ScriptedPlay
 
 
 def emitting(trigger: str, more: str = "") -> str:
@@ -11,7 +11,7 @@ def emitting(trigger: str, more: str = "") -> str:
     return f"rules: {{told: {{triggers: [{trigger}], {more} actions: [{{action: emit, event: TOLD}}]}}}}"
 
 
-def told(play: ScriptedPlay) -> list[int]:
+def told(play: ScriptedMatch) -> list[int]:
     """Return the ticks at which the rule fired."""
     return [event.tick for event in play.events_named("TOLD")]
 
@@ -369,7 +369,7 @@ class TestTriggerHolds:
     def rules(self, more: str) -> str:
         return emitting(f"{{trigger: holds, condition: {{condition: in_zone, entity: ball, zone: right}}, {more}}}")
 
-    def inside(self, play: ScriptedPlay, *, inside: bool, ticks: int) -> None:
+    def inside(self, play: ScriptedMatch, *, inside: bool, ticks: int) -> None:
         play.place("ball", 0.3 if inside else 0.0, 0.0)
         play.play(ticks)
 

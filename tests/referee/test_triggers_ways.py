@@ -7,11 +7,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rcj_challenges.referee.script import ScriptedPlay, half_of
+from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.scenario.roster import Roster
 
 
-def walk(play: ScriptedPlay, entity: str, *places: tuple[float, float], ticks: int = 4) -> None:
+def walk(play: ScriptedMatch, entity: str, *places: tuple[float, float], ticks: int = 4) -> None:
     """Let an entity glide through these places."""
     for place in places:
         play.glide(entity, place, ticks)
@@ -312,7 +312,7 @@ class TestTriggerNoProgress:
     )
     def test_the_sliding_window_equals_the_naive_sum(self, small, speeds, pieces, length, seed):
         scenario = small(PROGRESS % (length, pieces * 0.032))
-        play = ScriptedPlay(scenario, Roster.of(scenario), half_of(scenario))
+        play = ScriptedMatch(scenario, Roster.of(scenario), half_of(scenario))
         rng = random.Random(seed)  # noqa: S311 - a reproducible walk
         seen: list[tuple[float, float]] = []
         expected, was_short = [], False

@@ -2,11 +2,11 @@
 
 import pytest
 
+from rcj_challenges.expect.scripted_match import ScriptedMatch
 from rcj_challenges.facts.play import Snapshot
-from rcj_challenges.referee.script import ScriptedPlay
 
 
-def feed(play: ScriptedPlay, *ball_at: tuple[float, float]) -> None:
+def feed(play: ScriptedMatch, *ball_at: tuple[float, float]) -> None:
     """Judge one tick in which the ball is seen at these places, one a sub-step."""
     poses = [play.pose(name) for name in play.roster.entities]
     ball = play.roster.index["ball"]

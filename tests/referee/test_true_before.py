@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.referee.trials import run_expectation
+from rcj_challenges.expect.runner import run_test
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.scenario.roster import Roster
 
@@ -22,7 +22,7 @@ NOTE = "note: there waits for a condition to come true that held already at 0 s;
 def differences(small):
     def run(block: str, *more: str) -> list[str]:
         scenario = small(RULES, *more, f"expect: {{it: {{lasts_s: 1, {block}}}}}")
-        return run_expectation(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it")
+        return list(run_test(Loaded(scenario, Roster.of(scenario), "test", None, {}), "it").differences)
 
     return run
 

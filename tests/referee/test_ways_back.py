@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.referee.trials import try_expectation
+from rcj_challenges.expect.runner import run_test
 from rcj_challenges.scenario.load import load, load_text
 
 HEAD = "schema_version: 1\nid: ways_back\ntitle: Ways back\nextends: soccersim_v2\n"
@@ -110,14 +110,14 @@ expect:
     ],
 )
 def test_as_its_name_says(scenario):
-    assert try_expectation(load_text(scenario), "it").differences == ()
+    assert run_test(load_text(scenario), "it").differences == ()
 
 
 @pytest.mark.parametrize(("back_at_s", "called"), [(9.984, True), (10.016, True), (10.048, False)])
 def test_more_than_two_seconds_outside_the_penalty_area_begin_anew(back_at_s, called):
     test = "{keyframes: [{at_s: 0.096, place: {B1: [0, 0.65]}}, {at_s: 8.032, place: {B1: [0, 0.4]}}, "
     test += f"{{at_s: {back_at_s}, place: {{B1: [0, 0.65]}}}}], lasts_s: 15.8, score: {{blue: 0}}}}"
-    trial = try_expectation(load("match", ["robot_progress_s=60", f"expect.it={test}"]), "it")
+    trial = run_test(load("match", ["robot_progress_s=60", f"expect.it={test}"]), "it")
     assert ("inside_penalty_area_too_long" in trial.fired) is called
 
 

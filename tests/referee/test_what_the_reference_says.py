@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.referee.script import ScriptedPlay
+from rcj_challenges.expect.scripted_match import ScriptedMatch
 from tests.referee.acting import at_tick_10
 
 
@@ -12,7 +12,7 @@ def hears(condition: str, more: str = "") -> str:
     return f"rules: {{hears: {{triggers: [{heard}], actions: [{{action: emit, event: HEARD}}]}}}}"
 
 
-def ticks(play: ScriptedPlay, event: str = "HEARD") -> list[int]:
+def ticks(play: ScriptedMatch, event: str = "HEARD") -> list[int]:
     """Return when an event came."""
     return [one.tick for one in play.events_named(event)]
 

@@ -2,8 +2,8 @@
 
 import pytest
 
-from rcj_challenges.referee.script import half_of
-from rcj_challenges.referee.trials import try_expectation
+from rcj_challenges.expect.runner import run_test
+from rcj_challenges.expect.scripted_match import half_of
 from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.halves import half_length_s, half_lengths_s, longest_half_s
@@ -116,7 +116,7 @@ TOLD = rule(
 
 def test_tests_play_the_half_at_its_length():
     one = loaded("match: {halves: 2, half_s: [4, 2]}\n" + TOLD % 2)
-    assert [try_expectation(one, name).differences for name in one.scenario.expect] == [(), ()]
+    assert [run_test(one, name).differences for name in one.scenario.expect] == [(), ()]
 
 
 def test_a_test_is_no_longer_than_its_own_half():

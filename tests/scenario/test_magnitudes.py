@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rcj_challenges.referee.script import ScriptedPlay
+from rcj_challenges.expect.scripted_match import ScriptedMatch
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.views.drawing.field import draw_scenario
 from rcj_challenges.world.world import World
@@ -101,5 +101,5 @@ LARGEST = (
 def test_the_largest_numbers_can_be_drawn_and_judged(body):
     found = loaded(body + ("" if "robots:" in body else ALONE))
     lint(found)
-    ScriptedPlay(found.scenario, found.roster).play(2)
+    ScriptedMatch(found.scenario, found.roster).play(2)
     assert "</svg>" in draw_scenario(found.scenario, found.roster)

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rcj_challenges.referee.trials import try_expectation
+from rcj_challenges.expect.runner import run_test
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import load, load_resolved, load_text
@@ -338,7 +338,7 @@ expect:
     score: {yellow: 5, blue: 7}
 """
     found = loaded(GOALS + expect)
-    assert not try_expectation(found, "a_goal_for_each").differences
+    assert not run_test(found, "a_goal_for_each").differences
 
 
 @pytest.mark.parametrize(

@@ -5,10 +5,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from rcj_challenges.expect.scripted_match import half_of
 from rcj_challenges.records.folder import SCENARIO, TRAJECTORY
 from rcj_challenges.records.salvage import read_halves
 from rcj_challenges.records.testing import half_info, small_header, small_scenario, write_made_up_run
-from rcj_challenges.referee.script import half_of
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.seats import by_seat, by_team, teams_by_seat
 

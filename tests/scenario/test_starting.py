@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.records.salvage import _standing
 from rcj_challenges.referee.bodies import Bodies
-from rcj_challenges.referee.script import ScriptedPlay, half_of
 from rcj_challenges.scenario.starting import start_noise_m, start_pose
 from rcj_challenges.world.world import World
 from tests.scenario.writing import loaded
@@ -56,7 +56,7 @@ def test_world_script_and_what_is_saved_of_a_run_show_the_same(found):
     assert np.array_equal(saved.substeps[-1, -1], wanted)
     world = World(found.scenario, found.roster)
     assert np.allclose(world.judged().substeps[-1], wanted, atol=1e-6)
-    play = ScriptedPlay(found.scenario, found.roster)
+    play = ScriptedMatch(found.scenario, found.roster)
     unmoved = [name for name in found.roster.entities if start_noise_m(found.scenario, name) == (0.0, 0.0)]
     assert [play.pose(name) for name in unmoved] == [
         tuple(map(float, wanted[found.roster.index[name]])) for name in unmoved

@@ -8,9 +8,9 @@ from rich.cells import cell_len
 from rich.console import Console
 from rich.text import Text
 
+from rcj_challenges.expect.scripted_match import half_of
 from rcj_challenges.facts.play import Event, Firing, Verdict
 from rcj_challenges.match.observers import Progress
-from rcj_challenges.referee.script import half_of
 from rcj_challenges.scenario.load import load
 from rcj_challenges.views.commentary import Commentator
 from rcj_challenges.views.scoreboard import PlainLines, Scoreboard

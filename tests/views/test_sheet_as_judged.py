@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.referee.trials import run_expectation
+from rcj_challenges.expect.runner import run_test
 from rcj_challenges.scenario.load import load_text
 from rcj_challenges.views.sheet import sheet_markdown
 from tests.views.sheets import HEAD, sentence, sheet
@@ -16,7 +16,7 @@ STILL = "keyframes: [{at_s: 0.05, place: {Y3: [-0.1, -0.5, 0]}}]"
 def judged(text: str) -> str:
     """Let the referee judge the tests in a scenario, and return its sheet."""
     loaded = load_text(HEAD + text)
-    assert {name: run_expectation(loaded, name) for name in loaded.scenario.expect} == {"it": []}
+    assert {name: list(run_test(loaded, name).differences) for name in loaded.scenario.expect} == {"it": []}
     return sheet_markdown(loaded.scenario, loaded.roster).replace("\\", "")
 
 

@@ -5,15 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from rcj_challenges.expect.scripted_match import ScriptedMatch
 from rcj_challenges.facts.amounts import round_score
 from rcj_challenges.facts.diagnostics import Diagnostic
-from rcj_challenges.referee.script import ScriptedPlay
 from rcj_challenges.scenario.models.scenario import Scenario
 
 _NEVER_FIRES = frozenset({"rule-never-fires", "each-of-none"})
 
 
-def contradictions(findings: list[Diagnostic], scenario: Scenario, play: ScriptedPlay) -> Iterator[str]:
+def contradictions(findings: list[Diagnostic], scenario: Scenario, play: ScriptedMatch) -> Iterator[str]:
     """Yield the findings that a play has proved wrong.
 
     Args:

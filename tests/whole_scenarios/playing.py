@@ -7,11 +7,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from rcj_challenges.expect.scripted_match import ScriptedMatch
 from rcj_challenges.facts.play import Fault
 from rcj_challenges.facts.traffic import MotorCommand, Observation, Request, RobotSpec
 from rcj_challenges.match.observers import NullObserver
 from rcj_challenges.match.runner import MatchPlan, _MatchRunner
-from rcj_challenges.referee.script import ScriptedPlay
 from rcj_challenges.scenario.load import Loaded
 
 _TELLS = (b"Hello", b"7", b"0.1 0.2", b"yes", b"-1e400 0", b"\xff\xfe", b"", b"nan", b"x" * 200, b" no  ")
@@ -117,10 +117,10 @@ def played(loaded: Loaded, out: Path, seed: int) -> tuple[Path, dict[str, Any]]:
     return outcome.folder, outcome.result
 
 
-def puppet_show(loaded: Loaded, seed: int, ticks: int) -> tuple[list[str], ScriptedPlay]:
+def puppet_show(loaded: Loaded, seed: int, ticks: int) -> tuple[list[str], ScriptedMatch]:
     """Judge random poses, touches, tilts, faults and messages; return all that the referee said, and the play."""
     chance = random.Random(seed)  # noqa: S311 - nothing secret
-    play = ScriptedPlay(loaded.scenario, loaded.roster)
+    play = ScriptedMatch(loaded.scenario, loaded.roster)
     roster = loaded.roster
     robots, entities = roster.entities[: roster.robots], roster.entities
     told = []
@@ -133,7 +133,7 @@ def puppet_show(loaded: Loaded, seed: int, ticks: int) -> tuple[list[str], Scrip
     return [*map(repr, play.events), *map(repr, play.firings), *map(repr, play.placements), *told], play
 
 
-def _do_something(play: ScriptedPlay, chance: random.Random, robots: Any, entities: Any) -> None:
+def _do_something(play: ScriptedMatch, chance: random.Random, robots: Any, entities: Any) -> None:
     x, y = chance.uniform(-0.9, 0.9), chance.uniform(-0.9, 0.9)
     entity = chance.choice(entities)
     match chance.randrange(7):

@@ -17,7 +17,7 @@ from xml.etree import ElementTree as ET
 
 import jsonschema
 
-from rcj_challenges.referee.trials import try_expectation
+from rcj_challenges.expect.runner import run_test
 from rcj_challenges.scenario.errors import Problem, ScenarioError
 from rcj_challenges.scenario.floor import floor_parts
 from rcj_challenges.scenario.floor_shapes import zone_has_floor
@@ -253,7 +253,7 @@ def check_judging(text: str, loaded: Loaded, seed: int) -> None:
     # With the inherited tests of the match that may be half an hour of play, in which robots wait for room.
     with promised("test", text, most_cpu_s=40):
         for name in loaded.scenario.expect:
-            if try_expectation(loaded, name) != try_expectation(loaded, name):
+            if run_test(loaded, name) != run_test(loaded, name):
                 raise BrokenPromiseError(f"the test {name} comes out otherwise the second time", text)
     if not loaded.roster.entities:
         return

@@ -2,7 +2,7 @@
 
 import json
 
-from rcj_challenges.referee.trials import try_expectation
+from rcj_challenges.expect.runner import run_test
 from rcj_challenges.rules.actions import ACTIONS
 from rcj_challenges.rules.base import Word
 from rcj_challenges.rules.conditions import CONDITIONS
@@ -46,7 +46,7 @@ def report(word: type[Word], name: str) -> dict[str, object]:
     except ScenarioError as error:
         refused = [problem.path for problem in error.problems]
     return {
-        "differences": try_expectation(loaded, test).differences,
+        "differences": run_test(loaded, test).differences,
         "refused": refused,
         "sheet": sheet_markdown(loaded.scenario, loaded.roster),
         "schema": scenario_schema()["$defs"][word.__name__]["required"],

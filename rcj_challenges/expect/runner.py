@@ -1,4 +1,4 @@
-"""Trials: the ``expect`` blocks of a scenario, played on a puppet stage, and what came out differently."""
+"""Plays ``expect`` blocks of a scenario and compares the outcome with what they expect."""
 
 from __future__ import annotations
 
@@ -7,15 +7,15 @@ from dataclasses import dataclass, replace
 from math import hypot
 from typing import Any, Protocol
 
+from rcj_challenges.expect.compare import difference, equal, event_differences, told_difference
+from rcj_challenges.expect.denied import Wanted, denied_notes
+from rcj_challenges.expect.put_inside import put_inside_notes
+from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.facts.amounts import counted, round_score, times
 from rcj_challenges.facts.measures import number_words
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
-from rcj_challenges.referee.comparing import difference, equal, event_differences, told_difference
-from rcj_challenges.referee.denied import Wanted, denied_notes
 from rcj_challenges.referee.engine import Referee
-from rcj_challenges.referee.put_inside import put_inside_notes
 from rcj_challenges.referee.ranking import Tally, ranking
-from rcj_challenges.referee.script import ScriptedPlay, half_of
 from rcj_challenges.rules.actions.end import End
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.decided import places_of
@@ -41,8 +41,8 @@ class HasScenario(Protocol):
 
 
 @dataclass(frozen=True)
-class Trial:
-    """What came of one ``expect`` block.
+class TestResult:
+    """The outcome of one ``expect`` block.
 
     Attributes:
         differences: what came out differently, one line each, then notes on why that may be: what found no room, draws
@@ -52,17 +52,14 @@ class Trial:
         fired: the rules that fired, in the order of their first time.
     """
 
+    __test__ = False  # pytest must not collect it
+
     differences: tuple[str, ...]
     ticks: int
     fired: tuple[str, ...]
 
 
-def run_expectation(loaded: HasScenario, name: str) -> list[str]:
-    """Play one ``expect`` block of a scenario and return what came out differently; see `try_expectation`."""
-    return list(try_expectation(loaded, name).differences)
-
-
-def try_expectation(loaded: HasScenario, name: str) -> Trial:
+def run_test(loaded: HasScenario, name: str) -> TestResult:
     """Play one ``expect`` block of a scenario.
 
     A keyframe takes effect in the snapshot of its tick (one at 0 in that of tick 1). If the script outlasts the half,
@@ -71,9 +68,6 @@ def try_expectation(loaded: HasScenario, name: str) -> Trial:
     Args:
         loaded: scenario and roster.
         name: name of the block.
-
-    Returns:
-        What came of it.
 
     Raises:
         KeyError: there is no block of this name.
@@ -88,51 +82,51 @@ def try_expectation(loaded: HasScenario, name: str) -> Trial:
         kept=half.kept | _kept(scenario, loaded.roster, expected.given),
     )
     spots = {name: places_of(places) for name, places in (expected.spots or {}).items()}
-    play = ScriptedPlay(scenario, loaded.roster, half, expected.draws, spots)
+    match = ScriptedMatch(scenario, loaded.roster, half, expected.draws, spots)
     last = ticks_from_s(expected.lasts_s)
     before = 0
     for keyframe in expected.keyframes:
         at = max(1, ticks_from_s(keyframe.at_s))
         # Glides begin at the keyframe before; two keyframes in one tick make a jump of it.
-        _play_until(play, min(before, at - 1))
+        _play_until(match, min(before, at - 1))
         for entity, to in keyframe.move.items():
-            play.glide(entity, to, at - play.tick)
-        _play_until(play, at - 1)
-        _act(play, keyframe)
+            match.glide(entity, to, at - match.tick)
+        _play_until(match, at - 1)
+        _act(match, keyframe)
         before = at
-    _play_until(play, last)
-    if play.verdict.ended is not None or play.referee.time_is_up:
-        play.finish()
-    fired = dict.fromkeys(firing.rule for firing in play.firings if firing.suppressed is None)
-    differences = list(_differences(play, scenario, expected))
-    wanted = _wanted(differences, play, expected)
+    _play_until(match, last)
+    if match.verdict.ended is not None or match.referee.time_is_up:
+        match.finish()
+    fired = dict.fromkeys(firing.rule for firing in match.firings if firing.suppressed is None)
+    differences = list(_differences(match, scenario, expected))
+    wanted = _wanted(differences, match, expected)
     notes = (
         (
-            *_no_room(play),
-            *_not_drawn(play, expected),
-            *play.wrong_ways.notes(),
-            *_true_before(play, fired),
-            *put_inside_notes(play.placements, scenario, loaded.roster, wanted.missing, fired),
-            *denied_notes(play.referee.denied or {}, scenario, wanted, fired),
-            *_ended_before(play, scenario, expected, wanted),
-            *_course(play, differences),
+            *_no_room(match),
+            *_not_drawn(match, expected),
+            *match.wrong_ways.notes(),
+            *_true_before(match, fired),
+            *put_inside_notes(match.placements, scenario, loaded.roster, wanted.missing, fired),
+            *denied_notes(match.referee.denied or {}, scenario, wanted, fired),
+            *_ended_before(match, scenario, expected, wanted),
+            *_course(match, differences),
         )
         if differences
         else ()
     )
-    return Trial((*differences, *notes), play.tick, tuple(fired))
+    return TestResult((*differences, *notes), match.tick, tuple(fired))
 
 
-def _no_room(play: ScriptedPlay) -> Iterable[str]:
+def _no_room(match: ScriptedMatch) -> Iterable[str]:
     """Return what found no room: often the reason why something is not where a test expects it."""
-    first = {(f.rule, f.says): f for f in reversed(play.firings) if f.suppressed == "no_room"}
+    first = {(f.rule, f.says): f for f in reversed(match.firings) if f.suppressed == "no_room"}
     for firing in sorted(first.values(), key=lambda firing: firing.tick):
         yield f"note: from {s_from_ticks(firing.tick):g} s on {firing.says} (rule {firing.rule})"
 
 
-def _true_before(play: ScriptedPlay, fired: Container[str]) -> Iterable[str]:
+def _true_before(match: ScriptedMatch, fired: Container[str]) -> Iterable[str]:
     """Return which rules waited in vain for a condition to come true: it held from the beginning."""
-    for rule, tick in play.referee.true_before.items():
+    for rule, tick in match.referee.true_before.items():
         if rule not in fired:
             yield (
                 f"note: {rule} waits for a condition to come true that held already at {s_from_ticks(tick):g} s; "
@@ -140,13 +134,13 @@ def _true_before(play: ScriptedPlay, fired: Container[str]) -> Iterable[str]:
             )
 
 
-def _wanted(differences: Collection[str], play: ScriptedPlay, expected: Expectation) -> Wanted:
+def _wanted(differences: Collection[str], match: ScriptedMatch, expected: Expectation) -> Wanted:
     """Return what is otherwise than expected, by the differences that are told."""
     # A name has no blank and no colon in it.
     told = {tuple(one.replace(":", " :").split(" ", 3)[:2]) for one in differences}
     return Wanted(
         missing=_missing(differences, expected),
-        scores=_scores(play, expected),
+        scores=_scores(match, expected),
         counters={name for name in expected.counters if ("counter", name) in told},
         flags={name for name in expected.flags if ("flag", name) in told},
         phase=expected.phase if ("phase", ":") in told else None,
@@ -155,19 +149,19 @@ def _wanted(differences: Collection[str], play: ScriptedPlay, expected: Expectat
     )
 
 
-def _ended_before(play: ScriptedPlay, scenario: Scenario, expected: Expectation, wanted: Wanted) -> Iterable[str]:
+def _ended_before(match: ScriptedMatch, scenario: Scenario, expected: Expectation, wanted: Wanted) -> Iterable[str]:
     """Return which rule ended the half or the match, where the test would have gone on."""
     last = ticks_from_s(expected.lasts_s)
-    if play.verdict.ended is None or play.tick >= last:
+    if match.verdict.ended is None or match.tick >= last:
         return
-    left_out = any(ticks_from_s(one.at_s) > play.tick for one in expected.keyframes)
+    left_out = any(ticks_from_s(one.at_s) > match.tick for one in expected.keyframes)
     if not (wanted.missing or left_out or expected.ended == "none"):
         return
-    what = "match" if play.verdict.ends_match else "half"
-    ending = (f.rule for f in reversed(play.firings) if f.suppressed is None and _ends(scenario, f.rule))
+    what = "match" if match.verdict.ends_match else "half"
+    ending = (f.rule for f in reversed(match.firings) if f.suppressed is None and _ends(scenario, f.rule))
     rule = next(ending, None)
     if rule is not None:
-        at_s = s_from_ticks(play.tick)
+        at_s = s_from_ticks(match.tick)
         yield f"note: {rule} ended the {what} at {at_s:g} s, and so the test; it lasts {expected.lasts_s:g} s"
 
 
@@ -181,32 +175,32 @@ def _missing(differences: Iterable[str], expected: Expectation) -> dict[str, flo
     return {event.event: event.at_s for event in reversed(expected.events or ()) if event.event in names}
 
 
-def _scores(play: ScriptedPlay, expected: Expectation) -> set[str]:
+def _scores(match: ScriptedMatch, expected: Expectation) -> set[str]:
     """Return which entrants have another score than expected."""
-    scores = play.referee.scores
+    scores = match.referee.scores
     return {name for name, score in expected.score.items() if not equal(score, scores.get(name))}
 
 
-def _course(play: ScriptedPlay, differences: Iterable[str]) -> Iterable[str]:
+def _course(match: ScriptedMatch, differences: Iterable[str]) -> Iterable[str]:
     """Return which phase went on when, if something is missing: in a phase of others a rule hears nothing."""
-    if len(play.phases) == 1 or not any(one.startswith("missing:") for one in differences):
+    if len(match.phases) == 1 or not any(one.startswith("missing:") for one in differences):
         return
-    entered = [*play.phases[1 : _SHOWN + 1], None]
+    entered = [*match.phases[1 : _SHOWN + 1], None]
     told = [
         phase if after is None else f"{phase} until {s_from_ticks(after[0]):g} s"
-        for (_, phase), after in zip(play.phases, entered, strict=False)
+        for (_, phase), after in zip(match.phases, entered, strict=False)
     ]
-    more = ", …" if len(play.phases) > len(told) else ""
+    more = ", …" if len(match.phases) > len(told) else ""
     yield f"note: the phase was {', then '.join(told)}{more}"
 
 
-def _not_drawn(play: ScriptedPlay, expected: Expectation) -> Iterable[str]:
+def _not_drawn(match: ScriptedMatch, expected: Expectation) -> Iterable[str]:
     """Return which draws were drawn, and which spots were set by chance, less often than a test decides them."""
-    for name, left in play.referee.undecided.items():
+    for name, left in match.referee.undecided.items():
         series = series_of(expected.draws[name])
         drawn = len(series) - len(left)
         yield f"note: {name} was drawn {times(drawn)}; draws decides {counted(len(series), 'value')}"
-    for name, missing in play.referee.undecided_spots.items():
+    for name, missing in match.referee.undecided_spots.items():
         places = len(places_of((expected.spots or {})[name]))
         decides = "a place" if places == 1 else f"{places} places"
         yield f"note: chance set {name} {times(places - missing)}; spots decides {decides}"
@@ -257,30 +251,30 @@ def _presets(
     return ("counters", scenario.counters, given.counters), ("flags", scenario.flags, given.flags)
 
 
-def _play_until(play: ScriptedPlay, tick: int) -> None:
-    while play.tick < tick and play.verdict.ended is None and not play.referee.time_is_up:
-        play.play()
+def _play_until(match: ScriptedMatch, tick: int) -> None:
+    while match.tick < tick and match.verdict.ended is None and not match.referee.time_is_up:
+        match.play()
 
 
-def _act(play: ScriptedPlay, keyframe: Keyframe) -> None:
+def _act(match: ScriptedMatch, keyframe: Keyframe) -> None:
     for entity, pose in keyframe.place.items():
-        play.place(entity, *pose)
+        match.place(entity, *pose)
     for first, second in keyframe.touch:
-        play.touch(first, second, 1 if keyframe.touch_lasts_s is None else ticks_from_s(keyframe.touch_lasts_s))
+        match.touch(first, second, 1 if keyframe.touch_lasts_s is None else ticks_from_s(keyframe.touch_lasts_s))
     for robot in keyframe.tips:
-        play.tip(robot)
+        match.tip(robot)
     for robot in keyframe.fault:
-        play.fail(robot)
+        match.fail(robot)
     for robot, said in (keyframe.tells or {}).items():
-        play.tell(robot, " ".join(map(str, said)) if isinstance(said, tuple) else str(said))
+        match.tell(robot, " ".join(map(str, said)) if isinstance(said, tuple) else str(said))
 
 
-def _differences(play: ScriptedPlay, scenario: Scenario, expected: Expectation) -> Iterable[str]:
-    referee = play.referee
+def _differences(match: ScriptedMatch, scenario: Scenario, expected: Expectation) -> Iterable[str]:
+    referee = match.referee
     if expected.events is not None:
         wanted = {event.event for event in expected.events}
         ignored = set(expected.ignore) - wanted
-        found = [event for event in play.events if event.name not in ignored]
+        found = [event for event in match.events if event.name not in ignored]
         yield from event_differences(found, expected.events, expected.ignore)
     for entrant, score in expected.score.items():
         yield from difference(f"score of {entrant}", score, referee.scores.get(entrant))
@@ -288,16 +282,16 @@ def _differences(play: ScriptedPlay, scenario: Scenario, expected: Expectation) 
     if expected.phase is not None:
         yield from difference("phase", expected.phase, referee.phase)
     if expected.ended is not None:
-        yield from difference("ended", expected.ended, _ended(play))
+        yield from difference("ended", expected.ended, _ended(match))
     if expected.ranking is not None:
-        yield from _ranking_differences(play, scenario, expected.ranking)
+        yield from _ranking_differences(match, scenario, expected.ranking)
     for name, is_held in (expected.held or {}).items():
         yield from difference(f"{name} held", is_held, referee.held.get(name))
-    yield from _pose_differences(play, expected)
+    yield from _pose_differences(match, expected)
     for whom, told in (expected.told or {}).items():
-        for robot in play.roster.expand(whom):
+        for robot in match.roster.expand(whom):
             for key, value in told.items():
-                heard = play.told.get(robot, {}).get(key)
+                heard = match.told.get(robot, {}).get(key)
                 yield from told_difference(f"{key} told to {robot}", value, heard, expected.tolerance_m)
 
 
@@ -316,9 +310,9 @@ def _state_differences(referee: Referee, expected: Expectation) -> Iterable[str]
             yield from difference(f"flag {name}", flag, any(value.values()) if isinstance(value, dict) else value)
 
 
-def _pose_differences(play: ScriptedPlay, expected: Expectation) -> Iterable[str]:
+def _pose_differences(match: ScriptedMatch, expected: Expectation) -> Iterable[str]:
     for name, (x, y) in expected.poses.items():
-        here = play.referee.spots.get(name) or play.pose(name)
+        here = match.referee.spots.get(name) or match.pose(name)
         off = hypot(here[0] - x, here[1] - y)
         if off > expected.tolerance_m:
             found = f"({here[0]:.4g}, {here[1]:.4g}), {off:.3g} m off"
@@ -327,11 +321,11 @@ def _pose_differences(play: ScriptedPlay, expected: Expectation) -> Iterable[str
 
 
 def _ranking_differences(
-    play: ScriptedPlay, scenario: Scenario, expected: tuple[str | tuple[str, ...], ...]
+    match: ScriptedMatch, scenario: Scenario, expected: tuple[str | tuple[str, ...], ...]
 ) -> Iterable[str]:
     """Return how the entrants are ranked, if otherwise than expected, with what was compared."""
-    referee, seats = play.referee, {seat: seat for seat in scenario.entrants}
-    tally = Tally(referee.counters, seats, s_from_ticks(play.tick))
+    referee, seats = match.referee, {seat: seat for seat in scenario.entrants}
+    tally = Tally(referee.counters, seats, s_from_ticks(match.tick))
     places: dict[int, dict[str, list[Number]]] = {}
     for entry in ranking(scenario, referee.scores, [tally]):
         places.setdefault(entry["place"], {})[entry["team"]] = entry["values"]
@@ -345,11 +339,11 @@ def _ranking_differences(
         yield f"ranking: expected {wanted}; is {told}"
 
 
-def _ended(play: ScriptedPlay) -> str:
+def _ended(match: ScriptedMatch) -> str:
     """Return what is over when a test is: the match by a rule, or the half by a rule or by its time."""
-    if play.verdict.ends_match:
+    if match.verdict.ends_match:
         return "match"
-    return "half" if play.verdict.ended is not None or play.referee.time_is_up else "none"
+    return "half" if match.verdict.ended is not None or match.referee.time_is_up else "none"
 
 
 def _number(referee: Referee, name: str) -> Number | None:

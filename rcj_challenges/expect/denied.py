@@ -19,18 +19,7 @@ from rcj_challenges.rules.actions.toggle_flag import ToggleFlag
 from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.messages.written import as_written
 from rcj_challenges.scenario.models.scenario import Scenario
-
-
-class Denial(NamedTuple):
-    """What kept a rule from firing in a tick.
-
-    Attributes:
-        condition: the place of the first of its conditions that did not hold.
-        held_after: whether it held once the rules of that tick had done what they do.
-    """
-
-    condition: int
-    held_after: bool
+from rcj_challenges.tracking.bound_rules import Denied
 
 
 class Wanted(NamedTuple):
@@ -54,9 +43,6 @@ class Wanted(NamedTuple):
     over: bool = False
     held: bool = False
 
-
-Denied = dict[str, dict[int, Denial]]
-"""By rule and tick, what kept it from firing."""
 
 _SHOWN = 3
 """So many rules are told of a test that failed."""

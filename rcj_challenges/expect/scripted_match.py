@@ -1,7 +1,4 @@
-"""Scripted plays: poses, touches, tilts and faults fed straight to a referee, without physics or programs.
-
-`ScriptedPlay` is a puppet stage for tests of rules; `trials` plays the ``expect`` blocks of a scenario on it.
-"""
+"""A scripted match: poses, touches, tilts and faults are fed to a referee, without physics or programs."""
 
 from __future__ import annotations
 
@@ -9,11 +6,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from rcj_challenges.expect.wrong_way import WrongWays
 from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Pose2, Snapshot, Verdict
 from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK, ticks_from_s
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.state import float32
-from rcj_challenges.referee.wrong_way import WrongWays
 from rcj_challenges.scenario.drawn import Series
 from rcj_challenges.scenario.halves import half_length_s
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -46,10 +43,8 @@ class _Glide:
     substeps_left: int
 
 
-class ScriptedPlay:
-    """A stage on which things stand where they are put, and a referee who watches.
-
-    What the referee places is put there; everything else stays put until it is moved by hand.
+class ScriptedMatch:
+    """A match in which things move only when the script or the referee moves them.
 
     Args:
         scenario: a checked scenario.
