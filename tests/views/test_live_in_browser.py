@@ -24,7 +24,7 @@ def test_a_spectator_sees_the_match_go_on_while_it_is_played_and_finds_no_wheel(
     until(page, "replay.recording.last - replay.place < 40")
     assert page.evaluate("replay.recording.span") == 2 * (TICKS + 1) - 1  # as long as the match is planned
     # Without the token nothing steers.
-    assert page.locator(".steward").count() == 0
+    assert page.locator(".match-controls").count() == 0
     assert page.evaluate("sessionStorage.length") == 0
 
 
@@ -92,7 +92,7 @@ def test_who_has_the_token_pauses_steps_and_sets_the_speed_on_a_phone_too(
     assert "token" not in page.url  # a link that is passed on gives nobody the wheel
     assert _is_wholly_on_the_screen(page, NARROW)
     page.click("#match-pause")
-    until(page, "replay.spectator.pace.paused")
+    until(page, "replay.liveClient.pace.paused")
     until(page, "replay.place === replay.recording.last")
     stood = page.evaluate("replay.recording.last")
     page.click("#match-step")
@@ -102,7 +102,7 @@ def test_who_has_the_token_pauses_steps_and_sets_the_speed_on_a_phone_too(
     page.select_option("#match-speed", "max")
     page.click("#match-pause")
     until(page, "replay.recording.over")
-    assert page.locator(".steward").is_hidden()
+    assert page.locator(".match-controls").is_hidden()
 
 
 @pytest.mark.nightly
@@ -114,7 +114,7 @@ def test_a_reload_can_still_steer_and_a_wrong_token_resigns(
     page.reload()
     page.wait_for_selector("body.ready")
     page.click("#match-pause")
-    until(page, "replay.spectator.pace.paused")
+    until(page, "replay.liveClient.pace.paused")
     assert played.show.pace.state["paused"]
 
 
@@ -137,7 +137,7 @@ def test_a_lost_connection_is_found_again(made_up_match: Callable[..., MadeUpMat
     played = made_up_match(speed=1.0).start()
     page = watch(played.show.address, script=NO_WEBGL)
     last = page.evaluate("replay.recording.last")
-    page.evaluate("replay.spectator.feed.reader.cancel()")
+    page.evaluate("replay.liveClient.feed.reader.cancel()")
     until(page, f"replay.recording.last > {last} + 20")
     robots = len(small_scenario(halves=2, half_s=TICKS * TICK_S).robots)
     for tick in (last, last + 1, last + 20):

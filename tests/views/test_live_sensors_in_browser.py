@@ -129,7 +129,7 @@ def test_readings_go_on_after_a_lost_connection(match: Callable[..., MadeUpMatch
     played.show.pace.set_speed(2.0)
     page = watch(played.start().show.address, script=NO_WEBGL)
     until(page, "replay.recording.last > 50")
-    page.evaluate("replay.spectator.feed.reader.cancel()")
+    page.evaluate("replay.liveClient.feed.reader.cancel()")
     played.end()
     until(page, "replay.recording.over")
     ticks = page.evaluate("[...replay.app.sensors.half(2).get('Y2').ticks]")

@@ -39,16 +39,16 @@ from rcj_challenges.views.replay.things import visible_things
 from rcj_challenges.views.scoreboard import ranking_rows
 
 SCRIPTS = (
-    "element", "maths", "colours", "recording", "embedded", "mesh", "ground", "bodies", "signs", "painter", "scene",
-    "flat", "camera", "hands", "labels", "board", "player", "deck", "eventlist", "robotlist", "sensors", "heat",
-    "logos", "panels", "app", "start",
+    "element", "maths", "colours", "recording", "embedded", "mesh", "ground", "bodies", "overlays", "painter", "scene",
+    "canvas2d", "camera", "pointerInput", "labels", "board", "player", "transport", "eventlist", "robotlist", "sensors",
+    "heat", "logos", "panels", "app", "start",
 )  # fmt: skip
 """The parts of the viewer in the order in which they are joined: what is used stands before what uses it."""
 
-LIVE_SCRIPTS = (*SCRIPTS[:-1], "live", "livesensors", "spectator", "steward", "startlive")
+LIVE_SCRIPTS = (*SCRIPTS[:-1], "live", "livesensors", "liveClient", "matchControls", "startlive")
 """The parts of the page that watches a match while it is played: the same viewer, filled by a feed."""
 
-PREMIERE_SCRIPTS = (*SCRIPTS[:-1], "live", "livesensors", "spectator", "premiere", "startpremiere")
+PREMIERE_SCRIPTS = (*SCRIPTS[:-1], "live", "livesensors", "liveClient", "premiere", "startpremiere")
 """The parts of the page that shows a recorded match at a time that was set: the feed is the recording and the clock."""
 
 _LONGEST_DETAIL = 10_000

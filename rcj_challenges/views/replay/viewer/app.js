@@ -26,21 +26,21 @@ class App {
     this.written = 0;
     this.view = this.bestView();
     this.sharp = this.density = Math.min(this.view.finest, window.devicePixelRatio || 1);
-    this.camera = new Camera(recording.facts.field, this.view instanceof Flat);
+    this.camera = new Camera(recording.facts.field, this.view instanceof Canvas2d);
     this.drawn = 0;
     const changed = () => this.changed();
     this.board = new Board(recording, this.find);
     this.events = new EventList(recording, this.find, (place, playing) => this.go(place, playing));
     this.robots = new RobotList(recording, this.find, changed, (index) => this.look("robot", index));
-    this.deck = new Deck(recording, this.player, this.find, changed, (direction) => this.toEvent(direction));
+    this.transport = new Transport(recording, this.player, this.find, changed, (direction) => this.toEvent(direction));
     this.sensors = new Sensors(recording, this.find, this.robots.cards, changed);
     this.heat = new Heat(recording, this.find, changed);
     this.logos = new Logos(recording, this.board.rows, changed);
     this.labels = new Labels(recording, this.find("labels"));
-    this.hands = new Hands(this.find("view"), this.camera, {
+    this.pointerInput = new PointerInput(this.find("view"), this.camera, {
       changed: () => { this.showCamera(); changed(); },
       tapped: (x, y) => this.tapped(x, y),
-      flat: () => this.view instanceof Flat,
+      flat: () => this.view instanceof Canvas2d,
     });
     this.panels = new Panels(this, changed);
     this.showCamera();
@@ -74,12 +74,12 @@ class App {
     const plain = canvas.cloneNode(true);
     canvas.replaceWith(plain);
     document.body.classList.add("flat");
-    return new Flat(plain, facts);
+    return new Canvas2d(plain, facts);
   }
 
   bindWindow() {
     new ResizeObserver(() => this.resize()).observe(this.find("view").parentElement);
-    new ResizeObserver(() => this.deck.drawMarks()).observe(this.find("marks"));
+    new ResizeObserver(() => this.transport.drawMarks()).observe(this.find("marks"));
     window.addEventListener("hashchange", () => this.fromAddress());
     window.addEventListener("keydown", (event) => this.key(event));
     window.addEventListener("beforeprint", () => this.draw()); // else the picture has been given to the screen: a black box
@@ -266,7 +266,7 @@ class App {
   write(frame) {
     const { place } = this.player;
     this.board.show(place);
-    this.deck.show(place);
+    this.transport.show(place);
     this.events.show(place);
     if (!this.find("panel-robots").hidden) {
       this.robots.show(place, frame.failed);

@@ -112,7 +112,7 @@ class Panels {
   }
 
   retheme() {
-    this.app.deck.drawMarks();
+    this.app.transport.drawMarks();
     this.changed();
   }
 

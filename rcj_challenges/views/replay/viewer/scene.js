@@ -46,7 +46,7 @@ class Scene {
   }
 
   nameSigns(entities) {
-    const { canvas, mesh } = Signs.of(entities);
+    const { canvas, mesh } = Overlays.of(entities);
     if (mesh.vertices) this.painter.useLetters(canvas, "sign");
     return this.painter.upload(mesh);
   }

@@ -1,10 +1,10 @@
 // The last of the parts of the live page: begins.
 
-const spectator = new Spectator(JSON.parse(document.getElementById("facts").textContent), (app) => {
-  window.replay = Object.assign(app.handle(), { spectator });
+const liveClient = new LiveClient(JSON.parse(document.getElementById("facts").textContent), (app) => {
+  window.replay = Object.assign(app.handle(), { liveClient });
   document.body.classList.add("ready");
 });
-spectator.feed.follow().catch((error) => {
-  spectator.tell(`This match cannot be shown: ${error.message}`);
+liveClient.feed.follow().catch((error) => {
+  liveClient.tell(`This match cannot be shown: ${error.message}`);
   console.error(error);
 });

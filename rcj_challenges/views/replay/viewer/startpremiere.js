@@ -68,12 +68,12 @@ class Premiere {
   begin(data) {
     if (this.begun || data.id !== this.facts.id) return;
     this.begun = true;
-    const spectator = new Spectator(PremiereFeed.factsBefore(data.facts), (app) => {
-      window.replay = Object.assign(app.handle(), { spectator });
+    const liveClient = new LiveClient(PremiereFeed.factsBefore(data.facts), (app) => {
+      window.replay = Object.assign(app.handle(), { liveClient });
       this.overlay.remove();
       document.body.classList.add("ready");
     }, (take, lost) => new PremiereFeed(data, { start: this.facts.start, halfTime: this.facts.half_time_s }, () => this.now(), take, lost));
-    spectator.feed.follow().catch((error) => {
+    liveClient.feed.follow().catch((error) => {
       this.state.textContent = `This match cannot be shown: ${error.message}`;
       console.error(error);
     });

@@ -1,6 +1,6 @@
 // The field from above on a plain canvas: for browsers without WebGL 2. Same frames, same camera (without tilt).
 
-class Flat {
+class Canvas2d {
   constructor(canvas, facts) {
     this.canvas = canvas;
     this.facts = facts;

@@ -2,7 +2,7 @@
 
 const TURN_PER_PIXEL = 0.006;
 
-class Hands {
+class PointerInput {
   /** changed(): the camera moved; tapped(x, y): a click without a move, in parts of the picture. */
   constructor(canvas, camera, { changed, tapped, flat }) {
     this.canvas = canvas;

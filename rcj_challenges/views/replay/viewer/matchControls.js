@@ -1,12 +1,12 @@
-// Steering the match itself, for who started it: the token came in the address, behind "#", and goes nowhere but into
-// the orders. It is kept for this tab only, so that a reload can still steer, and taken out of the address, so that a
-// link that is passed on gives nobody the wheel.
+// Controls of the match itself, for the person who started it. The token comes in the address, behind "#", and is sent
+// with orders only. It is kept for this tab, so that a reload keeps the controls, and removed from the address, so that
+// a link that is passed on does not grant them.
 
 const TOKEN_KEY = "rcj-token";
 const MATCH_SPEEDS = [0.25, 0.5, 1, 2, 4, 8, 16, 32];
 
-class Steward {
-  /** The steward whose token is in the address or was in it before, or null. */
+class MatchControls {
+  /** The controls, if the address has the token or had it before; else null. */
   static fromAddress() {
     const given = /^#token=([\w-]{16,})$/.exec(location.hash);
     if (given) {
@@ -14,13 +14,13 @@ class Steward {
       history.replaceState(null, "", location.pathname);
     }
     const token = sessionStorage.getItem(TOKEN_KEY);
-    return token ? new Steward(token) : null;
+    return token ? new MatchControls(token) : null;
   }
 
   constructor(token) {
     this.token = token;
     this.pace = null;
-    this.bar = element("div", "steward");
+    this.bar = element("div", "match-controls");
     this.bar.setAttribute("role", "toolbar");
     this.bar.setAttribute("aria-label", "The match itself, for everybody");
     this.pause = this.button("Pause match", () => this.order({ do: this.pace?.paused ? "resume" : "pause" }));

@@ -93,7 +93,7 @@ class LivePlayer extends Player {
 }
 
 /** Holds the page together while the match is played. */
-class Spectator {
+class LiveClient {
   /** openFeed: returns what brings the match, for what takes it and what is told that nothing comes. */
   constructor(facts, begun, openFeed = (take, lost) => new LiveFeed(facts.match, take, lost)) {
     this.recording = new LiveRecording(facts);
@@ -108,7 +108,7 @@ class Spectator {
     document.querySelector(".time").prepend(this.badge);
     this.notice = document.getElementById("problem");
     this.feed = openFeed(this, (text) => this.tell(text));
-    this.steward = facts.match ? Steward.fromAddress() : null;
+    this.matchControls = facts.match ? MatchControls.fromAddress() : null;
     this.tell("The match is about to begin…");
   }
 
@@ -144,13 +144,13 @@ class Spectator {
       if (this.recording.over) app.events.finished();
       if (this.grew && (now - this.marked > MARKS_EVERY_S || this.recording.over)) {
         this.marked = now;
-        app.deck.grown();
+        app.transport.grown();
       }
       this.grew = false;
       app.changed();
     }
     this.showBadge();
-    this.steward?.show(this.pace, this.recording.over);
+    this.matchControls?.show(this.pace, this.recording.over);
   }
 
   sensors({ half, facts }) {

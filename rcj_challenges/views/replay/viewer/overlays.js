@@ -6,7 +6,7 @@ const SIGN_SHARPNESS = 2;
 const SIGN_WIDEST = 170;
 const SIGN_FONT = '650 11px system-ui, "Segoe UI", Roboto, "Noto Sans", "Noto Sans CJK SC", "Noto Naskh Arabic", sans-serif';
 
-const Signs = {
+const Overlays = {
   /** {canvas, mesh}: one sign for each robot, its lower edge on the robot's upper end. */
   of(entities) {
     const robots = entities.map((entity, index) => ({ entity, body: index + 1 })).filter(({ entity }) => entity.kind === "robot");
@@ -20,7 +20,7 @@ const Signs = {
     const mesh = new Mesh();
     robots.forEach(({ entity, body }, row) => {
       const top = row * (SIGN_PIXELS + 2) + 1;
-      const text = Signs.fitting(pen, entity.name);
+      const text = Overlays.fitting(pen, entity.name);
       const width = Math.ceil(pen.measureText(text).width) + 10;
       pen.fillStyle = "rgb(10 15 20 / 62%)";
       pen.beginPath();
@@ -28,7 +28,7 @@ const Signs = {
       pen.fill();
       pen.fillStyle = "#fff";
       pen.fillText(text, 6, top + SIGN_PIXELS / 2 + 0.5);
-      mesh.join(Signs.quad(entity, width, top, canvas), body);
+      mesh.join(Overlays.quad(entity, width, top, canvas), body);
     });
     return { canvas, mesh };
   },

@@ -4,7 +4,7 @@ const PLAY_ICON = "M7 4v16l13-8z";
 const PAUSE_ICON = "M6 4h4v16H6zM14 4h4v16h-4z";
 const KNOB_PX = 8; // half of it: so far from both ends of the time line the first and the last place are
 
-class Deck {
+class Transport {
   constructor(recording, player, find, changed, toEvent) {
     this.recording = recording;
     this.player = player;
