@@ -66,7 +66,7 @@ def video(
 ) -> None:
     """Make an MP4 of a record, with scoreboard and captions."""
     from rcj_challenges.cli.outputs import refuse_devices
-    from rcj_challenges.views.video.errors import VideoInterruptedError, require_packages
+    from rcj_challenges.views.video.errors import require_packages
 
     refuse_devices(out=out)
     require_packages("av", "PIL")
@@ -86,12 +86,8 @@ def video(
         _print(console, footage.warnings, quiet=quiet)
         total = clips.frame_count(shown, float(rate), speed)
         begin = time.perf_counter()
-        try:
-            with _progress(console, total, shown=not quiet) as progress:
-                make.write_video(draw, footage, shown, path, size=size_px, fps=rate, speed=speed, progress=progress)
-        except VideoInterruptedError as error:
-            sys.stderr.write(f"interrupted: the first {error.frames / float(rate):.1f} s are kept in {error.kept}\n")
-            raise typer.Exit(130) from None
+        with _progress(console, total, shown=not quiet) as progress:
+            make.write_video(draw, footage, shown, path, size=size_px, fps=rate, speed=speed, progress=progress)
         took_s = time.perf_counter() - begin
     summary = f"{total / float(rate):.1f} s of video, {total} pictures, {total / took_s:.0f} a second"
     _print(console, [summary], quiet=quiet)

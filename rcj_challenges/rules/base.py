@@ -125,6 +125,7 @@ class Trigger(Word):
     Attributes:
         MEASURED: what it measures, as the sheet says it; empty: nothing.
         LIMIT: the field with the limit that it measures against; empty: none.
+        REASON: what follows the entity where a replay says why it fired, with its fields, `measured` and `limit`.
         ON_FIELD_ONLY: whether it never fires for what is off the field.
         OVER_TIME: whether it measures over a time, which begins when the rule becomes active.
     """
@@ -132,6 +133,7 @@ class Trigger(Word):
     KEY = "trigger"
     MEASURED: ClassVar[str] = ""
     LIMIT: ClassVar[str] = ""
+    REASON: ClassVar[str] = ""
     ON_FIELD_ONLY: ClassVar[bool] = False
     OVER_TIME: ClassVar[bool] = False
 

@@ -107,19 +107,3 @@ def test_missing_extra_exits_with_2(runs, arguments, monkeypatch):
         run(*arguments, "--runs", runs)
     assert error.value.diagnostics[0].code == "missing-extra"
     assert error.value.exit_code == 2
-
-
-def test_interrupted_video_is_kept_and_exits_with_130(runs, tmp_path, monkeypatch, capsys):
-    @contextmanager
-    def interrupted(footage, size, camera, *, fine=False):
-        def draw(moment):
-            if moment.t_s > 0.95:
-                raise KeyboardInterrupt
-            return Image.new("RGB", size)
-
-        yield draw
-
-    monkeypatch.setattr(make, "opened_renderer", interrupted)
-    assert run("video", "--runs", runs, "--size", "320x180", "--fps", "10", "-o", tmp_path / "v.mp4") == 130
-    assert [found.name for found in tmp_path.iterdir()] == ["v.part.mp4"]
-    assert "v.part.mp4" in capsys.readouterr().err

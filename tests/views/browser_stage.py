@@ -198,6 +198,8 @@ def _put_back(page: Page) -> str:
           press("#robots [aria-pressed=true], #show input:checked:not([checked]), #show input[checked]:not(:checked)");
           choose("speed", "1");
           choose("heat", "");
+          choose("printed-by", "");
+          if (document.body.classList.contains("no-panel")) press("#panel");
           press("#filters > :first-child, [data-camera=overview], #tab-events");
         }"""
     )

@@ -1,4 +1,4 @@
-"""The replay page in a real browser: it opens from disk, plays, and every event is a link to its moment."""
+"""The replay page in a real browser: what it shows, where its buttons lead, and that it fits on any screen."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -7,43 +7,56 @@ from typing import Any
 import numpy as np
 import pytest
 
-import rcj_challenges
-from rcj_challenges.records.testing import write_made_up_run
 from rcj_challenges.records.trajectory import Trajectory
-from rcj_challenges.views.replay import write_replay
+from rcj_challenges.views.palette import shown_colour
 from tests.views.browser_stage import NARROW, NO_WEBGL, WIDE, Stage, picture, settled, shown_moment, until
+from tests.views.replay_play import (
+    BACK,
+    CRASH,
+    GOALS,
+    HELD,
+    REMOVED,
+    STUCK,
+    TICKS,
+    TRACEBACK,
+    write_storied_run,
+)
+from tests.views.sensing_play import ENDLESS, HOSTILE, READINGS_AT_125, TURNED, reading
 
-HOSTILE = "</script><script>document.title='stolen'</script><img src=x onerror=\"document.title='stolen'\">"
-TICKS = 1500
-PARTS_OF_THE_FLOOR = ("maths", "colours", "mesh", "ground")
+LYING, SMALL = {"width": 844, "height": 390}, {"width": 360, "height": 740}
+ENDLESS_NAME = "\u202e\u2066" + "ح" * 10_000
 
 
 @pytest.fixture(scope="module")
 def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = write_made_up_run(tmp_path_factory.mktemp("runs"), ticks=TICKS, halves=2)
-    write_replay(folder)
-    return folder
+    return write_storied_run(tmp_path_factory.mktemp("runs"))
+
+
+def _go(page: Any, half: int, tick: int) -> None:
+    page.evaluate("([half, tick]) => replay.seek(half, tick)", [half, tick])
+    settled(page)
 
 
 # --- what is shown -----------------------------------------------------------------------------------------------------
 
 
-def test_the_page_opens_from_disk_with_teams_clock_and_a_picture(show: Callable[..., Any], run: Path) -> None:
+def test_page_opens_from_disk_with_teams_clock_logo_and_a_picture(show: Callable[..., Any], run: Path) -> None:
     page = show(run, "", anew=True)
     assert page.locator(".team .name").all_inner_texts() == ["Hanse", "Alster"]
     assert page.locator("#clock").inner_text() == "0:00.0"
-    assert page.locator("#half").inner_text() == "half 1 of 2 · 0:48"
+    assert page.locator("#half").inner_text() == "half 1 of 2 · 0:32"
+    page.wait_for_selector("img.logo")
     colours = picture(page)
     green = [colour for colour in colours if (colour >> 8 & 255) > 1.3 * max(colour >> 16, colour & 255)]
     assert len(green) > 100  # the field fills the picture
     assert len(set(colours)) > 8
 
 
-def test_poses_in_the_page_equal_the_trajectory(show: Callable[..., Any], run: Path) -> None:
+def test_poses_in_the_page_equal_the_trajectory_also_while_a_robot_is_off_the_field(
+    show: Callable[..., Any], run: Path
+) -> None:
     page = show(run)
-    halves = Trajectory.open(run).halves
-    assert len(halves) == 2
-    for half in halves:
+    for half in Trajectory.open(run).halves:
         shown = np.array(
             page.evaluate(
                 """(half) => {
@@ -64,83 +77,264 @@ def test_poses_in_the_page_equal_the_trajectory(show: Callable[..., Any], run: P
         assert np.abs(shown[:, :, 2] - half.heights[::7]).max() < 2e-4
         turn = np.remainder(shown[:, :, 3] - judged[:, :, 2] + np.pi, 2 * np.pi) - np.pi
         assert np.degrees(np.abs(turn)).max() < 0.1
-        tilt = np.arccos(np.clip(half.uprights[::7].astype(float), -1, 1))
-        assert np.degrees(np.abs(shown[:, :, 4] - tilt)).max() < 0.1
 
 
-@pytest.mark.nightly
-def test_the_ball_rolls_without_slipping(show: Callable[..., Any], run: Path) -> None:
-    # Over one tick the turn is the way rolled over the radius, about the axis to the left of the way.
+def test_nothing_glides_where_the_referee_put_it(show: Callable[..., Any], run: Path) -> None:
     page = show(run)
-    turn, way = page.evaluate(
-        """() => {
-          const track = replay.recording.halves[0], [i, j, k, w] = track.spin(6, 100), [a, b, c, d] = track.spin(6, 101);
-          const from = track.pose(6, 100), to = track.pose(6, 101);
-          const dot = Math.min(1, Math.abs(i * a + j * b + k * c + w * d));
-          return [2 * Math.acos(dot), Math.hypot(to.x - from.x, to.y - from.y)];
-        }"""
-    )
-    assert turn == pytest.approx(way / 0.021, rel=0.05)
+    y = "[400, 400.5, 401, 402, 402.5, 403].map((tick) => replay.recording.halves[0].pose(6, tick).y)"
+    before, between, after, *rolling = page.evaluate(y)
+    assert before == between != after
+    assert rolling[1] == pytest.approx((rolling[0] + rolling[2]) / 2)
 
 
-def test_a_second_goal_is_in_sight_after_the_filter_and_one_click_lands_on_it(
-    show: Callable[..., Any], run: Path
-) -> None:
-    page = show(run)
+def test_goal_names_and_colours_the_team_that_scored_after_half_time_too(show: Callable[..., Any], run: Path) -> None:
+    page, seats = show(run), []
     page.click("#filters >> text=GOAL")
-    second = page.locator("a.moment", has_text="GOAL").nth(1)
-    box = second.bounding_box()
-    assert box["y"] > 0
-    assert box["y"] + box["height"] < WIDE["height"]
-    second.click()
-    settled(page)
-    assert shown_moment(page) == [1, 800]
-    assert page.locator("#clock").inner_text() == "0:25.6"
-    assert page.locator("#phase").inner_text() == "goal pause · robots held"
-    assert [score.inner_text() for score in page.locator(".score").all()] == ["0", "2"]
-    assert "GOAL" in page.locator("#caption").inner_text()
-
-
-def test_an_event_unfolds_what_the_referee_measured(show: Callable[..., Any], run: Path) -> None:
-    page = show(run)
-    page.click("#filters >> text=GOAL")
-    page.locator("a.moment").first.click()
+    chips = "[...document.querySelectorAll('.team .chip')].map((chip) => chip.style.background)"
+    edges = "[...document.querySelectorAll('#events .goal')].map((row) => row.style.getPropertyValue('--team'))"
+    blue, yellow = shown_colour("blue"), shown_colour("yellow")
+    for row, half, team, score, colours in (
+        (0, 1, "Alster", ["0", "1"], [yellow, yellow, blue, blue]),  # seen from here Hanse, who scores later, is blue
+        (2, 2, "Hanse", ["1", "2"], [blue, blue, yellow, yellow]),
+    ):
+        goal = page.locator("#events .goal").nth(row)
+        goal.locator("a").click()
+        settled(page)
+        assert shown_moment(page) == [half, GOALS[0]]
+        assert [one.inner_text() for one in page.locator(".score").all()] == score
+        assert goal.locator(".by").inner_text() == team
+        assert team in page.locator("#caption").inner_text()
+        assert page.evaluate(edges) == colours
+        seats.append(page.evaluate(chips))
+    assert seats[0] == seats[1][::-1]
     details = page.locator(".details").inner_text()
-    for words in ("0.76", "0.745", "goal (enters)", "The ball is in the goal."):
-        assert words in details
-    page.click("text=from 3 s before")
-    until(page, "replay.tick > 310")
-    assert 306 <= shown_moment(page)[1] < 400
+    assert "0.76" in details
+    assert "0.745" in details
+
+
+def test_lack_of_progress_says_what_was_measured(show: Callable[..., Any], run: Path) -> None:
+    page = show(run, f"#h1t{STUCK}")
+    reason = "B2 made no progress: 0.497 m in 15 s, at least 0.5"
+    assert page.locator("#caption").inner_text() == f"LACK OF PROGRESS: {reason}"
+    assert page.locator("#events [aria-current] .about").inner_text() == reason
+
+
+def test_crash_is_whole_with_its_line_and_has_one_time_everywhere(show: Callable[..., Any], run: Path) -> None:
+    page = show(run, f"#h1t{CRASH}")
+    row = page.locator("#events [aria-current]")
+    assert row.locator(".when").inner_text() == page.locator("#clock").inner_text() == "0:09.6"
+    assert "Y1 crashed at strike.py:31: ZeroDivisionError" in page.locator("#caption").inner_text()
+    row.click()
+    assert TRACEBACK.rstrip() in page.locator(".details").inner_text()
+    page.click("#tab-robots")
+    settled(page)
+    card = page.locator(".robot .fault:visible").inner_text()
+    assert "0:09.6" in card
+    assert TRACEBACK.rstrip() in card
+    page.click("#tab-output")
+    settled(page)
+    assert page.locator("#printed .fault .when").inner_text() == "0:09.6"
+    assert TRACEBACK.rstrip() in page.locator("#printed .fault").inner_text()
 
 
 def test_every_event_of_the_list_lands_on_its_tick(show: Callable[..., Any], run: Path) -> None:
-    page = show(run)
-    landed = page.evaluate(
+    landed = show(run).evaluate(
         """() => [...document.querySelectorAll("a.moment")].map((link, index) => {
           link.click();
           const event = replay.recording.events[index];
           return [replay.half - event.half, replay.tick - event.tick];
         })"""
     )
-    assert len(landed) == 14
+    assert len(landed) == 12
     assert {tuple(off) for off in landed} == {(0, 0)}
 
 
-def test_teams_change_colours_at_half_time_and_keep_their_goals(show: Callable[..., Any], run: Path) -> None:
-    page = show(run, "#h1t1499")
-    chips = "[...document.querySelectorAll('.team .chip')].map((chip) => chip.style.background)"
-    blue, yellow = page.evaluate(chips)
-    page.evaluate("replay.seek(2, 500)")
+def test_held_robot_and_one_that_is_off_the_field_are_marked(show: Callable[..., Any], run: Path) -> None:
+    page = show(run, f"#h1t{HELD}")
+    page.click("#tab-robots")
     settled(page)
-    assert page.evaluate(chips) == [yellow, blue]
-    assert [score.inner_text() for score in page.locator(".score").all()] == ["1", "3"]
+    cards = page.locator(".robot .numbers")
+    assert page.locator("#phase").inner_text() == "B1 held"
+    assert cards.first.inner_text().endswith("held")
+    for tick, off in ((REMOVED, False), (REMOVED + 1, True), (BACK, True), (BACK + 1, False)):
+        _go(page, 1, tick)
+        assert (cards.nth(2).inner_text() == "off the field") is off, tick
+    page.select_option("#behind", "2")
+    _go(page, 1, REMOVED)
+    before = page.evaluate("replay.app.camera.pose.target")
+    _go(page, 1, REMOVED + 50)
+    assert page.evaluate("replay.app.camera.pose.target") == pytest.approx(before, abs=0.1)
 
 
-# --- looking -----------------------------------------------------------------------------------------------------------
+def test_scoreboard_stays_where_it_is(show: Callable[..., Any], run: Path) -> None:
+    page = show(run)
+    places = """() => [...document.querySelectorAll(".team .name, .score, #clock, #half, .tools, #view")].map((one) => {
+      const { x, y, width, height } = one.getBoundingClientRect();
+      return one.matches(".score, #half") ? [x, y] : [x, y, width, height];
+    })"""
+    found = []
+    for half, tick in ((1, 0), (1, HELD), (1, GOALS[0]), (2, GOALS[1]), (2, TICKS)):
+        _go(page, half, tick)
+        found.append(page.evaluate(places))
+    assert all(one == found[0] for one in found)
 
 
-def test_each_camera_shows_another_picture(show: Callable[..., Any], run: Path) -> None:
+def test_zones_gates_spots_and_heat_can_be_shown_in_their_owners_colours(show: Callable[..., Any], run: Path) -> None:
+    page = show(run)
+    before = picture(page)
+    page.keyboard.press("z")
+    settled(page)
+    assert {"blue_goal", "middle", "half_way", "centre"} <= set(page.locator(".label.mark").all_inner_texts())
+    assert picture(page) != before
+    zones = {zone["name"]: zone["colour"] for zone in page.evaluate("replay.recording.facts.zones")}
+    assert zones["blue_penalty_area"] == zones["blue_goal"] == shown_colour("blue")
+    assert zones["yellow_penalty_area"] == shown_colour("yellow")
+    assert zones["middle"] is None
+    page.click("#tab-show")
+    page.select_option("#heat", label="ball")
+    settled(page)
+    assert 10 < page.evaluate("replay.app.heat.at(replay.place).shapes.length") < 200
+    assert "% of the time" in page.locator("#heat-text").inner_text()
+
+
+# --- output and sensors ------------------------------------------------------------------------------------------------
+
+
+def test_output_of_all_robots_stands_beside_the_replay_with_its_time(show: Callable[..., Any], run: Path) -> None:
+    page = show(run, "#h1t40")
+    page.click("#tab-output")
+    until(page, "replay.app.output.of(1)")
+    settled(page)
+    texts = page.locator("#printed bdi").all_text_contents()
+    assert texts == ["ready", "ready", HOSTILE.rstrip(), TURNED.rstrip("\n"), ENDLESS.rstrip()]
+    assert "stolen" not in page.title()
+    assert page.evaluate("document.documentElement.scrollWidth") <= WIDE["width"]
+    page.select_option("#printed-by", "Y2")
+    settled(page)
+    assert page.locator("#printed .line").all_inner_texts() == ["0:00.0\nY2\nready"]
+    page.select_option("#printed-by", "")
+    _go(page, 1, 520)
+    last = page.locator("#printed .line").last
+    assert last.inner_text().split("\n") == ["0:16.0", "B1", "tick 500"]
+    last.locator("a").click()
+    assert shown_moment(page) == [1, 500]
+    _go(page, 2, 10)
+    assert page.locator("#no-output").is_visible()
+
+
+def test_readings_and_rays_are_those_of_the_moment(show: Callable[..., Any], run: Path) -> None:
+    page = show(run, "#h1t125")
+    page.click("#tab-robots")
+    until(page, "replay.app.sensors.half(1)")
+    settled(page)
+    card = page.locator(".robot", has_text="B1").first
+    assert reading(card, "observation") == "tick 125"
+    assert {name: reading(card, name) for name in READINGS_AT_125} == READINGS_AT_125
+    assert page.locator(".sensing:visible").count() == 2
+    page.click("text=Rays >> nth=0")
+    settled(page)
+    lengths = page.evaluate(
+        """() => {
+          const pose = replay.recording.pose(0, replay.place);
+          return replay.app.frame.trails.map(({ pieces }) => Math.hypot(pieces[0][1][0] - pose.x, pieces[0][1][1] - pose.y));
+        }"""
+    )
+    assert lengths == pytest.approx([0.0375 + 0.375, 0.68, 0.5], abs=1e-3)  # sonar, lidar, ball
+    _go(page, 2, 50)
+    assert page.locator(".sensing:visible").count() == 0
+
+
+def test_page_without_sensors_says_how_to_get_them(show: Callable[..., Any], tmp_path: Path) -> None:
+    page = show(write_storied_run(tmp_path, with_sensors=False), script=NO_WEBGL)
+    page.click("#tab-robots")
+    assert "--record sensors" in page.locator("#no-sensors").inner_text()
+    assert page.get_by_role("button", name="Rays").count() == 0
+    page.click("#tab-output")
+    assert page.locator("#no-output").is_visible()
+
+
+# --- playing -----------------------------------------------------------------------------------------------------------
+
+
+def test_after_a_click_the_keys_belong_to_the_field_again(show: Callable[..., Any], run: Path) -> None:
     page = show(run, "#h1t450")
+    playing = "replay.app.player.playing"
+    for clicked in ("[data-camera=top]", "#tab-robots", "#step", "#seek", "#events a >> nth=3"):
+        page.click("#tab-events" if clicked.startswith("#events") else "body", position={"x": 5, "y": 5})
+        page.click(clicked)
+        page.keyboard.press("Space")
+        assert page.evaluate(playing), clicked
+        page.keyboard.press("Space")
+        assert not page.evaluate(playing), clicked
+    page.focus("#next")
+    page.keyboard.press("Enter")
+    assert page.evaluate("document.activeElement.id") == "next"  # by the keyboard one stays where one is
+
+
+def test_play_wind_and_speed(show: Callable[..., Any], run: Path) -> None:
+    page = show(run, "#h1t500")
+    page.select_option("#speed", "16")
+    page.click("#play")
+    until(page, "replay.tick > 700 || replay.half > 1")
+    page.click("#play")
+    settled(page)
+    stopped = page.evaluate("replay.place")
+    assert stopped == round(stopped)
+    assert page.locator("#winding").is_hidden()
+    page.select_option("#speed", "2")
+    page.click("#rewind")
+    until(page, f"replay.place < {stopped} - 20")
+    assert page.locator("#winding").inner_text() == "◀◀ 8 \N{MULTIPLICATION SIGN}"
+    page.keyboard.press("l")
+    assert page.locator("#winding").inner_text() == "▶▶ 8 \N{MULTIPLICATION SIGN}"
+    page.keyboard.press("k")
+    page.keyboard.press("k")
+    assert page.evaluate("replay.app.player.playing") is False
+
+
+def test_keys_move_by_frames_seconds_events_and_to_the_ends(show: Callable[..., Any], run: Path) -> None:
+    page = show(run, "#h1t450")
+    for key, expected in (
+        (".", [1, 451]), (",", [1, 450]), ("ArrowRight", [1, 606]), ("ArrowLeft", [1, 450]), ("n", [1, 600]),
+        ("p", [1, 400]), ("End", [2, TICKS]), ("Home", [1, 0]),
+    ):  # fmt: skip
+        page.keyboard.press(key)
+        assert shown_moment(page) == expected, key
+    page.evaluate("location.hash = '#h2t77'")
+    until(page, "replay.half === 2 && replay.tick === 77")
+    page.keyboard.press(".")
+    until(page, "location.hash === '#h2t78'")
+
+
+def test_time_line_says_where_a_click_leads_and_can_be_dragged(show: Callable[..., Any], run: Path) -> None:
+    page = show(run)
+    box = page.locator("#seek").bounding_box()
+    for share in (0.03, 0.9):  # no event is near
+        page.mouse.move(box["x"] + box["width"] * share, box["y"] + 28)
+        told = page.inner_text("#hover")
+        page.mouse.down()
+        page.mouse.up()
+        settled(page)
+        assert told == page.inner_text("#clock"), share
+    page.mouse.down()
+    page.mouse.move(box["x"] + box["width"] * 0.75, box["y"] + 28, steps=3)
+    page.mouse.up()
+    half, tick = shown_moment(page)
+    assert half == 2
+    assert abs(tick - TICKS / 2) < 30
+
+
+def test_each_camera_shows_another_picture_and_a_click_on_a_robot_its_trail(
+    show: Callable[..., Any], run: Path
+) -> None:
+    page = show(run, "#h1t550")
+    x, y, _ = page.evaluate(
+        "(() => { const p = replay.recording.pose(3, replay.place); return replay.app.view.project(p.x, p.y, p.z); })()"
+    )
+    box = page.locator("#view").bounding_box()
+    page.mouse.click(box["x"] + x * box["width"], box["y"] + y * box["height"])
+    assert page.evaluate("[...replay.app.robots.trails]") == [3]
+    assert page.evaluate("replay.recording.trail(3, replay.place, 5)[0].length") == pytest.approx(5 / 0.032, abs=3)
     pictures = [picture(page)]
     for key in "2345":
         page.keyboard.press(key)
@@ -148,193 +342,101 @@ def test_each_camera_shows_another_picture(show: Callable[..., Any], run: Path) 
         pictures.append(picture(page))
     assert len({tuple(picture) for picture in pictures}) == 5
     assert page.locator("#behind").input_value() == "0"
-    page.click("[data-camera=top]")
-    assert page.get_attribute("[data-camera=top]", "aria-pressed") == "true"
-    settled(page)
-    assert page.evaluate("replay.app.camera.pose.elevation") > 1.56
 
 
-@pytest.mark.nightly
-def test_the_camera_behind_a_robot_follows_it(show: Callable[..., Any], run: Path) -> None:
-    page = show(run, "#h1t10")
-    page.select_option("#behind", label="Y2")
-    for tick in (10, 700):
-        page.evaluate(f"replay.seek(1, {tick})")
-        until(page, "!replay.app.waiting")
-        x, y = page.evaluate("(() => { const p = replay.recording.pose(4, replay.place); return [p.x, p.y]; })()")
-        target = page.evaluate("replay.app.camera.pose.target")
-        assert np.hypot(target[0] - x, target[1] - y) == pytest.approx(0.16, abs=0.01)
+def test_panel_can_be_hidden_and_the_page_fill_the_screen(show: Callable[..., Any], run: Path) -> None:
+    page = show(run)
+    width = "document.getElementById('view').clientWidth"
+    with_panel = page.evaluate(width)
+    page.click("#panel")
+    assert page.evaluate(width) > with_panel + 200
+    page.keyboard.press("h")
+    assert page.evaluate(width) == with_panel
+    page.keyboard.press("f")
+    until(page, "document.fullscreenElement")
+    page.keyboard.press("f")
+    until(page, "!document.fullscreenElement")
 
 
-@pytest.mark.nightly
-def test_the_whole_field_is_in_the_picture_on_any_screen(show: Callable[..., Any], run: Path) -> None:
-    for size in (WIDE, NARROW, {"width": 844, "height": 390}, {"width": 820, "height": 1180}):
-        page = show(run, viewport=size)
+# --- any screen --------------------------------------------------------------------------------------------------------
+
+CUT_OFF = """() => [...document.querySelectorAll(".team .name, .half, .phase, #caption")]
+  .filter((one) => one.scrollWidth > one.clientWidth + 1 && one.clientWidth || one.scrollHeight > one.clientHeight + 1 && one.clientHeight)
+  .map((one) => one.textContent)"""
+
+
+def test_on_a_phone_the_field_stays_in_sight_and_nothing_is_cut_off(show: Callable[..., Any], run: Path) -> None:
+    page = show(run, f"#h1t{GOALS[1]}", viewport=NARROW, script=NO_WEBGL, has_touch=True, is_mobile=True)
+    for size in (NARROW, SMALL, LYING):
+        page.set_viewport_size(size)
+        page.evaluate("document.getElementById('events').scrollTop = 1e6; scrollTo(0, 1e6)")
+        settled(page)
+        assert page.evaluate("[scrollX, scrollY]") == [0, 0]
+        assert page.evaluate("document.documentElement.scrollWidth") <= size["width"]
+        for thing in ("#view", "#play", "#seek", "#clock", "#panel", "#events"):
+            box = page.locator(thing).bounding_box()
+            assert box["y"] >= 0
+            assert box["y"] + box["height"] <= size["height"], thing
+        assert page.locator("#view").bounding_box()["height"] >= 0.35 * size["height"]
+        assert page.locator("#phase").inner_text() == "goal pause · robots held"
+        assert page.evaluate(CUT_OFF) == [], size
         corners = page.evaluate("replay.app.camera.outermost().map((corner) => replay.app.view.project(...corner))")
         assert all(0 <= x <= 1 and 0 <= y <= 1 for x, y, _ in corners), size
-        spread = np.ptp(np.array(corners)[:, :2], axis=0)
-        assert spread.max() > 0.85, size
+    page.tap("#play")
+    until(page, f"replay.place > {GOALS[1]} + 5")
 
 
-@pytest.mark.parametrize("size", [(1280, 800), (1024, 600), (360, 740)], ids=str)
-def test_the_buttons_of_the_cameras_cover_no_part_of_the_field(
-    size: tuple[int, int], show: Callable[..., Any], run: Path
-) -> None:
-    page = show(run, viewport={"width": size[0], "height": size[1]})
-    for camera in ("overview", "top"):
-        page.click(f"[data-camera={camera}]")
-        settled(page)
-        highest, lower_edge = page.evaluate(
-            """() => {
-              const stage = document.querySelector(".stage").getBoundingClientRect();
-              const floor = replay.app.camera.outermost().filter(([x, y, z]) => z === 0);
-              const heights = floor.map((corner) => replay.app.view.project(...corner)[1] * stage.height);
-              return [Math.min(...heights), document.getElementById("cameras").getBoundingClientRect().bottom - stage.top];
-            }"""
-        )
-        assert highest >= lower_edge, camera
+def test_names_are_text_whatever_they_contain(show: Callable[..., Any], tmp_path: Path) -> None:
+    page = show(write_storied_run(tmp_path, (HOSTILE, ENDLESS_NAME), with_sensors=False), "#h1t420", script=NO_WEBGL)
+    assert page.locator(".team .name").first.text_content() == HOSTILE
+    assert page.locator(".team .name").last.text_content() == ENDLESS_NAME
+    assert "stolen" not in page.title().split(HOSTILE[:40])[0]
+    assert page.evaluate("document.querySelectorAll('img').length") == 0
+    assert page.evaluate("document.documentElement.scrollWidth") <= WIDE["width"]
+    assert page.locator("#clock").is_visible()
+    assert page.evaluate("replay.app.view.name") == "2-D"
+    sample = """(() => { const pen = replay.app.view.pen, { width, height } = pen.canvas;
+      return [...pen.getImageData(width * 0.45, height * 0.3, 1, 1).data]; })()"""
+    red, green, blue, _ = page.evaluate(sample)
+    assert green > max(red, blue)
 
 
-@pytest.mark.nightly
-def test_drag_turns_wheel_zooms_and_shift_drag_moves(show: Callable[..., Any], run: Path) -> None:
+def test_on_paper_there_is_the_picture_and_nothing_to_press(show: Callable[..., Any], run: Path) -> None:
     page = show(run)
-    pose = "(() => { const p = replay.app.camera.pose; return [p.azimuth, p.distance, p.target[0], p.target[1]]; })()"
-    first = page.evaluate(pose)
-    page.mouse.move(400, 400)
-    page.mouse.down()
-    page.mouse.move(500, 400)
-    page.mouse.up()
-    turned = page.evaluate(pose)
-    assert turned[0] == pytest.approx(first[0] - 0.6)
-    page.mouse.wheel(0, -100)
-    until(page, f"replay.app.camera.pose.distance < {first[1]}")
-    page.keyboard.down("Shift")
-    page.mouse.down()
-    page.mouse.move(600, 400)
-    page.mouse.up()
-    page.keyboard.up("Shift")
-    moved = page.evaluate(pose)
-    assert moved[0] == turned[0]
-    assert np.hypot(moved[2] - turned[2], moved[3] - turned[3]) > 0.05
-    page.mouse.dblclick(400, 300)
-    settled(page)
-    assert page.evaluate("replay.app.camera.mode") == "overview"
-
-
-def test_a_click_on_a_robot_shows_its_trail(show: Callable[..., Any], run: Path) -> None:
-    page = show(run, "#h1t600")
-    x, y, _ = page.evaluate(
-        "(() => { const p = replay.recording.pose(3, replay.place); return replay.app.view.project(p.x, p.y, p.z); })()"
-    )
-    box = page.locator("#view").bounding_box()
-    page.mouse.click(box["x"] + x * box["width"], box["y"] + y * box["height"])
-    assert page.evaluate("[...replay.app.robots.trails]") == [3]
-    page.click("#tab-robots")
-    assert page.get_by_role("button", name="Trail of Y1").get_attribute("aria-pressed") == "true"
-    trail = page.evaluate("replay.recording.trail(3, replay.place, 5)")
-    assert len(trail) == 1
-    assert len(trail[0]) == pytest.approx(5 / 0.032, abs=3)
-    assert page.evaluate("replay.app.frame.trails.length") == 1
-
-
-@pytest.mark.nightly
-def test_a_failed_program_is_said_on_the_robots_card(show: Callable[..., Any], run: Path) -> None:
-    page = show(run, "#h1t299")
-    page.click("#tab-robots")
-    settled(page)
-    card = page.locator(".robot", has_text="Y1")
-    assert "failed" not in card.inner_text()
-    page.keyboard.press(".")
-    settled(page)
-    assert "program failed at 0:09.6: crash: ZeroDivisionError" in card.inner_text()
-
-
-def test_a_robot_that_a_rule_holds_is_told_beside_the_clock_and_on_its_card(
-    show: Callable[..., Any], run: Path
-) -> None:
-    page = show(run, "#h1t199")
-    page.click("#tab-robots")
-    settled(page)
-    assert page.locator("#phase").is_hidden()
-    page.keyboard.press(".")
-    settled(page)
-    assert page.locator("#phase").inner_text() == "B1 held"
-    assert [card.split()[-1] == "held" for card in page.locator(".robot .numbers").all_inner_texts()] == [True] + 6 * [
-        False
-    ]
-
-
-def test_without_a_recording_of_sensors_the_page_says_how_to_get_one(show: Callable[..., Any], run: Path) -> None:
-    page = show(run)
-    page.click("#tab-robots")
-    assert "--record sensors" in page.locator("#no-sensors").inner_text()
-    assert page.get_by_role("button", name="Rays").count() == 0
-    page.click("#tab-show")
-    assert page.locator("input[name=rays]").is_disabled()
-
-
-def test_a_zone_that_has_a_colour_is_shown_in_it(show: Callable[..., Any], run: Path) -> None:
-    viewer = Path(rcj_challenges.__file__).parent / "views" / "replay" / "viewer"
-    parts = "\n".join((viewer / f"{name}.js").read_text(encoding="utf-8") for name in PARTS_OF_THE_FLOOR)
-    colours = show(run).evaluate(
-        "() => {"
-        + parts
-        + """
-          const field = { width_m: 1.3, length_m: 1.5, corner_cut_m: 0.06, goals: [] };
-          const zone = { shape: "circle", centre_m: [0, 0], radius_m: 0.2, inverted: false, drawn: true };
-          const facts = { field, zones: [{ ...zone, name: "plain" }, { ...zone, name: "base", colour: "red" }] };
-          const lines = [...Ground.field(facts), ...Ground.marks(facts, { zones: true })].filter((one) => one.line);
-          return lines.map((one) => one.line.join());
+    page.wait_for_timeout(100)  # the picture has gone to the screen: what is read of it now is empty
+    middle = page.evaluate(
+        """() => {
+          dispatchEvent(new Event("beforeprint"));
+          const view = document.getElementById("view"), pen = document.createElement("canvas").getContext("2d");
+          pen.drawImage(view, view.width / 2, view.height / 2, 1, 1, 0, 0, 1, 1);
+          return [...pen.getImageData(0, 0, 1, 1).data];
         }"""
     )
-    assert colours.count("1,0,0") == 2
-    assert len(colours) == 5  # the edge of the field, and each zone as a line and as a mark
+    assert sum(middle[:3]) > 60, middle
+    page.emulate_media(media="print")
+    try:
+        assert not [button for button in page.get_by_role("button").all() if button.is_visible()]
+        shown_px, whole_px = page.locator("#events").evaluate("list => [list.clientHeight, list.scrollHeight]")
+        assert shown_px == whole_px > 100
+    finally:
+        page.emulate_media(media="screen")
 
 
-@pytest.mark.parametrize(
-    ("zone", "ends"),
-    [
-        ("x_min_m: -0.35, x_max_m: 0.35, y_min_m: 0.59, y_max_m: null", [-0.35, 0.35, 0.59, 0.75]),  # to the wall
-        ("x_min_m: null, x_max_m: null, y_min_m: null, y_max_m: 0", [-0.65, 0.65, -0.75, 0]),
-        ("x_min_m: -0.2, x_max_m: 0.2, y_min_m: 0.745, y_max_m: 0.849", [-0.2, 0.2, 0.745, 0.849]),  # nothing is open
-        ("x_min_m: null, x_max_m: null, y_min_m: 0.8, y_max_m: null", [-0.81, 0.81, 0.8, 0.91]),  # behind the floor
-    ],
-)
-def test_a_zone_with_an_open_side_ends_where_the_floor_does(
-    zone: str, ends: list[float], show: Callable[..., Any], run: Path
+def test_page_whose_poses_are_damaged_says_so(
+    show: Callable[..., Any], browser_stage: Stage, run: Path, tmp_path: Path
 ) -> None:
-    # As in the drawing of the rule sheet: a penalty area reaches to the wall, not into the goal and beyond.
-    viewer = Path(rcj_challenges.__file__).parent / "views" / "replay" / "viewer"
-    parts = "\n".join((viewer / f"{name}.js").read_text(encoding="utf-8") for name in PARTS_OF_THE_FLOOR)
-    found = show(run).evaluate(
-        "() => {"
-        + parts
-        + f"""
-          const field = {{ width_m: 1.3, length_m: 1.5, corner_cut_m: 0.06, goals: [] }};
-          const points = Ground.zone({{ shape: "rect", {zone} }}, field);
-          const [xs, ys] = [0, 1].map((axis) => points.map((point) => point[axis]));
-          return [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
-        }}"""
-    )
-    assert found == pytest.approx(ends)
-
-
-def test_zones_gates_and_spots_can_be_shown(show: Callable[..., Any], run: Path) -> None:
-    page = show(run)
-    before = picture(page)
-    page.keyboard.press("z")
-    settled(page)
-    assert {"penalty_area", "middle", "half_way", "centre"} <= set(page.locator(".label.mark").all_inner_texts())
-    assert picture(page) != before
-
-
-# --- everybody ---------------------------------------------------------------------------------------------------------
+    text = (run / "replay.html").read_text("utf-8")
+    at = text.index('id="half-1">') + 400
+    (tmp_path / "replay.html").write_text(text[:at] + "AAAA" + text[at + 4 :], "utf-8")
+    show(tmp_path, ready="#problem:not([hidden])")
+    assert len(browser_stage.complaints) == 1  # this one
+    browser_stage.complaints.clear()
 
 
 @pytest.mark.nightly
 def test_everything_that_can_be_pressed_has_a_name(show: Callable[..., Any], run: Path) -> None:
     page = show(run)
-    for tab in ("#tab-robots", "#tab-show", "#tab-events"):
+    for tab in ("#tab-robots", "#tab-output", "#tab-show", "#tab-events"):
         page.click(tab)
         nameless = page.evaluate(
             """() => [...document.querySelectorAll("button, select, input, a, canvas[tabindex]")].filter((thing) =>
@@ -342,140 +444,3 @@ def test_everything_that_can_be_pressed_has_a_name(show: Callable[..., Any], run
               || thing.labels?.[0]?.textContent.trim())).map((thing) => thing.outerHTML)"""
         )
         assert nameless == []
-
-
-def test_who_opens_a_link_to_a_late_moment_sees_the_event_that_has_just_happened_in_the_list(
-    show: Callable[..., Any], run: Path
-) -> None:
-    page = show(run, "#h2t1400", anew=True)
-    settled(page)
-    current = page.locator("#events [aria-current]").bounding_box()
-    events = page.locator("#events").bounding_box()
-    assert page.evaluate("document.getElementById('events').scrollHeight") > events["height"]  # not all fit in
-    assert events["y"] <= current["y"]
-    assert current["y"] + current["height"] <= events["y"] + events["height"]
-
-
-def test_the_tab_key_reaches_the_time_line_and_its_buttons_before_the_hundreds_of_events(
-    show: Callable[..., Any], run: Path
-) -> None:
-    page = show(run)
-    page.focus("#behind")
-    page.keyboard.press("Tab")
-    assert page.evaluate("document.activeElement.id") == "seek"
-    page.focus("#speed")
-    page.keyboard.press("Tab")
-    assert page.evaluate("document.activeElement.id") == "tab-events"
-
-
-@pytest.mark.nightly
-def test_tabs_are_walked_with_the_arrow_keys(show: Callable[..., Any], run: Path) -> None:
-    page = show(run)
-    page.focus("#tab-events")
-    page.keyboard.press("ArrowRight")
-    assert page.locator("#panel-robots").is_visible()
-    assert not page.locator("#panel-events").is_visible()
-    assert page.evaluate("document.activeElement.id") == "tab-robots"
-
-
-@pytest.mark.nightly
-def test_the_page_is_light_or_dark_as_the_reader_likes_it(show: Callable[..., Any], run: Path) -> None:
-    ground = "getComputedStyle(document.body).backgroundColor"
-    light = show(run, color_scheme="light").evaluate(ground)
-    page = show(run, color_scheme="dark")
-    assert page.evaluate(ground) != light
-    page.click("#theme")
-    assert page.evaluate(ground) == light
-
-
-def test_on_a_phone_the_picture_and_the_keys_are_in_sight_and_nothing_is_cut_off(
-    show: Callable[..., Any], run: Path
-) -> None:
-    page = show(run, viewport=NARROW, has_touch=True, is_mobile=True)
-    assert page.evaluate("document.documentElement.scrollWidth") <= NARROW["width"]
-    for thing in ("#view", "#play", "#seek", "#clock"):
-        box = page.locator(thing).bounding_box()
-        assert box["y"] >= 0
-        assert box["y"] + box["height"] <= NARROW["height"], thing
-    page.tap("#play")
-    until(page, "replay.place > 5")
-
-
-WHOLE = """() => [...document.querySelectorAll(".team .name, .half, .phase:not([hidden])")]
-  .filter((one) => one.scrollWidth > one.clientWidth + 1 && one.clientWidth || one.scrollHeight > one.clientHeight + 1 && one.clientHeight)
-  .map((one) => one.textContent)"""
-"""Names and words of the scoreboard of which something is cut off."""
-
-
-@pytest.mark.parametrize(
-    ("size", "names"),
-    [
-        ({"width": 360, "height": 740}, ("Roles and Radio", "All Sensors")),
-        ({"width": 844, "height": 390}, ("Roles and Radio", "All Sensors")),
-        ({"width": 900, "height": 700}, ("Roles and Radio", "All Sensors")),
-        ({"width": 1280, "height": 800}, ("Good Old Days (blue first)", "Good Old Days (yellow first)")),
-    ],
-    ids=["phone", "phone that lies", "tablet that lies", "laptop"],
-)
-def test_the_scoreboard_cuts_off_nothing_for_which_there_is_room(
-    size: dict[str, int], names: tuple[str, str], show: Callable[..., Any], tmp_path: Path
-) -> None:
-    folder = write_made_up_run(tmp_path, ticks=TICKS, halves=1, names=names)
-    write_replay(folder)
-    page = show(folder, "#h1t800", viewport=size, script=NO_WEBGL)
-    assert page.locator("#phase").inner_text() == "goal pause · robots held"
-    assert page.evaluate(WHOLE) == []
-    tools = page.locator(".tools").bounding_box()
-    words = page.locator("#phase").bounding_box()
-    assert words["x"] + words["width"] <= tools["x"]
-
-
-def test_of_a_long_caption_whole_lines_are_shown(show: Callable[..., Any], run: Path) -> None:
-    # Text is cut off where the border begins: in a padding the upper half of a third line could be seen.
-    page = show(run, "#h1t800", viewport={"width": 360, "height": 740}, script=NO_WEBGL)
-    caption = page.locator("#caption")
-    assert "GOAL" in caption.inner_text()
-    caption.evaluate("box => { box.textContent = 'whoever touched it last '.repeat(9); }")
-    shown_px, line_px = caption.evaluate("box => [box.clientHeight, parseFloat(getComputedStyle(box).lineHeight)]")
-    assert shown_px == pytest.approx(3 * line_px, abs=1)
-
-
-@pytest.mark.parametrize("size", [WIDE, pytest.param(NARROW, marks=pytest.mark.nightly)], ids=["wide", "narrow"])
-def test_names_are_text_whatever_they_contain(size: dict[str, int], show: Callable[..., Any], tmp_path: Path) -> None:
-    endless = "\u202e\u2066" + "ح" * 10_000
-    folder = write_made_up_run(tmp_path, ticks=500, halves=1, names=(HOSTILE, endless))
-    write_replay(folder)
-    page = show(folder, "#h1t420", viewport=size, script=NO_WEBGL)
-    assert page.locator(".team .name").first.inner_text() == HOSTILE
-    assert page.locator(".team .name").last.text_content() == endless
-    assert "stolen" not in page.title().split(HOSTILE[:40])[0]
-    assert page.evaluate("document.querySelectorAll('img').length") == 0
-    assert page.evaluate("document.documentElement.scrollWidth") <= size["width"]
-    assert page.locator("#clock").is_visible()
-
-
-def test_without_webgl_the_field_is_drawn_from_above(show: Callable[..., Any], run: Path) -> None:
-    page = show(run, "#h1t450", script=NO_WEBGL)
-    assert page.evaluate("replay.app.view.name") == "2-D"
-    sample = """(() => { const pen = replay.app.view.pen, { width, height } = pen.canvas;
-      return [...pen.getImageData(width * 0.45, height * 0.3, 1, 1).data]; })()"""
-    red, green, blue, _ = page.evaluate(sample)
-    assert green > red
-    assert green > blue
-    pixels = "replay.app.view.canvas.toDataURL()"
-    before = page.evaluate(pixels)
-    page.keyboard.press("ArrowRight")
-    settled(page)
-    assert page.evaluate(pixels) != before
-
-
-def test_a_page_whose_poses_are_damaged_says_so(
-    show: Callable[..., Any], browser_stage: Stage, run: Path, tmp_path: Path
-) -> None:
-    text = (run / "replay.html").read_text("utf-8")
-    at = text.index('id="half-1">') + 400
-    (tmp_path / "replay.html").write_text(text[:at] + "AAAA" + text[at + 4 :], "utf-8")
-    page = show(tmp_path, ready="#problem:not([hidden])")
-    assert "cannot be shown" in page.locator("#problem").inner_text()
-    assert len(browser_stage.complaints) == 1  # this one
-    browser_stage.complaints.clear()

@@ -226,7 +226,7 @@ def test_phases_and_score_are_told_by_half(page: str) -> None:
 
 def test_a_failed_program_is_told_with_its_reason(page: str) -> None:
     assert _facts(page)["halves"][0]["faults"] == [
-        {"robot": "Y1", "tick": 300, "kind": "crash", "detail": "ZeroDivisionError: division by zero"}
+        {"robot": "Y1", "tick": 300, "kind": "crash", "detail": "Traceback …\n  robot.py, 7"}
     ]
 
 

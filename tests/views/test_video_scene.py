@@ -7,12 +7,13 @@ import numpy as np
 import pytest
 
 from rcj_challenges.records.testing import write_made_up_run
-from rcj_challenges.views.video.colours import GATE, LINE, WALL
+from rcj_challenges.views.palette import PALETTE, rgb, shown_colour
 from rcj_challenges.views.video.footage import Footage
 from rcj_challenges.views.video.scene import build_scene
 from tests.views.video_scenes import JUDGED_GATE, NO_GOALS, playing
 
 RED = (255, 0, 0)
+GATE, LINE, WALL = (rgb(PALETTE[name]) for name in ("gate", "line", "wall"))
 BOX, CYLINDER = mujoco.mjtGeom.mjGEOM_BOX, mujoco.mjtGeom.mjGEOM_CYLINDER
 
 
@@ -60,10 +61,24 @@ def test_only_field_with_goals_has_a_halfway_line(footage, text, expected):
     assert has_line(playing(footage, text), (-0.65, 0), (0.65, 0)) is expected
 
 
+def test_penalty_areas_have_their_owners_colours(footage):
+    shown = playing(footage, "")
+    for colour, y in (("blue", 0.59), ("yellow", -0.59)):
+        assert has_line(shown, (-0.35, y), (0.35, y), rgb(shown_colour(colour)))
+
+
+def test_each_robot_has_a_lid_with_its_number_and_a_shadow_on_the_floor(footage):
+    model = build_scene(footage, (64, 64), fine=False)
+    lids = [model.texture(f"{name}/lid") for name in footage.roster.entities[: footage.roster.robots]]
+    pictures = [model.tex_data[lid.adr[0] : lid.adr[0] + 3 * 128 * 128].tobytes() for lid in lids]
+    assert len(set(pictures)) == len(pictures) == 6
+    assert all(model.body(f"{name}/floor").mocapid[0] >= 0 for name in footage.roster.entities)
+
+
 def test_walls_leave_the_goals_open(footage):
     shown = playing(footage, "")
     ends = [x for kind, (x, y, z), _, _ in geoms(shown, WALL) if kind == BOX and 0.74 < y < 0.8]
-    assert len(ends) == 2
+    assert len(ends) == 4  # a pane and its rim on each side
     assert min(map(abs, ends)) > 0.2
 
 
@@ -97,11 +112,11 @@ def test_gate_of_no_rule_is_not_drawn(footage):
 
 
 def test_gate_that_moves_is_a_body_of_its_own(footage):
-    """On the body of a ball it would roll."""
     shown = playing(footage, JUDGED_GATE % "{from_m: [0.12, 0.05], to_m: [0.12, -0.05], anchor: Y1}")
     assert has_line(shown, (0.12, 0.05), (0.12, -0.05), GATE)
-    body = build_scene(shown, (64, 64), fine=False).body("Y1/gates")
-    assert body.mocapid[0] >= 0
+    model = build_scene(shown, (64, 64), fine=False)
+    gate = [k for k in range(model.ngeom) if np.allclose(model.geom_rgba[k][:3], np.array(GATE) / 255)]
+    assert {model.body(model.geom_bodyid[k]).name for k in gate} == {"Y1/floor"}
 
 
 @pytest.mark.parametrize("movable", [False, True])

@@ -1,10 +1,15 @@
 """A recorded run, shown as if another scenario had been played."""
 
+import math
+from collections.abc import Sequence
 from dataclasses import replace
+
+import numpy as np
 
 from rcj_challenges.scenario.load import load_text
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.replay.things import visible_things
+from rcj_challenges.views.video.camera import FOV_RAD, View, axes
 
 HEAD = "schema_version: 1\nid: lines\ntitle: Lines\nextends: soccersim_v2\n"
 NO_GOALS = (
@@ -22,3 +27,11 @@ def playing(footage, text):
     """Return the footage with the scenario of a YAML text."""
     scenario = load_text(HEAD + text).scenario
     return replace(footage, scenario=scenario, roster=Roster.of(scenario), things=visible_things(scenario))
+
+
+def pixel_at(point_m: Sequence[float], view: View, size: tuple[int, int]) -> tuple[float, float]:
+    """Return where a point is in a picture of a view."""
+    forward, right, up = axes(view)
+    ray = np.array(point_m) - np.array(view.look_at_m) + view.distance_m * forward
+    px_per_m = size[1] / 2 / math.tan(FOV_RAD / 2) / float(ray @ forward)
+    return size[0] / 2 + float(ray @ right) * px_per_m, size[1] / 2 - float(ray @ up) * px_per_m

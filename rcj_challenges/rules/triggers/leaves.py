@@ -21,6 +21,7 @@ class Leaves(Trigger):
 
     ON_FIELD_ONLY = True
     ASKS_WHERE = True
+    REASON = "left {zone}"
     EXAMPLE = """
 rules:
   out:

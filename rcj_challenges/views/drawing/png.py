@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 from types import ModuleType
 
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
 
 ZOOM = 2.0
 """Pixels for each unit of the drawing: sharp on paper and on dense screens."""
@@ -21,7 +21,7 @@ FAMILIES = (
 _WORD = '<svg xmlns="http://www.w3.org/2000/svg" width="20" height="20"><text y="18" font-family="{}">M</text></svg>'
 
 
-class PngMissingError(RcjError):
+class PngMissingError(DiagnosticError):
     """The package that renders PNG is not installed."""
 
 
@@ -55,6 +55,6 @@ def _renderer() -> ModuleType:
     try:
         import resvg_py  # noqa: PLC0415 - an extra: most people never need it
     except ImportError as error:
-        message = 'PNG needs an optional package: pip install "rcj-challenges[png]". SVG needs none: --out field.svg'
-        raise PngMissingError(message) from error
+        how = 'pip install "rcj-challenges[png]"; SVG needs none: --out field.svg'
+        raise PngMissingError(Diagnostic("missing-extra", "PNG needs an optional package", how)) from error
     return resvg_py

@@ -11,7 +11,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
 
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY
 from rcj_challenges.records.logos import LogoError
@@ -30,7 +30,7 @@ _ACCEPT_EVERY_S = 0.05
 """How long the end of the server may take; connections are accepted at once."""
 
 
-class PortTakenError(RcjError):
+class PortTakenError(DiagnosticError):
     """The port cannot be listened on."""
 
 
@@ -167,7 +167,9 @@ def _give_logos(facts: dict[str, Any], logos: Mapping[str, bytes]) -> list[tuple
     return missing
 
 
-def _why(port: int, error: OSError) -> str:
-    if error.errno == errno.EADDRINUSE:
-        return f"--live {port}: this port is in use already; take another, or leave it out: a free one is found"
-    return f"--live {port}: cannot listen on this port: {error.strerror}; leave it out: a free one is found"
+def _why(port: int, error: OSError) -> Diagnostic:
+    taken = error.errno == errno.EADDRINUSE
+    what = "is in use already" if taken else f"cannot be listened on: {error.strerror}"
+    return Diagnostic(
+        "port-taken", f"--live: port {port} {what}", "take another port, or leave it out: a free one is found"
+    )

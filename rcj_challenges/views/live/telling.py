@@ -27,6 +27,7 @@ from rcj_challenges.views.live.pace import Pace
 from rcj_challenges.views.live.senses import HalfSenses
 from rcj_challenges.views.naming import changes_sides, told_apart
 from rcj_challenges.views.replay.packing import FINEST_M, put_at_start, rounded_poses, units
+from rcj_challenges.views.replay.page import fault_detail
 from rcj_challenges.views.replay.story import Story, Teller
 from rcj_challenges.views.replay.things import visible_things
 from rcj_challenges.views.standing import Counting
@@ -34,7 +35,6 @@ from rcj_challenges.views.standing import Counting
 _MOST_AT_ONCE = 2_000
 _NUMBERS_PER_ENTITY = 5  # x, y, yaw; height; upright
 _Kept = tuple[int, bytes, tuple[Snapshot, Verdict] | None]  # tick, poses, and all of it where something happened
-_LONGEST_DETAIL = 10_000
 _SEEN_BEYOND_M = 3.0
 """How far outside of the field poses are still told apart; what is further (parked robots) stands at the edge."""
 
@@ -86,6 +86,7 @@ class LiveObserver(NullObserver):
         self._half: HalfInfo | None = None
         self._senses: HalfSenses | None = None
         self._story = Story()
+        self._titles: dict[str, str] = {}
         self._counting = Counting(scenario)
         self._teams: dict[int, dict[str, str]] = {}
         self._scores: dict[str, int | float] = {}
@@ -124,6 +125,8 @@ class LiveObserver(NullObserver):
             self._phase = self._phase_kept = None
             self._held = self._held_kept = frozenset()
             self._teams[half.half] = half.teams
+            named = {half.teams[seat]: name for seat, name in half.team_names.items() if name}
+            self._titles = told_apart(named, sides_change=changes_sides(self._scenario))
             self._scores = {half.teams[seat]: points for seat, points in half.scores.items()}
             self._story.score_changes[half.half] = []
             self._counting.begin(half)
@@ -202,8 +205,9 @@ class LiveObserver(NullObserver):
         if not events and not any(firing.scored for firing in verdict.firings):
             return []
         firings = [_as_read(firing_line(half.half, firing)) for firing in verdict.firings if firing.suppressed is None]
-        teller = Teller(self._scenario, self._teams, firings, self._story)
-        told = [teller.event(_as_read({"kind": "event", **event_line(half.half, event)})) for event in events]
+        teller = Teller(self._scenario, self._teams, firings, self._story, self._titles)
+        lines = [_as_read({"kind": "event", **event_line(half.half, event)}) for event in events]
+        told = [teller.event(line, snapshot.faults) for line in lines]
         return [*told, *teller.unannounced()]
 
     def _follow_the_score(self, half: HalfInfo, verdict: Verdict) -> bool:
@@ -232,7 +236,7 @@ class LiveObserver(NullObserver):
 
 
 def _fault(fault: Fault) -> dict[str, Any]:
-    return {"robot": fault.robot, "tick": fault.tick, "kind": fault.kind, "detail": fault.detail[:_LONGEST_DETAIL]}
+    return {"robot": fault.robot, "tick": fault.tick, "kind": fault.kind, "detail": fault_detail(fault)}
 
 
 def _as_read(line: dict[str, Any]) -> dict[str, Any]:

@@ -11,6 +11,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
+from rcj_challenges.facts.play import Fault
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.records.changed import refusing_changes
 from rcj_challenges.records.errors import RecordError
@@ -24,6 +25,7 @@ from rcj_challenges.records.trajectory import HalfTrack
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.markup import escaped
 from rcj_challenges.views.naming import titles
+from rcj_challenges.views.palette import PALETTE
 from rcj_challenges.views.replay.packing import (
     HEIGHT_M,
     TILT_RAD,
@@ -41,7 +43,7 @@ from rcj_challenges.views.scoreboard import ranking_rows
 SCRIPTS = (
     "element", "maths", "colours", "recording", "embedded", "mesh", "ground", "bodies", "overlays", "painter", "scene",
     "canvas2d", "camera", "pointerInput", "labels", "board", "player", "transport", "eventlist", "robotlist", "sensors",
-    "heat", "logos", "panels", "app", "start",
+    "output", "heat", "logos", "panels", "app", "start",
 )  # fmt: skip
 """The parts of the viewer in the order in which they are joined: what is used stands before what uses it."""
 
@@ -179,10 +181,15 @@ def _half(half: HalfTrack, frames: Frames, story: Story) -> dict[str, Any]:
         "held": story.held[info.half],
         "jumps": [list(ticks) for ticks in frames.jumps],
         "faults": [
-            {"robot": fault.robot, "tick": fault.tick, "kind": fault.kind, "detail": fault.detail[:_LONGEST_DETAIL]}
+            {"robot": fault.robot, "tick": fault.tick, "kind": fault.kind, "detail": fault_detail(fault)}
             for fault in faults
         ],
     }
+
+
+def fault_detail(fault: Fault) -> str:
+    """Return all that is known of a program's failure: its traceback, which ends with the error, or one line."""
+    return (fault.traceback.rstrip() or fault.detail)[-_LONGEST_DETAIL:]
 
 
 def places(scenario: Scenario, result: RunResult) -> list[dict[str, str]]:
@@ -254,7 +261,7 @@ def page_text(
 
 def _script(sources: list[str]) -> str:
     joined = "\n".join(sources)
-    return f'"use strict";\n(() => {{\n{joined}\n}})();\n'
+    return f'"use strict";\n(() => {{\nconst PALETTE_CSS = {inert_json(PALETTE)};\n{joined}\n}})();\n'
 
 
 def _policy(script: str, style: str, kind: PageKind) -> str:

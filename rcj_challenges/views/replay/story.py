@@ -7,6 +7,7 @@ asks for what.
 from __future__ import annotations
 
 import json
+import re
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -15,27 +16,20 @@ from typing import Any
 
 from rcj_challenges.facts.amounts import Score, round_score
 from rcj_challenges.facts.measures import number_words
+from rcj_challenges.facts.play import Fault
 from rcj_challenges.records.referee_log import events_as_lines, read_referee_log
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.records.result import RunResult
 from rcj_challenges.records.trajectory import HalfTrack
 from rcj_challenges.rules.actions.emit import Emit
+from rcj_challenges.rules.base import Trigger
+from rcj_challenges.rules.phrasing import quoted
+from rcj_challenges.rules.triggers import TRIGGERS
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.naming import changes_sides, told_apart
+from rcj_challenges.views.palette import shown_colour
 from rcj_challenges.views.payloads import told_beside
-from rcj_challenges.views.replay.things import shown_colour
 from rcj_challenges.views.standing import Counting
-
-UNITS = {
-    "no_progress": "m",
-    "displaced": "m",
-    "stays_in": "s",
-    "holds": "s",
-    "time_reached": "s",
-    "timer_expired": "s",
-    "tips_over": "",
-}
-"""The unit of what a trigger measures, by its word."""
 
 _QUIET = ("MATCH_START", "MATCH_FINISH", "KICKOFF")
 _LONGEST_TEXT = 2_000
@@ -44,6 +38,14 @@ _MOST_CHANGES = 2_000
 MOST_UNANNOUNCED = 300
 """Of points without an event a page lists so many of each rule and half: one that pays on every tick would fill it."""
 _POINTS = "POINTS"
+
+_UNITS = {
+    word.name(): unit[1] if (unit := re.search(r" in (m|s|rad)\b", word.MEASURED)) else ""
+    for word in TRIGGERS.words()
+    if issubclass(word, Trigger)
+}
+"""The unit of what a trigger measures, by its word."""
+_WHERE = re.compile(r'File "(?:[^"]*[/\\])?([^"/\\]+)", line (\d+)')
 
 
 @dataclass
@@ -93,7 +95,10 @@ def tell(folder: Path, scenario: Scenario, halves: Sequence[HalfTrack], result: 
         ]
     names = told_apart(_names(halves, result), sides_change=changes_sides(scenario))
     told = Teller(scenario, {half.info.half: half.info.teams for half in halves}, firings, story, names)
-    events = [told.event(line) for line in lines if line["kind"] == "event"]
+    faults = {(half.info.half, tick): faults for half in halves for tick, faults in half.faults.items()}
+    events = [
+        told.event(line, faults.get((line["half"], line["tick"]), ())) for line in lines if line["kind"] == "event"
+    ]
     story.events = sorted([*events, *told.unannounced()], key=lambda event: (event["half"], event["tick"]))
     return story
 
@@ -149,6 +154,8 @@ class Teller:
         story: Story,
         names: Mapping[str, str] | None = None,
     ) -> None:
+        self._rules = scenario.rules
+        self._entities = {*scenario.robots, *scenario.balls, *scenario.obstacles}
         self._names = {seat: entrant.title or seat for seat, entrant in scenario.entrants.items()} | dict(names or {})
         self._emitted = {
             rule: [action.event for action in definition.actions if isinstance(action, Emit)]
@@ -171,37 +178,70 @@ class Teller:
             if next(iter(entrant.robots), None) in scenario.robots
         }
 
-    def event(self, line: Mapping[str, Any]) -> dict[str, Any]:
-        """Return an event as the page shows it."""
+    def event(self, line: Mapping[str, Any], faults: Sequence[Fault] = ()) -> dict[str, Any]:
+        """Return an event as the page shows it.
+
+        Args:
+            line: of the referee's log.
+            faults: of the programs that failed on its tick.
+        """
         half, tick, name = line["half"], line["tick"], line["event"]
         waiting = self._open.get((half, tick, name))
         firing = waiting.pop(0) if waiting else {}
         scored: Mapping[str, Score] = firing.get("scored") or {}
+        seat = _whose(scored)
+        team = self._seats.get(half, {}).get(seat, seat)
+        standing = self._standing(half, tick) if scored else ""
         trigger = firing.get("trigger", "")
         payload = line["payload"] if isinstance(line["payload"], dict) else {"payload": line["payload"]}
-        says = _short(firing.get("says") or "")
-        told = _short(told_beside(name, payload, says), 300)
-        about = says or told
-        caption = " · ".join(filter(None, (says, told)))
+        says, reason = _short(firing.get("says") or ""), self._reason(firing)
+        about = reason if reason and self._leaves_open(firing) else says
+        beside = [reason if about != reason else "", told_beside(name, payload, says)]
+        fault = next((one for one in faults if name == PROGRAM_FAULT and one.robot == payload.get("robot_name")), None)
+        if fault is not None:  # it is said when the program failed; the referee heard of it a tick later
+            tick = fault.tick
+            about, says, beside = fault_sentence(fault), _short(fault.traceback or fault.detail), []
+        told = _short(" · ".join(filter(None, beside)), 300)
+        head = " ".join(filter(None, (name.replace("_", " "), self._names.get(team, ""), standing)))
+        caption = " · ".join(filter(None, (about, told)))
         return {
             "half": half,
             "tick": tick,
             "name": name,
             "kind": _kind(name, scored),
             "scored": bool(scored),
-            "colour": self._colours.get(_whose(scored)),
-            "standing": self._standing(half, tick) if scored else "",
-            "about": _short(about, 300),
-            "told": told if says else "",
-            "caption": _short(f"{name}: {caption}" if caption else name, 200),
+            "team": team,
+            "colour": self._colours.get(seat),
+            "standing": standing,
+            "about": _short(about or told, 300),
+            "told": told if about else "",
+            "caption": _short(f"{head}: {caption}" if caption else head, 200),
             "says": says,
             "rule": firing.get("rule", ""),
             "trigger": trigger,
             "measured": _rounded(firing.get("measured")),
             "limit": _rounded(firing.get("limit")),
-            "unit": UNITS.get(trigger, ""),
+            "unit": _UNITS.get(trigger, ""),
             "payload": [[key, _short(value)] for key, value in payload.items()],
         }
+
+    def _leaves_open(self, firing: Mapping[str, Any]) -> bool:
+        """Return whether a rule has several triggers, so that its sentence does not say which one it was."""
+        rule = self._rules.get(firing.get("rule", ""))
+        return rule is not None and len(rule.triggers) > 1
+
+    def _reason(self, firing: Mapping[str, Any]) -> str:
+        """Return why a rule fired: ``Y1 made no progress: 0.497 m in 15 s, at least 0.5``; empty if no word says it."""
+        rule = self._rules.get(firing.get("rule", ""))
+        fired = [] if rule is None else [one for one in rule.triggers if one.name() == firing.get("trigger")]
+        if len(fired) != 1 or not fired[0].REASON or (firing.get("measured") is None and fired[0].LIMIT):
+            return ""
+        fields = {key: quoted(value) if isinstance(value, str) else value for key, value in fired[0]}
+        numbers = {key: number_words(firing[key], 3) for key in ("measured", "limit") if firing.get(key) is not None}
+        reason = fired[0].REASON.format(**{**fields, **numbers})
+        entity = firing.get("entity") or getattr(fired[0], "entity", "")
+        reason = f"{entity} {reason}" if entity in self._entities else reason
+        return reason[0].upper() + reason[1:]
 
     def unannounced(self) -> Iterator[dict[str, Any]]:
         """Yield the points that rules gave without an event, as the page shows them, in order."""
@@ -229,6 +269,14 @@ def _whose(scored: Mapping[str, Score]) -> str:
     """Return the seat in whose colour a change of the score is shown: who gained, or else who lost points."""
     gained = (seat for seat, points in scored.items() if points > 0)
     return next(gained, next(iter(scored), ""))
+
+
+def fault_sentence(fault: Fault) -> str:
+    """Return ``Y1 crashed at robot.py:7: ZeroDivisionError: division by zero``."""
+    where = _WHERE.findall(fault.traceback)
+    at = f" at {where[-1][0]}:{where[-1][1]}" if where else ""
+    what = "crashed" if fault.kind == "crash" else f"failed ({fault.kind.replace('_', ' ')})"
+    return f"{fault.robot} {what}{at}: {fault.detail}"
 
 
 def _kind(name: str, scored: Mapping[str, Score]) -> str:

@@ -4,21 +4,16 @@ from __future__ import annotations
 
 from typing import Any
 
+from pydantic import BaseModel
+
 from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.places import Gate
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.remembered import fixed_spots
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.visiting import visit
+from rcj_challenges.views.palette import shown_colour
 from rcj_challenges.views.standing import counted_names, shows_score
-
-_TEAM_COLOURS = {"blue": "#3b82f6", "yellow": "#f2c018"}
-"""Brighter than CSS's `blue`, darker than its `yellow`: both must stand out from green, in the light and the dark."""
-
-
-def shown_colour(colour: str) -> str:
-    """Return the CSS colour in which a team's colour is shown."""
-    return _TEAM_COLOURS.get(colour, colour)
 
 
 def visible_things(scenario: Scenario) -> dict[str, Any]:
@@ -32,15 +27,14 @@ def visible_things(scenario: Scenario) -> dict[str, Any]:
             "length_m": field.length_m,
             "wall_height_m": field.wall_height_m,
             "corner_cut_m": field.corner_cut_m,
-            "goals": [goal.model_dump(mode="json") for goal in field.goals.values()],
+            "goals": [_coloured(goal) for goal in field.goals.values()],
         },
         "entities": [_entity(scenario, name) for name in roster.entities],
-        "fixed": [
-            scenario.obstacles[name].model_dump(mode="json")
-            for name in scenario.obstacles
-            if name not in roster.entities
+        "fixed": [_coloured(thing) for name, thing in scenario.obstacles.items() if name not in roster.entities],
+        "zones": [
+            {"name": name, **zone.model_dump(mode="json"), "colour": zone_colour(scenario, name)}
+            for name, zone in scenario.zones.items()
         ],
-        "zones": [{"name": name, **zone.model_dump(mode="json")} for name, zone in scenario.zones.items()],
         # One that moves has its posts in the frame of what it moves with; `anchor` is the place of that in the list.
         "gates": [
             gate.model_dump(mode="json") | {"name": name, "used": name in used, "anchor": _anchor(roster, gate)}
@@ -54,6 +48,20 @@ def visible_things(scenario: Scenario) -> dict[str, Any]:
         "held_phases": [name for name, phase in scenario.phases.items() if phase.robots == "held"],
         "stopped_phases": [name for name, phase in scenario.phases.items() if phase.clock == "stops"],
     }
+
+
+def zone_colour(scenario: Scenario, name: str) -> str | None:
+    """Return the colour of a zone: its own, or that of its owner, whose name it begins with: ``blue_penalty_area``."""
+    own = scenario.zones[name].colour
+    seat = name.partition("_")[0]
+    if own is None and seat in scenario.entrants:
+        return _seat_colour(scenario, seat)
+    return None if own is None else shown_colour(own)
+
+
+def _coloured(thing: BaseModel) -> dict[str, Any]:
+    fields = thing.model_dump(mode="json")
+    return {**fields, "colour": shown_colour(fields["colour"])}
 
 
 def _used_gates(scenario: Scenario, roster: Roster) -> set[str]:
@@ -82,11 +90,11 @@ def _entity(scenario: Scenario, name: str) -> dict[str, Any]:
         return _robot(scenario, name)
     if name in scenario.balls:
         ball = scenario.balls[name]
-        return {"name": name, "kind": "ball", "radius_m": ball.radius_m, "colour": ball.colour}
+        return {"name": name, "kind": "ball", "radius_m": ball.radius_m, "colour": shown_colour(ball.colour)}
     obstacle = scenario.obstacles[name]
     if isinstance(obstacle, Wall):  # a roster has movable obstacles only, and a wall is none
         raise TypeError(f"{name} is a wall and cannot move")
-    return {"name": name, "kind": "obstacle", **obstacle.model_dump(mode="json")}
+    return {"name": name, "kind": "obstacle", **_coloured(obstacle)}
 
 
 def _robot(scenario: Scenario, name: str) -> dict[str, Any]:
@@ -109,12 +117,16 @@ def _robot(scenario: Scenario, name: str) -> dict[str, Any]:
     }
 
 
-def _seat(scenario: Scenario, name: str) -> dict[str, Any]:
+def _seat_colour(scenario: Scenario, name: str) -> str:
     robots = scenario.entrants[name].robots
     colours = [scenario.robots[robot].colour for robot in robots if robot in scenario.robots]
+    return shown_colour(colours[0] if colours else "grey")
+
+
+def _seat(scenario: Scenario, name: str) -> dict[str, Any]:
     return {
         "name": name,
-        "colour": shown_colour(colours[0] if colours else "grey"),
+        "colour": _seat_colour(scenario, name),
         "letter": _letters(scenario).get(name, ""),
     }
 

@@ -1,9 +1,8 @@
-"""From where the field is seen."""
+"""From where the field is seen: the cameras of the replay page."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import product
 from typing import Any, NamedTuple
@@ -16,14 +15,14 @@ from rcj_challenges.views.video.clips import Moment
 from rcj_challenges.views.video.errors import VideoError
 from rcj_challenges.views.video.footage import Footage
 
-FOV_DEG = 32.0
-"""Vertical field of view."""
+FOV_RAD = 0.5
+"""Vertical field of view, as in ``viewer/camera.js``; so are angles and distances."""
 _STILL = ("field", "top", "side")
-_ELEVATION_DEG = {"field": -52.0, "top": -90.0, "side": -20.0, "behind": -24.0, "follow-ball": -40.0}
-_DISTANCE_M = {"behind": 0.95, "follow-ball": 1.5}
+_ELEVATION_RAD = {"field": -0.82, "top": -math.pi / 2, "side": -0.3, "behind": -0.42, "follow-ball": -0.7}
+_DISTANCE_M = {"behind": 0.62, "follow-ball": 1.1}
 _SMOOTHING_S = 0.8
 """A camera that follows something looks at its average position over this time, so that it glides over jumps."""
-_LOOK_AHEAD_M = 0.22
+_LOOK_AHEAD_M = 0.16
 """A camera behind a robot looks at a point in front of it."""
 _MARGIN = 0.97
 """Part of the picture that a still camera fills with the field."""
@@ -57,25 +56,24 @@ class Camera:
         Raises:
             VideoError: there is no such camera, robot or ball.
         """
-        kind, colon, robot = name.partition(":")
-        robots = roster.entities[: roster.robots]
-        if kind == "behind" and colon:
-            if robot not in robots:
-                raise _unknown("unknown-robot", f"--camera {name[:60]}: no robot {robot[:40]!r}", robot, robots)
-            return cls("behind", roster.entities.index(robot))
-        if name == "follow-ball":
-            if not roster.balls:
-                raise VideoError("no-ball", "--camera follow-ball: this scenario has no ball")
+        if name == "follow-ball" and roster.balls:
             return cls(name, roster.robots)
-        if name not in _STILL:
-            cameras = (*_STILL, "follow-ball", *(f"behind:{robot}" for robot in robots))
-            raise _unknown("unknown-camera", f"--camera {name[:60]!r} is unknown", name, cameras)
-        return cls(name)
+        if name in _STILL:
+            return cls(name)
+        behind = [f"behind:{robot}" for robot in roster.entities[: roster.robots]]
+        if name in behind:
+            return cls("behind", behind.index(name))
+        cameras = (*_STILL, *(["follow-ball"] if roster.balls else []), *behind)
+        near = nearest_name(name, cameras)
+        guess = "" if near is None else f"did you mean {near!r}? "
+        raise VideoError(
+            "unknown-camera", f"--camera {name[:60]!r} is unknown", f"{guess}There are: {', '.join(cameras)}"
+        )
 
     def view(self, footage: Footage, moment: Moment, aspect: float) -> View:
         """Return from where a moment is seen, in a picture of a shape (width by height)."""
         corners, upright = _field_corners(footage, aspect)
-        azimuth_deg, elevation_deg = 90.0 if upright else 0.0, _ELEVATION_DEG[self.kind]
+        azimuth_deg, elevation_deg = 90.0 if upright else 0.0, math.degrees(_ELEVATION_RAD[self.kind])
         if self.entity < 0:
             return _fitted(corners, azimuth_deg, elevation_deg, aspect)
         x_m, y_m, yaw_rad = moment.half.smoothed(self.entity, moment.t_s, _SMOOTHING_S)
@@ -96,24 +94,15 @@ def axes(view: View) -> tuple[Any, Any, Any]:
     return forward, right, np.cross(right, forward)
 
 
-def pixel_at(point_m: Sequence[float], view: View, size: tuple[int, int]) -> tuple[float, float] | None:
-    """Return where a point is in a picture of a view; None if it is behind the camera."""
-    forward, right, up = axes(view)
-    ray = np.array(point_m) - np.array(view.look_at_m) + view.distance_m * forward
-    depth_m = float(ray @ forward)
-    if depth_m <= 0.05:
-        return None
-    px_per_m = size[1] / 2 / math.tan(math.radians(FOV_DEG) / 2) / depth_m
-    return size[0] / 2 + float(ray @ right) * px_per_m, size[1] / 2 - float(ray @ up) * px_per_m
-
-
 def _field_corners(footage: Footage, aspect: float) -> tuple[Any, bool]:
-    """Return the corners of the box around field, goals and walls, and whether the field stands upright."""
+    """Return the corners of field and goals, at the floor and on the walls, and whether the field stands upright."""
     field = footage.things["field"]
-    depth_m = max((goal["depth_m"] for goal in field["goals"]), default=0.0)
-    x_m, y_m = field["width_m"] / 2 + 0.02, field["length_m"] / 2 + depth_m + 0.02
-    corners = np.array(list(product((-x_m, x_m), (-y_m, y_m), (0.0, field["wall_height_m"]))))
-    return corners, (aspect >= 1) != (y_m >= x_m)
+    x_m, y_m = field["width_m"] / 2 + 0.01, field["length_m"] / 2 + 0.01
+    ends = list(product((-x_m, x_m), (-y_m, y_m)))
+    for goal in field["goals"]:
+        end_m = (1 if goal["end"] == "positive_y" else -1) * (y_m + goal["depth_m"])
+        ends += [(half_m, end_m) for half_m in (-goal["width_m"] / 2, goal["width_m"] / 2)]
+    return np.array([(*end, z_m) for end in ends for z_m in (0.0, field["wall_height_m"])]), aspect < 0.95
 
 
 def _fitted(corners: Any, azimuth_deg: float, elevation_deg: float, aspect: float) -> View:
@@ -124,7 +113,7 @@ def _fitted(corners: Any, azimuth_deg: float, elevation_deg: float, aspect: floa
     """
     forward, right, up = axes(View((0, 0, 0), 0, azimuth_deg, elevation_deg))
     depths_m = corners @ forward
-    tan_up = math.tan(math.radians(FOV_DEG) / 2) * _MARGIN
+    tan_up = math.tan(FOV_RAD / 2) * _MARGIN
     distance_m, look_at_m = 0.0, np.zeros(3)
     for axis, tangent in ((right, tan_up * aspect), (up, tan_up)):
         low_m = float((corners @ axis - tangent * depths_m).max())
@@ -133,9 +122,3 @@ def _fitted(corners: Any, azimuth_deg: float, elevation_deg: float, aspect: floa
         look_at_m += axis * (low_m + high_m) / 2
     x_m, y_m, z_m = look_at_m.tolist()
     return View((x_m, y_m, z_m), distance_m, azimuth_deg, elevation_deg)
-
-
-def _unknown(code: str, message: str, name: str, known: Sequence[str]) -> VideoError:
-    near = nearest_name(name, known)
-    guess = "" if near is None else f"did you mean {near!r}? "
-    return VideoError(code, message, f"{guess}There are: {', '.join(known)}")

@@ -26,13 +26,11 @@ class Clip:
     Attributes:
         half: its number, from 1.
         from_s, to_s: match time in this half.
-        title: shown while it lasts.
     """
 
     half: int
     from_s: float
     to_s: float
-    title: str = ""
 
 
 @dataclass(frozen=True)
@@ -41,7 +39,6 @@ class Moment:
 
     half: HalfFootage
     t_s: float
-    title: str = ""
     speed: float = 1.0
 
 
@@ -108,30 +105,19 @@ def highlights(footage: Footage, clips: list[Clip]) -> list[Clip]:
     Raises:
         VideoError: the score does not change in these clips.
     """
-    goals = [
-        (clip, s_from_ticks(tick), footage.scoring_event(clip.half, tick))
-        for clip in clips
-        for tick in dict.fromkeys(tick for tick, _ in footage.story.score_changes.get(clip.half, ()))
-        if clip.from_s <= s_from_ticks(tick) <= clip.to_s
-    ]
-    if not goals:
+    found: list[Clip] = []
+    for clip in clips:
+        for tick in dict.fromkeys(tick for tick, _ in footage.story.score_changes.get(clip.half, ())):
+            at_s = s_from_ticks(tick)
+            if not clip.from_s <= at_s <= clip.to_s:
+                continue
+            new = Clip(clip.half, max(clip.from_s, at_s - BEFORE_GOAL_S), min(clip.to_s, at_s + AFTER_GOAL_S))
+            if found and found[-1].half == new.half and new.from_s < found[-1].to_s:
+                new = replace(new, from_s=found.pop().from_s)
+            found.append(new)
+    if not found:
         raise VideoError("no-highlights", "the score does not change in this part of the run", "leave --highlights out")
-    joined: list[tuple[Clip, int, int, set[str]]] = []
-    for number, (clip, at_s, name) in enumerate(goals, 1):
-        new = Clip(clip.half, max(clip.from_s, at_s - BEFORE_GOAL_S), min(clip.to_s, at_s + AFTER_GOAL_S))
-        if joined and joined[-1][0].half == new.half and new.from_s < joined[-1][0].to_s:
-            before, first, _, names = joined.pop()
-            joined.append((replace(before, to_s=new.to_s), first, number, names | {name}))
-        else:
-            joined.append((new, number, number, {name}))
-    return [
-        replace(
-            clip,
-            title=f"{min(names) if len(names) == 1 else 'Score'} "
-            f"{first if first == last else f'{first}-{last}'} of {len(goals)}",
-        )
-        for clip, first, last, names in joined
-    ]
+    return found
 
 
 def frame_count(clips: list[Clip], fps: float, speed: float) -> int:
@@ -144,7 +130,7 @@ def moments(footage: Footage, clips: list[Clip], fps: float, speed: float) -> It
     for clip in clips:
         half = footage.half(clip.half)
         for frame in range(_frames_of(clip, fps, speed)):
-            yield Moment(half, clip.from_s + frame * speed / fps, clip.title, speed)
+            yield Moment(half, clip.from_s + frame * speed / fps, speed)
 
 
 def _frames_of(clip: Clip, fps: float, speed: float) -> int:

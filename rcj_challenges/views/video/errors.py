@@ -16,20 +16,6 @@ class VideoError(DiagnosticError):
         super().__init__(Diagnostic(code, message, help_))
 
 
-class VideoInterruptedError(KeyboardInterrupt):
-    """Ctrl-C while a video was written.
-
-    Attributes:
-        kept: the file with the frames written so far.
-        frames: how many frames it has.
-    """
-
-    def __init__(self, kept: Path, frames: int) -> None:
-        super().__init__(f"{frames} frames are kept in {kept}")
-        self.kept = kept
-        self.frames = frames
-
-
 def cannot_write(path: Path, error: OSError) -> VideoError:
     """Return the error about a file that cannot be written."""
     return VideoError("cannot-write", f"{path}: {error_hint(error)}", "write it elsewhere with --out FILE")

@@ -13,9 +13,9 @@ from PIL import Image
 
 from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.records.folder import replaced
+from rcj_challenges.views.palette import PALETTE
 from rcj_challenges.views.video.camera import Camera
 from rcj_challenges.views.video.clips import Clip, Moment, frame_count, moments
-from rcj_challenges.views.video.colours import OUTSIDE
 from rcj_challenges.views.video.errors import VideoError, cannot_write
 from rcj_challenges.views.video.footage import Footage
 from rcj_challenges.views.video.opengl import choose_backend
@@ -62,7 +62,7 @@ def opened_renderer(footage: Footage, size: tuple[int, int], camera: str, *, fin
         footage: what is shown.
         size: of the whole picture, in pixels.
         camera: its name, such as ``field`` or ``behind:Y1``.
-        fine: whether things cast shadows and edges are smooth; takes several times as long.
+        fine: whether edges are smooth; takes several times as long.
 
     Raises:
         VideoError: the camera is unknown, or this computer has no OpenGL.
@@ -75,7 +75,7 @@ def opened_renderer(footage: Footage, size: tuple[int, int], camera: str, *, fin
     renderer = SceneRenderer(footage, (size[0], size[1] - overlay.height), chosen, fine=fine)
 
     def draw(moment: Moment) -> Image.Image:
-        frame = Image.new("RGB", size, OUTSIDE)
+        frame = Image.new("RGB", size, PALETTE["outside"]["light"])
         frame.paste(renderer.draw(moment), (0, overlay.height))
         overlay.write(frame, moment)
         return frame
@@ -112,7 +112,7 @@ def write_video(
     speed: float,
     progress: Callable[[int, int], None] | None = None,
 ) -> int:
-    """Write clips as one MP4, see `mp4.Mp4Writer`. Returns the number of frames.
+    """Write clips as one MP4, see `mp4.opened_mp4`. Returns the number of frames.
 
     Args:
         draw: draws moments.
@@ -126,15 +126,14 @@ def write_video(
 
     Raises:
         VideoError: the file cannot be written.
-        VideoInterruptedError: Ctrl-C; what was written is kept.
     """
-    from rcj_challenges.views.video.mp4 import Mp4Writer  # noqa: PLC0415 - a snapshot needs no av
+    from rcj_challenges.views.video.mp4 import opened_mp4  # noqa: PLC0415 - a snapshot needs no av
 
     total = frame_count(clips, float(fps), speed)
     names = " - ".join(sanitize(title, 60) for title in footage.titles.values())
-    with Mp4Writer(path, size, fps, f"{names}: {sanitize(footage.scenario.title, 100)}") as video:
+    with opened_mp4(path, size, fps, f"{names}: {sanitize(footage.scenario.title, 100)}") as add:
         for done, moment in enumerate(moments(footage, clips, float(fps), speed), 1):
-            video.add(draw(moment))
+            add(draw(moment))
             if progress is not None:
                 progress(done, total)
     return total

@@ -15,9 +15,7 @@ _TIMEOUT_S = 60.0
 
 _DRAW_ONE = """
 import mujoco
-spec = mujoco.MjSpec()
-spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_SPHERE, size=[1, 0, 0], rgba=[1, 1, 1, 1])
-model = spec.compile()
+model = mujoco.MjModel.from_xml_string('<mujoco><worldbody><geom size="1"/></worldbody></mujoco>')
 data = mujoco.MjData(model)
 mujoco.mj_forward(model, data)
 with mujoco.Renderer(model, 32, 32) as renderer:
@@ -38,9 +36,8 @@ def choose_backend() -> None:
     """
     chosen = os.environ.get("MUJOCO_GL")
     on_linux = sys.platform.startswith("linux")
-    candidates = (chosen,) if chosen else _LINUX_BACKENDS if on_linux else ("",)
     reasons = []
-    for backend in candidates:
+    for backend in (chosen,) if chosen else _LINUX_BACKENDS if on_linux else ("",):
         reason = _failure(backend)
         if reason is None:
             os.environ["MUJOCO_GL"] = backend
@@ -64,7 +61,5 @@ def _failure(backend: str) -> str | None:
         )  # fmt: skip
     except (OSError, subprocess.TimeoutExpired) as error:
         return str(error)
-    if probe.returncode == 0:
-        return None
-    lines = [line.strip() for line in probe.stderr.splitlines() if line.strip()]
-    return lines[-1][:200] if lines else f"the process ended with {probe.returncode}"
+    lines = probe.stderr.split("\n") if probe.returncode else []
+    return None if not lines else next((line[:200] for line in reversed(lines) if line.strip()), "the process crashed")

@@ -8,16 +8,18 @@ from typing import Any
 from PIL import Image, ImageDraw
 
 from rcj_challenges.facts.measures import number_words
+from rcj_challenges.views.palette import PALETTE, Rgb, rgb, text_on
 from rcj_challenges.views.sentences import clock
 from rcj_challenges.views.video.clips import Moment
-from rcj_challenges.views.video.colours import BAR, DARK, FAULT, MUTED, WALL, WHITE, Rgb, rgb, text_on
 from rcj_challenges.views.video.footage import Footage
 from rcj_challenges.views.video.text import line_height_px, text_mask, text_width_px
 
 CAPTION_S = 3.0
 """How long a caption is shown, in s of the video: time to read one line."""
-MAX_CAPTIONS = 3
-MAX_KEPT_CAPTIONS = 64
+BAR: Rgb = (17, 24, 39)
+MUTED: Rgb = (156, 168, 186)
+FAULT: Rgb = (220, 38, 38)
+WHITE, WALL, DARK = (rgb(PALETTE[name]) for name in ("mark", "wall", "dark"))
 
 
 def bar_height_px(size: tuple[int, int]) -> int:
@@ -34,7 +36,7 @@ class Overlay:
         self._text_px, self._small_px = round(self.height * 0.46), max(8, round(self.height * 0.34))
         self._gap = round(self.height * 0.3)
         self._bar = lru_cache(maxsize=8)(self._draw_bar)
-        self._captions: dict[int, Image.Image] = {}
+        self._shown: tuple[Any, Image.Image] = (None, Image.new("RGBA", (1, 1)))
 
     def write(self, frame: Image.Image, moment: Moment) -> None:
         """Write over the picture of a moment."""
@@ -42,21 +44,14 @@ class Overlay:
         scores = self._footage.scores(half, t_s)
         frame.paste(self._bar(half.info.half, tuple(scores.items()), moment.speed), (0, 0))
         self._paste(frame, text_mask(clock(t_s), self._text_px, bold=True), self._gap, WHITE)
-        bottom = frame.height - self._gap
-        events = self._footage.recent_events(half, t_s, CAPTION_S * moment.speed, MAX_CAPTIONS)
-        for event in reversed(events):
-            if id(event) not in self._captions:
-                if len(self._captions) > MAX_KEPT_CAPTIONS:
-                    self._captions.clear()
-                self._captions[id(event)] = self._draw_caption(event)
-            caption = self._captions[id(event)]
-            bottom -= caption.height
-            if bottom < self.height:
-                break
-            frame.paste(caption, ((frame.width - caption.width) // 2, bottom), caption)
-            bottom -= self._gap // 3
+        event = self._footage.recent_event(half, t_s, CAPTION_S * moment.speed)
+        if event is not None:
+            if self._shown[0] is not event:
+                self._shown = event, self._draw_caption(event)
+            box = self._shown[1]
+            frame.paste(box, ((frame.width - box.width) // 2, frame.height - self._gap - box.height), box)
         top = self.height + self._gap
-        for line in filter(None, (moment.title, *self._footage.counted(half, t_s))):
+        for line in self._footage.counted(half, t_s):
             label = _box([(line, True)], self._small_px, DARK, DARK, 0.6 * frame.width)
             frame.paste(label, (self._gap, top), label)
             top += label.height + self._gap // 4
@@ -111,7 +106,9 @@ class Overlay:
         """Return an event as a box; points gained fill it with the team's colour, others mark its edge."""
         scored = event["kind"] in ("goal", "loss")
         colour = rgb(str(event["colour"] or "#f59f00")) if scored else FAULT if event["kind"] == "fault" else WALL
-        head = f"{event['name']}   {event['standing']}".replace("_", " ").rstrip()
+        head = "  ".join(
+            filter(None, (event["name"].replace("_", " "), self._footage.titles.get(event["team"]), event["standing"]))
+        )
         text = " · ".join(filter(None, (str(event["about"]), str(event["told"]))))
         size_px = max(9, round(self.height * (0.46 if scored else 0.4)))
         ground = colour if event["kind"] == "goal" else BAR

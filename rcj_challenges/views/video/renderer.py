@@ -9,12 +9,10 @@ import mujoco
 import numpy as np
 from PIL import Image
 
-from rcj_challenges.views.video.camera import Camera, View, pixel_at
+from rcj_challenges.views.video.camera import Camera
 from rcj_challenges.views.video.clips import Moment
-from rcj_challenges.views.video.colours import DARK, WHITE
 from rcj_challenges.views.video.footage import Footage, Poses
-from rcj_challenges.views.video.scene import build_scene, gates_by_anchor
-from rcj_challenges.views.video.text import line_height_px, text_mask
+from rcj_challenges.views.video.scene import FLOOR_BODY, build_scene
 
 _HIDDEN_M = 1000.0
 """What is off the field is put here, beyond what the camera sees."""
@@ -27,24 +25,22 @@ class SceneRenderer:
         footage: what is shown.
         size: of the pictures, in pixels.
         camera: from where.
-        fine: whether things cast shadows and edges are smooth; takes several times as long.
+        fine: whether edges are smooth; takes several times as long.
     """
 
     def __init__(self, footage: Footage, size: tuple[int, int], camera: Camera, *, fine: bool) -> None:
         self._footage, self._size, self._camera = footage, size, camera
         self._entities = footage.things["entities"]
-        self._gates = [entity for entity in gates_by_anchor(footage) if entity is not None]
         self._model = build_scene(footage, size, fine=fine)
         self._data: Any = mujoco.MjData(self._model)
         self._renderer: Any = mujoco.Renderer(self._model, size[1], size[0])
         self._option: Any = mujoco.MjvOption()
         self._option.geomgroup[:] = 1
         self._camera_state: Any = mujoco.MjvCamera()
-        self._fine = fine
 
     def draw(self, moment: Moment) -> Image.Image:
-        """Return the picture of a moment, with the names of the robots."""
-        poses = moment.half.poses(moment.t_s)
+        """Return the picture of a moment."""
+        poses = moment.half.poses_at(moment.t_s)
         view = self._camera.view(self._footage, moment, self._size[0] / self._size[1])
         self._place(poses)
         state = self._camera_state
@@ -53,11 +49,9 @@ class SceneRenderer:
         mujoco.mj_kinematics(self._model, self._data)
         mujoco.mj_camlight(self._model, self._data)
         self._renderer.update_scene(self._data, state, self._option)
-        self._renderer.scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = self._fine
-        self._renderer.scene.flags[mujoco.mjtRndFlag.mjRND_REFLECTION] = False
-        picture = Image.fromarray(self._renderer.render())
-        self._write_names(picture, poses, view)
-        return picture
+        for flag in (mujoco.mjtRndFlag.mjRND_SHADOW, mujoco.mjtRndFlag.mjRND_REFLECTION):
+            self._renderer.scene.flags[flag] = False
+        return Image.fromarray(self._renderer.render())
 
     def close(self) -> None:
         """Free the graphics context."""
@@ -66,29 +60,15 @@ class SceneRenderer:
     def _place(self, poses: Poses) -> None:
         shown = np.where(np.isnan(poses), [_HIDDEN_M, 0.0, 0.0, 0.0], poses).tolist()
         for facts, (x_m, y_m, yaw_rad, z_m) in zip(self._entities, shown, strict=True):
-            if facts["kind"] == "ball":
-                self._data.joint(facts["name"]).qpos = (x_m, y_m, z_m, *_rolled(x_m, y_m, facts["radius_m"]))
-                continue
-            for axis, value in (("x", x_m), ("y", y_m), ("yaw", yaw_rad)):
-                self._data.joint(f"{facts['name']}/{axis}").qpos = value
-        for entity in self._gates:
-            x_m, y_m, yaw_rad, _ = shown[entity]
-            mocap = self._model.body(f"{self._entities[entity]['name']}/gates").mocapid[0]
+            name = facts["name"]
+            mocap = self._model.body(name + FLOOR_BODY).mocapid[0]
             self._data.mocap_pos[mocap] = (x_m, y_m, 0)
             self._data.mocap_quat[mocap] = _quat(yaw_rad, 0, 0, 1)
-
-    def _write_names(self, picture: Image.Image, poses: Poses, view: View) -> None:
-        size_px = max(8, round(min(self._size) * 0.022))
-        for facts, (x_m, y_m, _, z_m) in zip(self._entities, poses.tolist(), strict=True):
-            if facts["kind"] != "robot" or math.isnan(x_m):
+            if facts["kind"] == "ball":
+                self._data.joint(name).qpos = (x_m, y_m, z_m, *_rolled(x_m, y_m, facts["radius_m"]))
                 continue
-            at = pixel_at((x_m, y_m, z_m + facts["size_m"] * 1.05), view, self._size)
-            if at is None:
-                continue
-            mask = text_mask(str(facts["name"]), size_px, bold=True)
-            tag = Image.new("RGBA", (mask.width + size_px // 2, line_height_px(size_px)), (*DARK, 190))
-            tag.paste((*WHITE, 255), (size_px // 4, 0), mask)
-            picture.paste(tag, (round(at[0] - tag.width / 2), round(at[1] - tag.height / 2)), tag)
+            for axis, value in (("x", x_m), ("y", y_m), ("yaw", yaw_rad)):
+                self._data.joint(f"{name}/{axis}").qpos = value
 
 
 def _rolled(x_m: float, y_m: float, radius_m: float) -> tuple[float, float, float, float]:

@@ -11,10 +11,8 @@ from rcj_challenges.facts.sanitize import sanitize
 _FAMILIES = (
     ("NotoSans-Regular.ttf", "NotoSans-Bold.ttf"),
     ("DejaVuSans.ttf", "DejaVuSans-Bold.ttf"),
-    ("LiberationSans-Regular.ttf", "LiberationSans-Bold.ttf"),
     ("segoeui.ttf", "segoeuib.ttf"),
     ("arial.ttf", "arialbd.ttf"),
-    ("Arial.ttf", "Arial Bold.ttf"),
     # Scripts that those above may lack.
     ("NotoSansCJK-Regular.ttc", "NotoSansCJK-Bold.ttc"),
     ("wqy-microhei.ttc", "wqy-microhei.ttc"),

@@ -3,11 +3,10 @@
 const KEYS = [
   ["space, K", "play or pause"], ["J, L", "rewind, fast forward"], [", .", "one frame back, forward"],
   ["← →", "5 s back, forward"], ["↑ ↓", "faster, slower"], ["P, N", "previous, next event of the list"],
-  ["Home, End", "start, end"], ["1 2 3 4 5", "cameras: field, top, side, ball, behind a robot"],
+  ["Home, End", "start, end"], ["F, H", "full screen, hide the panel"], ["1 2 3 4 5", "cameras: field, top, side, ball, behind a robot"],
   ["Z", "zones, gates and spots"], ["drag", "turn"], ["shift-drag, two fingers", "move"], ["wheel, pinch", "zoom"],
   ["double click", "the whole field again"], ["click on a robot", "its trail"],
 ];
-const BACKGROUNDS = { light: [0.86, 0.89, 0.92], dark: [0.055, 0.07, 0.09] };
 const SLOW_FRAME_MS = 20;
 const COARSEST = 0.5;
 const WRITTEN_EVERY_MS = 100;
@@ -34,6 +33,7 @@ class App {
     this.robots = new RobotList(recording, this.find, changed, (index) => this.look("robot", index));
     this.transport = new Transport(recording, this.player, this.find, changed, (direction) => this.toEvent(direction));
     this.sensors = new Sensors(recording, this.find, this.robots.cards, changed);
+    this.output = new Output(recording, this.find, changed, (place) => this.go(place, false));
     this.heat = new Heat(recording, this.find, changed);
     this.logos = new Logos(recording, this.board.rows, changed);
     this.labels = new Labels(recording, this.find("labels"));
@@ -82,6 +82,7 @@ class App {
     new ResizeObserver(() => this.transport.drawMarks()).observe(this.find("marks"));
     window.addEventListener("hashchange", () => this.fromAddress());
     window.addEventListener("keydown", (event) => this.key(event));
+    for (const kind of ["click", "change"]) document.addEventListener(kind, (event) => App.releaseKeyboard(event));
     window.addEventListener("beforeprint", () => this.draw()); // else the picture has been given to the screen: a black box
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.panels.retheme());
     this.find("view").addEventListener("webglcontextlost", (event) => { event.preventDefault(); });
@@ -117,6 +118,12 @@ class App {
   fromAddress() {
     const place = this.recording.placeOfFragment(location.hash);
     if (place !== null) this.go(place, false);
+  }
+
+  /** What was chosen with the mouse keeps no focus: keys steer the match again. By the keyboard one stays where one is. */
+  static releaseKeyboard({ type, detail, target }) {
+    const byPointer = type === "change" ? !target.matches(":focus-visible") || target.matches("select") : detail > 0;
+    if (byPointer && !target.closest("dialog")) document.activeElement?.blur();
   }
 
   /** Keep the address at the moment that is shown, so that copying it shares the moment. */
@@ -160,7 +167,8 @@ class App {
     const { mode, robot } = this.camera;
     const leads = mode === "robot" ? robot : mode === "ball" ? this.recording.entities.findIndex((entity) => entity.kind === "ball") : -1;
     const pose = leads < 0 ? null : this.recording.pose(leads, this.player.place);
-    return pose?.off ? null : pose; // who is off the field is waited for where it was
+    if (!pose || pose.off) return null; // the camera waits where it was last
+    return this.recording.entities[leads].front < 0 ? { ...pose, yaw: pose.yaw + Math.PI } : pose;
   }
 
   /** A click near a robot or ball switches its trail. */
@@ -240,7 +248,7 @@ class App {
       logos: this.logos.at(place),
       show: this.shownNow,
       failed,
-      background: BACKGROUNDS[this.panels.themeNow],
+      background: PALETTE.outside[this.panels.themeNow],
     };
   }
 
@@ -272,21 +280,23 @@ class App {
       this.robots.show(place, frame.failed);
       this.sensors.show(place, this.player.moves);
     }
+    if (!this.find("panel-output").hidden) this.output.show(place);
     this.caption(place);
     this.afterDraw?.();
   }
 
   /** What the referee said just now, over the picture. */
   caption(place) {
-    const box = this.find("caption"), text = this.result(place) || this.saidAt(place);
+    const box = this.find("caption"), result = this.result(place), event = result ? null : this.eventAt(place);
+    const text = result || event?.caption || "";
     box.hidden = !text;
+    box.style.setProperty("--team", this.recording.seat(event?.team, place)?.colour ?? "transparent");
     if (box.textContent !== text) box.textContent = text;
   }
 
-  saidAt(place) {
+  eventAt(place) {
     const recent = this.recording.eventsBetween(place - CAPTION_S / this.recording.tickSeconds, place + 0.5).filter((event) => event.kind !== "start");
-    const best = recent.filter((event) => event.scored).pop() || recent[recent.length - 1];
-    return best ? best.caption : "";
+    return recent.filter((event) => event.scored).pop() || recent[recent.length - 1];
   }
 
   /** At the end: who came where, if more than the score decides it. */
@@ -316,6 +326,7 @@ class App {
       p: () => this.toEvent(-1), n: () => this.toEvent(1),
       Home: () => player.seek(0), End: () => player.seek(this.recording.last),
       1: () => this.look("overview"), 2: () => this.look("top"), 3: () => this.look("side"), 4: () => this.look("ball"),
+      f: () => this.panels.toggleFullscreen(), h: () => this.panels.togglePanel(),
       5: () => this.nextRobot(), z: () => this.panels.toggleMarks(), "?": () => this.panels.help(),
     };
     const action = actions[event.key.length === 1 ? event.key.toLowerCase() : event.key];

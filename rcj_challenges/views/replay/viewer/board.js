@@ -58,10 +58,10 @@ class Board {
     if (stopped) this.half.append(" ", element("span", "stopped", `+ ${Recording.clockText(stopped).replace(/\.0$/, "")} stopped`));
     const name = phase.name === "play" ? "" : phase.name.replaceAll("_", " ");
     this.phase.textContent = [name, held, phase.stopped ? "clock stopped" : ""].filter(Boolean).join(" · ");
-    this.phase.hidden = !this.phase.textContent;
+    this.phase.title = this.phase.textContent;
     for (const { team, chip, score, counted: box } of this.rows) {
       if (!box.hidden) this.tell(box, counted[team.name] || []);
-      const seat = recording.facts.seats.find((candidate) => track.facts.sides[candidate.name] === team.name);
+      const seat = recording.seat(team.name, place);
       chip.style.background = seat ? seat.colour : "";
       chip.style.color = seat ? Colours.onTop(Colours.rgb(seat.colour)) : "";
       chip.textContent = seat ? seat.letter : "";

@@ -2,7 +2,7 @@
 
 const ATLAS_CELLS = 8;
 const ATLAS_CELL_PIXELS = 128;
-const DARK = [0.11, 0.13, 0.16];
+const SHADOW_M = 0.028;
 
 const Bodies = {
   /** Numbers (and logos) of all robots in one picture; numbers black or white, whichever can be read on the robot. */
@@ -43,14 +43,14 @@ const Bodies = {
     const low = size * 0.36;
     const mesh = new Mesh();
     // A dark base, the team's colour above it, a lid with a bright arrow that shows the front.
-    mesh.box([0, 0, -half + low / 2], [size, size, low], 0, DARK);
+    mesh.box([0, 0, -half + low / 2], [size, size, low], 0, PALETTE.dark);
     mesh.box([0, 0, low / 2], [size, size, size - low], 0, colour, {
       top: Colours.mix(colour, [1, 1, 1], 0.08),
-      [entity.front > 0 ? "front" : "back"]: Colours.mix(colour, DARK, 0.55),
+      [entity.front > 0 ? "front" : "back"]: Colours.mix(colour, PALETTE.dark, 0.55),
     });
     const tip = (half - 0.002) * entity.front, foot = (half - 0.014) * entity.front, wide = 0.016 * entity.front;
     const z = half + 0.0007, up = [0, 0, 1];
-    mesh.triangle([[tip, 0, z], [foot, wide, z], [foot, -wide, z]], [up, up, up], [1, 1, 1]);
+    mesh.triangle([[tip, 0, z], [foot, wide, z], [foot, -wide, z]], [up, up, up], PALETTE.mark);
     for (const side of [-1, 1]) {
       mesh.box([(half + 0.001) * entity.front, side * size * 0.2, size * 0.14], [0.004, size * 0.15, size * 0.15], 0, [0.93, 0.96, 1]);
       const centre = [0, (side * entity.wheel_track_m) / 2, entity.wheel_radius_m - half - 0.0001];
@@ -71,15 +71,36 @@ const Bodies = {
     return new Mesh().box([0, 0, 0], [...entity.size_m, height], 0, colour, { top: Colours.mix(colour, [1, 1, 1], 0.25) });
   },
 
-  /** What casts a shadow: as little as still looks like the body's. */
-  outline(entity) {
-    if (entity.kind === "ball") return new Mesh().sphere(entity.radius_m, [DARK, DARK], 6, 12);
-    if (entity.kind !== "robot") return Bodies.obstacle(entity);
-    const size = entity.size_m;
-    const mesh = new Mesh().box([0, 0, 0], [size, size, size], 0, DARK);
-    for (const side of [-1, 1]) {
-      const centre = [0, (side * entity.wheel_track_m) / 2, entity.wheel_radius_m - size / 2];
-      mesh.cylinder(centre, entity.wheel_radius_m, entity.wheel_width_m, "y", DARK, DARK, 8);
+  /** A soft shadow on the floor under a body: darkest below it, gone a little outside of its outline. */
+  shadow({ size_m: size, radius_m: radius, shape }) {
+    const [half_x, half_y] = radius || shape === "cylinder" ? [0, 0] : [].concat(size, size).map((length) => length / 2 - SHADOW_M / 3);
+    return Bodies.blob([0, 0], 0, half_x, half_y, SHADOW_M + (radius || 0));
+  },
+
+  /** A rectangle with a border in which the shadow fades; the shader finds the extent in the place of the normal. */
+  blob([x, y], yaw, half_x, half_y, border) {
+    const reach_x = half_x + border, reach_y = half_y + border, c = Math.cos(yaw), s = Math.sin(yaw);
+    const places = [[-reach_x, -reach_y], [reach_x, -reach_y], [reach_x, reach_y], [-reach_x, reach_y]];
+    const at = places.map(([u, v]) => [x + c * u - s * v, y + s * u + c * v, 0]), extent = [half_x, half_y, border];
+    const mesh = new Mesh();
+    for (const corners of [[0, 1, 2], [0, 2, 3]]) {
+      mesh.triangle(corners.map((one) => at[one]), [extent, extent, extent], [0, 0, 0], corners.map((one) => places[one]));
+    }
+    return mesh;
+  },
+
+  /** Shadows of obstacles that cannot move. */
+  fixedShadows(facts) {
+    const mesh = new Mesh();
+    for (const thing of facts.fixed) {
+      if (thing.shape !== "wall") {
+        const [x, y] = thing.shape === "box" ? thing.size_m.map((length) => length / 2) : [0, 0];
+        mesh.join(Bodies.blob(thing.centre_m, thing.yaw_rad || 0, x, y, SHADOW_M + (thing.radius_m || 0)));
+        continue;
+      }
+      const dx = thing.to_m[0] - thing.from_m[0], dy = thing.to_m[1] - thing.from_m[1];
+      const middle = [0, 1].map((axis) => (thing.from_m[axis] + thing.to_m[axis]) / 2);
+      mesh.join(Bodies.blob(middle, Math.atan2(dy, dx), Math.hypot(dx, dy) / 2, thing.thickness_m / 2, SHADOW_M));
     }
     return mesh;
   },
@@ -104,9 +125,8 @@ const Bodies = {
   /** The walls as {from, to, height, colour}: around the field with gaps for goals, and round the goals. */
   walls(field) {
     const x = field.width_m / 2, y = field.length_m / 2, cut = field.corner_cut_m, height = field.wall_height_m;
-    const grey = [0.72, 0.77, 0.83];
     const walls = [];
-    const add = (from, to, tall = height, colour = grey) => walls.push({ from, to, height: tall, colour });
+    const add = (from, to, tall = height, colour = PALETTE.wall) => walls.push({ from, to, height: tall, colour });
     for (const side of [-1, 1]) {
       add([side * x, -y + cut], [side * x, y - cut]);
       if (cut > 0) for (const end of [-1, 1]) add([side * (x - cut), end * y], [side * x, end * (y - cut)]);

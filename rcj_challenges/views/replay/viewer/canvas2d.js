@@ -33,6 +33,7 @@ class Canvas2d {
     for (const wall of Bodies.walls(this.facts.field)) {
       this.shape({ points: [wall.from, wall.to], line: wall.colour, width: 0.012, alpha: 1 });
     }
+    this.shadows = frame.show.shadows;
     this.facts.fixed.forEach((thing) => this.thing(thing, { x: thing.centre_m?.[0] ?? 0, y: thing.centre_m?.[1] ?? 0, yaw: thing.yaw_rad || 0 }));
     this.facts.entities.forEach((entity, index) => this.thing(entity, frame.poses[index], frame.failed.has(index), frame.logos[index]));
   }
@@ -69,7 +70,12 @@ class Canvas2d {
     pen.save();
     pen.translate(pose.x, pose.y);
     pen.rotate(pose.yaw);
-    const colour = failed ? [0.45, 0.46, 0.5] : Colours.rgb(thing.colour);
+    const colour = failed ? PALETTE.failed : Colours.rgb(thing.colour);
+    if (this.shadows) {
+      const { a, b } = pen.getTransform();
+      pen.shadowColor = "rgb(0 0 0 / 50%)";
+      pen.shadowBlur = Math.hypot(a, b) * SHADOW_M;
+    }
     if (thing.kind === "robot") this.robot(thing, colour, logo);
     else if (thing.radius_m) this.shape({ points: Mesh.circle(0, 0, thing.radius_m, 32), fill: colour, alpha: 1 });
     else {
@@ -82,10 +88,11 @@ class Canvas2d {
   robot(entity, colour, logo) {
     const { pen } = this;
     const half = entity.size_m / 2, wheel = entity.wheel_radius_m, outer = entity.wheel_track_m / 2 + entity.wheel_width_m / 2;
-    this.shape({ points: Ground.rectangle(-wheel, -outer, wheel, outer), fill: DARK, alpha: 1 });
+    this.shape({ points: Ground.rectangle(-wheel, -outer, wheel, outer), fill: PALETTE.dark, alpha: 1 });
+    pen.shadowColor = "transparent";
     this.shape({ points: Ground.rectangle(-half, -half, half, half), fill: colour, alpha: 1 });
     const tip = half * entity.front, foot = (half - 0.014) * entity.front;
-    this.shape({ points: [[tip, 0], [foot, 0.016], [foot, -0.016]], fill: [1, 1, 1], alpha: 1 });
+    this.shape({ points: [[tip, 0], [foot, 0.016], [foot, -0.016]], fill: PALETTE.mark, alpha: 1 });
     // Letters are drawn in pixels: fonts of some hundredths of a unit come out ragged.
     const { a, b, e, f } = pen.getTransform();
     const pixels = Math.hypot(a, b) * entity.size_m * 0.55;

@@ -28,3 +28,12 @@ const Colours = {
     return 0.2126 * red + 0.7152 * green + 0.0722 * blue > 0.3 ? "#10151c" : "#ffffff";
   },
 };
+
+/** The colours of views/palette.py (`PALETTE_CSS` stands before the first part of the script) as numbers. */
+const PALETTE = (() => {
+  const numbers = (css) => {
+    if (typeof css === "string") return Colours.rgb(css);
+    return Array.isArray(css) ? css.map(numbers) : Object.fromEntries(Object.entries(css).map(([name, one]) => [name, numbers(one)]));
+  };
+  return numbers(PALETTE_CSS);
+})();

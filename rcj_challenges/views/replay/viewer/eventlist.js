@@ -1,6 +1,9 @@
 // The list of events: filters, links to moments, and what the referee measured.
 
 const MOST_ROWS = 1500;
+
+/** `LACK OF PROGRESS`: the name of an event as people read it. */
+const eventName = ({ name }) => name.replaceAll("_", " ");
 const LEAD_IN_S = 3;
 
 class EventList {
@@ -53,14 +56,13 @@ class EventList {
       this.filters.append(button);
     };
     add(null, "All", this.recording.events.length);
-    for (const name of names) add(name, name, counts.get(name));
+    for (const name of names) add(name, eventName({ name }), counts.get(name));
   }
 
   filter(kind) {
     this.kind = kind;
     for (const button of this.filters.children) button.setAttribute("aria-pressed", String(button.dataset.kind === (kind ?? "")));
-    this.opened = null;
-    this.current = null;
+    this.opened = this.current = this.colouredFor = null;
     this.build();
   }
 
@@ -113,7 +115,11 @@ class EventList {
     const item = element("li", `event ${event.kind}`);
     const link = element("a", "moment");
     link.href = this.recording.fragment(event.place);
-    link.append(element("span", "when", this.recording.clock(event.place)), element("span", "what", event.name));
+    const what = element("span", "what", eventName(event));
+    const team = this.recording.title(event.team);
+    if (team) what.append(" ", element("bdi", "by", team));
+    item.dataset.team = event.team ?? "";
+    link.append(element("span", "when", this.recording.clock(event.place)), what);
     if (event.standing) link.append(element("span", "standing", event.standing));
     if (event.about) link.append(element("bdi", "about", event.about));
     if (event.told) link.append(element("bdi", "told", event.told));
@@ -156,6 +162,7 @@ class EventList {
 
   /** Mark the last event that has happened, and keep it in sight while nobody is busy with the list. */
   show(place) {
+    this.colour(place);
     let current = null;
     for (const row of this.rows) {
       if (row.event.place > place + 0.5) break;
@@ -167,6 +174,17 @@ class EventList {
     if (!current) return;
     current.link.setAttribute("aria-current", "true");
     this.follow();
+  }
+
+  /** Goals have the colour that the team has on the scoreboard now. */
+  colour(place) {
+    const { track } = this.recording.at(place), { rows } = this;
+    if (this.colouredFor === track && this.colouredRows === rows.length) return;
+    [this.colouredFor, this.colouredRows] = [track, rows.length];
+    for (const { item } of rows) {
+      const seat = item.dataset.team && this.recording.seat(item.dataset.team, place);
+      if (seat) item.style.setProperty("--team", seat.colour);
+    }
   }
 
   follow() {

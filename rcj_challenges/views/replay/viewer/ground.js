@@ -4,10 +4,9 @@
 const STRIPES = 8;
 const FORWARD_M = 0.05;
 const GATE_OPACITY = 0.95;
+const MARK_HUES = [310, 175, 20, 275, 150, 340];
 
 const Ground = {
-  WHITE: [0.96, 0.98, 0.97],
-  LINE: [0.84, 0.9, 0.87], // white on grass, a little of which shines through
   LINE_M: 0.008,
 
   /** The floor itself: grass in stripes, lines of the scenario, goals' floors. */
@@ -18,18 +17,18 @@ const Ground = {
     const deep = length / STRIPES;
     for (let stripe = 0; stripe < STRIPES; stripe++) {
       const band = Ground.rectangle(-x, -y + stripe * deep, x, -y + (stripe + 1) * deep);
-      shapes.push({ points: Ground.within(band, x, y, cut), fill: stripe % 2 ? [0.18, 0.5, 0.33] : [0.16, 0.46, 0.3], alpha: 1 });
+      shapes.push({ points: Ground.within(band, x, y, cut), fill: PALETTE.grass[(stripe + 1) % 2], alpha: 1 });
     }
     for (const goal of facts.field.goals) {
       const colour = Colours.mix(Colours.rgb(goal.colour), [0.1, 0.2, 0.15], 0.35);
       shapes.push({ points: Ground.goalFloor(facts.field, goal), fill: colour, alpha: 1 });
     }
-    const line = (points, closed = false, colour = Ground.LINE) =>
+    const line = (points, closed = false, colour = PALETTE.line) =>
       shapes.push({ points, line: colour, width: Ground.LINE_M, closed, alpha: 1 });
     line(Ground.outline(x - 0.006, y - 0.006, cut), true);
     if (facts.field.goals.length) line([[-x, 0], [x, 0]]);
     for (const zone of facts.zones) {
-      const colour = zone.colour ? Colours.rgb(zone.colour) : Ground.LINE;
+      const colour = zone.colour ? Colours.rgb(zone.colour) : PALETTE.line;
       if (zone.drawn) line(Ground.within(Ground.zone(zone, facts.field), x, y, cut), true, colour);
     }
     return shapes;
@@ -49,8 +48,8 @@ const Ground = {
     if (shown.gates) for (const gate of facts.gates) if (gate.anchor === null) shapes.push(...Ground.gate(gate));
     if (shown.spots) {
       for (const spot of facts.spots) {
-        shapes.push({ points: Mesh.circle(spot.x_m, spot.y_m, 0.012, 20), fill: [0.02, 0.06, 0.05], alpha: 0.9 });
-        shapes.push({ points: Mesh.circle(spot.x_m, spot.y_m, 0.012, 20), line: Ground.WHITE, width: 0.004, closed: true, alpha: 0.9 });
+        shapes.push({ points: Mesh.circle(spot.x_m, spot.y_m, 0.012, 20), fill: PALETTE.spot, alpha: 0.9 });
+        shapes.push({ points: Mesh.circle(spot.x_m, spot.y_m, 0.012, 20), line: PALETTE.mark, width: 0.004, closed: true, alpha: 0.9 });
       }
     }
     return shapes;
@@ -64,7 +63,7 @@ const Ground = {
 
   gate(gate) {
     return [[gate.from_m, gate.to_m], Ground.forward(gate)].map(
-      (points) => ({ points, line: [1, 0.42, 0.7], width: 0.012, closed: false, alpha: GATE_OPACITY }),
+      (points) => ({ points, line: PALETTE.gate, width: 0.012, closed: false, alpha: GATE_OPACITY }),
     );
   },
 
@@ -110,10 +109,8 @@ const Ground = {
     return Math.hypot(...from_m) > Math.hypot(...to_m) ? "from_m" : "to_m";
   },
 
-  markColour(index) {
-    const hue = (index * 137.508) % 360;
-    return Colours.rgb(`hsl(${hue.toFixed(0)} 85% 65%)`);
-  },
+  /** Of a zone without a colour and an owner: none that could be taken for that of a team. */
+  markColour: (index) => Colours.rgb(`hsl(${MARK_HUES[index % MARK_HUES.length]} 85% 70%)`),
 
   rectangle: (x0, y0, x1, y1) => [[x0, y0], [x1, y0], [x1, y1], [x0, y1]],
 

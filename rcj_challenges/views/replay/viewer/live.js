@@ -139,6 +139,7 @@ class LiveRecording extends Recording {
     super(facts, []);
     this.over = false;
     this.senses = new LiveSenses();
+    this.printed = new Map();
   }
 
   get begun() {
@@ -155,6 +156,11 @@ class LiveRecording extends Recording {
   sensors(half, facts) {
     this.facts.sensors[half] = facts;
     this.senses.begin(half, facts);
+  }
+
+  /** Lines that programs printed: [robot, tick, text]. */
+  lines(half, lines) {
+    this.printed.set(half, [...(this.printed.get(half) ?? []), ...lines]);
   }
 
   /** A half is shown from its first picture on. */

@@ -126,7 +126,7 @@ class LiveClient {
   said(message) {
     if (message.say === "half") this.recording.half(message.facts);
     if (message.say === "sensors") this.sensors(message);
-    if (message.say === "printed") this.recording.senses.lines(message.half, message.lines);
+    if (message.say === "printed") this.recording.lines(message.half, message.lines);
     if (message.say === "news") this.added = (this.added || []).concat(this.recording.news(message));
     if (message.say === "pace") this.pace = message;
     if (message.say === "over") this.finish(message);

@@ -1,4 +1,4 @@
-// What programs see, set and print while the match is played: tables that grow, one for each robot and half. They look
+// What programs see and set while the match is played: tables that grow, one for each robot and half. They look
 // like what sensors.js reads from a finished page, so cards and rays are the same.
 
 const FIRST_ROOM = 256;
@@ -11,7 +11,6 @@ class LiveSensed {
     this.room = FIRST_ROOM;
     this.table = Array.from({ length: 1 + facts.units.length }, () => new Int32Array(this.room));
     this.row = new Int32Array(this.table.length);
-    this.printed = [];
     this.cut();
   }
 
@@ -70,10 +69,5 @@ class LiveSenses {
 
   rows(half, robot, count, bytes) {
     [...this.halves.get(half).values()][robot].append(count, bytes);
-  }
-
-  lines(half, lines) {
-    const robots = this.halves.get(half);
-    for (const line of lines) robots.get(line[0]).printed.push(line);
   }
 }

@@ -156,14 +156,6 @@ class Mesh {
     return triangles;
   }
 
-  /** Where the corners are and whose they are, without what they look like. */
-  get outline() {
-    const bare = new Mesh();
-    bare.numbers = this.numbers.map((number, at) => (at % FLOATS_PER_VERTEX < 3 || at % FLOATS_PER_VERTEX === FLOATS_PER_VERTEX - 1 ? number : 0));
-    bare.vertices = this.vertices;
-    return bare;
-  }
-
   data() {
     return new Float32Array(this.numbers);
   }

@@ -38,17 +38,21 @@ void main() {
   vec3 n = normalize(mat3(models[b]) * normal);
   vec3 halfway = normalize(light.xyz + normalize(eye.xyz - world.xyz));
   float shine = pow(max(dot(n, halfway), 0.0), 40.0) * 0.18;
-  paint = mix(colour, vec3(0.45, 0.46, 0.5), shades[b].x) * (0.52 + 0.1 * n.z + 0.5 * max(dot(n, light.xyz), 0.0)) + shine;
+  // Shade is never deep: a dark yellow is an olive green.
+  paint = mix(colour, vec3(0.45, 0.46, 0.5), shades[b].x) * (0.78 + 0.02 * n.z + 0.28 * max(dot(n, light.xyz), 0.0)) + shine;
   gl_Position = view * world;
 }`,
-  // Everything flattened onto the floor along the light; all of it equally far off, behind all that stands.
+  // A blob under a body: it turns with it, and stays on the floor. The normal is its extent: half its sides, its border.
   shadow: `
-flat out vec3 paint;
+out vec2 at;
+flat out vec3 extent;
 void main() {
-  vec4 world = models[int(body)] * vec4(position, 1.0);
-  paint = vec3(0.0, 0.02, 0.05);
-  gl_Position = view * vec4(world.xy - light.xy / light.z * world.z, 0.0, 1.0);
-  gl_Position.z = 0.99999 * gl_Position.w;
+  mat4 model = models[int(body)];
+  vec2 ahead = length(normal.xy) > 0.0 ? normalize(model[0].xy + vec2(1e-6, 0.0)) : vec2(1.0, 0.0);
+  vec2 offset = position.x * ahead + position.y * vec2(-ahead.y, ahead.x);
+  at = place;
+  extent = normal;
+  gl_Position = view * vec4(model[3].xy + offset, 0.0, 1.0);
 }`,
   lettered: `
 out vec2 atlas;
@@ -80,6 +84,18 @@ void main() {
 
 const FLAT = PAINTED.replace("in vec3 paint", "flat in vec3 paint");
 
+const SHADED = `#version 300 es
+precision mediump float;
+in vec2 at;
+flat in vec3 extent;
+uniform float opacity;
+out vec4 pixel;
+void main() {
+  float away = length(max(abs(at) - extent.xy, 0.0)) / extent.z;
+  float left = 1.0 - min(away, 1.0);
+  pixel = vec4(0.0, 0.0, 0.0, opacity * left * left);
+}`;
+
 const WRITTEN = `#version 300 es
 precision mediump float;
 in vec2 atlas;
@@ -90,7 +106,7 @@ void main() {
   pixel = vec4(ink.rgb * ink.a, ink.a);
 }`;
 
-const PIXEL_SHADERS = { plain: FLAT, lit: PAINTED, shadow: FLAT, lettered: WRITTEN, sign: WRITTEN };
+const PIXEL_SHADERS = { plain: FLAT, lit: PAINTED, shadow: SHADED, lettered: WRITTEN, sign: WRITTEN };
 const TEXTURES = { lettered: 0, sign: 1 };
 
 class Painter {
@@ -208,13 +224,6 @@ class Painter {
     this.gl.disable(this.gl.CULL_FACE);
   }
 
-  /** Shadows: each spot is darkened once, since a second shadow is no nearer than the first. */
-  shadows(mesh) {
-    const gl = this.gl;
-    gl.enable(gl.DEPTH_TEST);
-    this.draw("shadow", mesh, 0.34);
-  }
-
   solid() {
     this.gl.enable(this.gl.CULL_FACE);
     this.gl.enable(this.gl.DEPTH_TEST);
@@ -223,6 +232,19 @@ class Painter {
   /** What one can see through: drawn last, hides nothing. */
   glass() {
     this.gl.depthMask(false);
+  }
+
+  /** Panes of glass: of several behind each other only the nearest is mixed with what is behind, so once. */
+  panes(mesh, opacity) {
+    const gl = this.gl;
+    gl.depthMask(true);
+    gl.colorMask(false, false, false, false);
+    this.draw("lit", mesh);
+    gl.colorMask(true, true, true, true);
+    gl.depthMask(false);
+    gl.depthFunc(gl.EQUAL);
+    this.draw("lit", mesh, opacity);
+    gl.depthFunc(gl.LESS);
   }
 
   /** way: plain (its colours as they are), lit, shadow, lettered (numbers and logos) or sign (names). */

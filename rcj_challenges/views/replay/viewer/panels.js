@@ -11,6 +11,7 @@ class Panels {
     this.cameras();
     this.about();
     this.dialogs();
+    this.room();
   }
 
   tabs() {
@@ -100,6 +101,23 @@ class Panels {
       this.retheme();
     });
     this.find("copy").addEventListener("click", () => this.copy());
+  }
+
+  /** More room for the field: without the panel, or on the whole screen. */
+  room() {
+    this.find("panel").addEventListener("click", () => this.togglePanel());
+    this.find("fullscreen").hidden = !document.fullscreenEnabled;
+    this.find("fullscreen").addEventListener("click", () => this.toggleFullscreen());
+  }
+
+  togglePanel() {
+    const hidden = document.body.classList.toggle("no-panel");
+    this.find("panel").setAttribute("aria-pressed", String(hidden));
+  }
+
+  toggleFullscreen() {
+    if (document.fullscreenElement) document.exitFullscreen();
+    else document.documentElement.requestFullscreen?.();
   }
 
   help() {

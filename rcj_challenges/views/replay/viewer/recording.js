@@ -174,6 +174,17 @@ class Recording {
     return scores;
   }
 
+  /** What a team is called. */
+  title(team) {
+    return this.facts.teams.find(({ name }) => name === team)?.title ?? "";
+  }
+
+  /** The seat from which a team plays the half at a place, or undefined. */
+  seat(team, place) {
+    const { sides } = this.at(place).track.facts;
+    return this.facts.seats.find(({ name }) => sides[name] === team);
+  }
+
   /** By team what the counters that decide the ranking count for it at a place. */
   counted(place) {
     const { track, tick } = this.at(place);

@@ -70,7 +70,7 @@ class RobotList {
       card.team.textContent = team ? team.title : entity.idle ? "no program" : "";
       const fault = failed.get(index);
       card.fault.hidden = !fault;
-      if (fault) card.fault.textContent = `program failed at ${Recording.clockText(fault.tick * recording.tickSeconds)}: ${fault.kind}: ${fault.detail}`;
+      if (fault) card.fault.textContent = `Failed at ${Recording.clockText(fault.tick * recording.tickSeconds)} (${fault.kind.replaceAll("_", " ")}): ${fault.detail}`;
     });
   }
 

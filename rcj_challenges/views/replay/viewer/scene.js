@@ -3,6 +3,7 @@
 const LIGHT = Maths.unit([-0.35, 0.25, 0.9]);
 const GLASS = 0.34;
 const TRAIL_OPACITY = 0.75;
+const SHADOW_OPACITY = 0.5;
 
 class Scene {
   /** Throws if the browser has no WebGL 2. */
@@ -18,15 +19,15 @@ class Scene {
     painter.useLetters(Bodies.atlas(entities));
     const { panes, rims } = Bodies.wallMeshes(facts.field);
     const standing = new Mesh().join(Bodies.fixed(facts)).join(rims);
-    const shades = new Mesh().join(Bodies.fixed(facts));
+    const shadows = new Mesh().join(Bodies.fixedShadows(facts));
     const numbers = new Mesh();
     entities.forEach((entity, index) => {
       standing.join(Bodies.of(entity), index + 1);
-      shades.join(Bodies.outline(entity), index + 1);
+      shadows.join(Bodies.shadow(entity), index + 1);
       if (entity.kind === "robot") numbers.join(Bodies.number(entity, index), index + 1);
     });
     this.bodies = painter.upload(standing);
-    this.shades = painter.upload(shades.outline);
+    this.shadows = painter.upload(shadows);
     this.numbers = painter.upload(numbers);
     this.panes = painter.upload(panes);
     this.ground = this.layers(Ground.field(facts));
@@ -84,7 +85,7 @@ class Scene {
     painter.draw("lit", this.bodies);
     painter.glass();
     painter.draw("lettered", this.numbers);
-    painter.draw("lit", this.panes, GLASS);
+    painter.panes(this.panes, GLASS);
     if (!frame.show.names) return;
     painter.onFloor();
     painter.draw("sign", this.signs);
@@ -123,7 +124,7 @@ class Scene {
       for (const piece of trail.pieces) mesh.line(piece, trail.width, trail.colour);
       painter.drawOnce(mesh, TRAIL_OPACITY);
     }
-    if (frame.show.shadows) painter.shadows(this.shades);
+    if (frame.show.shadows) painter.draw("shadow", this.shadows, SHADOW_OPACITY);
   }
 
   /**

@@ -1,10 +1,8 @@
-// What programs saw, set and printed, if it was recorded: readings and output on the robots' cards, rays on the field.
+// What programs saw and set, if it was recorded: readings on the robots' cards, rays on the field.
 // Blocks are read when they are first wanted: int32 differences, four planes of bytes for each column, lowest first.
 
 const NO_NUMBER = -(2 ** 31), INFINITE = 2 ** 31 - 1, MINUS_INFINITE = -(2 ** 31) + 1;
 const RAY_WIDTH_M = 0.003;
-const MOST_PRINTED = 40;
-const LONGEST_PRINTED = 20000;
 const SENSOR_COLOURS = { sonar: [0.45, 0.95, 1], lidar: [1, 0.55, 0.85], ball: [1, 0.6, 0.2] };
 
 class Sensors {
@@ -49,12 +47,10 @@ class Sensors {
     item.querySelector(".buttons").append(button);
     const box = element("div", "sensing");
     box.hidden = true;
-    const readings = element("dl", "readings"), printed = element("pre", "printed");
-    printed.setAttribute("aria-label", `What the program of ${entity.name} printed`);
-    printed.tabIndex = 0;
-    box.append(readings, printed);
+    const readings = element("dl", "readings");
+    box.append(readings);
     item.append(box);
-    this.cards.push({ index, name: entity.name, box, readings, printed, values: [], key: "" });
+    this.cards.push({ index, name: entity.name, box, readings, values: [], key: "" });
   }
 
   // --- blocks ----------------------------------------------------------------------------------------------------------
@@ -74,8 +70,6 @@ class Sensors {
 
   async read(number, facts) {
     const bytes = await Embedded.inflate(document.getElementById(`sensors-${number}`).textContent);
-    const text = await Embedded.inflate(document.getElementById(`output-${number}`).textContent);
-    const printed = JSON.parse(new TextDecoder().decode(text));
     const robots = new Map();
     let first = 0;
     const take = (rows) => {
@@ -85,7 +79,7 @@ class Sensors {
     };
     for (const robot of facts.robots) {
       const ticks = take(robot.rows), columns = robot.units.map(() => take(robot.rows));
-      robots.set(robot.name, { facts: robot, ticks, columns, printed: printed.filter(([name]) => name === robot.name) });
+      robots.set(robot.name, { facts: robot, ticks, columns });
     }
     if (first !== bytes.length) throw new Error("it is not complete");
     return robots;
@@ -131,7 +125,7 @@ class Sensors {
 
   // --- cards -----------------------------------------------------------------------------------------------------------
 
-  /** Show readings and output; while the match plays, ten times a second are enough to read. */
+  /** Show readings; while the match plays, ten times a second are enough to read. */
   show(place, playing) {
     const now = performance.now();
     if (!this.any || (playing && now - this.shownAt < 100)) return;
@@ -139,9 +133,7 @@ class Sensors {
     for (const card of this.cards) {
       const seen = this.observation(card.index, place);
       card.box.hidden = !seen;
-      if (!seen) continue;
-      this.showReadings(card, seen);
-      this.showPrinted(card, seen.robot, Math.floor(this.recording.at(place).tick + 1e-6));
+      if (seen) this.showReadings(card, seen);
     }
   }
 
@@ -184,23 +176,6 @@ class Sensors {
   static lidarText(ranges) {
     const seen = ranges.filter((range) => Number.isFinite(range) && range > 0);
     return seen.length ? `${Math.min(...seen).toFixed(3)} to ${Math.max(...seen).toFixed(3)} m (${ranges.length} rays shown)` : "no ray yet";
-  }
-
-  showPrinted(card, robot, tick) {
-    const until = Sensors.last(robot.printed, tick, ([, at]) => at);
-    if (card.printedOf === robot && card.printedUntil === until) return;
-    card.printedOf = robot;
-    card.printedUntil = until;
-    const entries = robot.printed.slice(Math.max(0, until + 1 - MOST_PRINTED), until + 1);
-    const lines = entries.map(([, at, text]) => {
-      const line = element("span", "line");
-      const shown = text.length > LONGEST_PRINTED ? `${text.slice(0, LONGEST_PRINTED)}…` : text.replace(/\n$/, "");
-      line.append(element("span", "when", `${Recording.clockText(at * this.recording.tickSeconds)} `), element("bdi", "", shown));
-      return line;
-    });
-    card.printed.replaceChildren(...lines);
-    card.printed.hidden = !lines.length;
-    card.printed.scrollTop = card.printed.scrollHeight;
   }
 
   // --- rays ------------------------------------------------------------------------------------------------------------

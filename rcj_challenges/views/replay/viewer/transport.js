@@ -14,6 +14,7 @@ class Transport {
     this.hover = find("hover");
     this.frame = find("frame");
     this.speed = find("speed");
+    this.winding = find("winding");
     this.knob = -1;
     this.shown = "";
     this.seek.max = String(recording.span);
@@ -50,7 +51,7 @@ class Transport {
     const reach = (6 / length) * this.recording.span;
     const near = this.recording.events.filter((candidate) => Math.abs(candidate.place - place) <= reach);
     const best = near.find((candidate) => candidate.scored) || near[0];
-    this.hover.textContent = best ? `${this.recording.clock(best.place)}  ${best.name}` : this.recording.clock(place);
+    this.hover.textContent = best ? [this.recording.clock(best.place), eventName(best), this.recording.title(best.team), best.standing].filter(Boolean).join("  ") : this.recording.clock(place);
     this.hover.hidden = false;
     this.hover.style.left = `${Maths.clamp((100 * across) / box.width, 4, 96)}%`;
   }
@@ -82,7 +83,9 @@ class Transport {
       }
       if (event.kind === "goal" || event.kind === "loss") {
         const x = at(event.place), lost = event.kind === "loss";
-        pen.fillStyle = event.colour || styles.getPropertyValue("--accent");
+        // In the colour that the team has on the scoreboard now: sides change at half-time.
+        const seat = recording.seat(event.team, this.player.place);
+        pen.fillStyle = seat?.colour || styles.getPropertyValue("--accent");
         pen.strokeStyle = lost ? pen.fillStyle : styles.getPropertyValue("--text");
         pen.lineWidth = lost ? 2 : 1;
         pen.beginPath();
@@ -99,6 +102,10 @@ class Transport {
     const { track, tick } = recording.at(place);
     const text = `tick ${Math.round(tick)}`;
     if (this.frame.textContent !== text) this.frame.textContent = text;
+    if (track !== this.track) {
+      this.track = track;
+      this.drawMarks();
+    }
     // While the match plays, the knob moves by less than a pixel a frame: redrawing it each time would be for nothing.
     const step = player.playing ? recording.span / 2000 : 0;
     if (Math.abs(place - this.knob) <= step && step > 0) return this.showKeys(player);
@@ -120,5 +127,7 @@ class Transport {
     this.find("rewind").setAttribute("aria-pressed", String(player.playing && player.direction < 0));
     this.find("forward").setAttribute("aria-pressed", String(player.playing && player.direction > 0 && player.winding > 1));
     if (this.speed.value !== String(player.speed)) this.speed.value = String(player.speed);
+    this.winding.hidden = !player.playing || plain;
+    this.winding.textContent = `${player.direction < 0 ? "◀◀" : "▶▶"} ${player.speed * player.winding} ×`;
   }
 }
