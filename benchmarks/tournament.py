@@ -22,8 +22,7 @@ from pathlib import Path
 from typing import Any
 
 from rich.console import Console
-from sqlalchemy import create_engine
-from sqlalchemy.orm import Session
+from sqlalchemy import insert
 
 from benchmarks.rows import Row, as_users_have_it, parser, show
 from rcj_challenges.cli.tournament_run import RunLines, RunOptions, prepare
@@ -36,8 +35,8 @@ from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.records import sizes
 from rcj_challenges.tournament.runner import Runner
 from rcj_challenges.tournament.season import Fixture, Outcome
-from rcj_challenges.tournament.store.store import STORE_FILE, Store
-from rcj_challenges.tournament.store.tables import JobRow, PlayedRow
+from rcj_challenges.tournament.store.store import Store
+from rcj_challenges.tournament.store.tables import JOB, PLAYED, JobRow, PlayedRow
 from rcj_challenges.tournament.submissions import take_submissions
 
 LANES = 2
@@ -79,7 +78,7 @@ def match_rows(folder: Path, *, is_quick: bool) -> list[Row]:
     with Store(folder / "data", writing=True) as store:
         tournament = OpenTournament(load_tournament(path), store)
         lines = RunLines(Console(quiet=True), tournament, quiet=True)
-        options = RunOptions(str(path), LANES, "auto", frozenset(), cascade=False, quiet=True)
+        options = RunOptions(LANES, "auto", frozenset(), cascade=False, quiet=True)
         began = time.perf_counter()
         jobs = prepare(tournament, options, LANES, lines)
         check_s = time.perf_counter() - began
@@ -137,19 +136,18 @@ def fill(tournament: OpenTournament, summary: dict[str, Any], files: dict[str, i
     first = JobMaker(tournament, handed, "off").job_for(fixtures[0])
     at = datetime.now(UTC)
     draw = random.Random(1)  # noqa: S311 - the same figures each time
-    made: list[JobRow | PlayedRow] = []
+    made_jobs: list[dict[str, Any]] = []
+    made: list[dict[str, Any]] = []
     for fixture in fixtures:
         job = replace(first, seed=fixture.seed)
-        made.append(JobRow(id=job.id, state="played", job=job.to_json(), summary=summary, files=files, doubtful=False,
-                           complaint="", ended_at=at))  # fmt: skip
+        made_jobs.append(JobRow(job.id, "played", job.to_json(), summary, files, False, "", at)._asdict())
         sides = [side.teams[0] for side in fixture.sides]
-        made.append(PlayedRow(fixture=fixture.id, job_id=job.id, sides=" ".join(sides), played_at=at,
-                              outcome=[[draw.randrange(5), draw.randrange(5)], []],
-                              submissions={team: handed[team, ""].archive for team in sides}))  # fmt: skip
-    engine = create_engine(f"sqlite:///{store.place.folder / STORE_FILE}")
-    with Session(engine) as session, session.begin():
-        session.add_all(made)
-    engine.dispose()
+        outcome = [[draw.randrange(5), draw.randrange(5)], []]
+        archives = {team: handed[team, ""].archive for team in sides}
+        made.append(PlayedRow(fixture.id, job.id, " ".join(sides), outcome, archives, at)._asdict())
+    with store.transaction() as connection:
+        connection.execute(insert(JOB), made_jobs)
+        connection.execute(insert(PLAYED), made)
     return len(fixtures)
 
 

@@ -101,16 +101,7 @@ def run(
     from rcj_challenges.cli.tournament_run import RunOptions, run_tournament
 
     with opened(file, data, writing=True) as tournament:
-        options = RunOptions(
-            file,
-            at_once,
-            sandbox,
-            frozenset(accept or ()),
-            cascade=cascade,
-            quiet=quiet,
-            cluster=cluster,
-            shared=shared,
-        )
+        options = RunOptions(at_once, sandbox, frozenset(accept or ()), cascade, quiet, cluster, shared)
         raise typer.Exit(run_tournament(tournament, options))
 
 
@@ -180,11 +171,14 @@ def decide(
     data: Data = None,
 ) -> None:
     """Record a referee's ruling on a match, or that a team leaves; it is shown as such for ever."""
-    from rcj_challenges.cli.tournament_decide import Decision, record_decision
+    from rcj_challenges.cli.tournament_decide import record_decision
 
-    decision = Decision(match, reason, forfeit, score, withdraw, replay=replay, cascade=cascade)
     with opened(file, data, writing=True) as tournament:
-        raise typer.Exit(record_decision(tournament, decision))
+        code = record_decision(
+            tournament, match, reason,
+            forfeit=forfeit, replay=replay, score=score, withdrawn=withdraw, cascade=cascade,
+        )  # fmt: skip
+    raise typer.Exit(code)
 
 
 @tournament_app.command(cls=Command, epilog="rcj-challenge tournament verify cup --sample 5")

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rcj_challenges.cli import OK
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.tournament.opened import OpenTournament
@@ -12,46 +10,36 @@ from rcj_challenges.tournament.rulings import decide, withdraw
 from rcj_challenges.views.console import console_for
 
 
-@dataclass(frozen=True)
-class Decision:
-    """The options of ``tournament decide``, as given."""
-
-    match: str | None
-    reason: str
-    forfeit: str | None
-    score: str | None
-    withdraw: str | None
-    replay: bool
-    cascade: bool
-
-
-def record_decision(tournament: OpenTournament, decision: Decision) -> int:
-    """Record it; returns the exit code.
+def record_decision(
+    tournament: OpenTournament,
+    match: str | None,
+    reason: str,
+    *,
+    forfeit: str | None,
+    replay: bool,
+    score: str | None,
+    withdrawn: str | None,
+    cascade: bool,
+) -> int:
+    """Record a decision, from the options as given; returns the exit code.
 
     Raises:
         DiagnosticError: options that do not fit together, or a decision that cannot be made.
     """
     kinds = {
-        RulingKind.FORFEIT: decision.forfeit is not None,
-        RulingKind.REPLAY: decision.replay,
-        RulingKind.CORRECTED: decision.score is not None,
+        RulingKind.FORFEIT: forfeit is not None,
+        RulingKind.REPLAY: replay,
+        RulingKind.CORRECTED: score is not None,
     }
     given = [kind for kind, is_given in kinds.items() if is_given]
-    if len(given) + (decision.withdraw is not None) != 1 or (decision.match is None) != (decision.withdraw is not None):
+    if len(given) + (withdrawn is not None) != 1 or (match is None) != (withdrawn is not None):
         message = "a decision is either about a match: --forfeit TEAM, --replay or --score A:B, or --withdraw TEAM"
         raise DiagnosticError(Diagnostic("which-decision", message, "give one of them; MATCH only for the first three"))
-    if decision.withdraw is not None:
-        lost = withdraw(tournament, decision.withdraw, decision.reason, cascade=decision.cascade)
+    if withdrawn is not None:
+        lost = withdraw(tournament, withdrawn, reason, cascade=cascade)
     else:
-        lost = decide(
-            tournament,
-            decision.match or "",
-            given[0],
-            decision.reason,
-            loser=decision.forfeit or "",
-            scores=_scores(decision.score),
-            cascade=decision.cascade,
-        )
+        scores = _scores(score)
+        lost = decide(tournament, match or "", given[0], reason, loser=forfeit or "", scores=scores, cascade=cascade)
     console = console_for()
     lines = [f"{fixture} will be played again" for fixture in lost]
     for line in ("recorded", *lines):
@@ -63,7 +51,7 @@ def _scores(text: str | None) -> list[float]:
     """Return the numbers of ``2:1``.
 
     Raises:
-        DiagnosticError: it is no such text.
+        DiagnosticError: it is not a score.
     """
     try:
         scores = [] if text is None else [float(part) for part in text.split(":")]

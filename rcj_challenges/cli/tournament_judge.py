@@ -33,7 +33,7 @@ def judge_tournament(tournament: OpenTournament, overrides: Sequence[str], *, as
         RcjError: rules that cannot be used, or a record without a trajectory.
     """
     before, played = tournament.state(), tournament.store.played()
-    fixtures = [one for stage in before.stages for one in stage.fixtures if one.id in played]
+    fixtures = [one for one in before.fixtures if one.id in played]
     place = tournament.store.place
     missing = [one.id for one in fixtures if not (place.record_of(played[one.id].job_id) / TRAJECTORY).is_file()]
     if missing:

@@ -55,7 +55,7 @@ def print_plan(tournament: OpenTournament, *, as_json: bool) -> int:
     console = console_for()
     for stage in state.stages:
         known, expected = len(stage.fixtures), stage.expected_matches
-        later = f", {expected - known} more once it is known who plays" if expected > known else ""
+        later = f", {expected - known} more once their teams are known" if expected > known else ""
         console.print(Text(f"{stage.title} ({stage.name}): {counted(known, 'match', 'matches')}{later}"))
         for fixture in stage.fixtures:
             sides = " - ".join(team_words(state.teams, side.teams) for side in fixture.sides)
@@ -90,7 +90,7 @@ def _mean_s(tournament: OpenTournament) -> float:
 
 def _real_time_factor(tournament: OpenTournament) -> float | None:
     """Return how many times faster than real time matches are played here; None if not even a short one can be."""
-    played = [row.summary for row in tournament.store.jobs().values() if row.state == "played"]
+    played = list(tournament.store.summaries().values())
     wall_s = sum(summary["wall_s"] for summary in played)
     if wall_s > 0:
         return float(sum(summary["simulated_s"] for summary in played) / wall_s)

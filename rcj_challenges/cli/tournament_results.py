@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import sys
 from dataclasses import asdict
 from typing import Any, Literal
@@ -14,6 +12,7 @@ from rcj_challenges.cli import OK
 from rcj_challenges.cli.says import say_json
 from rcj_challenges.cli.tournament_tables import score_words, stage_tables, team_words
 from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.tournament.csv_text import csv_text
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.season import SeasonState
 from rcj_challenges.tournament.store.lock import is_locked
@@ -23,7 +22,6 @@ from rcj_challenges.views.console import console_for
 def print_status(tournament: OpenTournament, *, as_json: bool) -> int:
     """Print how far it is; returns the exit code."""
     state, store = tournament.state(), tournament.store
-    remarkable = store.remarkable_jobs()
     stages = [
         {
             "stage": stage.name,
@@ -38,8 +36,8 @@ def print_status(tournament: OpenTournament, *, as_json: bool) -> int:
         "title": tournament.loaded.tournament.title,
         "is_running": is_locked(store.place.folder),
         "stages": stages,
-        "doubtful": sorted(store.fixtures_of(row.id for row in remarkable if row.doubtful)),
-        "failed": [row.complaint for row in remarkable if row.state == "failed"],
+        "doubtful": store.doubtful_fixtures(),
+        "failed": store.complaints(),
         "withdrawn": sorted(team.id for team in state.teams.values() if team.withdrawn),
     }
     if as_json:
@@ -77,7 +75,7 @@ def print_results(tournament: OpenTournament, *, as_json: bool, as_csv: Literal[
 
 def results_json(tournament: OpenTournament, state: SeasonState) -> dict[str, Any]:
     """Return the state as JSON-able data, with digests and rulings."""
-    digests = tournament.store.digests()
+    summaries = tournament.store.summaries()
     rulings = [
         {"kind": row.kind, "match": row.fixture, "team": row.team, "scores": row.scores, "reason": row.reason,
          "at": row.at.isoformat()}
@@ -88,7 +86,7 @@ def results_json(tournament: OpenTournament, state: SeasonState) -> dict[str, An
         "teams": {team.id: asdict(team) for team in state.teams.values()},
         "stages": [asdict(stage) for stage in state.stages],
         "outcomes": {
-            fixture: {**asdict(outcome), "digest": digests.get(fixture, "")}
+            fixture: {**asdict(outcome), "digest": summaries.get(fixture, {}).get("digest", "")}
             for fixture, outcome in state.outcomes.items()
         },
         "rulings": rulings,
@@ -105,7 +103,7 @@ def tables_csv(state: SeasonState) -> str:
                 values = " ".join(map(str, row.values))
                 numbers = [int(value) if isinstance(value := getattr(row, key), bool) else value for key in counts]
                 lines.append([stage.name, table.name, row.team, team_words(state.teams, row.team), *numbers, values])
-    return _csv(lines)
+    return csv_text(lines)
 
 
 def matches_csv(state: SeasonState) -> str:
@@ -119,15 +117,4 @@ def matches_csv(state: SeasonState) -> str:
                 scores = ":".join(f"{score:g}" for score in outcome.scores)
                 row = [fixture.id, stage.name, fixture.round, sides, scores, outcome.ruled.value, outcome.reason]
                 lines.append(row)
-    return _csv(lines)
-
-
-def _csv(lines: list[list[Any]]) -> str:
-    text = io.StringIO()
-    csv.writer(text, lineterminator="\n").writerows([_harmless(cell) for cell in line] for line in lines)
-    return text.getvalue()
-
-
-def _harmless(cell: Any) -> Any:
-    """Keep a spreadsheet from taking a stranger's text for a formula."""
-    return f"'{cell}" if isinstance(cell, str) and cell[:1] in ("=", "+", "-", "@") else cell
+    return csv_text(lines)

@@ -20,8 +20,10 @@ from rcj_challenges.cli.tournament_tables import score_words, stage_tables
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.scenario.errors import listing
 from rcj_challenges.tournament.executor import Executor, LocalExecutor
 from rcj_challenges.tournament.fixtures import JobMaker
+from rcj_challenges.tournament.jobs import Workplace
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.reconcile import reconcile
 from rcj_challenges.tournament.runner import Progress, Runner
@@ -43,7 +45,6 @@ class SubmissionsFailError(DiagnosticError):
 class RunOptions:
     """The options of ``tournament run``, as given."""
 
-    file: str
     at_once: int | None
     sandbox: str
     accepted: frozenset[str]
@@ -123,7 +124,7 @@ def prepare(tournament: OpenTournament, options: RunOptions, lanes: int, observe
     failures = check_submissions(tasks, tournament.store, jobs=lanes, sandbox=options.sandbox, observer=observer)
     refused = [one for one in failures if one.team not in options.accepted or one.is_unchecked]
     if refused:
-        raise SubmissionsFailError(*map(_diagnostic, refused))
+        raise SubmissionsFailError(*(_diagnostic(one, tournament.store.place) for one in refused))
     return jobs
 
 
@@ -133,13 +134,13 @@ def _earlier(tournament: OpenTournament) -> dict[tuple[str, str], Handed]:
     return {key: Handed(*key, row.archive, row.file, row.name) for key, row in rows.items()}
 
 
-def _diagnostic(failure: Failure) -> Diagnostic:
-    messages = "; ".join(failure.messages) or "nothing is known about it"
+def _diagnostic(failure: Failure, place: Workplace) -> Diagnostic:
+    team, scenarios = failure.team, listing(failure.scenarios, 3)
     if failure.is_unchecked:
-        message = f"the submission of {failure.team} could not be checked for '{failure.scenario}': {messages}"
+        message = f"the submission of {team} could not be checked ({scenarios})"
         return Diagnostic("submission-unchecked", message, "run the command again")
-    message = f"the submission of {failure.team} fails the check for '{failure.scenario}': {messages}"
-    help_ = f"let the team replace it; or play it as it is with --accept {failure.team}"
+    message = f"the submission of {team} fails the check: {failure.message} ({scenarios})"
+    help_ = f"let the team replace it (its report is in {place.reports}); or play it as it is: --accept {team}"
     return Diagnostic("submission-fails", message, help_)
 
 

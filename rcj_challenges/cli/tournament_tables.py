@@ -8,14 +8,7 @@ from rich.table import Table as RichTable
 from rich.text import Text
 
 from rcj_challenges.facts.measures import number_words
-from rcj_challenges.tournament.season import Fixture, Outcome, Row, Ruled, SeasonState, StageState, Table, Team
-
-_RULED = {
-    Ruled.FORFEIT: "forfeit",
-    Ruled.CORRECTED: "corrected by the referee",
-    Ruled.WITHDRAWN: "withdrawn",
-    Ruled.ANNULLED: "annulled",
-}
+from rcj_challenges.tournament.season import Fixture, Outcome, Row, SeasonState, StageState, Table, Team
 
 
 def team_words(teams: Mapping[str, Team], ids: str | Sequence[str]) -> str:
@@ -32,8 +25,7 @@ def score_words(fixture: Fixture, outcome: Outcome, teams: Mapping[str, Team]) -
         score = f"{names[0]} {scores[0]} : {scores[1]} {names[1]}"
     else:
         score = ", ".join(f"{name} {one}" for name, one in zip(names, scores, strict=False))
-    ruled = _RULED.get(outcome.ruled)
-    return f"{score} ({ruled})" if ruled else score
+    return f"{score} ({outcome.ruled.words})" if outcome.ruled.words else score
 
 
 def stage_tables(state: SeasonState, only: Collection[str] | None = None) -> list[RichTable]:
@@ -73,7 +65,7 @@ def _place(row: Row) -> str:
 
 
 def _bracket(stage: StageState, teams: Mapping[str, Team]) -> RichTable:
-    shown = RichTable("round", "first", "", "second", "winner", "by", title=Text(stage.title))
+    shown = RichTable("tie", "first", "", "second", "winner", "by", title=Text(stage.title))
     for tie in stage.ties:
         first, second = (
             team_words(teams, team) if team else source for team, source in zip(tie.teams, tie.sources, strict=True)
@@ -81,5 +73,5 @@ def _bracket(stage: StageState, teams: Mapping[str, Team]) -> RichTable:
         score = "" if tie.scores is None else " : ".join(map(number_words, tie.scores))
         winner = team_words(teams, tie.winner) if tie.winner else ""
         by = tie.decided_by.replace("_", " ")
-        shown.add_row(f"{tie.round.replace('_', ' ')} {tie.number}", *map(Text, (first, score, second, winner, by)))
+        shown.add_row(*map(Text, (tie.title, first, score, second, winner, by)))
     return shown

@@ -37,8 +37,10 @@ def _verify(
         typer.Argument(metavar="RUN...", help="Records' folders, or how their names begin; left out: the newest."),
     ] = None,
     team: Annotated[
-        list[Path] | None,
-        typer.Option("--team", metavar="PATH", help="Who played: a submission, or a folder of ZIPs. Repeatable."),
+        list[str] | None,
+        typer.Option(
+            "--team", metavar="PATH", help="What played: a submission, a folder of ZIPs, or a sample team. Repeatable."
+        ),
     ] = None,
     out: Annotated[Path, typer.Option("--runs", "--out", metavar="DIR", help="Where the records are.")] = Path("runs"),
     at_once: Annotated[
@@ -59,7 +61,7 @@ def _verify(
 
 def verify_runs(
     runs: Sequence[Path | None],
-    teams: Sequence[Path],
+    teams: Sequence[str],
     out: Path,
     *,
     at_once: int | None,
@@ -76,14 +78,32 @@ def verify_runs(
     from rcj_challenges.tournament.verify import verify_all
     from rcj_challenges.views.replay.browse import find_run
 
+    paths = _located(teams)
     folders = [find_run(run, out) for run in runs]
     with tempfile.TemporaryDirectory(prefix="rcj-verify-") as temporary:
         place = Workplace(Path(temporary))
         place.submissions.mkdir(parents=True)
-        found = {one.job.id: one for one in (_recorded(folder, teams, place, sandbox) for folder in folders)}
+        found = {one.job.id: one for one in (_recorded(folder, paths, place, sandbox) for folder in folders)}
         lines = VerifyLines(len(found), as_json=as_json)
         verify_all(list(found.values()), LocalExecutor(place, at_once or os.cpu_count() or 1), lines.done)
     return lines.finish()
+
+
+def _located(teams: Sequence[str]) -> list[Path]:
+    """Return where submissions are, given by their paths or as the names of sample teams.
+
+    Raises:
+        DiagnosticError: one does not exist.
+    """
+    from rcj_challenges.cli.teams import locate_team
+    from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+
+    paths = [locate_team(team) for team in teams]
+    missing = [Diagnostic("no-such-file", f"no file or folder '{path}'", "give a submission, a folder of ZIPs, or the "
+               "name of a sample team") for path in paths if not path.exists()]  # fmt: skip
+    if missing:
+        raise DiagnosticError(*missing)
+    return paths
 
 
 def _recorded(folder: Path, teams: Sequence[Path], place: Workplace, sandbox: str) -> Recorded:
@@ -134,7 +154,7 @@ def _candidates(folder: Path, teams: Sequence[Path]) -> Iterable[Path]:
     from rcj_challenges.checker.many_given import in_folders
     from rcj_challenges.scenario.resources import teams_folder
 
-    yield from in_folders([path for path in teams if path.exists()]).paths
+    yield from in_folders(teams).paths
     yield from sorted((folder.resolve().parents[1] / "submissions").glob("*.*"))  # of a tournament
     yield from sorted(path for path in teams_folder().iterdir() if path.is_dir())
 

@@ -1,4 +1,4 @@
-"""What is wrong with a tournament although each value is allowed: stages that cannot be played, places left open."""
+"""Checks across the whole file: stages that cannot be played, places that stay undecided."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from pathlib import Path
 from zoneinfo import ZoneInfo
 
 from rcj_challenges.facts.diagnostics import Diagnostic
-from rcj_challenges.scenario.errors import listing, nearest
+from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.tree import Entries, Step, in_names, mark_of
 from rcj_challenges.tournament.entries import TeamEntry
-from rcj_challenges.tournament.errors import problem_at
+from rcj_challenges.tournament.errors import did_you_mean, problem_at
 from rcj_challenges.tournament.models import (
     Challenge,
     FromModel,
@@ -75,7 +75,7 @@ class _Checks:
         for name, stage in self.tournament.stages.items():
             yield from self._stage(name, stage, sizes)
 
-    def _at(self, path: tuple[Step, ...], code: str, message: str, help_: str = "") -> Diagnostic:
+    def _at(self, path: tuple[Step, ...], code: str, message: str, help_: str) -> Diagnostic:
         return problem_at(mark_of(self.tree, path), code, message, help_, in_names(self.tree, path))
 
     # --- the whole file -----------------------------------------------------------------------------------------------
@@ -85,7 +85,8 @@ class _Checks:
             yield self._at((), "missing-key", "no teams", "give 'teams' or 'teams_folder'")
         elif self.are_teams_known and len(self.teams) < 2:
             where = ("teams",) if self.tournament.teams else ("teams_folder",)
-            yield self._at(where, "too-few-teams", f"{len(self.teams)} team(s); a tournament has at least two")
+            message = f"{len(self.teams)} team(s); a tournament has at least two"
+            yield self._at(where, "too-few-teams", message, "add teams")
 
     def _tie_breaks(self) -> Iterator[Diagnostic]:
         words = self.tournament.tie_breaks
@@ -166,8 +167,7 @@ class _Checks:
         if stage.from_ not in before:
             is_later = stage.from_ in self.tournament.stages
             message = f"'{stage.from_}' is not played before '{name}'" if is_later else f"no stage '{stage.from_}'"
-            hint = nearest(stage.from_, before).removeprefix("; ")
-            help_ = f"{hint} earlier stages: {listing(before) or 'none'}".strip()
+            help_ = did_you_mean(stage.from_, before, f"Earlier stages: {listing(before) or 'none'}")
             yield self._at((*path, "from"), "unreachable-stage", message, help_)
             return
         source = self.tournament.stages[stage.from_]
@@ -233,8 +233,8 @@ class _Checks:
             for index, team in enumerate(listed):
                 seen[team] += 1
                 if team not in self.teams:
-                    hint = nearest(team, self.teams).removeprefix("; ")
-                    yield self._at((*path, name, index), "unknown-team", f"no team '{team}'", hint)
+                    help_ = did_you_mean(team, self.teams, f"Teams: {listing(self.teams)}")
+                    yield self._at((*path, name, index), "unknown-team", f"no team '{team}'", help_)
                 elif seen[team] > 1:
                     message = f"team '{team}' is listed twice"
                     yield self._at((*path, name, index), "listed-teams", message, "keep it once")
@@ -281,7 +281,7 @@ class _Checks:
         yield self._at((*path, "release"), "wrong-release", message, "give one time, or one for each round")
 
     def _undecided(self, name: str, stage: FromModel, sizes: Mapping[str, StageSize]) -> Iterator[Diagnostic]:
-        """Refuse places that can be shared where they decide who advances."""
+        """Refuse places that can be shared if only some of the teams advance."""
         if "lot" in self.tournament.tie_breaks or (isinstance(stage, RoundRobin | Swiss) and stage.play_off):
             return
         open_cuts = cuts(self.tournament, name, sizes)
@@ -295,5 +295,5 @@ class _Checks:
         taker = next(one for one, other in self.tournament.stages.items() if other.from_ == name and other.places)
         can_play_off = isinstance(stage, RoundRobin | Swiss)
         help_ = f"{f'set play_off: true in {name!r}, or ' if can_play_off else ''}add lot at the end of tie_breaks"
-        message = f"places after place {after} of '{name}' may be shared, and they decide who advances"
+        message = f"places after place {after} of '{name}' may be shared, and only some of these teams advance"
         yield self._at(("stages", taker, "places"), "undecided-places", message, help_)

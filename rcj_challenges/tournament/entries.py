@@ -5,17 +5,17 @@ from __future__ import annotations
 import os
 import re
 import unicodedata
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from hashlib import sha256
 from pathlib import Path
 
 from rcj_challenges.facts.diagnostics import Diagnostic
 from rcj_challenges.facts.errors import format_error
-from rcj_challenges.scenario.errors import listing, nearest
+from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.resources import teams_folder
 from rcj_challenges.scenario.tree import Entries, mark_of
-from rcj_challenges.tournament.errors import problem_at
+from rcj_challenges.tournament.errors import did_you_mean, problem_at
 from rcj_challenges.tournament.models import Challenge, TeamModel, Tournament
 
 
@@ -137,11 +137,11 @@ class TeamLists:
             if model.sample in samples:
                 return teams_folder() / model.sample
             code, message = "unknown-sample", f"no sample team '{model.sample}'"
-            help_ = f"{_did_you_mean(model.sample, samples)}Sample teams: {listing(samples, 30)}"
+            help_ = did_you_mean(model.sample, samples, f"Sample teams: {listing(samples, 30)}")
         elif key in submitted:
             return submitted[key]
         else:
-            help_ = f"{_did_you_mean(key, submitted)}Give 'path' or 'sample', or put its ZIP into teams_folder"
+            help_ = did_you_mean(key, submitted, "Give 'path' or 'sample', or put its ZIP into teams_folder")
         self._add(("teams", key), code, message, help_, at_key=True)
         return None
 
@@ -159,7 +159,7 @@ class TeamLists:
         for key, path in submitted.items():
             if key not in entries:
                 message = f"'{path.name}' is of no team of this tournament"
-                help_ = f"{_did_you_mean(key, entries)}Name it after its team's id, or remove it"
+                help_ = did_you_mean(key, entries, "Name it after its team's id, or remove it")
                 self._add(where, "unknown-team", message, help_)
 
 
@@ -169,8 +169,3 @@ def id_of(file_name: str) -> str:
     plain = "".join(letter for letter in plain if not unicodedata.combining(letter))
     found = re.sub(r"[^A-Za-z0-9]+", "_", plain).strip("_")[:40]
     return found or f"team_{sha256(file_name.encode('utf-8', 'surrogatepass')).hexdigest()[:6]}"
-
-
-def _did_you_mean(word: str, known: Iterable[str]) -> str:
-    hint = nearest(word, known)
-    return f"{hint.removeprefix('; ')} " if hint else ""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError, InFile
+from rcj_challenges.scenario.errors import nearest
 from rcj_challenges.scenario.tree import Mark
 
 
@@ -15,7 +16,12 @@ class TournamentFileError(DiagnosticError):
         super().__init__(*sorted(dict.fromkeys(problems), key=_position))
 
 
-def problem_at(mark: Mark, code: str, message: str, help_: str = "", path: str = "") -> Diagnostic:
+def did_you_mean(word: str, known: Iterable[str], then: str = "") -> str:
+    """Return ``did you mean 'x'?`` for the known word that is most like ``word``, if there is one, and then a text."""
+    return f"{nearest(word, known).removeprefix('; ')} {then}".strip()
+
+
+def problem_at(mark: Mark, code: str, message: str, help_: str, path: str = "") -> Diagnostic:
     """Return a mistake at a place of a file."""
     return Diagnostic(code, message, help_, InFile(mark.file, mark.line or None, mark.column or None, path))
 

@@ -1,4 +1,4 @@
-"""Who plays the jobs of a tournament: processes of this computer, or others."""
+"""Executors of jobs: in processes of this computer, or on others."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.messages.wording import expected, refusal
 from rcj_challenges.scenario.shape import Shape, bare, chosen, fields, is_model, is_union, shape_at, step_into, tags
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, Path, child, in_names, mark_of, node_at, plain
-from rcj_challenges.tournament.errors import problem_at
+from rcj_challenges.tournament.errors import did_you_mean, problem_at
 
 _KEY = "[key]"
 """What pydantic appends to the place of a mapping's entry if its key is wrong."""
@@ -105,7 +105,7 @@ def _problem(mistake: _Mistake, root: Entries, whole: Shape) -> Diagnostic:
     if mistake.kind == "extra_forbidden":
         allowed = list(_model_fields(root, whole, above))
         mark = mark_of(root, mistake.path, at_key=True)
-        help_ = f"{_did_you_mean(key, allowed)}Keys here: {listing(allowed, 40)}"
+        help_ = did_you_mean(key, allowed, f"Keys here: {listing(allowed, 40)}")
         return problem_at(mark, "unknown-key", f"unknown key '{key[:64]}'", help_, in_names(root, above))
     if mistake.kind == "missing":
         about = _sentence_about(root, whole, above, key)
@@ -139,21 +139,14 @@ def _of_kind(discriminator: str, words: list[str], tag: Node | None) -> tuple[st
     if not isinstance(tag, Leaf) or tag.value is None:
         return "missing-key", f"'{discriminator}' is missing", known
     written = str(tag.value)
-    return (
-        f"unknown-{discriminator}",
-        f"unknown {discriminator} '{written[:64]}'",
-        _did_you_mean(written, words) + known,
-    )
-
-
-def _did_you_mean(word: str, known: list[str]) -> str:
-    hint = nearest(word, known)
-    return f"{hint.removeprefix('; ')} " if hint else ""
+    message = f"unknown {discriminator} '{written[:64]}'"
+    return f"unknown-{discriminator}", message, did_you_mean(written, words, known)
 
 
 def _description(shape: Shape) -> str:
     extras = get_args(shape)[1:] if hasattr(shape, "__metadata__") else ()
-    return next((extra.description for extra in extras if getattr(extra, "description", None)), "")
+    found = (extra.description for extra in extras if getattr(extra, "description", None))
+    return next(found, "rcj-challenge schema --tournament prints all keys and values")
 
 
 def _model_fields(root: Entries, whole: Shape, path: Path) -> dict[str, Any]:

@@ -21,7 +21,7 @@ from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.tournament.models import Records
 
 _ID_LETTERS = 32
-"""128 bits tell any number of matches apart, and leave room for the rest of a path on Windows."""
+"""128 bits: no two matches share an id, and the rest of a path still fits on Windows."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ class MatchJob:
         seats: by seat of the first half: one team, or one for each robot of the side.
         names: by seat: as shown.
         seed: of the match.
-        versions: as in ``result.json``: what decides the bits of a result beside the inputs.
+        versions: as in ``result.json``: what decides the bits of a result in addition to the inputs.
         match_id: as printed in the match's log.
         records: what is kept.
         sandbox: ``auto``, ``strict`` or ``off``.
@@ -110,9 +110,14 @@ class Workplace:
         """Return the folder of a job's record."""
         return self.records / job_id
 
+    @property
+    def reports(self) -> Path:
+        """Where the reports of the check are, by hash of the submission."""
+        return self.folder / "checks"
+
     def report_folder(self, archive: str) -> Path:
         """Return the folder of the check's reports on a submission."""
-        return self.folder / "checks" / archive
+        return self.reports / archive
 
     def keep_scenario(self, loaded: Loaded) -> str:
         """Write a resolved scenario where jobs find it; returns its hash.

@@ -11,7 +11,7 @@ from pydantic import ValidationError
 from rcj_challenges.facts.diagnostics import Diagnostic
 from rcj_challenges.facts.errors import format_error
 from rcj_challenges.match.samples import sample_team
-from rcj_challenges.scenario.errors import ScenarioError, listing, nearest
+from rcj_challenges.scenario.errors import ScenarioError, listing
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Scenario
@@ -20,11 +20,11 @@ from rcj_challenges.scenario.resources import names_in, shipped_scenarios, tourn
 from rcj_challenges.scenario.tree import Entries, Mark, Node, in_names, mark_of, plain
 from rcj_challenges.tournament.checks import check
 from rcj_challenges.tournament.entries import TeamEntry, TeamLists
-from rcj_challenges.tournament.errors import TournamentFileError, problem_at
+from rcj_challenges.tournament.errors import TournamentFileError, did_you_mean, problem_at
 from rcj_challenges.tournament.explain import explain
 from rcj_challenges.tournament.models import Challenge, Records, Tournament
 from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo, ScenarioNames, ScenarioUse, scenario_uses
-from rcj_challenges.tournament.season import Fixture, Team
+from rcj_challenges.tournament.season import Team
 
 
 @dataclass(frozen=True)
@@ -48,11 +48,6 @@ class LoadedTournament:
     def teams(self) -> dict[str, Team]:
         """Return the teams as the file names them; a submission's own name is not known here."""
         return {entry.id: Team(entry.id, entry.name or entry.id, entry.pot) for entry in self.entries.values()}
-
-    def submission(self, fixture: Fixture, team: str) -> Path:
-        """Return the ZIP or folder with which a team plays a fixture: that of a challenge may be another one."""
-        entry = self.entries[team]
-        return entry.submission(fixture.stage, fixture.group) or entry.source
 
     def records(self, stage: str) -> Records:
         """Return what is kept of the matches of a stage: ``full``, ``replay`` or ``result``."""
@@ -115,8 +110,7 @@ def find_tournament(source: str | Path) -> Path:
     shipped = names_in(tournaments_folder())
     if str(source) in shipped:
         return tournaments_folder() / f"{source}.yaml"
-    hint = nearest(str(source), shipped).removeprefix("; ")
-    help_ = f"{hint} Shipped are {listing(shipped)}".strip()
+    help_ = did_you_mean(str(source), shipped, f"Shipped are {listing(shipped)}")
     message = "no such file, and no shipped tournament of that name"
     raise TournamentFileError([problem_at(Mark(str(source)[:200]), "no-such-file", message, help_)])
 
@@ -130,16 +124,20 @@ def read_tree(path: Path, shown: str) -> Node:
     try:
         return parse_bytes(path.read_bytes(), shown)
     except OSError as error:
-        raise TournamentFileError([problem_at(Mark(shown), "unreadable-file", format_error(error))]) from None
+        help_ = "give a file that you may read"
+        raise TournamentFileError([problem_at(Mark(shown), "unreadable-file", format_error(error), help_)]) from None
     except ScenarioError as error:
-        marks = [(Mark(one.file, one.line, one.column), one.message) for one in error.problems]
-        raise TournamentFileError(problem_at(mark, "invalid-yaml", said) for mark, said in marks) from None
+        marks = [(Mark(one.file, one.line, one.column), one.message.partition("; ")) for one in error.problems]
+        raise TournamentFileError(
+            problem_at(mark, "invalid-yaml", said, help_ or "the file is read as strict YAML: correct this line")
+            for mark, (said, _, help_) in marks
+        ) from None
 
 
 def _validated(tree: Node) -> tuple[Tournament, Entries]:
     if not isinstance(tree, Entries):
-        message = "a tournament file is a mapping with 'tournament_version', 'title', 'seed', 'stages', …"
-        raise TournamentFileError([problem_at(tree.mark, "wrong-value", message)])
+        help_ = "write keys and their values: 'tournament_version', 'title', 'seed', 'stages', …"
+        raise TournamentFileError([problem_at(tree.mark, "wrong-value", "a tournament file is a mapping", help_)])
     try:
         return Tournament.model_validate(plain(tree)), tree
     except ValidationError as error:
@@ -165,7 +163,8 @@ def _of_scenario(mark: Mark, path: str, message: str, whole: str) -> Diagnostic:
     if "no such file" in message:
         message = "no such file, and no shipped scenario of that name"
         return problem_at(mark, "unknown-scenario", message, f"Shipped are {listing(shipped_scenarios(), 20)}", path)
-    return problem_at(mark, "wrong-scenario", f"the scenario cannot be used: {whole}", "", path)
+    help_ = "'rcj-challenge validate SCENARIO' shows all that is wrong with it"
+    return problem_at(mark, "wrong-scenario", f"the scenario cannot be used: {whole}", help_, path)
 
 
 def _info(scenario: Scenario) -> ScenarioInfo:

@@ -124,7 +124,7 @@ class RoundRobin(MatchesModel):
     )
     legs: int = described(1, "how often two teams meet; 2: home and away, with the sides changed", ge=1, le=2)
     play_off: bool = described(
-        False, "whether teams that share a place which decides who advances play each other for it; after that, a lot"
+        False, "whether teams that share a place play each other if only some of them can advance; after that, a lot"
     )
 
 
@@ -134,7 +134,7 @@ class Swiss(MatchesModel):
     stage: Literal["swiss"]
     rounds: int = described(..., "number of rounds; at most half the number of teams, rounded up", ge=1, le=64)
     play_off: bool = described(
-        False, "whether teams that share a place which decides who advances play each other for it; after that, a lot"
+        False, "whether teams that share a place play each other if only some of them can advance; after that, a lot"
     )
 
 
@@ -177,7 +177,7 @@ class Challenge(FromModel):
     combine: Literal["places", "share"] = described(
         "places",
         "how several challenges give one table. places: points by place; share: 100 points for the best value, others "
-        "their share of it",
+        "their share of it, and never more than a better place",
     )
     place_points: Annotated[tuple[float, ...], Field(strict=False)] = described(
         (), "points for the first place, the second, …; left out: the number of teams for the first, 1 for the last"

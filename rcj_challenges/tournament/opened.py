@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Any
 
 from rcj_challenges.tournament.engine import Season
 from rcj_challenges.tournament.load import LoadedTournament
@@ -75,14 +74,14 @@ class OpenTournament:
         """
         return _state(self.season, self.store.played() if played is None else played, self.rulings)
 
-    def state_with(self, ruling: Mapping[str, Any], played: Mapping[str, PlayedFixture]) -> SeasonState:
+    def state_with(self, ruling: RulingRow, played: Mapping[str, PlayedFixture]) -> SeasonState:
         """Return what the state would be with one more ruling.
 
         Args:
-            ruling: columns of `RulingRow`.
+            ruling: the ruling.
             played: by fixture.
         """
-        rulings = [*self.rulings, RulingRow(**{"fixture": "", **ruling})]
+        rulings = [*self.rulings, ruling]
         return _state(self._season(rulings), played, rulings)
 
     def seed_of(self, fixture: Fixture) -> int:
@@ -104,8 +103,8 @@ def _state(season: Season, played: Mapping[str, PlayedFixture], rulings: Sequenc
             sides[fixture] = tuple(map(tuple, row.sides))
     while True:
         state = season.state(outcomes)
-        known = [fixture for stage in state.stages for fixture in stage.fixtures if fixture.id in sides]
-        others = [one.id for one in known if one.id in outcomes and sides[one.id] != sides_of(one)]
+        known = (fixture for fixture in state.fixtures if fixture.id in outcomes)
+        others = [one.id for one in known if sides[one.id] != sides_of(one)]
         if not others:
             return state
         for fixture in others:  # it was played, or ruled on, with other teams than those of now
@@ -118,11 +117,6 @@ def _state(season: Season, played: Mapping[str, PlayedFixture], rulings: Sequenc
 
 def _outcome(row: RulingRow) -> Outcome:
     return Outcome(scores=tuple(row.scores), ruled=_RULED[RulingKind(row.kind)], reason=row.reason)
-
-
-def fixture_of(state: SeasonState, fixture_id: str) -> Fixture | None:
-    """Return a fixture by its id; None if it is not known."""
-    return next((one for stage in state.stages for one in stage.fixtures if one.id == fixture_id), None)
 
 
 def later_stages(loaded: LoadedTournament, stage: str) -> list[str]:

@@ -37,7 +37,7 @@ class Ruling:
 
 @dataclass(frozen=True, slots=True)
 class PlayedMatch:
-    """What is known of one fixture beside its outcome.
+    """What is known of one fixture in addition to its outcome.
 
     Attributes:
         fixture: its id.
@@ -67,6 +67,7 @@ class Submission:
         sha256: of the archive, hexadecimal.
         path: of the archive (ZIP) or folder.
         received_at: when the tournament first saw it, with a time zone.
+        purpose: ``stage/challenge`` if it is for this challenge alone; else empty.
         report: folder with the check's report, or None if there is none. For the team only.
     """
 
@@ -74,6 +75,7 @@ class Submission:
     sha256: str
     path: Path
     received_at: datetime
+    purpose: str = ""
     report: Path | None = None
 
 
@@ -83,7 +85,7 @@ class Played:
 
     Attributes:
         matches: by fixture id; of fixtures that were played or ruled on.
-        submissions: oldest first; the last one of a team is the one that plays now.
+        submissions: oldest first; the last one of a team for a purpose is the one that plays now.
     """
 
     matches: Mapping[str, PlayedMatch] = field(default_factory=dict)

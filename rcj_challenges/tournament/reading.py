@@ -68,8 +68,6 @@ def _ruling(row: RulingRow) -> Ruling:
 
 def _submissions(store: Store) -> Iterator[Submission]:
     for row in store.submissions():
-        if row.purpose:  # for a challenge alone
-            continue
         report = store.place.report_folder(row.archive)
         path = store.place.submissions / row.file
-        yield Submission(row.team, row.archive, path, row.received_at, report if report.is_dir() else None)
+        yield Submission(row.team, row.archive, path, row.received_at, row.purpose, report if report.is_dir() else None)

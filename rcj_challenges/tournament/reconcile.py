@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Mapping
 
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.tournament.fixtures import JobMaker
@@ -34,14 +34,14 @@ def reconcile(tournament: OpenTournament, jobs: JobMaker, *, cascade: bool) -> d
     again: dict[str, str] = {}
     while True:
         state = tournament.state(played)
-        fixtures = [fixture for fixture in _known(state) if fixture.id in played]
+        fixtures = [fixture for fixture in state.fixtures if fixture.id in played]
         stale = [one for one in fixtures if _is_stale(one, played[one.id], jobs, rows)]
         if not stale:
             break
         if not cascade:
             _refuse_if_closed(tournament, state, stale)
         for fixture in stale:
-            again[fixture.id] = "a submission, the scenario, the seed or who plays has changed"
+            again[fixture.id] = "a submission, the scenario, the seed or a team has changed"
             del played[fixture.id]
     for fixture in fixtures:
         if not has_whole_record(rows[played[fixture.id].job_id], store.place):
@@ -50,10 +50,6 @@ def reconcile(tournament: OpenTournament, jobs: JobMaker, *, cascade: bool) -> d
     known = {fixture.id for fixture in fixtures}
     store.forget([*again, *(fixture for fixture in played if fixture not in known)])
     return again
-
-
-def _known(state: SeasonState) -> Iterable[Fixture]:
-    return (fixture for stage in state.stages for fixture in stage.fixtures)
 
 
 def _is_stale(fixture: Fixture, played: PlayedFixture, jobs: JobMaker, rows: Mapping[str, JobRow]) -> bool:
@@ -93,7 +89,7 @@ def begun_later_stage(tournament: OpenTournament, state: SeasonState, stage: str
 
 
 def stage_closed(message: str) -> DiagnosticError:
-    """Return the error for what would change who has advanced into a stage that has begun."""
+    """Return the error for a change that would change the teams of a stage that has begun."""
     help_ = "undo the change; or give --cascade: what depends on it is played again"
     return DiagnosticError(Diagnostic("stage-closed", message, help_))
 

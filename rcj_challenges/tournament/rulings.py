@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
 
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.tournament.models import LostBy
-from rcj_challenges.tournament.opened import WITHDRAWN, OpenTournament, fixture_of, later_stages, sides_of
+from rcj_challenges.tournament.opened import WITHDRAWN, OpenTournament, later_stages, sides_of
 from rcj_challenges.tournament.played import RulingKind
 from rcj_challenges.tournament.reconcile import stage_closed
 from rcj_challenges.tournament.season import Fixture, SeasonState
+from rcj_challenges.tournament.store.tables import RulingRow
 
 _LOST_BY = (0.0, 3.0)
 _MAX_REASON_LETTERS = 500
@@ -49,14 +50,7 @@ def decide(
         raise _wrong("ruling-score", f"'{fixture_id}' has {len(fixture.sides)} scores, not {len(scores)}", _SCORE_HELP)
     elif kind is RulingKind.REPLAY and fixture_id not in before.outcomes:
         raise _wrong("not-played", f"'{fixture_id}' has not been played yet", "there is nothing to be replayed")
-    row = {
-        "kind": kind.value,
-        "fixture": fixture_id,
-        "team": loser,
-        "sides": [list(side) for side in sides_of(fixture)],
-        "scores": list(scores),
-        "reason": reason,
-    }
+    row = RulingRow(kind.value, reason, tournament.store.now(), fixture_id, loser, sides_of(fixture), list(scores))
     replayed = [fixture_id] if kind is RulingKind.REPLAY else []
     return _note(tournament, before, row, fixture, replayed, cascade=cascade)
 
@@ -77,8 +71,10 @@ def withdraw(tournament: OpenTournament, team: str, reason: str, *, cascade: boo
     if team not in before.teams:
         raise _wrong("unknown-team", f"there is no team '{team}'", _near(team, before.teams))
     if before.teams[team].withdrawn:
-        raise _wrong("withdrawn-twice", f"'{team}' has withdrawn already", "")
-    row = {"kind": WITHDRAWN, "team": team, "last_rounds": before.last_rounds(team), "reason": _checked(reason)}
+        raise _wrong("withdrawn-twice", f"'{team}' has withdrawn already", "nothing is left to decide")
+    row = RulingRow(
+        WITHDRAWN, _checked(reason), tournament.store.now(), team=team, last_rounds=before.last_rounds(team)
+    )
     return _note(tournament, before, row, None, [], cascade=cascade)
 
 
@@ -88,13 +84,13 @@ _SCORE_HELP = "give a score for each side, such as --score 2:1, or one number fo
 def _note(
     tournament: OpenTournament,
     before: SeasonState,
-    row: Mapping[str, object],
+    row: RulingRow,
     ruled: Fixture | None,
     replayed: Sequence[str],
     *,
     cascade: bool,
 ) -> list[str]:
-    """Write a ruling, unless it changes who has played in a later round or stage.
+    """Write a ruling, unless it changes the teams of a match that was played in a later round or stage.
 
     Args:
         tournament: the tournament.
@@ -112,15 +108,14 @@ def _note(
     stages = tournament.loaded.tournament.stages if ruled is None else later_stages(tournament.loaded, ruled.stage)
     lost = [
         fixture.id
-        for stage in before.stages
-        for fixture in stage.fixtures
+        for fixture in before.fixtures
         if fixture.id in before.outcomes
         and fixture.id not in after.outcomes
-        and (stage.name in stages or _is_later_round(fixture, ruled))
+        and (fixture.stage in stages or _is_later_round(fixture, ruled))
     ]
     if lost and not cascade:
         fixture = lost[0]
-        raise stage_closed(f"the ruling changes who plays '{fixture}', which has been played already")
+        raise stage_closed(f"the ruling may change the teams of '{fixture}', which has been played already")
     store.add_ruling(row, forget=[*replayed, *lost])
     tournament.refresh()
     return lost
@@ -131,11 +126,10 @@ def _is_later_round(fixture: Fixture, ruled: Fixture | None) -> bool:
 
 
 def _known(state: SeasonState, fixture_id: str) -> Fixture:
-    fixture = fixture_of(state, fixture_id)
-    if fixture is None:
-        names = [one.id for stage in state.stages for one in stage.fixtures]
-        raise _wrong("unknown-match", f"there is no match '{fixture_id}' (yet)", _near(fixture_id, names))
-    return fixture
+    fixtures = {one.id: one for one in state.fixtures}
+    if fixture_id not in fixtures:
+        raise _wrong("unknown-match", f"there is no match '{fixture_id}' (yet)", _near(fixture_id, fixtures))
+    return fixtures[fixture_id]
 
 
 def _forfeited(tournament: OpenTournament, fixture: Fixture, loser: str) -> list[float]:
@@ -155,7 +149,7 @@ def _checked(reason: str) -> str:
     return reason
 
 
-def _near(name: str, names: Sequence[str] | Mapping[str, object]) -> str:
+def _near(name: str, names: Iterable[str]) -> str:
     near = get_close_matches(name, list(names), 3, 0.3)
     return f"did you mean {' or '.join(near)}?" if near else "'tournament plan FILE' lists all matches and teams"
 

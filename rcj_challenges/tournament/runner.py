@@ -57,7 +57,7 @@ class RunObserver(Protocol):
         """A match has an outcome."""
 
     def not_played(self, fixture: Fixture, complaint: str) -> None:
-        """A match could not be played, twice; it counts for nobody."""
+        """A match could not be played, twice; it has no result."""
 
     def played_again(self, fixture: Fixture) -> None:
         """A time limit decided something in a match, so it will be played once more, alone."""

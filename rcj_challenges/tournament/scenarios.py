@@ -75,12 +75,17 @@ class ScenarioNames:
         self._folder = folder
         self._shipped = shipped_scenarios()
         self._found: dict[str, str] = {}
+        self._of_matches: dict[int, ScenarioUse] = {}  # asked for once for each fixture
 
     def of_matches(self, stage: MatchesModel) -> ScenarioUse:
         """Return what is played in a stage of matches."""
-        if stage.scenario is not None:
-            return self.use(stage.scenario, stage.set)
-        return self.use(self._tournament.scenario, {**self._tournament.set, **stage.set})
+        found = self._of_matches.get(id(stage))
+        if found is None:
+            own = stage.scenario is not None
+            source = stage.scenario if stage.scenario is not None else self._tournament.scenario
+            found = self.use(source, stage.set if own else {**self._tournament.set, **stage.set})
+            self._of_matches[id(stage)] = found
+        return found
 
     def of_extra_time(self, stage: MatchesModel) -> ScenarioUse:
         """Return what is played as extra time; the file must have some."""

@@ -12,6 +12,12 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 
 
+def humanized(name: str) -> str:
+    """Return a name of the file as people write it: ``round_of_16`` becomes ``Round of 16``."""
+    text = name.replace("_", " ").strip()
+    return text[:1].upper() + text[1:]
+
+
 class Status(StrEnum):
     """How far a stage is."""
 
@@ -39,6 +45,12 @@ class Ruled(StrEnum):
     WITHDRAWN = "withdrawn"
     ANNULLED = "annulled"
     """It does not count: the scores are kept for display only."""
+
+    @property
+    def words(self) -> str:
+        """The note beside the score; empty if it was played."""
+        words = {Ruled.PLAYED: "", Ruled.CORRECTED: "score corrected", Ruled.WITHDRAWN: "team withdrew"}
+        return words.get(self, self.value)
 
 
 @dataclass(frozen=True, slots=True)
@@ -196,6 +208,21 @@ class Tie:
     winner: str = ""
     decided_by: str = ""
 
+    @property
+    def title(self) -> str:
+        """What it is called in a sentence: ``final``, ``quarter-final 1``, ``match 1 of the round of 16``."""
+        if self.round in _TIE_TITLES:
+            return _TIE_TITLES[self.round].format(self.number)
+        return f"match {self.number} of the {self.round.replace('_', ' ')}"
+
+
+_TIE_TITLES = {
+    "final": "final",
+    "third_place": "match for third place",
+    "semi_finals": "semi-final {}",
+    "quarter_finals": "quarter-final {}",
+}
+
 
 @dataclass(frozen=True, slots=True)
 class StageState:
@@ -208,7 +235,7 @@ class StageState:
         status: how far it is.
         teams: ids that take part, of super teams their members; empty while it waits.
         fixtures: all that are known so far (of a Swiss stage the rounds drawn so far), in playing order.
-        expected_matches: how many it will have in all, drawn matches not counted twice.
+        expected_matches: how many it will have in all, as far as is known: extra time counts once it is to be played.
         tables: groups, challenges; the last one of several challenges combines them.
         ties: of a knock-out, round by round.
         byes: of a Swiss stage (round, team).
@@ -252,6 +279,11 @@ class SeasonState:
                 found[stage.name] = max((0, *rounds, *byes))
         return found
 
+    @property
+    def fixtures(self) -> tuple[Fixture, ...]:
+        """All known fixtures, in playing order."""
+        return tuple(fixture for stage in self.stages for fixture in stage.fixtures)
+
     def open_fixtures(self) -> tuple[Fixture, ...]:
         """Return the known fixtures that have no outcome yet, in playing order."""
-        return tuple(fixture for stage in self.stages for fixture in stage.fixtures if fixture.id not in self.outcomes)
+        return tuple(fixture for fixture in self.fixtures if fixture.id not in self.outcomes)

@@ -83,7 +83,7 @@ def taken_places(stage: FromModel, source: StageSize) -> int:
 
 
 def cuts(tournament: Tournament, name: str, sizes: Mapping[str, StageSize]) -> frozenset[int]:
-    """Return the places of a stage after which it decides who goes where: of places 1-2 it is 2."""
+    """Return the places after which the teams of a stage are divided among later stages: of places 1-2 it is 2."""
     largest = max(sizes[name].tables.values(), default=0)
     found = set()
     for stage in tournament.stages.values():

@@ -1,4 +1,4 @@
-"""Tables of matches: who has which place, by an ordered list of tie-breaks."""
+"""Tables of matches: the places of teams by an ordered list of tie-breaks."""
 
 from __future__ import annotations
 
@@ -62,6 +62,13 @@ class Tally:
             self.drawn += 1
             self.points += rules.draw
 
+    def row(self, team: str, place: int, *, shared: bool, by_lot: bool) -> Row:
+        """Return the line of a table for a team that has achieved this."""
+        return Row(
+            team, place, shared, self.played, self.won, self.drawn, self.lost, self.goals, self.conceded, self.points,
+            by_lot,
+        )  # fmt: skip
+
 
 def tally(teams: Iterable[str], matches: Iterable[Match], rules: TableRules) -> dict[str, Tally]:
     """Return what each team has achieved in the matches."""
@@ -101,27 +108,10 @@ def table(
 
 
 def _rows(levels: Sequence[Sequence[str]], tallies: Mapping[str, Tally], by_lot: set[str]) -> tuple[Row, ...]:
-    rows = []
-    place = 1
+    rows: list[Row] = []
     for level in levels:
-        for team in level:
-            own = tallies[team]
-            rows.append(
-                Row(
-                    team,
-                    place,
-                    shared=len(level) > 1,
-                    played=own.played,
-                    won=own.won,
-                    drawn=own.drawn,
-                    lost=own.lost,
-                    goals=own.goals,
-                    conceded=own.conceded,
-                    points=own.points,
-                    by_lot=team in by_lot,
-                )
-            )
-        place += len(level)
+        place = len(rows) + 1
+        rows += [tallies[team].row(team, place, shared=len(level) > 1, by_lot=team in by_lot) for team in level]
     return tuple(rows)
 
 
@@ -134,7 +124,7 @@ class _Ranking:
     _by_team: dict[str, list[Match]] = field(default_factory=dict)
 
     def levels(self, teams: list[str], words: Sequence[str]) -> list[list[str]]:
-        """Return teams best first; those that nothing tells apart are in one list."""
+        """Return teams best first; those that are level in all criteria are in one list."""
         if len(teams) == 1 or not words:
             return [teams]
         word, rest = words[0], words[1:]

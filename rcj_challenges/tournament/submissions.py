@@ -146,19 +146,22 @@ class CheckObserver(Protocol):
 
 @dataclass(frozen=True)
 class Failure:
-    """A submission that does not pass the check.
+    """One reason why the submissions of a team do not pass the check.
 
     Attributes:
         team: id.
-        scenario: title of the scenario that it was checked for.
-        messages: what failed.
-        is_unchecked: whether it could not be checked, by no fault of its own.
+        message: what failed; empty if they could not be checked, by no fault of their own.
+        scenarios: titles of the scenarios for which it failed.
     """
 
     team: str
-    scenario: str
-    messages: tuple[str, ...]
-    is_unchecked: bool
+    message: str
+    scenarios: tuple[str, ...]
+
+    @property
+    def is_unchecked(self) -> bool:
+        """Whether nothing is known about the submissions."""
+        return not self.message
 
 
 @dataclass(frozen=True)
@@ -179,7 +182,7 @@ class CheckTask:
 def check_submissions(
     tasks: Iterable[CheckTask], store: Store, *, jobs: int, sandbox: str, observer: CheckObserver
 ) -> list[Failure]:
-    """Check all submissions that were not checked before; return those that do not pass.
+    """Check all submissions that were not checked before; return why some do not pass: each reason of a team once.
 
     Args:
         tasks: what is to be checked.
@@ -188,7 +191,7 @@ def check_submissions(
         sandbox: how programs are isolated.
         observer: sees each check as it is done.
     """
-    failures: list[Failure] = []
+    reasons: dict[tuple[str, str], tuple[str, list[str]]] = {}
     for task in tasks:
         known = store.checks()
         todo = list({one.archive: one for one in task.handed if (one.archive, task.scenario) not in known}.values())
@@ -199,11 +202,12 @@ def check_submissions(
         known = store.checks()
         for one in task.handed:
             row = known.get((one.archive, task.scenario))
-            level, messages = ("unchecked", ()) if row is None else (row.level, tuple(row.findings))
-            if level in ("failure", "unchecked"):
-                title = task.loaded.scenario.title
-                failures.append(Failure(one.team, title, messages, is_unchecked=level == "unchecked"))
-    return failures
+            for code, message in [("", "")] if row is None else row.findings:
+                _, scenarios = reasons.setdefault((one.team, code), (message, []))
+                scenarios.append(task.loaded.scenario.title)
+    return [
+        Failure(team, message, tuple(dict.fromkeys(scenarios))) for (team, _), (message, scenarios) in reasons.items()
+    ]
 
 
 def _noting(
@@ -217,12 +221,11 @@ def _noting(
         nonlocal count
         count += 1
         one = by_file[report.file]
-        messages = [
-            finding.message for stage in report.stages for finding in stage.findings if finding.level == "failure"
-        ]
+        found = [finding for stage in report.stages for finding in stage.findings if finding.level == "failure"]
         if report.level != "unchecked":  # of what could not be checked nothing is known: next time it is tried again
             _keep_report(report, one, task, store)
-            store.add_check(one.archive, task.scenario, report.level, messages)
+            failures = [(finding.code, finding.message) for finding in found]
+            store.add_check(one.archive, task.scenario, report.level, failures)
         observer.checked(one.team, report.level, count, len(todo))
 
     return on_done

@@ -1,4 +1,4 @@
-"""What teams are called: safe to show, and told apart."""
+"""The display names of teams: safe to show, and unique."""
 
 from __future__ import annotations
 

@@ -59,7 +59,10 @@ def test_verify_plays_a_record_again_with_the_programs_that_are_given(simulate, 
     record = told["records"][0]["folder"]
     assert here(monkeypatch, tmp_path, "verify", record) == 2
     assert "error[programs-missing]" in capsys.readouterr().err
-    teams = ("--team", "ada.py", "--team", "bee.py")
+    for given, code in (("keper", "unknown-team"), ("gone.zip", "no-such-file")):
+        assert here(monkeypatch, tmp_path, "verify", record, "--team", given) == 2
+        assert f"error[{code}]" in capsys.readouterr().err
+    teams = ("--team", "ada.py", "--team", "bee.py", "--team", "keeper")
     assert here(monkeypatch, tmp_path, "verify", record, *teams, "--json") == 0
     assert [one["verdict"] for one in json.loads(capsys.readouterr().out)] == ["same"]
     result = tmp_path / record / "result.json"

@@ -7,6 +7,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from sqlalchemy import update
+
 from rcj_challenges.records.result import versions
 from rcj_challenges.scenario.resources import teams_folder
 from rcj_challenges.tournament.executor import JobOutcome
@@ -16,6 +18,7 @@ from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.reconcile import reconcile
 from rcj_challenges.tournament.runner import Runner
 from rcj_challenges.tournament.store.store import Store
+from rcj_challenges.tournament.store.tables import JOB
 from rcj_challenges.tournament.submissions import take_submissions
 
 LEAGUE = """
@@ -38,6 +41,11 @@ set: {match.half_s: 2, match.halves: 1}
 teams_folder: teams
 stages: {super: {stage: super_team, super_teams: {red: [ada, bee, cid], white: [dee, eva, fay]}}}
 """
+
+
+def code_of(error):
+    """Return the code of an error that was raised."""
+    return error.value.diagnostics[0].code
 
 
 class Home:
@@ -86,6 +94,16 @@ class Home:
         """Return all that can be seen of the results, to be compared."""
         state = self.state()
         return [(stage.tables, stage.ties, stage.places) for stage in state.stages], dict(state.outcomes)
+
+
+def let_other_versions_have_played(home, **versions):
+    """Change the versions that the store says of all jobs."""
+    with Store(home.data, writing=True) as store:
+        rows = store.jobs().values()
+        with store.transaction() as connection:
+            for row in rows:
+                job = {**row.job, "versions": {**row.job["versions"], **versions}}
+                connection.execute(update(JOB).where(JOB.c.id == row.id).values(job=job))
 
 
 class Silent:

@@ -111,8 +111,7 @@ def test_a_team_without_a_submission_for_a_challenge_does_not_play_it():
     goals, _, total = state.stages[0].tables
     assert [(row.team, row.place, row.played) for row in goals.rows] == [("t02", 1, 1), ("t01", 2, 0)]
     assert {row.team: row.values for row in total.rows} == {"t01": (0, 2), "t02": (2, 2)}
-    poles = state.stages[0].fixtures[1]
-    assert (one.submission(poles, "t01"), one.submission(poles, "t02")) == (Path("poles.zip"), FOLDER / "t02")
+    assert [entries[team].submission("c", "poles") for team in names(2)] == [Path("poles.zip"), FOLDER / "t02"]
 
 
 def test_an_annulled_run_does_not_count():
@@ -156,3 +155,14 @@ def test_a_forfeited_run_does_not_improve_the_place(rule):
     outcomes["c/goals/seed3/t01"] = Outcome((0.0,), Ruled.FORFEIT, "the program was not its own")
     rows = one.state(outcomes).stages[0].tables[0].rows
     assert [(row.team, row.place, row.played) for row in rows] == [("t02", 1, 3), ("t03", 1, 3), ("t01", 3, 2)]
+
+
+@pytest.mark.parametrize("rule", ["sum", "median", "best"])
+def test_a_forfeited_run_does_not_improve_the_share_of_the_best(rule):
+    one = season(TWO % f", seeds: 3, rank_by: {rule}, combine: share", names(3))
+    values = {"t01": 9, "t02": 4, "t03": 2}
+    outcomes = {fixture.id: alone(values[teams_of(fixture)[0]], 30) for fixture in one.state({}).open_fixtures()}
+    outcomes["c/goals/seed3/t01"] = Outcome((0.0,), Ruled.FORFEIT, "the program was not its own")
+    goals, _, total = one.state(outcomes).stages[0].tables
+    assert order(goals.rows) == ["t02", "t03", "t01"]
+    assert {row.team: row.values[0] for row in total.rows} == {"t01": 50, "t02": 100, "t03": 50}

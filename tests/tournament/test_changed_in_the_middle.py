@@ -9,15 +9,16 @@ from rcj_challenges.tournament.jobs import MatchJob
 from rcj_challenges.tournament.played import RulingKind
 from rcj_challenges.tournament.rulings import decide
 from rcj_challenges.tournament.season import Ruled
-from rcj_challenges.tournament.store.store import Store
-from rcj_challenges.tournament.store.tables import JobRow
-from tests.tournament.store_helpers import LEAGUE, SUPER_TEAMS, FakeExecutor, Home
+from tests.tournament.store_helpers import (
+    LEAGUE,
+    SUPER_TEAMS,
+    FakeExecutor,
+    Home,
+    code_of,
+    let_other_versions_have_played,
+)
 
 GROUP_ONLY = LEAGUE.replace("  finals: {stage: knock_out, from: league, places: 1-2}\n", "")
-
-
-def code_of(error):
-    return error.value.diagnostics[0].code
 
 
 def test_a_replaced_team_plays_only_its_own_matches_again(tmp_path):
@@ -101,12 +102,7 @@ def test_a_new_name_alone_plays_nothing_again(tmp_path):
 def test_matches_of_other_versions_are_neither_mixed_nor_thrown_away(tmp_path):
     home = Home(tmp_path, GROUP_ONLY)
     home.play()
-    with Store(home.data, writing=True) as store, store._session() as session:
-        for row in session.query(JobRow):
-            row.job = {**row.job, "versions": {**row.job["versions"], "mujoco": "3.9.9"}}
-            job = MatchJob.from_json(row.job)
-            session.execute(JobRow.__table__.update().where(JobRow.id == row.id).values(job=row.job))
-            assert job.id != row.id
+    let_other_versions_have_played(home, mujoco="3.9.9")
     home.hand_in("ada", "better")
     with pytest.raises(DiagnosticError) as error:
         home.play()

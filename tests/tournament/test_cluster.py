@@ -14,7 +14,7 @@ from rcj_challenges.tournament.cluster import ClusterExecutor
 from rcj_challenges.tournament.executor import LocalExecutor
 from rcj_challenges.tournament.jobs import Workplace
 from tests.cli.in_this_process import here
-from tests.tournament.store_helpers import Home, Silent
+from tests.tournament.store_helpers import Home, Silent, code_of
 from tests.tournament.test_killed import DUEL, SHORT, matches_of, what_came_out
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="finds processes by /proc")
@@ -41,10 +41,6 @@ def on_cluster(home, cluster, notes=None, *, is_shared=False, **other_versions):
     note = ([] if notes is None else notes).append
     expected = versions().model_dump() | other_versions
     return ClusterExecutor(Workplace(home.data), cluster.scheduler_address, expected, is_shared, note)
-
-
-def code_of(error):
-    return error.value.diagnostics[0].code
 
 
 def played_here(folder, half_s=0.2):

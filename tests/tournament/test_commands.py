@@ -10,10 +10,8 @@ from rcj_challenges.checker.report import FileReport, FindingReport, StageReport
 from rcj_challenges.cli import tournament_run, tournament_verify
 from rcj_challenges.tournament import submissions
 from rcj_challenges.tournament.jobs import MatchJob
-from rcj_challenges.tournament.store.store import Store
-from rcj_challenges.tournament.store.tables import JobRow
 from tests.cli.in_this_process import here
-from tests.tournament.store_helpers import FakeExecutor, Home
+from tests.tournament.store_helpers import LEAGUE, FakeExecutor, Home, let_other_versions_have_played
 
 
 def report(path, level):
@@ -92,9 +90,22 @@ def test_nothing_is_played_while_a_submission_fails_the_check_unless_it_is_accep
     assert code == 1
     assert "error[submission-fails]" in err
     assert "--accept ada" in err
+    assert str(desk.home.data.name + "/checks") in err
     assert [job for executor in desk.executors for job in executor.jobs] == []
     assert desk("run", "--accept", "ada")[0] == 0
     assert desk("run", "--accept", "zoe")[0] == 2
+
+
+def test_a_submission_that_fails_for_several_scenarios_is_reported_once_for_each_reason(desk):
+    desk.home.file.write_text(
+        LEAGUE + "  shots: {stage: challenge, scenarios: {one: {scenario: fast_shooter}, two: {scenario: slalom}}}\n",
+        encoding="utf-8",
+    )
+    desk.failing = 2
+    code, _, err = desk("run")
+    assert code == 1
+    assert err.count("error[submission-fails]") == 2
+    assert [err.count(f"--accept {team}") for team in ("ada", "bee", "cid")] == [1, 1, 0]
 
 
 def test_the_report_of_each_check_is_kept_for_the_team(desk):
@@ -165,7 +176,7 @@ def test_plan_lists_what_is_known_and_what_it_will_take(desk, monkeypatch):
 
 
 def test_a_decision_is_recorded_and_shown(desk):
-    match = desk.json("plan")["stages"][0]["known"][0]["id"]
+    match = desk.home.state().stages[0].fixtures[0].id
     assert desk("decide", match, "--score", "4:2", "--reason", "a goal was overlooked")[0] == 0
     results = desk.json("results")
     assert results["outcomes"][match]["scores"] == [4, 2]
@@ -199,9 +210,7 @@ def test_verify_tells_same_different_and_not_comparable_apart(desk):
     code, out, _ = desk("verify", "--json")
     assert code == 1
     assert [one["verdict"] for one in json.loads(out)].count("differs") == 1
-    with Store(desk.home.data, writing=True) as store, store._session() as session:
-        for row in session.query(JobRow):
-            row.job = {**row.job, "versions": {**row.job["versions"], "machine": "riscv64"}}
+    let_other_versions_have_played(desk.home, machine="riscv64")
     verdicts = {one["name"]: one["verdict"] for one in desk.json("verify")}
     assert sorted(verdicts.values()) == ["not_comparable", "same", "same", "same"]
 

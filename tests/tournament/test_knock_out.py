@@ -60,10 +60,9 @@ def test_rounds_and_ties_are_named():
     }
     assert counted == {"round_of_16": 8, "quarter_finals": 4, "semi_finals": 2, "third_place": 1, "final": 1}
     quarter = state.ties[8]
-    assert (quarter.id, quarter.sources) == (
-        "cup/quarter_finals/1",
-        ("winner of round of 16 1", "winner of round of 16 2"),
-    )
+    assert (quarter.id, quarter.title) == ("cup/quarter_finals/1", "quarter-final 1")
+    assert quarter.sources == ("winner of match 1 of the round of 16", "winner of match 2 of the round of 16")
+    assert state.fixtures[7].title == "Cup, match 8 of the round of 16"
     assert quarter.fixtures == ("cup/quarter_finals/1/leg1/t08-t01",)
 
 
@@ -150,6 +149,18 @@ def test_extra_time_has_its_own_settings_and_seats_and_is_added_to_the_score():
     ]
     assert teams_of(fixtures[1]) == teams_of(fixtures[0])[::-1] == ("t02", "t01")
     assert (tie.scores, tie.winner, tie.decided_by) == ((2, 1), "t01", "extra_time")
+
+
+def test_extra_time_counts_as_an_expected_match_once_it_is_to_be_played():
+    def outcome(fixture):
+        return by_strength(fixture) if fixture.kind is FixtureKind.EXTRA_TIME else drawn(fixture)
+
+    one = cup(4, ", third_place: true", "drawn: {extra_time: {match.half_s: 60}}\n")
+    assert one.state({}).stages[0].expected_matches == 4
+    outcomes = {fixture.id: drawn(fixture) for fixture in one.state({}).open_fixtures()}
+    assert one.state(outcomes).stages[0].expected_matches == 6
+    state = play(one, outcome).stages[0]
+    assert state.expected_matches == len(state.fixtures) == 8
 
 
 def test_a_tie_scenario_for_two_comes_after_extra_time():

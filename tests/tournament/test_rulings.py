@@ -7,7 +7,7 @@ from rcj_challenges.tournament.played import RulingKind
 from rcj_challenges.tournament.reading import read_played
 from rcj_challenges.tournament.rulings import decide, withdraw
 from rcj_challenges.tournament.season import Ruled, Status
-from tests.tournament.store_helpers import Home
+from tests.tournament.store_helpers import Home, code_of
 
 CHALLENGE = """
 tournament_version: 1
@@ -26,10 +26,6 @@ set: {match.half_s: 2, match.halves: 1}
 teams_folder: teams
 stages: {cup: {stage: knock_out}}
 """
-
-
-def code_of(error):
-    return error.value.diagnostics[0].code
 
 
 def rule(home, number, kind, reason="as the referee saw it", **more):
@@ -141,6 +137,22 @@ def test_a_ruling_that_changes_a_later_round_of_its_stage_is_refused_unless_it_c
         assert code_of(error) == "stage-closed"
         assert tournament.store.rulings() == []
         assert decide(tournament, semi_final.id, kind, "as seen", cascade=True, **given) == [final.id]
+
+
+def test_a_replay_of_a_forfeited_match_cascades_as_other_rulings_do(tmp_path):
+    home = Home(tmp_path)
+    first = home.state().stages[0].fixtures[0]
+    rule(home, 0, RulingKind.FORFEIT, loser=first.sides[0].teams[0])
+    home.play()
+    (final,) = home.state().stages[1].fixtures
+    with home.opened() as tournament:
+        with pytest.raises(DiagnosticError) as error:
+            decide(tournament, first.id, RulingKind.REPLAY, "both were late")
+        assert code_of(error) == "stage-closed"
+        assert decide(tournament, first.id, RulingKind.REPLAY, "both were late", cascade=True) == [final.id]
+    home.play()
+    assert home.state().outcomes[first.id].ruled is Ruled.PLAYED
+    assert {stage.status for stage in home.state().stages} == {Status.FINISHED}
 
 
 def test_a_ruling_that_changes_no_later_round_is_not_refused(tmp_path):

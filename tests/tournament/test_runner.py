@@ -7,11 +7,7 @@ from rcj_challenges.tournament.fixtures import JobMaker
 from rcj_challenges.tournament.rulings import withdraw
 from rcj_challenges.tournament.season import Status
 from rcj_challenges.tournament.submissions import take_submissions
-from tests.tournament.store_helpers import SUPER_TEAMS, FakeExecutor, Home, Silent
-
-
-def code_of(error):
-    return error.value.diagnostics[0].code
+from tests.tournament.store_helpers import SUPER_TEAMS, FakeExecutor, Home, Silent, code_of
 
 
 def test_all_stages_are_played_to_the_end_and_a_second_run_plays_nothing(tmp_path):
@@ -72,9 +68,8 @@ def test_the_second_time_counts_and_the_match_stays_marked_as_doubtful(tmp_path)
     home = Home(tmp_path)
     _, executor = home.play(executor=FakeExecutor(None, {0: ["timed", "other"]}))
     with home.opened(writing=False) as tournament:
-        row = tournament.store.remarkable_jobs()[0]
-        assert row.id == executor.jobs[0].id
-        assert tournament.store.jobs()[row.id].doubtful
+        assert tournament.store.jobs()[executor.jobs[0].id].doubtful
+        assert tournament.store.doubtful_fixtures() == [home.state().stages[0].fixtures[0].id]
 
 
 def test_a_run_that_is_interrupted_before_the_second_time_remembers_the_first(tmp_path):

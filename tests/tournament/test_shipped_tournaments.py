@@ -112,7 +112,7 @@ def test_sample_teams_of_the_championship_have_programs_for_what_they_play():
     one = load_tournament("championship")
     state = Season(one).state({})
     played = {
-        (fixture.kind, fixture.group, one.submission(fixture, side.teams[0]).name)
+        (fixture.kind, fixture.group, one.entries[side.teams[0]].submission(fixture.stage, fixture.group).name)
         for fixture in state.open_fixtures()
         for side in fixture.sides
     }

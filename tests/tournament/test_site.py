@@ -17,6 +17,7 @@ import pytest
 
 from rcj_challenges.facts.diagnostics import DiagnosticError
 from rcj_challenges.records.folder import SENSORS
+from rcj_challenges.tournament.played import Submission
 from rcj_challenges.tournament.season import Outcome, Ruled
 from rcj_challenges.tournament.site import Published, SiteSource, hidden_fixtures, publish
 from rcj_challenges.tournament.site.model import Season
@@ -185,6 +186,23 @@ def test_the_page_of_a_corrected_match_says_so_with_the_reason(site: Path, sourc
         assert "score corrected" in text
         assert "was not in goal" in text
     assert "was not in goal" in (site / "about.html").read_text("utf-8")
+
+
+def test_submissions_for_a_challenge_are_on_the_page_of_the_team_with_their_report(
+    season: MadeUpSeason, tmp_path: Path
+) -> None:
+    source = season.source({})
+    report = tmp_path / "report"
+    report.mkdir()
+    (report / "fast_shooter.html").write_text("a report", "utf-8")
+    own = Submission("ada", "7" * 64, tmp_path / "lost.zip", NOW, "skills/shooting", report)
+    submissions = (*source.played.submissions, own)
+    publish(replace(source, played=replace(source.played, submissions=submissions)), tmp_path / "data")
+    page = (tmp_path / "data" / "site" / "teams" / "ada.html").read_text("utf-8")
+    assert all(digest in page for digest in ("a" * 64, "7" * 64))
+    assert "Shooting" in page
+    assert (tmp_path / "data" / "for_teams" / "ada" / "check" / ("7" * 12) / "fast_shooter.html").is_file()
+    assert "ada" in (tmp_path / "data" / "organizer" / "likeness.html").read_text("utf-8")
 
 
 def test_what_others_played_in_the_place_of_a_match_is_not_shown(season: MadeUpSeason) -> None:

@@ -165,22 +165,24 @@ def submission(folder: Path, name: str, content: bytes) -> Path:
 def test_a_program_with_other_names_and_comments_is_alike(tmp_path: Path) -> None:
     renamed = PROGRAM.replace(b"ball", b"kugel").replace(b"3.1", b"4") + b"# mine\n"
     other = (teams_folder() / "keeper").rglob("*.py")
+    sample = submission(tmp_path, "sample", next(other).read_bytes())
     pairs, unread = like_pairs(
         {
-            "one": submission(tmp_path, "one", PROGRAM),
-            "two": submission(tmp_path, "two", renamed),
-            "sample": submission(tmp_path, "sample", next(other).read_bytes()),
-            "gone": tmp_path / "gone",
+            "one": {"": submission(tmp_path, "one", PROGRAM)},
+            "two": {"": sample, "skills/shooting": submission(tmp_path, "two", renamed)},
+            "sample": {"": sample},
+            "gone": {"": tmp_path / "gone"},
         }
     )
     assert [(pair.first, pair.second) for pair in pairs] == [("one", "two")]
     assert pairs[0].share > 0.9
+    assert [names[:2] for names in pairs[0].files] == [("robot.py", "skills/shooting: robot.py")]
     assert unread == ["gone"]
 
 
 def test_what_teams_took_from_the_samples_is_not_counted(tmp_path: Path) -> None:
     sample = next((teams_folder() / "ball_chaser").rglob("*.py")).read_bytes()
-    pairs, _ = like_pairs({name: submission(tmp_path, name, sample) for name in ("one", "two")})
+    pairs, _ = like_pairs({name: {"": submission(tmp_path, name, sample)} for name in ("one", "two")})
     assert pairs == []
 
 

@@ -5,15 +5,16 @@ import subprocess
 import sys
 
 import pytest
-from sqlalchemy import create_engine, delete
+from sqlalchemy import create_engine, delete, update
 
 from rcj_challenges.facts.diagnostics import DiagnosticError
+from rcj_challenges.records.folder import utc_now
 from rcj_challenges.tournament.reading import read_played
 from rcj_challenges.tournament.season import Outcome
 from rcj_challenges.tournament.store.lock import is_locked
 from rcj_challenges.tournament.store.store import STORE_FILE, Store
-from rcj_challenges.tournament.store.tables import Base, MetaRow
-from tests.tournament.store_helpers import Home
+from rcj_challenges.tournament.store.tables import META, METADATA, RulingRow
+from tests.tournament.store_helpers import Home, code_of
 
 HOLDER = """
 import sys, time
@@ -25,8 +26,8 @@ with Store(Path(sys.argv[1]), writing=True):
 """
 
 
-def code_of(error):
-    return error.value.diagnostics[0].code
+def ruling(reason):
+    return RulingRow("replay", reason, utc_now(), "a")
 
 
 def open_store(folder, *, writing=True):
@@ -50,8 +51,8 @@ def test_a_second_writer_gets_a_clear_error_and_readers_do_not_until_the_first_i
 
 
 def test_a_store_of_another_version_is_refused(tmp_path):
-    with Store(tmp_path, writing=True) as store, store._session() as session:
-        session.merge(MetaRow(key="store_version", value="99"))
+    with Store(tmp_path, writing=True) as store, store.transaction() as connection:
+        connection.execute(update(META).values(value="99"))
     for writing in (True, False):
         with pytest.raises(DiagnosticError) as error:
             open_store(tmp_path, writing=writing)
@@ -91,7 +92,7 @@ def test_a_full_disk_is_no_damage(tmp_path):
             connection.exec_driver_sql(f"PRAGMA max_page_count={pages}")
             connection.commit()
         with pytest.raises(DiagnosticError) as error:
-            store.add_ruling({"kind": "replay", "fixture": "a", "reason": "x" * 100_000})
+            store.add_ruling(ruling("x" * 100_000))
         assert code_of(error) == "store-unwritable"
         assert store.rulings() == []
 
@@ -99,7 +100,7 @@ def test_a_full_disk_is_no_damage(tmp_path):
 def test_a_reader_sees_what_a_writer_has_written_while_it_writes(tmp_path):
     home = Home(tmp_path)
     with home.opened() as writer:
-        writer.store.add_ruling({"kind": "replay", "fixture": "a", "reason": "b"})
+        writer.store.add_ruling(ruling("b"))
         with home.opened(writing=False) as reader:
             assert [row.reason for row in reader.store.rulings()] == ["b"]
 
@@ -124,17 +125,17 @@ def set_up_to(path, count):
     with sqlite3.connect(path) as connection:
         connection.execute("PRAGMA journal_mode=WAL")
     engine = create_engine(f"sqlite:///{path}")
-    Base.metadata.create_all(engine, tables=Base.metadata.sorted_tables[:count])
+    METADATA.create_all(engine, tables=METADATA.sorted_tables[:count])
     engine.dispose()
 
 
-@pytest.mark.parametrize("count", range(len(Base.metadata.tables) + 1))
+@pytest.mark.parametrize("count", range(len(METADATA.tables) + 1))
 def test_a_store_whose_making_was_interrupted_is_completed(tmp_path, count):
     set_up_to(tmp_path / STORE_FILE, count)
     with Store(tmp_path, writing=False) as store:
         assert store.rulings() == []
     with Store(tmp_path, writing=True) as store:
-        store.add_ruling({"kind": "replay", "fixture": "a", "reason": "b"})
+        store.add_ruling(ruling("b"))
     with Store(tmp_path, writing=False) as store:
         assert len(store.rulings()) == 1
 
@@ -142,8 +143,8 @@ def test_a_store_whose_making_was_interrupted_is_completed(tmp_path, count):
 def test_a_database_without_version_and_with_content_is_refused(tmp_path):
     home = Home(tmp_path)
     home.play()
-    with Store(home.data, writing=True) as store, store._session() as session:
-        session.execute(delete(MetaRow))
+    with Store(home.data, writing=True) as store, store.transaction() as connection:
+        connection.execute(delete(META))
     with pytest.raises(DiagnosticError) as error:
         open_store(home.data)
     assert code_of(error) == "store-version"

@@ -70,6 +70,7 @@ def test_a_swiss_stage_goes_on_without_it_and_keeps_what_it_has_played(head):
     one, outcomes = left_after(stages, head, 6, "t01", 1)
     state = play(one, by_strength, outcomes)
     swiss = state.stages[0]
+    assert swiss.expected_matches == len(swiss.fixtures) == 3 + 3 + 2
     own = [fixture for fixture in swiss.fixtures if "t01" in teams_of(fixture)]
     # It had been drawn for the second round before it left.
     assert [fixture.round for fixture in own] == [1, 2]

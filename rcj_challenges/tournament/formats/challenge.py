@@ -3,15 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from itertools import groupby
 from statistics import median
 from typing import Any
 
 from rcj_challenges.facts.amounts import round_score
-from rcj_challenges.tournament.formats.context import Entrant, StageContext, humanized
+from rcj_challenges.tournament.formats.context import Entrant, StageContext
 from rcj_challenges.tournament.models import Challenge
 from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo
-from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Row, Ruled, StageState, Status, Table
+from rcj_challenges.tournament.season import (
+    Fixture,
+    FixtureKind,
+    Outcome,
+    Row,
+    Ruled,
+    StageState,
+    Status,
+    Table,
+    humanized,
+)
 
 TOTAL = "total"
 """Name of the table that combines several challenges."""
@@ -98,22 +109,8 @@ def _table(context: StageContext, stage: Challenge, name: str, teams: Sequence[s
     # A lot decides the ranking of the stage; in one of several challenges it would decide points.
     may_draw = context.are_decided(fixtures) and len(stage.scenarios) == 1
     rows = _rows(context, name, keys, may_draw=may_draw)
-    return Table(
-        name,
-        tuple(
-            Row(
-                row.team,
-                row.place,
-                shared=row.shared,
-                by_lot=row.by_lot,
-                played=len(runs[row.team]),
-                values=values[row.team],
-            )
-            for row in rows
-        ),
-        columns,
-        context.are_decided(fixtures),
-    )
+    counted = (replace(row, played=len(runs[row.team]), values=values[row.team]) for row in rows)
+    return Table(name, tuple(counted), columns, context.are_decided(fixtures))
 
 
 def _info(context: StageContext, stage: Challenge, name: str) -> ScenarioInfo:
@@ -150,22 +147,8 @@ def _total(context: StageContext, stage: Challenge, teams: Sequence[str], tables
     totals = {team: round_score(sum(own)) for team, own in points.items()}
     is_complete = all(found.complete for found in tables)
     rows = _rows(context, TOTAL, {team: -total for team, total in totals.items()}, may_draw=is_complete)
-    return Table(
-        TOTAL,
-        tuple(
-            Row(
-                row.team,
-                row.place,
-                shared=row.shared,
-                by_lot=row.by_lot,
-                points=totals[row.team],
-                values=tuple(points[row.team]),
-            )
-            for row in rows
-        ),
-        columns,
-        is_complete,
-    )
+    counted = (replace(row, points=totals[row.team], values=tuple(points[row.team])) for row in rows)
+    return Table(TOTAL, tuple(counted), columns, is_complete)
 
 
 def _place_points(stage: Challenge, found: Table) -> dict[str, float]:
@@ -177,17 +160,26 @@ def _place_points(stage: Challenge, found: Table) -> dict[str, float]:
 
 
 def _shares(criterion: Criterion, found: Table) -> dict[str, float]:
-    """Return 100 for the best value of the first criterion, and to others their share of it; nothing below 0."""
-    values = {row.team: row.values[0] for row in found.rows if row.values}
-    best = (max if criterion.is_more_better else min)(values.values(), default=0.0)
-    shares = dict.fromkeys((row.team for row in found.rows), 0.0)
-    for team, value in values.items():
-        part, whole = (value, best) if criterion.is_more_better else (best, value)
-        if value == best and best >= 0 and not (criterion.is_more_better and best == 0):
-            shares[team] = 100.0
-        elif whole > 0:
-            shares[team] = round_score(round(100 * max(0.0, part / whole), 6))
+    """Return 100 for the best value of the first criterion, and to others their share of it; nothing below 0.
+
+    No team gets more than one with a better place: a team with a forfeited run can have the best value and the last
+    place.
+    """
+    shares: dict[str, float] = {}
+    best, least = 0.0, 100.0
+    for row in found.rows:
+        if not shares and row.values:
+            best = row.values[0]
+        least = min(least, _share(criterion, row.values[0], best) if row.values else 0.0)
+        shares[row.team] = least
     return shares
+
+
+def _share(criterion: Criterion, value: float, best: float) -> float:
+    if value == best and best >= 0 and not (criterion.is_more_better and best == 0):
+        return 100.0
+    part, whole = (value, best) if criterion.is_more_better else (best, value)
+    return round_score(round(100 * max(0.0, part / whole), 6)) if whole > 0 else 0.0
 
 
 def _rows(context: StageContext, use: str, keys: Mapping[str, Any], *, may_draw: bool) -> list[Row]:

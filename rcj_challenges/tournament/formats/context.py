@@ -1,4 +1,4 @@
-"""What the kinds of stages share: who plays, how fixtures are made, which outcomes count."""
+"""What the kinds of stages share: entrants, fixtures, and which outcomes count."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 from rcj_challenges.tournament.entries import TeamEntry
 from rcj_challenges.tournament.models import LostBy, MatchesModel, StageModel, Tournament
 from rcj_challenges.tournament.scenarios import ScenarioInfo, ScenarioNames, ScenarioUse
-from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Ruled, Side, Team
+from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Ruled, Side, Team, humanized
 from rcj_challenges.tournament.seeds import derived_seed, lot
 from rcj_challenges.tournament.standings import Match, TableRules
 
@@ -191,9 +191,3 @@ class StageContext:
     def are_decided(self, fixtures: Sequence[Fixture]) -> bool:
         """Return whether all of them have an outcome."""
         return all(fixture.id in self.outcomes for fixture in fixtures)
-
-
-def humanized(name: str) -> str:
-    """Return a name of the file as people write it: ``round_of_16`` becomes ``Round of 16``."""
-    text = name.replace("_", " ")
-    return text[:1].upper() + text[1:]

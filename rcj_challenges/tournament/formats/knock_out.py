@@ -6,20 +6,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from math import inf
 
-from rcj_challenges.tournament.formats.context import Entrant, StageContext, humanized
-from rcj_challenges.tournament.formats.tie import TieFormat, play_tie
+from rcj_challenges.tournament.formats.context import Entrant, StageContext
+from rcj_challenges.tournament.formats.tie import play_tie
 from rcj_challenges.tournament.models import KnockOut
 from rcj_challenges.tournament.season import Fixture, FixtureKind, Row, StageState, Status, Tie
 from rcj_challenges.tournament.seeds import shuffled
 from rcj_challenges.tournament.standings import tally
 
 _NAMES = {1: "final", 2: "semi_finals", 4: "quarter_finals"}
-_SINGULAR = {
-    "final": "final",
-    "semi_finals": "semi-final",
-    "quarter_finals": "quarter-final",
-    "third_place": "third place",
-}
 
 
 def knock_out(context: StageContext, stage: KnockOut, entrants: Sequence[Entrant]) -> StageState:
@@ -35,7 +29,7 @@ def knock_out(context: StageContext, stage: KnockOut, entrants: Sequence[Entrant
         status=(Status.FINISHED if is_finished else Status.RUNNING) if is_known else Status.WAITING,
         teams=tuple(entrant.team for entrant in entrants) if is_known else (),
         fixtures=tuple(bracket.fixtures),
-        expected_matches=match_count(len(entrants), stage),
+        expected_matches=bracket.expected_matches(),
         ties=tuple(bracket.ties),
         places=bracket.places() if is_finished else (),
     )
@@ -44,7 +38,11 @@ def knock_out(context: StageContext, stage: KnockOut, entrants: Sequence[Entrant
 def match_count(count: int, stage: KnockOut) -> int:
     """Return the number of matches of a knock-out of so many teams; of a best-of those played in any case."""
     ties = max(0, count - 1) + (1 if stage.third_place and count >= 4 else 0)
-    return ties * max(stage.legs, stage.best_of // 2 + 1)
+    return ties * _matches_of_tie(stage)
+
+
+def _matches_of_tie(stage: KnockOut) -> int:
+    return max(stage.legs, stage.best_of // 2 + 1)
 
 
 def round_count(count: int) -> int:
@@ -127,6 +125,14 @@ class _Bracket:
             ]
             round_ += 1
 
+    def expected_matches(self) -> int:
+        """Return how many matches there will be, as far as is known."""
+        least = _matches_of_tie(self.stage)
+        return sum(
+            len(tie.fixtures) if tie.winner or "bye" in tie.sources else max(least, len(tie.fixtures))
+            for tie in self.ties
+        )
+
     def places(self) -> tuple[Row, ...]:
         """Return the ranking: losers of the same round share a place, unless a lot is listed."""
         left = [entrant.team for entrant in self.entrants]
@@ -150,24 +156,14 @@ class _Bracket:
         for level in levels:
             is_by_lot = len(level) > 1 and "lot" in rules.tie_breaks
             for index, team in enumerate(sorted(level, key=rules.lot) if is_by_lot else level):
-                own = tallies[team]
-                yield Row(
-                    team,
-                    place + index if is_by_lot else place,
-                    shared=len(level) > 1 and not is_by_lot,
-                    played=own.played,
-                    won=own.won,
-                    drawn=own.drawn,
-                    lost=own.lost,
-                    goals=own.goals,
-                    conceded=own.conceded,
-                    by_lot=is_by_lot,
-                )
+                own_place = place + index if is_by_lot else place
+                is_shared = len(level) > 1 and not is_by_lot
+                yield replace(tallies[team].row(team, own_place, shared=is_shared, by_lot=is_by_lot), points=0)
             place += len(level)
 
     def _third_place(self, round_: int) -> None:
         one, two = [tie for tie in self.ties if tie.round == "semi_finals"]
-        sources = tuple(f"loser of {_title(tie.round, tie.number)}" for tie in (one, two))
+        sources = tuple(f"loser of {tie.title}" for tie in (one, two))
         self._tie("third_place", 1, (_loser(one), _loser(two), sources[0], sources[1]), round_)
 
     def _tie(self, name: str, number: int, entry: tuple[str, str, str, str], round_: int) -> Tie:
@@ -177,11 +173,11 @@ class _Bracket:
         if "bye" in sources:
             tie = replace(tie, winner=one or two, decided_by="bye" if one or two else "")
         elif one and two:
-            title = f"{self.context.title(self.stage)}, {_title(name, number)}"
+            title = f"{self.context.title(self.stage)}, {tie.title}"
             # The team above begins on the first seat in every other round.
             pair = (one, two) if round_ % 2 else (two, one)
-            form = TieFormat(self.stage.legs, self.stage.best_of)
-            result = play_tie(self.context, self.stage, path, pair, round_, title, form)
+            legs, best_of = self.stage.legs, self.stage.best_of
+            result = play_tie(self.context, self.stage, path, pair, round_, title, legs=legs, best_of=best_of)
             self.fixtures += result.fixtures
             scores = result.scores if pair == (one, two) or result.scores is None else result.scores[::-1]
             tie = replace(
@@ -199,17 +195,11 @@ def _round_name(ties: int) -> str:
     return _NAMES.get(ties, f"round_of_{2 * ties}")
 
 
-def _title(name: str, number: int) -> str:
-    if name in ("final", "third_place"):
-        return "match for third place" if name == "third_place" else "final"
-    return f"{_SINGULAR.get(name, humanized(name).lower())} {number}"
-
-
 def _winner_of(tie: Tie) -> str:
     one, other = tie.sources
     if "bye" in (one, other):
         return other if one == "bye" else one
-    return f"winner of {_title(tie.round, tie.number)}"
+    return f"winner of {tie.title}"
 
 
 def _loser(tie: Tie) -> str:

@@ -1,4 +1,4 @@
-"""Play-offs: teams that share a place which decides who advances play each other for it."""
+"""Play-offs: teams that share a place from which only some of them advance play each other for it."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from rcj_challenges.tournament.formats.circle import pairings
-from rcj_challenges.tournament.formats.context import StageContext, humanized
-from rcj_challenges.tournament.formats.tie import TieFormat, play_tie
+from rcj_challenges.tournament.formats.context import StageContext
+from rcj_challenges.tournament.formats.tie import play_tie
 from rcj_challenges.tournament.models import RoundRobin, Swiss
-from rcj_challenges.tournament.season import Fixture, Row, Table
+from rcj_challenges.tournament.season import Fixture, Row, Table, humanized
 from rcj_challenges.tournament.standings import table
 
 
@@ -51,7 +51,7 @@ def _play(
     path = f"{group}/play_off{place}" if group else f"play_off{place}"
     title = f"{f'Group {humanized(group)}, play-off' if group else 'Play-off'} for place {place}"
     if len(teams) == 2:
-        tie = play_tie(context, stage, path, (teams[0], teams[1]), round_, title, TieFormat(), group)
+        tie = play_tie(context, stage, path, (teams[0], teams[1]), round_, title, group)
         order = {team: 0 if team == tie.winner else 1 for team in teams} if tie.winner else {}
         by_lot = set(teams) if tie.decided_by == "lot" else set()
         fixtures = tie.fixtures

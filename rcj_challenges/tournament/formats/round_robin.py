@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rcj_challenges.tournament.formats.circle import pairings
-from rcj_challenges.tournament.formats.context import Entrant, StageContext, humanized
+from rcj_challenges.tournament.formats.context import Entrant, StageContext
 from rcj_challenges.tournament.formats.groups import groups_of
 from rcj_challenges.tournament.formats.play_off import play_offs
 from rcj_challenges.tournament.models import LostBy, RoundRobin
-from rcj_challenges.tournament.season import Fixture, StageState, Status, Table
+from rcj_challenges.tournament.season import Fixture, StageState, Status, Table, humanized
 from rcj_challenges.tournament.standings import table
 
 
@@ -43,7 +43,7 @@ def round_robin(context: StageContext, stage: RoundRobin, entrants: Sequence[Ent
         status=Status.FINISHED if is_finished else Status.RUNNING,
         teams=teams,
         fixtures=(*fixtures, *play_off_fixtures),
-        expected_matches=len(fixtures),
+        expected_matches=len(fixtures) + len(play_off_fixtures),
         tables=tuple(tables),
         places=tuple(sorted((row for found in tables for row in found.rows), key=lambda row: row.place))
         if is_finished

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rcj_challenges.tournament.formats.circle import pairings
-from rcj_challenges.tournament.formats.context import Entrant, StageContext, humanized
+from rcj_challenges.tournament.formats.context import Entrant, StageContext
 from rcj_challenges.tournament.models import SuperTeam
-from rcj_challenges.tournament.season import Fixture, StageState, Status
+from rcj_challenges.tournament.season import Fixture, StageState, Status, humanized
 from rcj_challenges.tournament.seeds import shuffled
 from rcj_challenges.tournament.standings import table
 
@@ -15,7 +15,8 @@ from rcj_challenges.tournament.standings import table
 def super_team(context: StageContext, stage: SuperTeam, entrants: Sequence[Entrant]) -> StageState:
     """Return the state of a stage of super teams. A team that leaves in the middle still lends its program."""
     teams = tuple(entrant.team for entrant in entrants)
-    sides = stage.super_teams or drawn(teams, robots_of_side(context, stage), context.tournament.seed, context.name)
+    robots = min(context.scenarios[context.names.of_matches(stage)].seats.values())
+    sides = stage.super_teams or drawn(teams, robots, context.tournament.seed, context.name)
     fixtures = _fixtures(context, stage, sides)
     matches = [match for one in fixtures if (match := context.result(one)) is not None]
     is_complete = context.are_decided(fixtures)
@@ -32,11 +33,6 @@ def super_team(context: StageContext, stage: SuperTeam, entrants: Sequence[Entra
         tables=(found,),
         places=found.rows if is_complete else (),
     )
-
-
-def robots_of_side(context: StageContext, stage: SuperTeam) -> int:
-    """Return how many robots a side has."""
-    return min(context.scenarios[context.names.of_matches(stage)].seats.values())
 
 
 def drawn(teams: Sequence[str], size: int, seed: int | str, use: str) -> dict[str, tuple[str, ...]]:

@@ -32,7 +32,7 @@ def swiss(context: StageContext, stage: Swiss, entrants: Sequence[Entrant]) -> S
         status=Status.FINISHED if found.complete else Status.RUNNING,
         teams=teams,
         fixtures=(*course.fixtures, *more),
-        expected_matches=stage.rounds * (len(teams) // 2),
+        expected_matches=len(course.fixtures) + len(more) + course.matches_to_come(),
         tables=(found,),
         byes=tuple(course.byes),
         places=found.rows if found.complete else (),
@@ -50,11 +50,13 @@ class _Course:
     byes: list[tuple[int, str]] = field(default_factory=list)
     points: dict[str, float] = field(default_factory=lambda: defaultdict(float))
     matches: list[Match] = field(default_factory=list)
+    drawn_rounds: int = 0
 
     def play(self) -> bool:
         """Draw as many rounds as can be; return whether all are over."""
         for number in range(1, self.stage.rounds + 1):
             fixtures, bye = self._draw(number)
+            self.drawn_rounds = number
             if bye:
                 self.byes.append((number, bye))
                 self.points[bye] += self.context.tournament.points.win
@@ -64,6 +66,11 @@ class _Course:
             if not self.context.are_decided(fixtures):
                 return False
         return True
+
+    def matches_to_come(self) -> int:
+        """Return how many matches the rounds will have that are not drawn yet."""
+        present = sum(not self.context.has_left(team) for team in self.order)
+        return (self.stage.rounds - self.drawn_rounds) * (present // 2)
 
     def table(self, *, complete: bool) -> Table:
         """Return the table of what has been played."""

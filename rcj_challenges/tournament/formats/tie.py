@@ -10,19 +10,6 @@ from rcj_challenges.tournament.scenarios import ScenarioUse
 from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Ruled
 
 
-@dataclass(frozen=True, slots=True)
-class TieFormat:
-    """How a tie is played.
-
-    Attributes:
-        legs: matches whose scores are added up.
-        best_of: matches of which most must be won; 1: the legs decide.
-    """
-
-    legs: int = 1
-    best_of: int = 1
-
-
 @dataclass
 class TieResult:
     """How far a tie is.
@@ -47,8 +34,10 @@ def play_tie(
     teams: tuple[str, str],
     round_: int,
     title: str,
-    form: TieFormat,
     group: str = "",
+    *,
+    legs: int = 1,
+    best_of: int = 1,
 ) -> TieResult:
     """Return how far a tie is.
 
@@ -59,11 +48,12 @@ def play_tie(
         teams: the first one begins on the first seat.
         round_: of its fixtures.
         title: of its fixtures.
-        form: how it is played.
         group: of its fixtures.
+        legs: matches whose scores are added up.
+        best_of: matches of which most must be won; 1: the legs decide.
     """
     tie = _Tie(context, stage, path, teams, round_, title, group)
-    return tie.by_forfeit(tie.best_of(form.best_of) if form.best_of > 1 else tie.legs(form.legs))
+    return tie.by_forfeit(tie.best_of(best_of) if best_of > 1 else tie.legs(legs))
 
 
 @dataclass
@@ -142,7 +132,7 @@ class _Tie:
         return won if scores else None
 
     def _decided(self, result: TieResult, outcomes: list[Outcome], by: str = "match") -> TieResult | None:
-        """Return the result with its winner if the scores tell the teams apart."""
+        """Return the result with its winner if the teams are not level."""
         if result.scores is None or result.scores[0] == result.scores[1]:
             return None
         result.winner = self.teams[result.scores[1] > result.scores[0]]

@@ -1,6 +1,6 @@
 """The static site of a tournament: pages, schedule, feed, premieres, and a private folder for each team.
 
-Belongs here: what is shown of a season, to whom, and how it looks. Does not belong here: what decides a season (the
+Belongs here: what is published of a season, and how it looks. Does not belong here: what decides a season (the
 engine), what was played (the store), the replay page itself (``views.replay``).
 
 Two audiences, two folders. The site is for everyone: players are minors, so nothing of their code, their output or

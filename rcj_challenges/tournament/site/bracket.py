@@ -9,8 +9,7 @@ from itertools import pairwise
 from markupsafe import Markup
 
 from rcj_challenges.facts.measures import number_words
-from rcj_challenges.tournament.season import Tie
-from rcj_challenges.tournament.site.model import words
+from rcj_challenges.tournament.season import Tie, humanized
 from rcj_challenges.tournament.site.render import escaped, fitted
 
 _BOX_WIDTH, _BOX_HEIGHT, _GAP_X, _GAP_Y, _HEAD = 196, 46, 36, 18, 34
@@ -92,7 +91,7 @@ def _placed(ties: list[Tie]) -> list[_Placed]:
 
 def _heads(placed: list[_Placed]) -> list[str]:
     columns = {one.x: one.tie.round for one in placed}
-    return [f'<text class="head" x="{x:g}" y="18">{escaped(words(name))}</text>' for x, name in columns.items()]
+    return [f'<text class="head" x="{x:g}" y="18">{escaped(humanized(name))}</text>' for x, name in columns.items()]
 
 
 def _joins(placed: list[_Placed]) -> list[str]:

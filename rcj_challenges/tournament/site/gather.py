@@ -31,8 +31,7 @@ def site_source(
     file = tournament.loaded.tournament
     _check_premieres(file, premieres)
     whole, played = tournament.state(), read_played(tournament.store)
-    fixtures = [fixture for stage in whole.stages for fixture in stage.fixtures]
-    hidden = hidden_fixtures(fixtures, played, release_times(file, whole), now, premieres)
+    hidden = hidden_fixtures(whole.fixtures, played, release_times(file, whole), now, premieres)
     shown = {fixture: outcome for fixture, outcome in whole.outcomes.items() if fixture not in hidden}
     state = tournament.season.state(shown, hidden & played.matches.keys())
     return SiteSource(

@@ -50,22 +50,26 @@ class LikePair:
     files: tuple[tuple[str, str, float], ...]
 
 
-def like_pairs(submissions: Mapping[str, Path]) -> tuple[list[LikePair], list[str]]:
-    """Return the pairs of submissions that share much, most first, and the ids of those that cannot be read.
+def like_pairs(submissions: Mapping[str, Mapping[str, Path]]) -> tuple[list[LikePair], list[str]]:
+    """Return the pairs of teams whose submissions share much, most first, and the ids of teams with unreadable ones.
 
     Args:
-        submissions: ZIP or folder, by team id.
+        submissions: ZIP or folder by team id and purpose; the purpose stands before the names of its files.
     """
     known = _sample_rows()
     programs: dict[str, dict[str, Rows]] = {}
     unread = []
-    for team, path in submissions.items():
-        try:
-            files = _rows_of(read_contents(path).files.items())
-        except TeamError:
-            unread.append(team)
-        else:
-            programs[team] = {name: rows - known for name, rows in files.items() if rows - known}
+    for team, paths in submissions.items():
+        own: dict[str, Rows] = {}
+        for purpose, path in paths.items():
+            try:
+                files = _rows_of(read_contents(path).files.items())
+            except TeamError:
+                unread.append(team)
+                continue
+            before = f"{purpose}: " if purpose else ""
+            own |= {f"{before}{name}": rows - known for name, rows in files.items() if rows - known}
+        programs[team] = own
     whole = {team: frozenset[int]().union(*files.values()) for team, files in programs.items()}
     found = []
     for first, second in combinations(sorted(programs), 2):

@@ -1,4 +1,4 @@
-"""The page of a match and the files beside it: replay, result, statistics, each without what is private."""
+"""The page of a match and the files beside it: replay, result and statistics, without anything private."""
 
 from __future__ import annotations
 
@@ -199,7 +199,7 @@ def _about(event: Mapping[str, Any]) -> str:
 
 
 def _plot(season: Season, match: MatchView, replay: ReplayData | None) -> Markup | None:
-    """Return how the score of two sides went; None if the record does not tell."""
+    """Return how the score of two sides went; None without a replay."""
     if replay is None or len(match.fixture.sides) != 2:
         return None
     seats = [side.seat for side in match.fixture.sides]

@@ -1,4 +1,4 @@
-"""The season as pages see it: names that are safe to show, matches with their links, who met whom."""
+"""The season as pages need it: names that are safe to show, and matches with their links."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from typing import Any
 from rcj_challenges.facts.measures import measured_words, number_words
 from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.tournament.played import PlayedMatch
-from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Ruled, Side, StageState
+from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Ruled, Side, StageState, humanized
 from rcj_challenges.tournament.site.public import fault_counts
 from rcj_challenges.tournament.site.source import SiteSource
 from rcj_challenges.views.naming import told_apart
@@ -21,14 +21,6 @@ from rcj_challenges.views.naming import told_apart
 _LONGEST_NAME = 60
 _LONGEST_SLUG = 120
 _NOT_IN_SLUGS = re.compile(r"[^A-Za-z0-9_.-]")
-
-RULED_WORDS = {
-    Ruled.PLAYED: "",
-    Ruled.FORFEIT: "forfeit",
-    Ruled.CORRECTED: "score corrected",
-    Ruled.WITHDRAWN: "team withdrew",
-    Ruled.ANNULLED: "annulled",
-}
 
 
 def slug(identifier: str) -> str:
@@ -45,15 +37,9 @@ def _shown(name: str) -> str:
     return sanitize(name, _LONGEST_NAME).encode("utf-8", "replace").decode().strip()
 
 
-def words(name: str) -> str:
-    """Return ``Quarter finals`` for ``quarter_finals``."""
-    text = name.replace("_", " ").strip()
-    return text[:1].upper() + text[1:]
-
-
 def group_title(stage: StageState, group: str) -> str:
     """Return what a group or a challenge is called: ``Group A``."""
-    return f"Group {group}" if stage.kind == "round_robin" and group else words(group)
+    return f"Group {group}" if stage.kind == "round_robin" and group else humanized(group)
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +50,7 @@ class MatchView:
         fixture: the fixture.
         stage: its stage.
         outcome: what counts, or None if it is open or not released.
-        played: what is known beside the outcome; None if there is no outcome, so that nothing leaks.
+        played: what else is known; None if there is no outcome, so that nothing leaks.
         at: when it is or was released, if the file says so.
         slug: name of its folder under ``matches``.
         premiere: whether it has a page that shows it when it is released.
@@ -79,19 +65,9 @@ class MatchView:
     premiere: bool = False
 
     @property
-    def title(self) -> str:
-        """What it is: ``Group A, round 2``."""
-        return self.fixture.title or f"{words(self.fixture.group)} round {self.fixture.round}".strip()
-
-    @property
-    def stage_title(self) -> str:
-        """What its stage is called."""
-        return self.stage.title or words(self.stage.name)
-
-    @property
     def short_title(self) -> str:
         """The title without that of the stage: ``Semi-final 1``."""
-        short = self.title.removeprefix(self.stage.title).lstrip(" ,:")
+        short = self.fixture.title.removeprefix(self.stage.title).lstrip(" ,:")
         return short[:1].upper() + short[1:]
 
     @property
@@ -130,7 +106,7 @@ class MatchView:
     @property
     def ruled(self) -> str:
         """What a referee made of it, in a word or two; empty if it was simply played."""
-        return RULED_WORDS[self.outcome.ruled] if self.outcome else ""
+        return self.outcome.ruled.words if self.outcome else ""
 
     @property
     def kind(self) -> str:
@@ -219,7 +195,7 @@ class Season:
         return dict(sorted(fault_counts(faults).items()))
 
     def played(self, fixture: Fixture) -> PlayedMatch | None:
-        """Return what was played, released or not; of others who stood in its place before only the rulings."""
+        """Return what was played, released or not; if other teams played it, only the rulings."""
         match = self.source.played.matches.get(fixture.id)
         teams = {team for side in fixture.sides for team in side.teams}
         if match is None or not match.submissions or set(match.submissions) == teams:

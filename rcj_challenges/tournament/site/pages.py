@@ -9,10 +9,10 @@ from typing import Any
 from markupsafe import Markup
 
 from rcj_challenges.facts.measures import measure_words
-from rcj_challenges.tournament.season import StageState, Status
+from rcj_challenges.tournament.season import StageState, Status, humanized
 from rcj_challenges.tournament.seeds import seed_hash
 from rcj_challenges.tournament.site.bracket import bracket_svg
-from rcj_challenges.tournament.site.model import MatchView, Season, slug, words
+from rcj_challenges.tournament.site.model import MatchView, Season, slug
 from rcj_challenges.tournament.site.plots import distribution_plot, form_plot
 from rcj_challenges.tournament.site.render import Renderer, day
 from rcj_challenges.tournament.site.schedule import appointments, as_csv, as_feed, as_ics
@@ -49,7 +49,7 @@ def publish_overview(tree: Tree, renderer: Renderer, season: Season) -> None:
     days = [(name, list(some)) for name, some in groupby(rows, key=lambda row: day(row.at, zone))]
     tree.write("schedule.html", renderer.page("schedule.html", "schedule.html", days=days))
     tree.write("schedule.ics", as_ics(season, rows))
-    tree.write("schedule.csv", "\ufeff" + as_csv(season, rows))  # the mark tells spreadsheets that it is UTF-8
+    tree.write("schedule.csv", "\ufeff" + as_csv(season, rows))  # spreadsheets recognize UTF-8 by this mark
     tree.write("feed.json", as_feed(season))
     teams, cells = _met(season.released)
     path = "head_to_head.html"
@@ -73,7 +73,7 @@ def _few(matches: Sequence[MatchView]) -> Sequence[MatchView]:
 
 
 def _winners(season: Season) -> list[tuple[StageState, list[str]]]:
-    """Return who won each stage; nothing before the end, of stages in groups, and if several share the first place."""
+    """Return the winner of each stage; none before the end, of stages in groups, and of a shared first place."""
     found = []
     for stage in season.state.stages if season.source.is_over else ():
         first = [row for row in stage.places if row.place == 1]
@@ -134,13 +134,12 @@ def _bracket(season: Season, stage: StageState, root: str | None) -> Markup:
         if root is not None
         else {}
     )
-    title = stage.title or words(stage.name)
-    return bracket_svg(stage.ties, lambda teams: season.label(teams.split("+")), title, links, alone=root is None)
+    return bracket_svg(stage.ties, lambda teams: season.label(teams.split("+")), stage.title, links, alone=root is None)
 
 
 def _rounds(stage: StageState, matches: Sequence[MatchView]) -> list[tuple[str, list[MatchView]]]:
     """Return the matches of a stage by round."""
-    rounds = {tie.id: words(tie.round) for tie in stage.ties}
+    rounds = {tie.id: humanized(tie.round) for tie in stage.ties}
     grouped: dict[tuple[int, str], list[MatchView]] = {}
     for match in matches:
         name = rounds.get(match.fixture.tie) or f"Round {match.fixture.round}"
@@ -181,7 +180,7 @@ def _distributions(season: Season, stage: StageState) -> list[tuple[str, Markup]
 
 
 def _matrices(season: Season, stage: StageState) -> list[tuple[str, list[str], Cells]]:
-    """Return who met whom, group by group; nothing for stages in which teams do not meet in groups."""
+    """Return the matches between each two teams, group by group; nothing for other stages than these two."""
     if stage.kind not in ("round_robin", "swiss"):
         return []
     found = []
@@ -235,12 +234,12 @@ def _team(season: Season, team: str, matches: Sequence[MatchView]) -> dict[str, 
         if team in row.team.split("+")
     ]
     results = []
-    for name in dict.fromkeys(match.stage_title for match in matches):
-        own = [match for match in matches if match.stage_title == name]
+    for stage in season.state.stages:
+        own = [match for match in matches if match.stage.name == stage.name]
         runs: dict[str, list[MatchView]] = {}
         for match in (match for match in own if match.is_challenge):
             runs.setdefault(match.fixture.group, []).append(match)
-        results.append((name, [match for match in own if not match.is_challenge], runs))
+        results.append((stage.title, [match for match in own if not match.is_challenge], runs))
     return {
         "id": team,
         "form": form_plot(form) if form else None,

@@ -1,4 +1,4 @@
-"""Small pictures as SVG without any style of their own: the style sheet colours them, in the dark as well."""
+"""Small pictures as SVG without any style of their own: the style sheet colours them, also in dark mode."""
 
 from __future__ import annotations
 

@@ -37,7 +37,7 @@ class Recording:
 def publish_premieres(tree: Tree, data: Tree, season: Season, renderer: Renderer) -> list[Recording]:
     """Write the page of each match that has a premiere, and the recordings of those that were played; return these.
 
-    A recording whose time has come is put beside its page as well.
+    A recording whose time has come is also put beside its page.
 
     Args:
         tree: of the site.

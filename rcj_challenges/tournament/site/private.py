@@ -114,8 +114,8 @@ def own_log(text: str, halves: Collection[int], own: Collection[int]) -> str:
     """Return of a robot's log what the team's own program printed: robots change teams with the sides.
 
     The second half is taken to begin at the last line that says so, wherever it stands in its line: so a program of
-    the first half cannot get more than its own by printing such a line, nor by leaving its last line open, and one of
-    the second half gives away its own at most. In more halves that could not be told, so nothing is returned then.
+    the first half cannot get more than its own by printing such a line or by leaving its last line open, and one of
+    the second half gives away its own at most. With more halves than two this does not work, so nothing is returned.
 
     Args:
         text: the whole log.

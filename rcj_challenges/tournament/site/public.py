@@ -38,7 +38,7 @@ def fault_words(kind: str) -> str:
 
 
 def fault_moment(fault: Mapping[str, Any]) -> str:
-    """Return ``half 1, 0:09.6``; empty if the record that would tell is damaged."""
+    """Return ``half 1, 0:09.6``; empty if the record is damaged."""
     return f"half {fault['half']}, {clock(s_from_ticks(fault['tick']))}" if "tick" in fault else ""
 
 
@@ -95,7 +95,7 @@ def read_replay(page: str) -> ReplayData:
         page: as `views.replay` writes it.
 
     Raises:
-        ValueError: this is no replay page.
+        ValueError: this is not a replay page.
     """
     reader = _Blocks()
     reader.feed(page)

@@ -1,4 +1,4 @@
-"""Publishing: builds the site and the teams' folders anew, takes over what has not changed, and swaps them in."""
+"""Publishing: builds the site and the teams' folders beside the old ones, reusing unchanged files, and swaps them."""
 
 from __future__ import annotations
 
@@ -85,7 +85,9 @@ def publish(
 
 def publish_likeness(tree: Tree, renderer: Renderer, submissions: Iterable[Submission]) -> None:
     """Write the page about submissions that are alike, for the organizer."""
-    current = {one.team: one.path for one in submissions}  # the last one of each team
+    current: dict[str, dict[str, Path]] = {}
+    for one in submissions:  # the last one of each team for each purpose
+        current.setdefault(one.team, {})[one.purpose] = one.path
     pairs, unread = like_pairs(current)
     tree.write("style.css", renderer.style)
     page = renderer.page("likeness.html", "likeness.html", pairs=pairs, unread=unread, least=LEAST_SHARE, length=LENGTH)

@@ -14,7 +14,8 @@ from markupsafe import Markup
 
 from rcj_challenges.facts.measures import measure_words, number_words
 from rcj_challenges.facts.sanitize import sanitize, sanitize_block
-from rcj_challenges.tournament.site.model import Season, group_title, slug, words
+from rcj_challenges.tournament.season import humanized
+from rcj_challenges.tournament.site.model import Season, group_title, slug
 from rcj_challenges.tournament.site.public import fault_moment, fault_words
 from rcj_challenges.tournament.site.schedule import page_of
 from rcj_challenges.views.sentences import clock
@@ -51,7 +52,7 @@ class Renderer:
             "slug": slug,
             "time": lambda at: time_element(at, zone),
             "url": quote,
-            "words": words,
+            "words": humanized,
         }
         self._environment.globals |= {
             "season": season,

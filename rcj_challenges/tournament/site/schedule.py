@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 from collections.abc import Iterable
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 
-from rcj_challenges.tournament.site.model import MatchView, Season, slug, words
+from rcj_challenges.tournament.csv_text import csv_text
+from rcj_challenges.tournament.season import humanized
+from rcj_challenges.tournament.site.model import MatchView, Season, slug
 
 _FOLD_BYTES = 73
-_FORMULA = ("=", "+", "-", "@", "\t", "\r")
 _MOST_NEWS = 100
 
 
@@ -50,10 +49,10 @@ def appointments(season: Season) -> tuple[Appointment, ...]:
         )
     runs = {(match.stage.name, match.fixture.group, match.at): match for match in timed if match.is_challenge}
     for (stage, group, at), match in runs.items():
-        what = f"{match.stage_title}: {words(group)}"
+        what = f"{match.stage.title}: {humanized(group)}"
         found.append(Appointment(f"{stage}.{group}", at or season.source.now, what, "", f"stages/{slug(stage)}.html"))
     known = {(match.stage.name, match.fixture.round) for match in timed}
-    titles = {stage.name: stage.title or words(stage.name) for stage in season.state.stages}
+    titles = {stage.name: stage.title for stage in season.state.stages}
     for time in season.source.rounds:
         if any(stage == time.stage and time.round in (0, number) for stage, number in known):
             continue
@@ -76,23 +75,21 @@ def page_of(match: MatchView) -> str:
 
 def what_of(match: MatchView) -> str:
     """Return what a match is: ``Finals: Semi-final 1``."""
-    return f"{match.stage_title}: {match.short_title}" if match.short_title else match.stage_title
+    return f"{match.stage.title}: {match.short_title}" if match.short_title else match.stage.title
 
 
 def as_csv(season: Season, rows: Iterable[Appointment]) -> str:
     """Return the schedule as a table; no name in it is taken for a formula."""
     zone = season.source.time_zone
-    out = io.StringIO()
-    writer = csv.writer(out, lineterminator="\r\n")
-    writer.writerow(["date", "time", "time_zone", "utc", "what", "first", "second", "result"])
+    lines = [["date", "time", "time_zone", "utc", "what", "first", "second", "result"]]
     for row in rows:
         local = row.at.astimezone(zone)
         sides = [season.label(side.teams) for side in row.match.fixture.sides] if row.match else []
         sides += [""] * (2 - len(sides))
         result = " : ".join(row.match.scores) if row.match else ""
         fixed = [f"{local:%Y-%m-%d}", f"{local:%H:%M}", str(zone), f"{row.at.astimezone(UTC):%Y-%m-%dT%H:%M:%SZ}"]
-        writer.writerow(fixed + [_inert(text) for text in (row.what, *sides[:2], result)])
-    return out.getvalue()
+        lines.append([*fixed, row.what, *sides[:2], result])
+    return csv_text(lines, "\r\n")
 
 
 def as_ics(season: Season, rows: Iterable[Appointment]) -> str:
@@ -137,11 +134,11 @@ def _item(season: Season, match: MatchView) -> dict[str, object]:
         title = f"{sides[0]}: {', '.join(match.values)}"
     else:
         title = f"{sides[0]} {' : '.join(match.scores)} {sides[-1]}"
-    told = [what_of(match), match.ruled and f"{match.ruled}: {match.outcome.reason if match.outcome else ''}"]
+    parts = [what_of(match), match.ruled and f"{match.ruled}: {match.outcome.reason if match.outcome else ''}"]
     item: dict[str, object] = {
         "id": f"{season.source.url}{page_of(match)}",
         "title": title,
-        "content_text": ". ".join(filter(None, told)),
+        "content_text": ". ".join(filter(None, parts)),
     }
     if season.source.url:
         item["url"] = item["id"]
@@ -157,10 +154,6 @@ def _length(row: Appointment) -> timedelta:
 
 def _utc(at: datetime) -> str:
     return f"{at.astimezone(UTC):%Y%m%dT%H%M%SZ}"
-
-
-def _inert(text: str) -> str:
-    return f"'{text}" if text.startswith(_FORMULA) else text
 
 
 def _ics_text(text: str) -> str:

@@ -90,7 +90,7 @@ class Tree:
 
     def write(self, path: str, content: str | bytes) -> None:
         """Write one file; one whose content is the same as before keeps its time, so that uploads skip it."""
-        # A lone half of a surrogate pair in a name is no reason to publish nothing.
+        # Half of a surrogate pair in a name must not stop the whole site.
         data = content.encode("utf-8", "replace") if isinstance(content, str) else content
         before, place = self.target / path, self._place(path)
         with suppress(OSError):

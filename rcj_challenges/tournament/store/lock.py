@@ -78,7 +78,7 @@ def _pid_in(fd: int) -> str:
 
 
 def _in_use(folder: Path, pid: str) -> DiagnosticError:
-    who = f" (process {pid})" if pid.isdecimal() else ""
-    message = f"another command{who} is writing to the tournament's data in {folder}"
+    process = f" (process {pid})" if pid.isdecimal() else ""
+    message = f"another command{process} is writing to the tournament's data in {folder}"
     help_ = "wait until it has ended, or end it; 'status' and 'results' can be used meanwhile"
     return DiagnosticError(Diagnostic("store-in-use", message, help_))

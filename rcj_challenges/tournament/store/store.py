@@ -9,11 +9,24 @@ from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Self
+from typing import Any, Self, TypeVar
 
-from sqlalchemy import Engine, create_engine, delete, event, inspect, select, update
+from sqlalchemy import (
+    Column,
+    Connection,
+    Engine,
+    Table,
+    and_,
+    bindparam,
+    create_engine,
+    delete,
+    event,
+    insert,
+    inspect,
+    select,
+    update,
+)
 from sqlalchemy.exc import DatabaseError
-from sqlalchemy.orm import Session
 from sqlalchemy.pool import StaticPool
 
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
@@ -23,17 +36,23 @@ from rcj_challenges.tournament.jobs import MatchJob, Workplace
 from rcj_challenges.tournament.season import Fixture, Outcome
 from rcj_challenges.tournament.store.lock import WriterLock
 from rcj_challenges.tournament.store.tables import (
+    CHECKED,
+    JOB,
+    META,
+    METADATA,
+    PLAYED,
+    RULING,
     STORE_VERSION,
-    Base,
+    SUBMISSION,
     CheckRow,
     JobRow,
-    MetaRow,
     PlayedRow,
     RulingRow,
     SubmissionRow,
 )
 
 STORE_FILE = "store.sqlite"
+_Row = TypeVar("_Row", SubmissionRow, CheckRow, JobRow, PlayedRow, RulingRow)
 _VERSION_KEY = "store_version"
 _BUSY_S = 30.0
 _DAMAGED = ("malformed", "not a database", "file is encrypted", "no such table", "no such column")
@@ -60,6 +79,7 @@ class Store:
 
     Attributes:
         place: the folder of the tournament's data.
+        now: the wall clock.
     """
 
     def __init__(self, folder: Path, *, writing: bool, now: Callable[[], datetime] = utc_now) -> None:
@@ -74,7 +94,7 @@ class Store:
             DiagnosticError: another command writes to it, or it is damaged, of another version, or cannot be written.
         """
         self.place = Workplace(folder)
-        self._now = now
+        self.now = now
         self._path = folder / STORE_FILE
         self._stack = ExitStack()
         with ExitStack() as stack:
@@ -99,70 +119,68 @@ class Store:
 
     def add_submission(self, **columns: str) -> None:
         """Note that a team has handed in something else than before; the columns are those of `SubmissionRow`."""
-        with self._session() as session:
-            session.add(SubmissionRow(**columns, received_at=self._now()))
+        with self.transaction() as connection:
+            connection.execute(insert(SUBMISSION).values(columns | {"received_at": self.now()}))
 
     def submissions(self) -> list[SubmissionRow]:
         """Return all submissions, oldest first."""
-        with self._session() as session:
-            return list(session.scalars(select(SubmissionRow).order_by(SubmissionRow.id)))
+        return self._rows(SUBMISSION, SubmissionRow, SUBMISSION.c.id)
 
     def current_submissions(self) -> dict[tuple[str, str], SubmissionRow]:
         """Return the newest submissions by team and purpose."""
         return {(row.team, row.purpose): row for row in self.submissions()}
 
-    def add_check(self, archive: str, scenario: str, level: str, findings: list[Any]) -> None:
+    def add_check(self, archive: str, scenario: str, level: str, findings: list[tuple[str, str]]) -> None:
         """Note the verdict of a check."""
-        with self._session() as session:
-            session.merge(CheckRow(archive=archive, scenario=scenario, level=level, findings=findings))
+        with self.transaction() as connection:
+            _put(connection, CHECKED, archive=archive, scenario=scenario, level=level, findings=findings)
 
     def checks(self) -> dict[tuple[str, str], CheckRow]:
         """Return the verdicts of checks by submission and scenario."""
-        with self._session() as session:
-            return {(row.archive, row.scenario): row for row in session.scalars(select(CheckRow))}
+        return {(row.archive, row.scenario): row for row in self._rows(CHECKED, CheckRow)}
 
     # --- matches ------------------------------------------------------------------------------------------------------
 
     def played(self) -> dict[str, PlayedFixture]:
         """Return the job that counts, by fixture."""
-        columns = select(PlayedRow.fixture, PlayedRow.job_id, PlayedRow.sides, PlayedRow.outcome)
-        with self._session() as session:
+        columns = select(PLAYED.c.fixture, PLAYED.c.job_id, PLAYED.c.sides, PLAYED.c.outcome)
+        with self.transaction() as connection:
             return {
                 fixture: PlayedFixture(
                     job_id,
                     tuple(tuple(side.split("+")) for side in sides.split(" ")),
                     Outcome(scores=tuple(scores), values=tuple(values)),
                 )
-                for fixture, job_id, sides, (scores, values) in session.execute(columns)
+                for fixture, job_id, sides, (scores, values) in connection.execute(columns)
             }
 
     def played_rows(self) -> list[tuple[PlayedRow, JobRow]]:
         """Return what was played, with its job, by fixture."""
-        query = select(PlayedRow, JobRow).join(JobRow, PlayedRow.job_id == JobRow.id).order_by(PlayedRow.fixture)
-        with self._session() as session:
-            return [(played, job) for played, job in session.execute(query)]
+        rows = self._rows(PLAYED, PlayedRow, PLAYED.c.fixture)
+        jobs = self.jobs()  # after the rows: a run may add more of both meanwhile
+        return [(row, jobs[row.job_id]) for row in rows]
 
     def jobs(self) -> dict[str, JobRow]:
         """Return all jobs that were played or tried, by id."""
-        with self._session() as session:
-            return {row.id: row for row in session.scalars(select(JobRow))}
+        return {row.id: row for row in self._rows(JOB, JobRow)}
 
-    def remarkable_jobs(self) -> list[JobRow]:
-        """Return the jobs that are doubtful, or could not be played."""
-        query = select(JobRow).where(JobRow.doubtful | (JobRow.state == "failed")).order_by(JobRow.ended_at)
-        with self._session() as session:
-            return list(session.scalars(query))
+    def doubtful_fixtures(self) -> list[str]:
+        """Return the fixtures for which doubtful jobs count."""
+        query = select(PLAYED.c.fixture).join_from(PLAYED, JOB).where(JOB.c.doubtful).order_by(PLAYED.c.fixture)
+        with self.transaction() as connection:
+            return list(connection.scalars(query))
 
-    def fixtures_of(self, jobs: Iterable[str]) -> list[str]:
-        """Return the fixtures for which some jobs count."""
-        with self._session() as session:
-            return list(session.scalars(select(PlayedRow.fixture).where(PlayedRow.job_id.in_(list(jobs)))))
+    def complaints(self) -> list[str]:
+        """Return why jobs could not be played, oldest first."""
+        query = select(JOB.c.complaint).where(JOB.c.state == "failed").order_by(JOB.c.ended_at)
+        with self.transaction() as connection:
+            return list(connection.scalars(query))
 
-    def digests(self) -> dict[str, str]:
-        """Return the digest of each match that was played, by fixture."""
-        query = select(PlayedRow.fixture, JobRow.summary).join(JobRow, PlayedRow.job_id == JobRow.id)
-        with self._session() as session:
-            return {fixture: summary["digest"] for fixture, summary in session.execute(query)}
+    def summaries(self) -> dict[str, dict[str, Any]]:
+        """Return the summary of each match that was played, by fixture."""
+        query = select(PLAYED.c.fixture, JOB.c.summary).join_from(PLAYED, JOB)
+        with self.transaction() as connection:
+            return {row.fixture: row.summary for row in connection.execute(query)}
 
     def keep_job(
         self,
@@ -176,59 +194,50 @@ class Store:
         counts_for: Iterable[tuple[Fixture, Outcome]] = (),
     ) -> None:
         """Note in one transaction what came of a job, and for which fixtures it counts."""
-        at = self._now()
-        with self._session() as session:
-            session.merge(
-                JobRow(
-                    id=job.id,
-                    state=state,
-                    job=job.to_json(),
-                    summary=dict(summary or {}),
-                    files=dict(files or {}),
-                    doubtful=doubtful,
-                    complaint=complaint,
-                    ended_at=at,
-                )
-            )
-            for fixture, outcome in counts_for:
-                session.merge(_played_row(fixture, job, outcome, at))
+        at = self.now()
+        row = JobRow(job.id, state, job.to_json(), dict(summary or {}), dict(files or {}), doubtful, complaint, at)
+        with self.transaction() as connection:
+            _put(connection, JOB, **row._asdict())
+            _count(connection, job, counts_for, at)
 
     def note_files(self, job_id: str, files: Mapping[str, int]) -> None:
         """Note what the record of a job holds now."""
-        with self._session() as session:
-            session.execute(update(JobRow).where(JobRow.id == job_id).values(files=dict(files)))
+        with self.transaction() as connection:
+            connection.execute(update(JOB).where(JOB.c.id == job_id).values(files=dict(files)))
 
     def count_job(self, row: JobRow, counts_for: Iterable[tuple[Fixture, Outcome]]) -> None:
         """Let a job that was played before count for fixtures too."""
-        job = MatchJob.from_json(row.job)
-        with self._session() as session:
-            for fixture, outcome in counts_for:
-                session.merge(_played_row(fixture, job, outcome, row.ended_at))
+        with self.transaction() as connection:
+            _count(connection, MatchJob.from_json(row.job), counts_for, row.ended_at)
 
     def forget(self, fixtures: Iterable[str]) -> None:
         """Let no job count for these fixtures any more; the jobs themselves and their records stay."""
-        with self._session() as session:
-            _forget(session, fixtures)
+        with self.transaction() as connection:
+            _forget(connection, fixtures)
 
     # --- rulings ------------------------------------------------------------------------------------------------------
 
-    def add_ruling(self, columns: Mapping[str, Any], *, forget: Iterable[str] = ()) -> None:
+    def add_ruling(self, ruling: RulingRow, *, forget: Iterable[str] = ()) -> None:
         """Note a decision, and in the same transaction that no job counts for some fixtures any more.
 
         Args:
-            columns: those of `RulingRow` but ``at``.
+            ruling: the decision.
             forget: the fixtures.
         """
-        with self._session() as session:
-            session.add(RulingRow(**columns, at=self._now()))
-            _forget(session, forget)
+        with self.transaction() as connection:
+            connection.execute(insert(RULING).values(ruling._asdict()))
+            _forget(connection, forget)
 
     def rulings(self) -> list[RulingRow]:
         """Return all decisions, oldest first."""
-        with self._session() as session:
-            return list(session.scalars(select(RulingRow).order_by(RulingRow.id)))
+        return self._rows(RULING, RulingRow, RULING.c.id)
 
     # --- parts --------------------------------------------------------------------------------------------------------
+
+    def _rows(self, table: Table, kind: type[_Row], *order: Column[Any]) -> list[_Row]:
+        columns = [table.c[name] for name in kind._fields]
+        with self.transaction() as connection:
+            return [kind(*row) for row in connection.execute(select(*columns).order_by(*order))]
 
     def _make_folders(self) -> None:
         try:
@@ -267,29 +276,34 @@ class Store:
             if not writing:
                 self._engine.dispose()
                 self._engine = _empty_engine()
-            Base.metadata.create_all(self._engine)
-            with Session(self._engine) as session, session.begin():
-                session.merge(MetaRow(key=_VERSION_KEY, value=str(STORE_VERSION)))
+            METADATA.create_all(self._engine)
+            with self._engine.begin() as connection:
+                _put(connection, META, key=_VERSION_KEY, value=str(STORE_VERSION))
             return
-        with Session(self._engine) as session:
-            row = session.get(MetaRow, _VERSION_KEY)
-        if row is None or row.value != str(STORE_VERSION):
-            raise _other_version(self._path, "none" if row is None else row.value)
+        with self._engine.connect() as connection:
+            version = connection.scalar(select(META.c.value).where(META.c.key == _VERSION_KEY))
+        if version != str(STORE_VERSION):
+            raise _other_version(self._path, version or "none")
 
     def _is_new(self) -> bool:
         """Return whether there is nothing in it: no table yet, or empty ones because its making was interrupted."""
         found = set(inspect(self._engine).get_table_names())
         with self._engine.connect() as connection:
-            return found <= Base.metadata.tables.keys() and all(
+            return found <= METADATA.tables.keys() and all(
                 connection.execute(select(table).limit(1)).first() is None
-                for name, table in Base.metadata.tables.items()
+                for name, table in METADATA.tables.items()
                 if name in found
             )
 
     @contextmanager
-    def _session(self) -> Iterator[Session]:
-        with self._errors(), Session(self._engine, expire_on_commit=False) as session, session.begin():
-            yield session
+    def transaction(self) -> Iterator[Connection]:
+        """Return a connection whose changes are all kept, or none if the block fails.
+
+        Raises:
+            DiagnosticError: the store is damaged, or cannot be written.
+        """
+        with self._errors(), self._engine.begin() as connection:
+            yield connection
 
     @contextmanager
     def _errors(self) -> Iterator[None]:
@@ -313,25 +327,29 @@ def _empty_engine() -> Engine:
     return create_engine("sqlite://", poolclass=StaticPool)
 
 
-def _forget(session: Session, fixtures: Iterable[str]) -> None:
-    for fixture in fixtures:
-        session.execute(delete(PlayedRow).where(PlayedRow.fixture == fixture))
+def _put(connection: Connection, table: Table, **columns: Any) -> None:
+    """Write a row in the place of one with the same key, if there is one."""
+    is_it = and_(*(column == columns[column.name] for column in table.primary_key))
+    if not connection.execute(update(table).where(is_it).values(columns)).rowcount:
+        connection.execute(insert(table).values(columns))
 
 
-def _played_row(fixture: Fixture, job: MatchJob, outcome: Outcome, at: datetime) -> PlayedRow:
-    archives = {
-        team: program.archive
-        for side in fixture.sides
-        for team, program in zip(side.teams, job.seats[side.seat], strict=True)
-    }
-    return PlayedRow(
-        fixture=fixture.id,
-        job_id=job.id,
-        sides=" ".join("+".join(side.teams) for side in fixture.sides),
-        outcome=[list(outcome.scores), list(outcome.values)],
-        submissions=archives,
-        played_at=at,
-    )
+def _count(connection: Connection, job: MatchJob, counts_for: Iterable[tuple[Fixture, Outcome]], at: datetime) -> None:
+    for fixture, outcome in counts_for:
+        archives = {
+            team: program.archive
+            for side in fixture.sides
+            for team, program in zip(side.teams, job.seats[side.seat], strict=True)
+        }
+        sides = " ".join("+".join(side.teams) for side in fixture.sides)
+        row = PlayedRow(fixture.id, job.id, sides, [list(outcome.scores), list(outcome.values)], archives, at)
+        _put(connection, PLAYED, **row._asdict())
+
+
+def _forget(connection: Connection, fixtures: Iterable[str]) -> None:
+    forgotten = [{"one": fixture} for fixture in fixtures]
+    if forgotten:
+        connection.execute(delete(PLAYED).where(PLAYED.c.fixture == bindparam("one")), forgotten)
 
 
 def _damaged(path: Path, said: str) -> DiagnosticError:

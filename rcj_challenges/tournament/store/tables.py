@@ -1,16 +1,19 @@
-"""The tables of the store."""
+"""The tables of the store, and their rows."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
-from typing import Any
+from typing import Any, NamedTuple
 
-from sqlalchemy import JSON, DateTime, Dialect, ForeignKey
-from sqlalchemy.orm import DeclarativeBase, Mapped, mapped_column
+# SQLAlchemy's core: importing its ORM would take as long as all else that `status` does.
+from sqlalchemy import JSON, Boolean, Column, DateTime, Dialect, ForeignKey, Integer, MetaData, String, Table
 from sqlalchemy.types import TypeDecorator
 
-STORE_VERSION = 1
+STORE_VERSION = 2
 """Version of the tables; a store of another version is refused."""
+
+METADATA = MetaData()
 
 
 class UtcDateTime(TypeDecorator[datetime]):
@@ -28,101 +31,111 @@ class UtcDateTime(TypeDecorator[datetime]):
         return None if value is None else value.replace(tzinfo=UTC)
 
 
-class Base(DeclarativeBase):
-    """What all tables have."""
-
-    type_annotation_map = {  # noqa: RUF012 - read once by SQLAlchemy
-        datetime: UtcDateTime,
-        dict[str, Any]: JSON,
-        list[Any]: JSON,
-    }
+def _key(name: str, kind: type[String | Integer] = String) -> Column[Any]:
+    return Column(name, kind, primary_key=True)
 
 
-class MetaRow(Base):
-    """What the store itself is: its version."""
-
-    __tablename__ = "meta"
-    key: Mapped[str] = mapped_column(primary_key=True)
-    value: Mapped[str]
+def _given(name: str, kind: Any = String, *more: Any) -> Column[Any]:
+    return Column(name, kind, *more, nullable=False)
 
 
-class SubmissionRow(Base):
+META = Table("meta", METADATA, _key("key"), _given("value"))
+"""What the store itself is: its version."""
+
+SUBMISSION = Table(
+    "submission", METADATA, _key("id", Integer),
+    _given("team"), _given("purpose"), _given("archive"), _given("file"), _given("name"),
+    _given("received_at", UtcDateTime),
+)  # fmt: skip
+CHECKED = Table("checked", METADATA, _key("archive"), _key("scenario"), _given("level"), _given("findings", JSON))
+JOB = Table(
+    "job", METADATA, _key("id"),
+    _given("state"), _given("job", JSON), _given("summary", JSON), _given("files", JSON), _given("doubtful", Boolean),
+    _given("complaint"), _given("ended_at", UtcDateTime),
+)  # fmt: skip
+PLAYED = Table(
+    "played", METADATA, _key("fixture"),
+    _given("job_id", String, ForeignKey("job.id")), _given("sides"), _given("outcome", JSON),
+    _given("submissions", JSON), _given("played_at", UtcDateTime),
+)  # fmt: skip
+RULING = Table(
+    "ruling", METADATA, _key("id", Integer),
+    _given("kind"), _given("fixture"), _given("team"), _given("sides", JSON), _given("scores", JSON),
+    _given("last_rounds", JSON), _given("reason"), _given("at", UtcDateTime),
+)  # fmt: skip
+
+
+class SubmissionRow(NamedTuple):
     """One submission of one team, when it came. The newest of a team for a purpose is the one that plays."""
 
-    __tablename__ = "submission"
-    id: Mapped[int] = mapped_column(primary_key=True)
-    team: Mapped[str]
-    purpose: Mapped[str]
+    team: str
+    purpose: str
     """``stage/challenge`` if it is for this challenge alone; else empty."""
-    archive: Mapped[str]
+    archive: str
     """SHA-256 of its file."""
-    file: Mapped[str]
+    file: str
     """Its path in the folder of submissions."""
-    name: Mapped[str]
+    name: str
     """What the team calls itself."""
-    received_at: Mapped[datetime]
+    received_at: datetime
 
 
-class CheckRow(Base):
+class CheckRow(NamedTuple):
     """The verdict of the check of a submission for a scenario."""
 
-    __tablename__ = "checked"
-    archive: Mapped[str] = mapped_column(primary_key=True)
-    scenario: Mapped[str] = mapped_column(primary_key=True)
-    level: Mapped[str]
-    findings: Mapped[list[Any]]
+    archive: str
+    scenario: str
+    level: str
+    findings: list[tuple[str, str]]
     """Code and message of what failed."""
 
 
-class JobRow(Base):
+class JobRow(NamedTuple):
     """A job that was played, or tried."""
 
-    __tablename__ = "job"
-    id: Mapped[str] = mapped_column(primary_key=True)
+    id: str
     """Its content address."""
-    state: Mapped[str]
+    state: str
     """``played``; ``suspect``: a time limit decided something, to be played once more; ``failed``."""
-    job: Mapped[dict[str, Any]]
+    job: dict[str, Any]
     """As in `MatchJob.to_json`."""
-    summary: Mapped[dict[str, Any]] = mapped_column(default=dict)
+    summary: dict[str, Any]
     """Of the result: score, ranking, digest, kinds of faults, times."""
-    files: Mapped[dict[str, Any]] = mapped_column(default=dict)
+    files: dict[str, int]
     """Size of each file of the record that is kept."""
-    doubtful: Mapped[bool] = mapped_column(default=False)
-    complaint: Mapped[str] = mapped_column(default="")
+    doubtful: bool
+    complaint: str
     """Why it could not be played."""
-    ended_at: Mapped[datetime]
+    ended_at: datetime
 
 
-class PlayedRow(Base):
+class PlayedRow(NamedTuple):
     """Which job counts for a fixture, and with which scores."""
 
-    __tablename__ = "played"
-    fixture: Mapped[str] = mapped_column(primary_key=True)
-    job_id: Mapped[str] = mapped_column(ForeignKey("job.id"))
-    sides: Mapped[str]
+    fixture: str
+    job_id: str
+    sides: str
     """Team ids: members of a side joined with ``+``, sides with a space."""
-    outcome: Mapped[list[Any]]
+    outcome: list[Any]
     """Scores by side, and of what is played alone the values that the scenario ranks by."""
-    submissions: Mapped[dict[str, Any]]
+    submissions: dict[str, str]
     """Hash of the submission by team."""
-    played_at: Mapped[datetime]
+    played_at: datetime
 
 
-class RulingRow(Base):
+class RulingRow(NamedTuple):
     """A decision of a human referee. Rows are added, never changed or removed."""
 
-    __tablename__ = "ruling"
-    id: Mapped[int] = mapped_column(primary_key=True)
-    kind: Mapped[str]
+    kind: str
     """``forfeit``, ``replay``, ``corrected`` of a fixture; ``withdrawn`` of a team."""
-    fixture: Mapped[str] = mapped_column(default="")
-    team: Mapped[str] = mapped_column(default="")
-    """Who forfeits or withdraws."""
-    sides: Mapped[list[Any]] = mapped_column(default=list)
+    reason: str
+    at: datetime
+    fixture: str = ""
+    """Empty if a team withdraws."""
+    team: str = ""
+    """The one that forfeits or withdraws."""
+    sides: Sequence[Sequence[str]] = ()
     """Team ids of each side: the ruling holds for a fixture of these."""
-    scores: Mapped[list[Any]] = mapped_column(default=list)
-    last_rounds: Mapped[dict[str, Any]] = mapped_column(default=dict)
+    scores: Sequence[float] = ()
+    last_rounds: Mapping[str, int] = {}
     """Of a withdrawn team: by stage the last round for which it was drawn."""
-    reason: Mapped[str]
-    at: Mapped[datetime]

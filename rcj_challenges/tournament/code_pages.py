@@ -1,0 +1,262 @@
+"""The pages of the codes that tournaments bring: their files, their submissions, their data, rulings and the site."""
+
+from __future__ import annotations
+
+_TEXT = """
+no-such-file
+There is no file of this name, and no tournament of this name comes with the package.
+Give the path of a tournament file, or the bare name of a shipped one, such as cup.
+
+unreadable-file
+The file exists, but cannot be read.
+Look at its permissions, and whether it is a file.
+
+invalid-yaml
+The file is not strict YAML.
+The place is that of the first letter that does not fit. Indent with spaces, write no key twice, and put texts
+with a colon into quotes.
+
+unknown-key
+A key does not exist here.
+It may be misspelt, or stand one level too deep or too high. The help lists the keys that exist at this place.
+
+missing-key
+A key that has no default is missing.
+Add it; the help says what it is for.
+
+missing-value
+A key has no value.
+Write a value, or remove the key: then its default holds.
+
+wrong-value
+A value is not of the kind that this key takes.
+The help says what it takes.
+
+wrong-name
+The name of a team, a stage, a group or a challenge has other letters than it may have.
+Names consist of Latin letters, digits and _.
+
+unknown-stage
+There is no such kind of stage, or no stage of this name.
+The kinds are round_robin, swiss, knock_out, challenge and super_team. Options such as --premiere take the
+names of stages as the file has them.
+
+unknown-scenario
+There is no scenario file at this path, and no shipped scenario of this name.
+Paths are relative to the tournament file. `rcj-challenge list` shows the shipped scenarios.
+
+wrong-scenario
+A scenario that the tournament plays has mistakes, or a setting in 'set' does not fit it.
+`rcj-challenge validate SCENARIO` shows all mistakes of a scenario.
+
+wrong-seats
+A scenario has another number of seats than this stage needs.
+Stages of matches need scenarios for two, challenges scenarios for one. Super teams need sides with the same
+number of robots.
+
+teams-folder
+The folder of the submissions cannot be read.
+Create it beside the tournament file, and put one ZIP for each team into it.
+
+same-team-id
+Two teams have ids that are equal, or differ by upper and lower case only.
+A team's id is the name of its ZIP without accents and other signs. Rename one of the files, or give it
+another id under 'teams' with path.
+
+no-submission
+The file names a team, and no submission of it is known.
+Give path or sample, or put a ZIP with the team's id as its name into teams_folder.
+
+two-sources
+A team has both a path and a sample.
+Keep one of them.
+
+unknown-sample
+There is no sample team of this name.
+`rcj-challenge teams` lists them.
+
+unknown-team
+No team of this tournament has this id, or it does not play in this match.
+`rcj-challenge tournament plan FILE` lists the matches with their teams.
+
+too-few-teams
+Fewer teams come into a stage than it needs.
+A stage of matches needs two teams, each group two, a match for third place four. Take more places from the
+stage before, or remove the stage.
+
+listed-teams
+The lists of groups or super teams do not fit the teams.
+Each team stands in one group; a super team has one team for each robot of a side.
+
+too-many-rounds
+A Swiss stage has so many rounds that two teams may have to meet twice.
+Take at most half the number of teams, rounded up; or let all meet in a round_robin.
+
+useless-tie-break
+A tie-break can decide nothing.
+List each word once, and lot last.
+
+unknown-time-zone
+There is no such time zone.
+Write it as Europe/Berlin or UTC.
+
+wrong-time
+A time does not exist, or is before the one of the round before.
+Write times as 2021-06-22 18:00, in the order of the rounds.
+
+wrong-release
+The number of times does not fit the number of rounds.
+Give one time for the whole stage, or one for each round.
+
+no-source
+A stage names places, but no stage to take them from.
+Add from, or remove places.
+
+unreachable-stage
+A stage takes its teams from one that is not played before it, or does not rank teams.
+Stages are played in the order of the file. A stage of super teams ranks super teams, so it leads nowhere.
+
+wrong-places
+The first of the places comes after the last one.
+Write them as 1-4.
+
+legs-and-best-of
+A knock-out has legs, whose scores are added up, and best_of, which counts wins.
+Keep one of them.
+
+undecided-places
+Teams may share a place that decides which of them advances.
+Add lot at the end of tie_breaks, or set play_off: true in the stage before.
+
+submission-unreadable
+The submission of a team cannot be read: no ZIP, damaged, too large, or not there any more.
+Let the team replace it, or take the team out: tournament decide FILE --withdraw TEAM --reason TEXT.
+
+submission-fails
+A submission does not pass the check, so nothing is played.
+The report for the team is in checks/ of the data folder. Let the team replace its submission, or play it as
+it is with --accept TEAM.
+
+submission-unchecked
+A submission could not be checked, by no fault of its own.
+Run the command again.
+
+submission-unusable
+A submission has no programs for a match that its team is to play.
+Let the team replace it, decide that match with tournament decide, or withdraw the team.
+
+other-versions
+Matches were played with other versions of this package, MuJoCo, numpy or Python.
+Results of different versions cannot be compared. Install the former versions, or play the whole tournament
+again into another folder with --data.
+
+stage-closed
+A changed submission, scenario or ruling would change a match that later matches were drawn from.
+Undo the change; or give --cascade: then all that depends on it is played again.
+
+cannot-go-on
+This computer cannot go on: most often its disk is full.
+What was played is kept. Put right what the message says, and run the command again.
+
+shared-without-cluster
+--shared is about the workers of a cluster.
+Give --cluster ADDRESS too.
+
+cluster-missing
+Dask is not installed.
+Install it with pip install "rcj-challenges[cluster]".
+
+cluster-unreachable
+No Dask scheduler answers at this address.
+Start one with `dask scheduler`, and give the address that it prints.
+
+cluster-no-workers
+The cluster has no workers.
+Start one on each computer: dask worker ADDRESS --nthreads 2.
+
+cluster-worker-unfit
+A worker has other versions than this computer, or does not see the shared folder.
+Install the same versions there, or end the worker; with --shared the folder must have the same path.
+
+cluster-lost
+The connection to the scheduler was lost.
+Start the scheduler and its workers, and run the command again: it goes on where it was.
+
+store-in-use
+Another command writes to the data of this tournament.
+Wait until it has ended, or end it. status and results can be used meanwhile.
+
+store-damaged
+The file store.sqlite is damaged.
+Put a copy of it back; or move it away: run then plays all matches again, with the same results. Rulings are
+lost with it.
+
+store-unwritable
+The data of the tournament cannot be written.
+Free some space or allow writing, and run the command again.
+
+store-version
+The data were written by another version of this package.
+Use that version, or give another folder with --data.
+
+data-file-missing
+A file of the tournament's data is missing or damaged.
+Put a copy back, or delete it and run the tournament again.
+
+no-trajectory
+A record has no trajectory, so the referee cannot judge it again.
+`rcj-challenge tournament rerun FILE` plays the matches again and keeps it; the results stay.
+
+not-verifiable
+A record is not complete, or a program had the terminal while it was played.
+Verify another record.
+
+programs-missing
+The programs that played a match are not here.
+Give their submission with --team PATH.
+
+which-decision
+A decision is about one match, or about a team that leaves.
+Give MATCH with one of --forfeit TEAM, --replay and --score A:B; or --withdraw TEAM without MATCH.
+
+unknown-match
+There is no match of this id, or it is not known yet which teams play it.
+`rcj-challenge tournament plan FILE` lists the matches.
+
+not-played
+This match has not been played yet.
+`rcj-challenge tournament results FILE` lists those that were.
+
+ruling-score
+The score of a ruling does not fit the match.
+Give a number for each side, such as 2:1, or one number for what a team plays alone.
+
+ruling-reason
+A ruling needs a reason, which is published.
+Give 1 to 500 letters with --reason.
+
+withdrawn-twice
+This team has left the tournament already.
+There is nothing to do.
+
+folder-in-the-way
+A folder that would be replaced was not made by tournament publish.
+Move it elsewhere, or give another data folder with --data.
+
+site-unwritable
+The site cannot be written.
+Free some space or allow writing, and publish again. The site of before is still there.
+
+no-release
+A stage without a time of release has no premiere.
+Set release in the stage.
+"""
+"""By code: what it means, on one line, and then what to do about it."""
+
+
+def _pages(text: str) -> dict[str, str]:
+    blocks = (block.split("\n", 2) for block in text.strip().split("\n\n"))
+    return {code: f"{meaning}\n\n{help_}" for code, meaning, help_ in blocks}
+
+
+PAGES = _pages(_TEXT)
