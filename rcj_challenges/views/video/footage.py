@@ -15,8 +15,9 @@ import numpy.typing as npt
 from rcj_challenges.facts.amounts import Score
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.timing import TICK_S, s_from_ticks
+from rcj_challenges.records.changed import refusing_changes
 from rcj_challenges.records.referee_log import damaged_lines
-from rcj_challenges.records.salvage import read_run
+from rcj_challenges.records.salvage import RunRecord, read_run
 from rcj_challenges.records.trajectory import HalfTrack
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
@@ -122,6 +123,11 @@ class Footage:
             RecordError: there is nothing in the folder that could be shown.
         """
         run = read_run(folder)
+        with refusing_changes(folder, run.scenario):
+            return cls._of(folder, run)
+
+    @classmethod
+    def _of(cls, folder: Path, run: RunRecord) -> Footage:
         story = tell(folder, run.scenario, run.halves, run.result)
         damaged = [f"{damaged_lines(story.unreadable)} and left out."] if story.unreadable else []
         return cls(
