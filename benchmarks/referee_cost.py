@@ -3,7 +3,7 @@
 Run it with ``python benchmarks/referee_cost.py [--ticks 18750] [--scenario match] [--json]``. Only `Referee.judge` is
 timed, in processor time of its thread, so that a busy machine does not count. Robots drive at up to 0.2 m/s and turn
 at random, the ball rolls at up to 0.6 m/s and bounces; the walk obeys the referee's placements. An uneventful tick is
-one whose verdict holds nothing.
+one whose output holds nothing.
 """
 
 from __future__ import annotations
@@ -91,10 +91,10 @@ def measure(loaded: Loaded, ticks: int, seed: int) -> dict[str, float]:
     for tick in range(1, ticks + 1):
         snapshot = walk.snapshot(tick)
         start = time.thread_time_ns()
-        verdict = referee.judge(snapshot)
+        output = referee.judge(snapshot)
         spent = time.thread_time_ns() - start - clock_ns
-        walk.obey(verdict.placements)
-        (eventful if verdict.events or verdict.firings or verdict.placements else quiet).append(spent)
+        walk.obey(output.placements)
+        (eventful if output.events or output.firings or output.placements else quiet).append(spent)
     spents = quiet + eventful
     return {
         "ticks": ticks,

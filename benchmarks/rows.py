@@ -23,7 +23,7 @@ class Row:
     more_is_better: bool = False
 
     @property
-    def verdict(self) -> str:
+    def output(self) -> str:
         """Whether the bar is reached."""
         if self.must is None:
             return ""
@@ -43,7 +43,7 @@ def parser(about: str) -> argparse.ArgumentParser:
 def show(rows: Sequence[Row], *, as_json: bool) -> int:
     """Print the table; returns 1 if a must is missed."""
     if as_json:
-        print(json.dumps([asdict(row) | {"verdict": row.verdict} for row in rows], indent=2))
+        print(json.dumps([asdict(row) | {"output": row.output} for row in rows], indent=2))
     else:
         # How it was built decides a quarter of the speed: a distribution's own is optimized, a hand-made one often not.
         print(f"{platform.python_implementation()} {sys.version}")
@@ -51,8 +51,8 @@ def show(rows: Sequence[Row], *, as_json: bool) -> int:
         for row in rows:
             must = "" if row.must is None else f"{row.must:g}"
             aim = "" if row.aim is None else f"{row.aim:g}"
-            print(f"{row.what:46} {row.measured:10g} {row.unit:9} {must:>8} {aim:>8}  {row.verdict}")
-    return 1 if any(row.verdict == "MISSED" for row in rows) else 0
+            print(f"{row.what:46} {row.measured:10g} {row.unit:9} {must:>8} {aim:>8}  {row.output}")
+    return 1 if any(row.output == "MISSED" for row in rows) else 0
 
 
 def as_users_have_it() -> dict[str, str]:

@@ -13,7 +13,7 @@ import time
 from benchmarks.physics_floor import MixedLoad
 from rcj_challenges.devices.rack import DeviceRack
 from rcj_challenges.devices.sonar import device_sites
-from rcj_challenges.facts.play import HalfInfo, Verdict
+from rcj_challenges.facts.play import HalfInfo, RefereeOutput
 from rcj_challenges.facts.traffic import Request
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.world.world import World
@@ -26,16 +26,16 @@ def measure(loaded: Loaded, ticks: int) -> dict[str, float]:
     half = HalfInfo(1, 1, ticks, 1, 0, {s: s for s in seats}, {s: s for s in seats}, dict.fromkeys(seats, 0))
     world = World(scenario, roster, device_sites(scenario, roster))
     rack = DeviceRack(scenario, roster, world, half)
-    rack.begin(Verdict())
+    rack.begin(RefereeOutput())
     for robot, spec in rack.specs.items():
         sampled = tuple((device.index, 1) for device in spec.devices if device.kind not in ("motor", "emitter"))
         rack.apply(robot, Request(1, sampling=sampled))
-    traffic, verdict, times = MixedLoad(world), Verdict(), []
+    traffic, output, times = MixedLoad(world), RefereeOutput(), []
     for tick in range(1, ticks + 1):
         traffic.command(tick)
         world.step(tick)
         began = time.perf_counter_ns()
-        rack.sense(tick, verdict)
+        rack.sense(tick, output)
         for robot in rack.specs:
             rack.observe(robot, tick)
         times.append((time.perf_counter_ns() - began) / 1000)

@@ -15,7 +15,7 @@ from typing import Any
 
 from rcj_challenges.checker.growth import Amounts, FollowedTeam, Growth
 from rcj_challenges.controllers.team import Team, TeamError, open_team
-from rcj_challenges.facts.play import Snapshot, Verdict
+from rcj_challenges.facts.play import RefereeOutput, Snapshot
 from rcj_challenges.match.observers import NullObserver, ProgramTimes
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.match.samples import sample_team
@@ -226,7 +226,7 @@ class _Observer(NullObserver):
         self._balls = range(roster.robots, roster.robots + roster.balls)
         self._last: list[tuple[float, float, float]] | None = None
 
-    def ticked(self, snapshot: Snapshot, verdict: Verdict) -> None:
+    def ticked(self, snapshot: Snapshot, output: RefereeOutput) -> None:
         """Add up what happened in a tick."""
         self.amounts.ticked(snapshot.tick)
         for poses in snapshot.substeps:
@@ -238,9 +238,9 @@ class _Observer(NullObserver):
             for first, second in pairs:
                 if second in self._balls and first in self._of_robot:
                     self._of_robot[first].ball_touches += 1
-        if verdict.placements and self._last is not None:
+        if output.placements and self._last is not None:
             self._last = self._last[:]
-            for placement in verdict.placements:
+            for placement in output.placements:
                 self._last[placement.entity] = (placement.x_m, placement.y_m, placement.yaw_rad)
 
     def printed(self, robot: str, text: str) -> None:

@@ -1,6 +1,6 @@
 """The rack: all devices of all robots in one half, as the match loop uses them.
 
-A tick of the match: `DeviceRack.apply` what the programs that were due have asked for; physics, verdict and
+A tick of the match: `DeviceRack.apply` what the programs that were due have asked for; physics, output and
 placements; `DeviceRack.begin_sensing`; then robot by robot `DeviceRack.finish_sensing`, and `DeviceRack.observe` if
 its program is due: the first programs think while the later robots still look around.
 """
@@ -15,7 +15,7 @@ from rcj_challenges.devices.radio_room import RadioRoom
 from rcj_challenges.devices.receivers import TRIM_EVERY_TICKS, Queue
 from rcj_challenges.devices.senses import Senses
 from rcj_challenges.devices.sonar import Echoes
-from rcj_challenges.facts.play import HalfInfo, Verdict
+from rcj_challenges.facts.play import HalfInfo, RefereeOutput
 from rcj_challenges.facts.traffic import Observation, Request, RobotSpec
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
@@ -53,10 +53,10 @@ class DeviceRack:
         self._silent: set[int] = set()
         self._tick = 0
 
-    def begin(self, verdict: Verdict) -> None:
-        """Start the half: the world stands as placed at tick 0, and ``verdict`` is that of tick 0."""
+    def begin(self, output: RefereeOutput) -> None:
+        """Start the half: the world stands as placed at tick 0, and ``output`` is that of tick 0."""
         self._poses.refresh()
-        self._radio.speak(0, verdict, self._poses)
+        self._radio.speak(0, output, self._poses)
 
     def apply(self, robot: int, request: Request) -> None:
         """Carry out what a program asked for, now: it takes effect in the physics that follows."""
@@ -89,20 +89,20 @@ class DeviceRack:
         """Return what robots have told the referee by ``tick``, as `Snapshot.heard`; empty if it does not listen."""
         return self._radio.told_referee(tick, self._poses)
 
-    def sense(self, tick: int, verdict_now: Verdict) -> None:
+    def sense(self, tick: int, verdict_now: RefereeOutput) -> None:
         """Sense for all robots: `begin_sensing`, then `finish_sensing` for each."""
         self.begin_sensing(tick, verdict_now)
         for robot in self._queues:
             self.finish_sensing(robot)
 
-    def begin_sensing(self, tick: int, verdict_now: Verdict) -> None:
+    def begin_sensing(self, tick: int, verdict_now: RefereeOutput) -> None:
         """Begin to look at the world as it stands after the placements of ``tick``; bring the radio's packets.
 
         This is what has to be done for all robots at once: `finish_sensing` does the rest, robot by robot.
 
         Args:
             tick: counts up by one from call to call, beginning at 1.
-            verdict_now: the verdict of this tick; programs hear of it at the next.
+            verdict_now: the output of this tick; programs hear of it at the next.
         """
         self._tick = tick
         poses = self._poses

@@ -13,7 +13,7 @@ from rcj_challenges.devices.radio import Emitter, TeamRadio
 from rcj_challenges.devices.receivers import TRIM_EVERY_TICKS, Queue, Receiver
 from rcj_challenges.devices.referee_radio import RefereeRadio
 from rcj_challenges.facts.messages import message_text
-from rcj_challenges.facts.play import HalfInfo, Verdict
+from rcj_challenges.facts.play import HalfInfo, RefereeOutput
 from rcj_challenges.scenario.models.robots import BallReceiverDevice, SupervisorReceiverDevice, TeamEmitterDevice
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
@@ -131,10 +131,10 @@ class RadioRoom:
         for referee in self._referee:
             referee.retune()
 
-    def speak(self, tick: int, verdict: Verdict, poses: Poses) -> None:
-        """Let the referee say what holds after the verdict of ``tick``."""
+    def speak(self, tick: int, output: RefereeOutput, poses: Poses) -> None:
+        """Let the referee say what holds after the output of ``tick``."""
         for referee in self._referee:
-            referee.speak(tick, verdict, poses)
+            referee.speak(tick, output, poses)
 
     def carry(self, tick: int, poses: Poses) -> None:
         """Bring the referee's and the teams' packets that arrive at ``tick`` to those who hear them."""

@@ -10,7 +10,7 @@ from typing import Any
 from rcj_challenges.devices.channels import ANY_CHANNEL
 from rcj_challenges.devices.poses import Poses
 from rcj_challenges.devices.receivers import Receiver
-from rcj_challenges.facts.play import Verdict
+from rcj_challenges.facts.play import RefereeOutput
 from rcj_challenges.facts.traffic import Packet
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.roster import Roster
@@ -52,7 +52,7 @@ def positions_2021(kit: Kit, roster: Roster, poses: Poses, *, waiting: bool) -> 
 class RefereeRadio:
     """The referee's transmitter for all robots of one kit.
 
-    A packet goes out after the referee's verdict of a tick and is in the air until the next: observation k holds what
+    A packet goes out after the referee's output of a tick and is in the air until the next: observation k holds what
     was said after tick k-1. The robots of 2021 never heard of tick 0, for their referee spoke after its first step.
     """
 
@@ -85,13 +85,13 @@ class RefereeRadio:
         ]
         self._deliveries.clear()
 
-    def speak(self, tick: int, verdict: Verdict, poses: Poses) -> None:
-        """Say what holds after the verdict of ``tick``, if the kit's referee speaks at this tick."""
-        if verdict.broadcast is not None:
-            self._objects = tuple(self._objects_of(verdict.broadcast, verdict.told_only or {}))
+    def speak(self, tick: int, output: RefereeOutput, poses: Poses) -> None:
+        """Say what holds after the output of ``tick``, if the kit's referee speaks at this tick."""
+        if output.broadcast is not None:
+            self._objects = tuple(self._objects_of(output.broadcast, output.private_broadcasts or {}))
         if tick % self._kit.packet_every_ticks or (tick == 0 and self._kit.messages == "2021"):
             return
-        official = self._official(poses, waiting=verdict.waiting_for_kickoff)
+        official = self._official(poses, waiting=output.waiting_for_kickoff)
         self._in_the_air = ((official, None), *self._objects)
         self._objects = ()
 

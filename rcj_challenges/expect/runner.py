@@ -95,7 +95,7 @@ def run_test(loaded: HasScenario, name: str) -> TestResult:
         _act(match, keyframe)
         before = at
     _play_until(match, last)
-    if match.verdict.ended is not None or match.referee.time_is_up:
+    if match.output.ended is not None or match.referee.time_is_up:
         match.finish()
     fired = dict.fromkeys(firing.rule for firing in match.firings if firing.suppressed is None)
     differences = list(_differences(match, scenario, expected))
@@ -152,12 +152,12 @@ def _wanted(differences: Collection[str], match: ScriptedMatch, expected: Expect
 def _ended_before(match: ScriptedMatch, scenario: Scenario, expected: Expectation, wanted: Wanted) -> Iterable[str]:
     """Return which rule ended the half or the match, where the test would have gone on."""
     last = ticks_from_s(expected.lasts_s)
-    if match.verdict.ended is None or match.tick >= last:
+    if match.output.ended is None or match.tick >= last:
         return
     left_out = any(ticks_from_s(one.at_s) > match.tick for one in expected.keyframes)
     if not (wanted.missing or left_out or expected.ended == "none"):
         return
-    what = "match" if match.verdict.ends_match else "half"
+    what = "match" if match.output.ends_match else "half"
     ending = (f.rule for f in reversed(match.firings) if f.suppressed is None and _ends(scenario, f.rule))
     rule = next(ending, None)
     if rule is not None:
@@ -252,7 +252,7 @@ def _presets(
 
 
 def _play_until(match: ScriptedMatch, tick: int) -> None:
-    while match.tick < tick and match.verdict.ended is None and not match.referee.time_is_up:
+    while match.tick < tick and match.output.ended is None and not match.referee.time_is_up:
         match.play()
 
 
@@ -341,9 +341,9 @@ def _ranking_differences(
 
 def _ended(match: ScriptedMatch) -> str:
     """Return what is over when a test is: the match by a rule, or the half by a rule or by its time."""
-    if match.verdict.ends_match:
+    if match.output.ends_match:
         return "match"
-    return "half" if match.verdict.ended is not None or match.referee.time_is_up else "none"
+    return "half" if match.output.ended is not None or match.referee.time_is_up else "none"
 
 
 def _number(referee: Referee, name: str) -> Number | None:

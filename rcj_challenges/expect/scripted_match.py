@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from rcj_challenges.expect.wrong_way import WrongWays
-from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Pose2, Snapshot, Verdict
+from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Pose2, RefereeOutput, Snapshot
 from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK, ticks_from_s
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.state import float32
@@ -58,7 +58,7 @@ class ScriptedMatch:
         tick: the tick judged last.
         events, firings: all so far, in order.
         placements: all so far, each with its tick.
-        verdict: the last verdict.
+        output: the last output.
         told: by robot what the broadcast has told it last.
         wrong_ways: the gates that were crossed the way that does not count.
         phases: all phases so far, each with the tick in which it was entered.
@@ -94,7 +94,7 @@ class ScriptedMatch:
         self.wrong_ways = WrongWays(scenario, roster)
         self.phases: list[tuple[int, str]] = [(0, scenario.first_phase)]
         self.told: dict[str, dict[str, Any]] = {}
-        self.verdict = self._take(self.referee.start(self._snapshot()))
+        self.output = self._take(self.referee.start(self._snapshot()))
         self._tell_programs()
 
     # --- what the script does ---------------------------------------------------------------------------------------
@@ -131,26 +131,26 @@ class ScriptedMatch:
         """Let a robot tell the referee something by radio; it is heard in the next tick, after what it told before."""
         self._told.setdefault(self.roster.index[robot], []).append(text)
 
-    def play(self, ticks: int = 1) -> Verdict:
-        """Judge so many ticks and return the last verdict."""
+    def play(self, ticks: int = 1) -> RefereeOutput:
+        """Judge so many ticks and return the last output."""
         for _ in range(ticks):
             self.tick += 1
             snapshot = self._snapshot()
             if self.wrong_ways.passages:
                 self.wrong_ways.look(self.tick, self._judged, snapshot.substeps, self._parked)
             by_hand, self._by_hand = frozenset(self._by_hand), set()
-            self.verdict = self._take(self.referee.judge(snapshot, by_hand))
+            self.output = self._take(self.referee.judge(snapshot, by_hand))
             self._tell_programs()
-        return self.verdict
+        return self.output
 
-    def play_until(self, tick: int) -> Verdict:
-        """Judge up to a tick and return the last verdict."""
+    def play_until(self, tick: int) -> RefereeOutput:
+        """Judge up to a tick and return the last output."""
         return self.play(tick - self.tick)
 
-    def finish(self) -> Verdict:
+    def finish(self) -> RefereeOutput:
         """End the half."""
-        self.verdict = self._take(self.referee.finish())
-        return self.verdict
+        self.output = self._take(self.referee.finish())
+        return self.output
 
     # --- what came of it --------------------------------------------------------------------------------------------
 
@@ -203,13 +203,13 @@ class ScriptedMatch:
         self._poses = poses
         return poses
 
-    def _take(self, verdict: Verdict) -> Verdict:
-        """Note a verdict and carry out its placements."""
-        self.events += verdict.events
-        self.firings += verdict.firings
+    def _take(self, output: RefereeOutput) -> RefereeOutput:
+        """Note a output and carry out its placements."""
+        self.events += output.events
+        self.firings += output.firings
         if self.referee.phase != self.phases[-1][1]:
             self.phases.append((self.tick, self.referee.phase))
-        for placement in verdict.placements:
+        for placement in output.placements:
             self.placements.append((self.tick, placement))
             index = placement.entity
             self._glides.pop(index, None)  # it stays put until the script moves it again
@@ -225,11 +225,11 @@ class ScriptedMatch:
                 uprights[index] = 1.0
                 self._uprights = uprights
         self._judged = self._poses  # what a hand puts elsewhere now moves within the next tick
-        return verdict
+        return output
 
     def _tell_programs(self) -> None:
         """Note what each robot's program is told beyond the official packet."""
-        to_all, to_some = self.verdict.broadcast, self.verdict.told_only or {}
+        to_all, to_some = self.output.broadcast, self.output.private_broadcasts or {}
         if to_all is None:
             return
         for robot, name in enumerate(self.roster.entities[: self.roster.robots]):

@@ -67,7 +67,7 @@ class Snapshot(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Placement:
-    """Where an entity is put after the referee's verdict: standing, contact memory cleared, at rest but for a kick.
+    """Where an entity is put after the referee's output: standing, contact memory cleared, at rest but for a kick.
 
     Attributes:
         entity: index of the entity.
@@ -127,7 +127,7 @@ class Firing:
 
 
 @dataclass(frozen=True, slots=True)
-class Verdict:
+class RefereeOutput:
     """The referee's answer to one snapshot.
 
     Attributes:
@@ -139,7 +139,7 @@ class Verdict:
         ended: None, or the reason for which an ``end`` action ended the half.
         ends_match: True if that action ended the whole match: no half follows.
         broadcast: the JSON object that programs are told beyond the official packet, or None.
-        told_only: what stands in that object for some robots only, by index of the robot; None: they are told no more.
+        private_broadcasts: by index of a robot, what it alone is sent besides; None: nothing.
         robots_held: whether the phase holds all robots: their wheels stand braked from the next tick on, whatever
             programs command.
         held: indices of the robots that rules hold, in the same way; the same object as long as nothing changes.
@@ -155,7 +155,7 @@ class Verdict:
     ended: str | None = None
     ends_match: bool = False
     broadcast: dict[str, Any] | None = None
-    told_only: dict[int, dict[str, Any]] | None = None
+    private_broadcasts: dict[int, dict[str, Any]] | None = None
     robots_held: bool = False
     held: frozenset[int] = frozenset()
     counted: dict[str, Any] | None = None

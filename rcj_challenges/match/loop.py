@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
 from rcj_challenges.controllers.scheduling import AS_EVERYBODY, Manners
-from rcj_challenges.facts.play import Fault, HalfInfo, Snapshot, Verdict
+from rcj_challenges.facts.play import Fault, HalfInfo, RefereeOutput, Snapshot
 from rcj_challenges.facts.traffic import Observation, Request
 from rcj_challenges.match.haste import Haste
 from rcj_challenges.scenario.halves import MOST_LENGTHS
@@ -53,19 +53,19 @@ class LoopResult:
     ticks: int
     ended: str | None
     ends_match: bool
-    closing: Verdict
+    closing: RefereeOutput
 
 
 _LOOKED_AFTER_EVERY = 64
 """Ticks between looks at programs that stay away for longer than that."""
 
-OnTick = Callable[[Snapshot, Verdict, bytes, bytes], None]
+OnTick = Callable[[Snapshot, RefereeOutput, bytes, bytes], None]
 """Takes what was seen, what was said of it, and from the world `state_bytes` and `poses_bytes`."""
 
 
-def should_continue(referee: Referee, verdict: Verdict, tick: int, half: HalfInfo) -> bool:
+def should_continue(referee: Referee, output: RefereeOutput, tick: int, half: HalfInfo) -> bool:
     """Return whether another tick follows this one: the clock of the half decides, which a phase may stop."""
-    if verdict.ended is not None or referee.time_is_up:
+    if output.ended is not None or referee.time_is_up:
         return False
     return tick < MOST_LENGTHS * half.ticks
 
@@ -117,34 +117,34 @@ class TickLoop:
         Raises:
             PhysicsFault: the simulation became unstable.
         """
-        verdict = self._begin()
-        while should_continue(self._stage.referee, verdict, self.tick, self._half):
+        output = self._begin()
+        while should_continue(self._stage.referee, output, self.tick, self._half):
             self._before_tick(self.tick + 1)
-            verdict = self._one_tick(self.tick + 1)
+            output = self._one_tick(self.tick + 1)
         self._behave(AS_EVERYBODY)  # what they do at the end they all do at once, and the match has nothing to do
         closing = self._stage.referee.finish()
         # A half that is over cannot be ended once more, the match can.
-        ended = closing.ended if closing.ends_match else verdict.ended
+        ended = closing.ended if closing.ends_match else output.ended
         if ended is None and not self._stage.referee.time_is_up:
             ended = f"the clock of the half stood still for too long: {self.tick} ticks were played"
         return LoopResult(self.tick, ended, closing.ends_match, closing)
 
-    def _begin(self) -> Verdict:
+    def _begin(self) -> RefereeOutput:
         """Tick 0: draws, layouts, arming; no physics. Programs run to their first ``step``."""
         stage = self._stage
         stage.world.reset()
         snapshot = stage.world.judged()
-        verdict = stage.referee.start(snapshot)
-        stage.world.place(verdict.placements)
-        if verdict.robots_held or verdict.held:
-            self._hold(verdict)
-        stage.rack.begin(verdict)
-        self._on_tick(snapshot, verdict, stage.world.state_bytes(), stage.world.poses_bytes())
+        output = stage.referee.start(snapshot)
+        stage.world.place(output.placements)
+        if output.robots_held or output.held:
+            self._hold(output)
+        stage.rack.begin(output)
+        self._on_tick(snapshot, output, stage.world.state_bytes(), stage.world.poses_bytes())
         for robot in list(self._alive):
             self._take(robot, self._alive[robot].collect())
-        return verdict
+        return output
 
-    def _one_tick(self, tick: int) -> Verdict:
+    def _one_tick(self, tick: int) -> RefereeOutput:
         stage = self._stage
         if self._later:
             self._apply_what_was_late(tick)
@@ -154,27 +154,27 @@ class TickLoop:
         if heard:
             snapshot = snapshot._replace(heard=heard)
         state = stage.world.state_bytes()
-        verdict = stage.referee.judge(snapshot)
-        if verdict.placements:
-            stage.world.place(verdict.placements)
-        if verdict.held is not self._held or verdict.robots_held is not self._all_held:
-            self._hold(verdict)
-        stage.rack.begin_sensing(tick, verdict)
+        output = stage.referee.judge(snapshot)
+        if output.placements:
+            stage.world.place(output.placements)
+        if output.held is not self._held or output.robots_held is not self._all_held:
+            self._hold(output)
+        stage.rack.begin_sensing(tick, output)
         self.tick = tick
 
-        due = self._sense_and_release(tick, plays_on=should_continue(stage.referee, verdict, tick, self._half))
-        self._on_tick(snapshot, verdict, state, stage.world.poses_bytes())
+        due = self._sense_and_release(tick, plays_on=should_continue(stage.referee, output, tick, self._half))
+        self._on_tick(snapshot, output, state, stage.world.poses_bytes())
         stage.world.prepare()  # what does not depend on their answers is done while they think
         self._collect(due)
         if tick % _LOOKED_AFTER_EVERY == 0:
             self._look_after_those_away(tick)
-        return verdict
+        return output
 
-    def _hold(self, verdict: Verdict) -> None:
+    def _hold(self, output: RefereeOutput) -> None:
         """Hold robots from the next tick on, all or some, and let the others go."""
-        self._all_held, self._held = verdict.robots_held, verdict.held
+        self._all_held, self._held = output.robots_held, output.held
         world = self._stage.world
-        world.hold_robots(range(world.tables.robots) if verdict.robots_held else verdict.held)
+        world.hold_robots(range(world.tables.robots) if output.robots_held else output.held)
 
     def _look_after_those_away(self, tick: int) -> None:
         for robot, due in list(self._due.items()):

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from rcj_challenges.facts.play import Event, Fault, HalfInfo, Snapshot, Verdict
+from rcj_challenges.facts.play import Event, Fault, HalfInfo, RefereeOutput, Snapshot
 from rcj_challenges.records.sensors import SensedRobot, SensorListener
 
 
@@ -75,7 +75,7 @@ class Observer(Protocol):
     def printed(self, robot: str, text: str) -> None:
         """A program whose output is shown has printed something."""
 
-    def ticked(self, snapshot: Snapshot, verdict: Verdict) -> None:
+    def ticked(self, snapshot: Snapshot, output: RefereeOutput) -> None:
         """A tick was judged."""
 
     def before_tick(self, tick: int) -> float:
@@ -85,7 +85,7 @@ class Observer(Protocol):
             How long it waited in s: that is not the time that the match took.
         """
 
-    def closing(self, verdict: Verdict, half: HalfInfo) -> None:
+    def closing(self, output: RefereeOutput, half: HalfInfo) -> None:
         """What the rules said after the last tick of a half; its events come by themselves too."""
 
     def half_ended(self, half: HalfInfo, waits: tuple[ProgramTimes, ...]) -> None:
@@ -120,7 +120,7 @@ class NullObserver:
     def printed(self, robot: str, text: str) -> None:
         """Do nothing."""
 
-    def ticked(self, snapshot: Snapshot, verdict: Verdict) -> None:
+    def ticked(self, snapshot: Snapshot, output: RefereeOutput) -> None:
         """Do nothing."""
 
     def before_tick(self, tick: int) -> float:
@@ -128,7 +128,7 @@ class NullObserver:
         del tick
         return 0.0
 
-    def closing(self, verdict: Verdict, half: HalfInfo) -> None:
+    def closing(self, output: RefereeOutput, half: HalfInfo) -> None:
         """Do nothing."""
 
     def half_ended(self, half: HalfInfo, waits: tuple[ProgramTimes, ...]) -> None:
@@ -174,19 +174,19 @@ class ObserverGroup:
         for observer in self._observers:
             observer.printed(robot, text)
 
-    def ticked(self, snapshot: Snapshot, verdict: Verdict) -> None:
+    def ticked(self, snapshot: Snapshot, output: RefereeOutput) -> None:
         """Tell all."""
         for observer in self._observers:
-            observer.ticked(snapshot, verdict)
+            observer.ticked(snapshot, output)
 
     def before_tick(self, tick: int) -> float:
         """Ask all."""
         return sum([observer.before_tick(tick) for observer in self._observers])
 
-    def closing(self, verdict: Verdict, half: HalfInfo) -> None:
+    def closing(self, output: RefereeOutput, half: HalfInfo) -> None:
         """Tell all."""
         for observer in self._observers:
-            observer.closing(verdict, half)
+            observer.closing(output, half)
 
     def half_ended(self, half: HalfInfo, waits: tuple[ProgramTimes, ...]) -> None:
         """Tell all."""

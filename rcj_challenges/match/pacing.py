@@ -7,7 +7,7 @@ from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 from rcj_challenges.controllers.crew import Crew
-from rcj_challenges.facts.play import HalfInfo, Snapshot, Verdict
+from rcj_challenges.facts.play import HalfInfo, RefereeOutput, Snapshot
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.match.observers import Observer, Progress
 from rcj_challenges.records.writer import RecordWriter
@@ -54,17 +54,17 @@ class TickEffects:
         self._every_ticks = max(1, observer.progress_every_ticks)
         self._began_s = time.perf_counter()
 
-    def ticked(self, snapshot: Snapshot, verdict: Verdict, state: bytes, poses: bytes) -> None:
+    def ticked(self, snapshot: Snapshot, output: RefereeOutput, state: bytes, poses: bytes) -> None:
         """Take note of a judged tick, while the programs think about the next."""
-        self._record.tick(snapshot, verdict, state, poses)
+        self._record.tick(snapshot, output, state, poses)
         tick = snapshot.tick
         if tick <= 1:  # after tick 0 it is waited until all programs have started
             self._began_s = time.perf_counter()
-        self._observer.ticked(snapshot, verdict)
-        for event in verdict.events:
+        self._observer.ticked(snapshot, output)
+        for event in output.events:
             self._observer.event(event, self._half)
         if tick % self._every_ticks == 0 and tick:
-            self._observer.progressed(self._progress(tick, verdict))
+            self._observer.progressed(self._progress(tick, output))
         if self._shown and tick % _OUTPUT_EVERY_TICKS == 0:
             self._show_output()
         if self._real_time:
@@ -72,14 +72,14 @@ class TickEffects:
             if ahead_s > 0:
                 time.sleep(ahead_s)
 
-    def closed(self, closing: Verdict) -> None:
+    def closed(self, closing: RefereeOutput) -> None:
         """Tell of what the rules said after the last tick, and show the last output."""
         self._observer.closing(closing, self._half)
         for event in closing.events:
             self._observer.event(event, self._half)
         self._show_output()
 
-    def _progress(self, tick: int, verdict: Verdict) -> Progress:
+    def _progress(self, tick: int, output: RefereeOutput) -> Progress:
         half = self._half
         spent_s = max(time.perf_counter() - self._began_s, 1e-9)
         clock_ticks = self._referee.clock_ticks
@@ -90,7 +90,7 @@ class TickEffects:
             tick=tick,
             clock_ticks=clock_ticks,
             scores=dict(self._referee.scores),
-            phase=verdict.phase,
+            phase=output.phase,
             factor=timed * TICK_S / spent_s if tick > 1 else 0.0,
             remaining_s=ticks_left * spent_s / timed,
         )

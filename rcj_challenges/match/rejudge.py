@@ -227,18 +227,18 @@ def _info(recorded: HalfInfo, scenario: Scenario, carry_over: CarryOver) -> Half
 def _judge_half(track: HalfTrack, referee: Referee, info: HalfInfo) -> tuple[JudgedHalf, list[Event], bool]:
     """Judge a half; returns what became of it, the events, and whether the match is over with it."""
     assert track.start is not None  # noqa: S101 - the caller has looked
-    verdict = referee.start(track.start)
-    told = list(events_of(track.start, verdict))
+    output = referee.start(track.start)
+    told = list(events_of(track.start, output))
     tick = 0
     for snapshot in track.snapshots():
-        if not should_continue(referee, verdict, tick, info):
+        if not should_continue(referee, output, tick, info):
             break
-        verdict = referee.judge(snapshot)
-        told += events_of(snapshot, verdict)
+        output = referee.judge(snapshot)
+        told += events_of(snapshot, output)
         tick = snapshot.tick
-    if should_continue(referee, verdict, tick, info):
+    if should_continue(referee, output, tick, info):
         return JudgedHalf(info.half, tick, None, complete=False), told, False
     closing = referee.finish()
     told += closing.events
-    ended = closing.ended if closing.ends_match else verdict.ended
+    ended = closing.ended if closing.ends_match else output.ended
     return JudgedHalf(info.half, tick, ended, complete=True), told, closing.ends_match

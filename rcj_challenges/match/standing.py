@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from rcj_challenges.facts.play import HalfInfo, Pose2, Snapshot, Verdict
+from rcj_challenges.facts.play import HalfInfo, Pose2, RefereeOutput, Snapshot
 from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.match.observers import NullObserver
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -34,7 +34,7 @@ class StandingObserver(NullObserver):
         self._last = None
         self._way_m = dict.fromkeys((robot for robot, _ in self._robots), 0.0)
 
-    def ticked(self, snapshot: Snapshot, verdict: Verdict) -> None:
+    def ticked(self, snapshot: Snapshot, output: RefereeOutput) -> None:
         """Add the way of one tick."""
         if snapshot.tick > self._last_tick:
             return
@@ -44,7 +44,7 @@ class StandingObserver(NullObserver):
                 (x_m, y_m, yaw_rad), before = poses[index], self._last[index]
                 turned_rad = abs(math.remainder(yaw_rad - before[2], math.tau))
                 self._way_m[robot] += math.hypot(x_m - before[0], y_m - before[1]) + _M_PER_RAD * turned_rad
-        for placement in verdict.placements:
+        for placement in output.placements:
             poses[placement.entity] = (placement.x_m, placement.y_m, placement.yaw_rad)
         self._last = poses
         if snapshot.tick == self._last_tick:

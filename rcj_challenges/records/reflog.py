@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import asdict
 from typing import Any
 
-from rcj_challenges.facts.play import Event, Fault, Firing, Snapshot, Verdict
+from rcj_challenges.facts.play import Event, Fault, Firing, RefereeOutput, Snapshot
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.records.lines import json_line, number_or_none
 
@@ -19,14 +19,14 @@ def fault_event(fault: Fault, tick: int) -> Event:
     return Event(tick, PROGRAM_FAULT, payload | ({"timed": True} if fault.timed else {}))
 
 
-def events_of(snapshot: Snapshot, verdict: Verdict) -> tuple[Event, ...]:
+def events_of(snapshot: Snapshot, output: RefereeOutput) -> tuple[Event, ...]:
     """Return the events of one tick in the order of the reflog: programs that failed, then what the rules emitted.
 
     Whoever judges a trajectory again gets the same reflog through this function.
     """
     if not snapshot.faults:
-        return verdict.events
-    return (*(fault_event(fault, snapshot.tick) for fault in snapshot.faults), *verdict.events)
+        return output.events
+    return (*(fault_event(fault, snapshot.tick) for fault in snapshot.faults), *output.events)
 
 
 def reflog_lines(events: Iterable[Event], datetime: str) -> bytes:

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from functools import lru_cache
 from pathlib import Path
 
-from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Pose2, Snapshot, Verdict
+from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Pose2, RefereeOutput, Snapshot
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.records.writer import RecordWriter, RunHeader
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -113,12 +113,12 @@ def made_up_snapshot(tick: int, robots: int, *, faults: tuple[Fault, ...] = ()) 
     )
 
 
-def made_up_play(robots: int, ticks: int) -> Iterator[tuple[Snapshot, Verdict]]:
+def made_up_play(robots: int, ticks: int) -> Iterator[tuple[Snapshot, RefereeOutput]]:
     """Yield tick 0 and on: a goal and a kick-off now and then, a robot held for a time, a fault at tick 300."""
     for tick in range(ticks + 1):
         fault = Fault("Y1", "crash", tick, 1, "ZeroDivisionError: division by zero", "Traceback …\n  robot.py, 7")
         snapshot = made_up_snapshot(tick, robots, faults=(fault,) if tick == 300 else ())
-        yield snapshot, _verdict(tick, robots)
+        yield snapshot, _output(tick, robots)
 
 
 def write_made_up_run(
@@ -131,9 +131,9 @@ def write_made_up_run(
     robots = len(scenario.robots)
     for half in range(1, halves + 1):
         writer.begin_half(half_info(scenario, half, ticks, header, writer.result["score"]))
-        for snapshot, verdict in made_up_play(robots, ticks):
-            writer.tick(snapshot, verdict, struct.pack("<d", snapshot.substeps[-1][0][0]))
-        writer.end_half(Verdict(events=(Event(ticks, "MATCH_FINISH", {"total_match_time": ticks * TICK_S}),)))
+        for snapshot, output in made_up_play(robots, ticks):
+            writer.tick(snapshot, output, struct.pack("<d", snapshot.substeps[-1][0][0]))
+        writer.end_half(RefereeOutput(events=(Event(ticks, "MATCH_FINISH", {"total_match_time": ticks * TICK_S}),)))
     return writer.finish({"wall_s": 1.0})
 
 
@@ -143,17 +143,19 @@ def begun_run(out: Path, ticks: int) -> RecordWriter:
     header = small_header(scenario)
     writer = RecordWriter(out, header)
     writer.begin_half(half_info(scenario, 1, 10 * ticks, header))
-    for snapshot, verdict in made_up_play(2, ticks):
-        writer.tick(snapshot, verdict, b"")
+    for snapshot, output in made_up_play(2, ticks):
+        writer.tick(snapshot, output, b"")
     return writer
 
 
-def _verdict(tick: int, robots: int) -> Verdict:
+def _output(tick: int, robots: int) -> RefereeOutput:
     if tick == 0:
-        return Verdict(events=(Event(0, "KICKOFF", {"robot_name": "B3", "team_name": "B"}), Event(0, "MATCH_START")))
+        return RefereeOutput(
+            events=(Event(0, "KICKOFF", {"robot_name": "B3", "team_name": "B"}), Event(0, "MATCH_START"))
+        )
     if tick % GOAL_EVERY_TICKS == 0:
         firing = Firing(tick, "goal", None, "enters", 0.76, 0.745, {"yellow": 1}, None, "The ball is in the goal.")
-        return Verdict(
+        return RefereeOutput(
             events=(Event(tick, "GOAL", {"team_name": "Alster"}),),
             firings=(firing,),
             placements=(Placement(robots, 0.0, 0.0, 0.0),),
@@ -162,7 +164,7 @@ def _verdict(tick: int, robots: int) -> Verdict:
         )
     pausing = tick > GOAL_EVERY_TICKS and tick % GOAL_EVERY_TICKS < 94
     held = _HELD if _HELD_IN_TICKS[0] <= tick < _HELD_IN_TICKS[1] else _NOBODY
-    return Verdict(phase="goal_pause" if pausing else "play", waiting_for_kickoff=pausing, held=held)
+    return RefereeOutput(phase="goal_pause" if pausing else "play", waiting_for_kickoff=pausing, held=held)
 
 
 @lru_cache(maxsize=8192)  # two thousand ticks: every half, and most made-up matches, are the same anew

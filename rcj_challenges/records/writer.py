@@ -11,7 +11,7 @@ from types import TracebackType
 from typing import Any, Self
 
 from rcj_challenges.facts.amounts import Score, round_score
-from rcj_challenges.facts.play import Fault, Firing, HalfInfo, Snapshot, Verdict
+from rcj_challenges.facts.play import Fault, Firing, HalfInfo, RefereeOutput, Snapshot
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.records.digest import StatesDigest, inputs_digest, run_digest
 from rcj_challenges.records.folder import (
@@ -162,12 +162,12 @@ class RecordWriter:
         self._scores |= {half.teams[seat]: points for seat, points in half.scores.items()}
         self._states.half(half.half)
 
-    def tick(self, snapshot: Snapshot, verdict: Verdict, state: bytes, poses: bytes = b"") -> None:
+    def tick(self, snapshot: Snapshot, output: RefereeOutput, state: bytes, poses: bytes = b"") -> None:
         """Record one judged tick.
 
         Args:
             snapshot: what the referee saw.
-            verdict: what it answered; its placements are carried out after the snapshot.
+            output: what it answered; its placements are carried out after the snapshot.
             state: the judged qpos and qvel as little-endian float64.
             poses: those of the snapshot as little-endian float32 ``[sub-step][entity][3]``; left out: made here.
         """
@@ -175,18 +175,20 @@ class RecordWriter:
         if track is None:
             raise ValueError("a tick outside of a half: call begin_half first")
         self._states.state(state)
-        track.append(snapshot, verdict.placements, poses)
-        if verdict.firings or verdict.events or snapshot.faults:
-            self._say(snapshot, verdict)
-        if (verdict.phase, verdict.waiting_for_kickoff) != self._phase:
-            self._phase = (verdict.phase, verdict.waiting_for_kickoff)
-            self._note_phase(snapshot.tick, verdict)
-        if verdict.held is not self._held:
-            self._note_held(snapshot.tick, verdict.held)
-        if verdict.counted is not None:
-            self._note_counted(snapshot.tick, verdict.counted)
+        track.append(snapshot, output.placements, poses)
+        if output.firings or output.events or snapshot.faults:
+            self._say(snapshot, output)
+        if (output.phase, output.waiting_for_kickoff) != self._phase:
+            self._phase = (output.phase, output.waiting_for_kickoff)
+            self._note_phase(snapshot.tick, output)
+        if output.held is not self._held:
+            self._note_held(snapshot.tick, output.held)
+        if output.counted is not None:
+            self._note_counted(snapshot.tick, output.counted)
 
-    def end_half(self, closing: Verdict, scores: Mapping[str, Score] | None = None, ended: str | None = None) -> None:
+    def end_half(
+        self, closing: RefereeOutput, scores: Mapping[str, Score] | None = None, ended: str | None = None
+    ) -> None:
         """End the half.
 
         Args:
@@ -263,29 +265,29 @@ class RecordWriter:
         track.close()
         self._track = None
 
-    def _say(self, snapshot: Snapshot, verdict: Verdict) -> None:
+    def _say(self, snapshot: Snapshot, output: RefereeOutput) -> None:
         """Write what happened: to the reflog, the referee's log, the digest and the result to come."""
         half = self._half
         assert half is not None  # noqa: S101 - only called within a half
-        events = events_of(snapshot, verdict)
+        events = events_of(snapshot, output)
         if events:
             write_all(self._reflog, bytearray(reflog_lines(events, timestamp(self._now()))))
         for event in events:
             self._states.event(event)
         lines = [event_line(half.half, event) for event in events]
         self._events += lines
-        told = [firing_line(half.half, firing) for firing in verdict.firings]
+        told = [firing_line(half.half, firing) for firing in output.firings]
         told += [{"kind": "event", **line} for line in lines]
         write_all(self._referee_log, bytearray(b"".join(map(json_line, told))))
         self._faults += [self._fault(fault, half) for fault in snapshot.faults]
-        for firing in verdict.firings:
+        for firing in output.firings:
             self._add_points(firing, half)
 
-    def _note_phase(self, tick: int, verdict: Verdict) -> None:
+    def _note_phase(self, tick: int, output: RefereeOutput) -> None:
         half = self._half
         assert half is not None  # noqa: S101 - only called within a half
-        line = {"half": half.half, "kind": "phase", "tick": tick, "phase": verdict.phase}
-        write_all(self._referee_log, bytearray(json_line(line | {"waiting_for_kickoff": verdict.waiting_for_kickoff})))
+        line = {"half": half.half, "kind": "phase", "tick": tick, "phase": output.phase}
+        write_all(self._referee_log, bytearray(json_line(line | {"waiting_for_kickoff": output.waiting_for_kickoff})))
 
     def _note_held(self, tick: int, held: frozenset[int]) -> None:
         """Note which robots rules hold, where that changed."""

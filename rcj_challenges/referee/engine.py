@@ -1,4 +1,4 @@
-"""The referee: one snapshot in, one verdict out. The tick contract (ADR 1) as a list of steps.
+"""The referee: one snapshot in, one output out. The tick contract (ADR 1) as a list of steps.
 
 Detect, then apply: all triggers and conditions are judged against the snapshot and against counters, flags and phase
 as they were at the start of the tick; then the rules fire in order, and at last things are set down.
@@ -11,7 +11,7 @@ from dataclasses import replace
 from typing import Any
 
 from rcj_challenges.facts.messages import number_in
-from rcj_challenges.facts.play import Event, Fault, HalfInfo, Placement, Snapshot, Verdict
+from rcj_challenges.facts.play import Event, Fault, HalfInfo, Placement, RefereeOutput, Snapshot
 from rcj_challenges.facts.play import Firing as FiringRecord
 from rcj_challenges.referee.assembling import assemble
 from rcj_challenges.referee.binding import NameScope
@@ -37,7 +37,7 @@ class Referee:
     """Judges one half.
 
     Call `start` once with the snapshot of tick 0, then `judge` with that of each tick in order, then `finish`. What a
-    verdict places must be carried out exactly; the next snapshot shows what physics made of it.
+    output places must be carried out exactly; the next snapshot shows what physics made of it.
 
     Attributes:
         denied: what kept triggered rules from firing; None: it is not noted (only tests ask).
@@ -77,7 +77,7 @@ class Referee:
         self._emitted: list[tuple[str, tuple[str, ...]]] = []
         self._events: list[Event] = []
         self._firings: list[FiringRecord] = []
-        self._quiet: dict[str, Verdict] = {}
+        self._quiet: dict[str, RefereeOutput] = {}
         broadcast = scenario.broadcast
         self._broadcast = None if broadcast is None else Broadcasting(broadcast, self._context)
         self._ranked_by = ranked_counters(scenario)
@@ -160,7 +160,7 @@ class Referee:
 
     # --- the three calls --------------------------------------------------------------------------------------------
 
-    def start(self, snapshot: Snapshot) -> Verdict:
+    def start(self, snapshot: Snapshot) -> RefereeOutput:
         """Judge tick 0: layouts, arming, ``half_started``. The snapshot holds the nominal start poses."""
         state = self._state
         state.poses = state.before = list(snapshot.substeps[-1])
@@ -173,9 +173,9 @@ class Referee:
         self._hear_faults(snapshot.faults)
         self._fire()
         self._scatter_starts()
-        return self._verdict()
+        return self._output()
 
-    def judge(self, snapshot: Snapshot, by_hand: frozenset[int] = frozenset()) -> Verdict:
+    def judge(self, snapshot: Snapshot, by_hand: frozenset[int] = frozenset()) -> RefereeOutput:
         """Judge a tick.
 
         Args:
@@ -202,8 +202,8 @@ class Referee:
         if self._hits:
             self._fire()
         if self._events or self._firings or self._queue.busy or self._broadcast is not None:
-            return self._verdict()
-        return self._quiet_verdict()
+            return self._output()
+        return self._quiet_output()
 
     def _take_in(self, snapshot: Snapshot) -> None:
         """Remember what a snapshot shows, before anything is judged."""
@@ -220,11 +220,11 @@ class Referee:
         if snapshot.heard:
             self._listen(snapshot.heard)
 
-    def finish(self) -> Verdict:
+    def finish(self) -> RefereeOutput:
         """Run the ``half_ended`` rules after the last tick; one of them may still end the match."""
         self._hits.report(self._clock_events.half_ended)
         self._fire()
-        return self._verdict()
+        return self._output()
 
     # --- hearing ----------------------------------------------------------------------------------------------------
 
@@ -405,14 +405,14 @@ class Referee:
 
     # --- answering --------------------------------------------------------------------------------------------------
 
-    def _verdict(self) -> Verdict:
+    def _output(self) -> RefereeOutput:
         placements = self._carry_out() if self._queue.busy else ()
         events, firings = tuple(self._events), tuple(self._firings)
         broadcast = self._broadcast
-        told, told_only = (None, None) if broadcast is None else broadcast.told(self._state.tick)
+        told, private_broadcasts = (None, None) if broadcast is None else broadcast.told(self._state.tick)
         self._events.clear()
         self._firings.clear()
-        return Verdict(
+        return RefereeOutput(
             events=events,
             firings=firings,
             placements=placements,
@@ -421,7 +421,7 @@ class Referee:
             ended=self._state.ended,
             ends_match=self._state.match_over,
             broadcast=told,
-            told_only=told_only,
+            private_broadcasts=private_broadcasts,
             robots_held=self._state.held.by_phase,
             held=self._state.held.by_rules,
             counted=self._newly_counted() if self._ranked_by else None,
@@ -436,15 +436,15 @@ class Referee:
         self._counted = now
         return now
 
-    def _quiet_verdict(self) -> Verdict:
-        """Return the verdict of an uneventful tick: one object per phase, shared by all such ticks.
+    def _quiet_output(self) -> RefereeOutput:
+        """Return the output of an uneventful tick: one object per phase, shared by all such ticks.
 
         It is made anew only where rules hold others than they did.
         """
         phase, held = self._state.phase, self._state.held
         found = self._quiet.get(phase)
         if found is None or found.held is not held.by_rules:
-            found = self._quiet[phase] = Verdict(
+            found = self._quiet[phase] = RefereeOutput(
                 phase=phase, waiting_for_kickoff=self._waiting, robots_held=held.by_phase, held=held.by_rules
             )
         return found

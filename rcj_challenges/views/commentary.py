@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from rcj_challenges.facts.amounts import Score, round_score
 from rcj_challenges.facts.measures import number_words
-from rcj_challenges.facts.play import Event, Firing, HalfInfo, Verdict
+from rcj_challenges.facts.play import Event, Firing, HalfInfo, RefereeOutput
 from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.rules.actions.emit import Emit
@@ -35,7 +35,7 @@ class Remark:
 
 
 class Commentator:
-    """Turns verdicts into remarks.
+    """Turns outputs into remarks.
 
     Attributes:
         colours: by seat, the colour of its first robot, a CSS name.
@@ -62,15 +62,15 @@ class Commentator:
         self._unannounced.clear()
         self._names = told_apart({seat: sanitize(name, 32) for seat, name in half.team_names.items()})
 
-    def remarks(self, verdict: Verdict) -> Iterator[Remark]:
-        """Yield what there is to say about one verdict: its events, then points that were given without one."""
-        ran = [firing for firing in verdict.firings if firing.suppressed is None]
+    def remarks(self, output: RefereeOutput) -> Iterator[Remark]:
+        """Yield what there is to say about one output: its events, then points that were given without one."""
+        ran = [firing for firing in output.firings if firing.suppressed is None]
         waiting: dict[str, list[Firing]] = {}
         for firing in ran:
             for name in self._emitted.get(firing.rule, ()):
                 waiting.setdefault(name, []).append(firing)
         told: list[Firing] = []
-        for event in verdict.events:
+        for event in output.events:
             firings = waiting.get(event.name)
             cause = firings.pop(0) if firings else None
             # The score changes once, also by a rule that emits several events.

@@ -14,7 +14,7 @@ from rich.table import Table
 from rich.text import Text
 
 from rcj_challenges.facts.measures import measure_words, measured_words, number_words
-from rcj_challenges.facts.play import Fault, HalfInfo, Snapshot, Verdict
+from rcj_challenges.facts.play import Fault, HalfInfo, RefereeOutput, Snapshot
 from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.facts.timing import TICK_S, s_from_ticks
 from rcj_challenges.match.observers import NullObserver, Observer, Progress
@@ -205,21 +205,21 @@ class PlainLines(PrintedLines):
             line = score_so_far(progress.half, progress.scores)
             self._say(f"{clock(s_from_ticks(progress.clock_ticks)):>7}  {line}  ({pace(progress)})")
 
-    def ticked(self, snapshot: Snapshot, verdict: Verdict) -> None:
+    def ticked(self, snapshot: Snapshot, output: RefereeOutput) -> None:
         """Say what happened."""
-        if verdict.events or verdict.firings:
-            self._comment(verdict)
+        if output.events or output.firings:
+            self._comment(output)
 
-    def closing(self, verdict: Verdict, half: HalfInfo) -> None:
+    def closing(self, output: RefereeOutput, half: HalfInfo) -> None:
         """Say what happened after the last tick."""
-        self._comment(verdict)
+        self._comment(output)
 
     def fault(self, fault: Fault) -> None:
         """Say the fault."""
         self._say(fault_line(fault))
 
-    def _comment(self, verdict: Verdict) -> None:
-        for remark in self._commentator.remarks(verdict):
+    def _comment(self, output: RefereeOutput) -> None:
+        for remark in self._commentator.remarks(output):
             self._say(remark.text)
 
 
@@ -247,14 +247,14 @@ class Scoreboard(NullObserver):
         """Draw the board again."""
         self._draw(progress)
 
-    def ticked(self, snapshot: Snapshot, verdict: Verdict) -> None:
+    def ticked(self, snapshot: Snapshot, output: RefereeOutput) -> None:
         """Show what happened."""
-        if verdict.events or verdict.firings:
-            self._comment(verdict)
+        if output.events or output.firings:
+            self._comment(output)
 
-    def closing(self, verdict: Verdict, half: HalfInfo) -> None:
+    def closing(self, output: RefereeOutput, half: HalfInfo) -> None:
         """Show what happened after the last tick."""
-        self._comment(verdict)
+        self._comment(output)
 
     def fault(self, fault: Fault) -> None:
         """Remember the fault; the next drawing shows it."""
@@ -269,8 +269,8 @@ class Scoreboard(NullObserver):
         """Take the board down."""
         self._live.stop()
 
-    def _comment(self, verdict: Verdict) -> None:
-        for remark in self._commentator.remarks(verdict):
+    def _comment(self, output: RefereeOutput) -> None:
+        for remark in self._commentator.remarks(output):
             line = _one_line(remark.text, self._styles.get(remark.seat, ""))
             if remark.seat:
                 self._console.print(line)

@@ -6,7 +6,7 @@ import pytest
 
 from rcj_challenges.cli.advice import advice_on_standing
 from rcj_challenges.expect.scripted_match import half_of
-from rcj_challenges.facts.play import Placement, Snapshot, Verdict
+from rcj_challenges.facts.play import Placement, RefereeOutput, Snapshot
 from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.match.standing import WATCHED_S, StandingObserver
 from rcj_challenges.scenario.load import load
@@ -34,7 +34,7 @@ def standing_after(move):
         poses = [(0.1 * number, 0.0, 0.0) for number in range(len(roster.entities))]
         poses[roster.index["B1"]] = pose
         placements = (Placement(roster.index["B1"], *placed),) if placed else ()
-        observer.ticked(Snapshot(tick, [poses], [], [], ()), Verdict(placements=placements))
+        observer.ticked(Snapshot(tick, [poses], [], [], ()), RefereeOutput(placements=placements))
     return observer.robots()
 
 

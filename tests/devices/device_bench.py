@@ -12,15 +12,15 @@ import yaml
 import rcj_challenges.scenario
 from rcj_challenges.devices.rack import DeviceRack
 from rcj_challenges.devices.sonar import device_sites
-from rcj_challenges.facts.play import HalfInfo, Placement, Verdict
+from rcj_challenges.facts.play import HalfInfo, Placement, RefereeOutput
 from rcj_challenges.facts.traffic import MotorCommand, Packet, Request
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world.world import World
 
 PRESETS = Path(rcj_challenges.scenario.__file__).parent / "presets"
-BLANK = Verdict()
-WAITING = Verdict(waiting_for_kickoff=True)
+BLANK = RefereeOutput()
+WAITING = RefereeOutput(waiting_for_kickoff=True)
 
 
 def merged(base: Any, change: Any) -> Any:
@@ -104,11 +104,11 @@ class Bench:
         motors = (("left wheel motor", left), ("right wheel motor", right))
         self.ask(robot, motors=tuple(MotorCommand(self.device(robot, name), v, position) for name, v in motors))
 
-    def sense(self, verdict: Verdict = BLANK, *, ticks: int = 1) -> None:
+    def sense(self, output: RefereeOutput = BLANK, *, ticks: int = 1) -> None:
         """Let time pass in which nothing moves."""
         for _ in range(ticks):
             self.tick += 1
-            self.rack.sense(self.tick, verdict)
+            self.rack.sense(self.tick, output)
 
     def play(self, ticks: int) -> None:
         """Let time pass with physics."""

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from rcj_challenges.facts.play import Verdict
+from rcj_challenges.facts.play import RefereeOutput
 from tests.devices.device_bench import BLANK, WAITING, Bench
 
 RECEIVER = "supervisor receiver"
@@ -90,7 +90,7 @@ def test_v2_2_sends_json_text() -> None:
 def test_a_declared_broadcast_follows_the_official_packet_as_json() -> None:
     bench = Bench()
     bench.enable("Y1", RECEIVER)
-    bench.sense(Verdict(broadcast={"target": "left", "score": 3, "gold": [0.1, None]}))
+    bench.sense(RefereeOutput(broadcast={"target": "left", "score": 3, "gold": [0.1, None]}))
     bench.sense(BLANK)
     bench.sense(BLANK)
     first, official, broadcast, last = told(bench)
@@ -104,7 +104,7 @@ def test_what_is_for_some_robots_only_stands_in_their_object_alone() -> None:
     for name in robots:
         bench.enable(name, RECEIVER)
     own = {bench.roster.index["Y1"]: {"way": "left"}, bench.roster.index["B1"]: {"way": "right", "more": 1}}
-    bench.sense(Verdict(broadcast={"score": 3}, told_only=own))
+    bench.sense(RefereeOutput(broadcast={"score": 3}, private_broadcasts=own))
     bench.sense(BLANK)
     objects = [json.loads(packets[2]) for packets in (told(bench, name) for name in robots) if len(packets) == 3]
     assert objects == [
@@ -116,7 +116,7 @@ def test_who_is_told_nothing_hears_no_object() -> None:
     bench = Bench()
     for name in ("Y1", "Y2"):
         bench.enable(name, RECEIVER)
-    bench.sense(Verdict(broadcast={}, told_only={bench.roster.index["Y1"]: {"way": "left"}}))
+    bench.sense(RefereeOutput(broadcast={}, private_broadcasts={bench.roster.index["Y1"]: {"way": "left"}}))
     bench.sense(BLANK)
     bench.sense(BLANK)
     assert told(bench, "Y1") == [b"\x00", b"\x00", b'{"way": "left"}', b"\x00"]
@@ -125,7 +125,7 @@ def test_who_is_told_nothing_hears_no_object() -> None:
 
 def test_who_switches_on_later_hears_what_is_for_it_alone() -> None:
     bench = Bench()
-    secret = Verdict(broadcast={}, told_only={bench.roster.index["Y1"]: {"way": "left"}})
+    secret = RefereeOutput(broadcast={}, private_broadcasts={bench.roster.index["Y1"]: {"way": "left"}})
     bench.enable("Y2", RECEIVER)
     bench.sense(secret, ticks=3)
     bench.enable("Y1", RECEIVER)
@@ -252,7 +252,7 @@ def test_the_flag_of_2021_tells_of_the_same_tick_as_the_positions() -> None:
 def test_a_broadcast_of_2021_waits_for_the_next_official_packet() -> None:
     bench = Bench("soccersim_2021", kit_2021(packet_lists=[]))
     bench.enable("Y1", "receiver")
-    bench.sense(Verdict(broadcast={"round": 1}))
+    bench.sense(RefereeOutput(broadcast={"round": 1}))
     bench.sense(BLANK, ticks=2)
     official, broadcast = told(bench, "Y1", "receiver")
     assert len(official) == 17

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from rcj_challenges.facts.play import Verdict
+from rcj_challenges.facts.play import RefereeOutput
 from rcj_challenges.records import folder as record_folder
 from rcj_challenges.records.errors import UnwritableError
 from rcj_challenges.records.folder import TRAJECTORY, TRAJECTORY_PARTS, replaced
@@ -90,8 +90,8 @@ def test_parts_that_are_open_elsewhere_do_not_cost_the_result(
     writer = RecordWriter(tmp_path, header)
     writer.begin_half(half_info(scenario, 1, 9, header))
     for tick in range(10):
-        writer.tick(made_up_snapshot(tick, 2), Verdict(), b"")
-    writer.end_half(Verdict())
+        writer.tick(made_up_snapshot(tick, 2), RefereeOutput(), b"")
+    writer.end_half(RefereeOutput())
     refused = refuse(shutil, "rmtree", SHARING_VIOLATION, times)
     writer.finish()
     assert len(refused) >= 3

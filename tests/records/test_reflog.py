@@ -8,7 +8,7 @@ from pathlib import Path
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.facts.play import Event, Fault, Firing, Verdict
+from rcj_challenges.facts.play import Event, Fault, Firing, RefereeOutput
 from rcj_challenges.records.lines import json_line
 from rcj_challenges.records.reflog import events_of, reflog_lines
 from rcj_challenges.records.testing import half_info, made_up_snapshot, small_header, small_scenario
@@ -37,7 +37,7 @@ def test_half_a_surrogate_pair_does_not_stop_the_record() -> None:
 
 def test_a_failed_program_stands_before_what_the_rules_said_in_that_tick() -> None:
     fault = Fault("Y1", "crash", 6, 1, "ZeroDivisionError: division by zero")
-    events = events_of(made_up_snapshot(7, 1, faults=(fault,)), Verdict(events=(Event(7, "GOAL"),)))
+    events = events_of(made_up_snapshot(7, 1, faults=(fault,)), RefereeOutput(events=(Event(7, "GOAL"),)))
     assert [event.name for event in events] == ["PROGRAM_FAULT", "GOAL"]
     assert events[0] == Event(
         7, "PROGRAM_FAULT", {"robot_name": "Y1", "kind": "crash", "detail": "ZeroDivisionError: division by zero"}
@@ -49,7 +49,7 @@ def test_events_are_in_the_file_as_soon_as_they_happen(tmp_path: Path) -> None:
     header = small_header(scenario)
     writer = RecordWriter(tmp_path, header, now=lambda: datetime(2021, 6, 18, 0, 11, 59, 888153, UTC))
     writer.begin_half(half_info(scenario, 1, 10, header))
-    kickoff = Verdict(events=(Event(0, "KICKOFF", {"robot_name": "B3"}), Event(0, "MATCH_START")))
+    kickoff = RefereeOutput(events=(Event(0, "KICKOFF", {"robot_name": "B3"}), Event(0, "MATCH_START")))
     writer.tick(made_up_snapshot(0, 2), kickoff, b"")
     lines = [json.loads(line) for line in (writer.folder / "reflog.jsonl").read_text("utf-8").splitlines()]
     assert [line["event"] for line in lines] == ["KICKOFF", "MATCH_START"]
@@ -64,10 +64,10 @@ def test_the_referees_log_tells_what_was_measured_and_every_change_of_phase(tmp_
     writer.begin_half(half_info(scenario, 1, 10, header))
     fired = Firing(1, "stuck", "B1", "no_progress", 0.41, 0.5, {}, None, "B1 made no progress.")
     endless = Firing(1, "far", None, "holds", float("inf"), 1.0, {}, "phase")
-    writer.tick(made_up_snapshot(0, 2), Verdict(), struct.pack("<d", 0))
-    writer.tick(made_up_snapshot(1, 2), Verdict(firings=(fired, endless), phase="pause"), struct.pack("<d", 1))
-    writer.tick(made_up_snapshot(2, 2), Verdict(phase="pause"), struct.pack("<d", 2))
-    writer.end_half(Verdict())
+    writer.tick(made_up_snapshot(0, 2), RefereeOutput(), struct.pack("<d", 0))
+    writer.tick(made_up_snapshot(1, 2), RefereeOutput(firings=(fired, endless), phase="pause"), struct.pack("<d", 1))
+    writer.tick(made_up_snapshot(2, 2), RefereeOutput(phase="pause"), struct.pack("<d", 2))
+    writer.end_half(RefereeOutput())
     writer.finish()
     lines = [json.loads(line) for line in (writer.folder / "referee.jsonl").read_text("utf-8").splitlines()]
     assert [(line["kind"], line["tick"]) for line in lines] == [

@@ -12,7 +12,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from rcj_challenges.facts.play import Fault, Placement, Snapshot, Verdict
+from rcj_challenges.facts.play import Fault, Placement, RefereeOutput, Snapshot
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.testing import (
     half_info,
@@ -81,8 +81,8 @@ def test_every_snapshot_is_read_back_equal_while_running_and_afterwards(
 ) -> None:
     writer = _begun(tmp_path_factory.mktemp("runs"))
     for snapshot, placements in played:
-        writer.tick(snapshot, Verdict(placements=placements), b"")
-    writer.end_half(Verdict())
+        writer.tick(snapshot, RefereeOutput(placements=placements), b"")
+    writer.end_half(RefereeOutput())
     assert _read_back(writer.folder) == played
     assert not Trajectory.open(writer.folder).finished
     writer.finish()
@@ -94,8 +94,8 @@ def test_every_snapshot_is_read_back_equal_while_running_and_afterwards(
 def test_what_lies_still_is_written_as_before_balls_could_be_kicked(tmp_path: Path) -> None:
     writer = _begun(tmp_path)
     placed = (Placement(2, 0.1, 0.2, 0.0), Placement(2, 0.1, 0.2, 0.0, vx_mps=0.6))
-    writer.tick(made_up_snapshot(0, 2), Verdict(placements=placed), b"")
-    writer.end_half(Verdict())
+    writer.tick(made_up_snapshot(0, 2), RefereeOutput(placements=placed), b"")
+    writer.end_half(RefereeOutput())
     (notes,) = writer.folder.rglob("half-1.notes.jsonl")
     (line,) = [json.loads(text) for text in notes.read_text("utf-8").splitlines() if "placements" in text]
     assert line["placements"] == [[2, 0.1, 0.2, 0.0, False], [2, 0.1, 0.2, 0.0, False, 0.6, 0.0]]
@@ -106,7 +106,7 @@ def test_what_lies_still_is_written_as_before_balls_could_be_kicked(tmp_path: Pa
 def test_a_run_that_stopped_loses_less_than_a_second(tmp_path: Path) -> None:
     writer = _begun(tmp_path)
     for tick in range(93):
-        writer.tick(made_up_snapshot(tick, 2), Verdict(), b"")
+        writer.tick(made_up_snapshot(tick, 2), RefereeOutput(), b"")
     half = Trajectory.open(writer.folder).halves[0]
     assert 0 <= (92 - half.ticks) * 0.032 < 1
     assert list(half.snapshots()) == [made_up_snapshot(tick, 2) for tick in range(1, half.ticks + 1)]
@@ -117,7 +117,7 @@ def test_a_run_that_stopped_loses_less_than_a_second(tmp_path: Path) -> None:
 def test_a_file_that_was_cut_off_anywhere_still_gives_its_whole_ticks(lost: int, tmp_path: Path) -> None:
     writer = _begun(tmp_path)
     for tick in range(51):
-        writer.tick(made_up_snapshot(tick, 2), Verdict(), b"")
+        writer.tick(made_up_snapshot(tick, 2), RefereeOutput(), b"")
     poses = next(writer.folder.rglob("*.poses"))
     whole = poses.stat().st_size
     with poses.open("r+b") as file:
@@ -133,7 +133,7 @@ def test_notes_of_ticks_whose_poses_were_never_written_are_left_out(tmp_path: Pa
     writer = _begun(tmp_path)
     for tick in range(26):
         placements = (Placement(0, 1.0, 2.0, 3.0),) if tick == 25 else ()
-        writer.tick(made_up_snapshot(tick, 2), Verdict(placements=placements), b"")
+        writer.tick(made_up_snapshot(tick, 2), RefereeOutput(placements=placements), b"")
     poses = next(writer.folder.rglob("*.poses"))
     with poses.open("r+b") as file:
         file.truncate(poses.stat().st_size - 1)
@@ -148,10 +148,10 @@ def test_notes_of_ticks_whose_poses_were_never_written_are_left_out(tmp_path: Pa
 
 def test_a_tick_that_is_missing_or_comes_twice_is_refused(tmp_path: Path) -> None:
     writer = _begun(tmp_path)
-    writer.tick(made_up_snapshot(1, 2), Verdict(), b"")
+    writer.tick(made_up_snapshot(1, 2), RefereeOutput(), b"")
     for wrong in (1, 3):
         with pytest.raises(ValueError, match="every tick once"):
-            writer.tick(made_up_snapshot(wrong, 2), Verdict(), b"")
+            writer.tick(made_up_snapshot(wrong, 2), RefereeOutput(), b"")
     writer.finish({"complete": False})
 
 

@@ -16,7 +16,7 @@ from pkgutil import resolve_name
 import jsonschema
 import pytest
 
-from rcj_challenges.facts.play import Event, Fault, Firing, Verdict
+from rcj_challenges.facts.play import Event, Fault, Firing, RefereeOutput
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import TRAJECTORY_PARTS, make_run_folder
 from rcj_challenges.records.result import read_result, result_schema_text
@@ -131,8 +131,8 @@ def test_suppressed_firings_score_nothing(tmp_path: Path) -> None:
     with RecordWriter(tmp_path, header) as writer:
         writer.begin_half(half_info(scenario, 1, 2, header))
         would_have = Firing(0, "goal", None, "enters", scored={"blue": 1}, suppressed="phase")
-        writer.tick(made_up_snapshot(0, 2), Verdict(firings=(would_have,)), b"")
-        writer.end_half(Verdict())
+        writer.tick(made_up_snapshot(0, 2), RefereeOutput(firings=(would_have,)), b"")
+        writer.end_half(RefereeOutput())
         writer.finish()
     assert read_result(writer.folder).score == {"blue": 0, "yellow": 0}
 
@@ -148,7 +148,7 @@ def test_the_caller_knows_the_score_better_if_he_says_so(tmp_path: Path) -> None
     header = small_header(scenario)
     with RecordWriter(tmp_path, header) as writer:
         writer.begin_half(half_info(scenario, 2, 2, header))
-        writer.end_half(Verdict(), {"blue": 5, "yellow": 3}, ended="mercy")
+        writer.end_half(RefereeOutput(), {"blue": 5, "yellow": 3}, ended="mercy")
         writer.finish()
     half = read_result(writer.folder).halves[0]
     assert half.score == {"blue": 3, "yellow": 5}
@@ -161,7 +161,7 @@ def test_a_run_that_an_error_stops_is_closed_and_says_so(tmp_path: Path) -> None
     with pytest.raises(KeyboardInterrupt), RecordWriter(tmp_path, header) as writer:  # noqa: PT012
         writer.begin_half(half_info(scenario, 1, 50, header))
         for tick in range(10):
-            writer.tick(made_up_snapshot(tick, 2), Verdict(), b"")
+            writer.tick(made_up_snapshot(tick, 2), RefereeOutput(), b"")
         raise KeyboardInterrupt
     result = read_result(writer.folder)
     assert (result.complete, result.stopped) == (False, "KeyboardInterrupt")
@@ -180,10 +180,10 @@ def test_a_disk_that_is_full_for_a_moment_puts_nothing_twice_into_the_record(tmp
     writer = RecordWriter(tmp_path, header)
     writer.begin_half(half_info(scenario, 1, 50, header))
     for tick in range(50):
-        writer.tick(made_up_snapshot(tick, 6), Verdict(), b"")
+        writer.tick(made_up_snapshot(tick, 6), RefereeOutput(), b"")
     poses = writer.folder / TRAJECTORY_PARTS / "half-1.poses"
     with _no_file_beyond(poses.stat().st_size + cut), pytest.raises(OSError, match="too large"):
-        writer.tick(made_up_snapshot(50, 6), Verdict(), b"")
+        writer.tick(made_up_snapshot(50, 6), RefereeOutput(), b"")
     writer.break_off(OSError)  # the programs have left, and so there is room again
     (half,) = Trajectory.open(writer.folder).halves
     assert [one.substeps for one in half.snapshots()] == [made_up_snapshot(tick, 6).substeps for tick in range(1, 51)]
@@ -196,10 +196,10 @@ def test_a_line_of_the_log_that_the_disk_does_not_take_whole_is_an_error(tmp_pat
     writer = RecordWriter(tmp_path, header)
     writer.begin_half(half_info(scenario, 1, 50, header))
     goal = Event(0, "GOAL", {"team_name": "Hanse"})
-    writer.tick(made_up_snapshot(0, 2), Verdict(events=(goal,) * 20), b"")
+    writer.tick(made_up_snapshot(0, 2), RefereeOutput(events=(goal,) * 20), b"")
     room_bytes = (writer.folder / "reflog.jsonl").stat().st_size + 10
     with _no_file_beyond(room_bytes), pytest.raises(OSError, match="too large"):
-        writer.tick(made_up_snapshot(1, 2), Verdict(events=(goal,)), b"")
+        writer.tick(made_up_snapshot(1, 2), RefereeOutput(events=(goal,)), b"")
     writer.break_off(OSError)
 
 
@@ -243,10 +243,10 @@ def test_an_interruption_of_the_end_counts_no_half_twice_and_loses_none(
     writer = RecordWriter(tmp_path, header)
     writer.begin_half(half_info(scenario, 1, 9, header))
     for tick in range(10):
-        writer.tick(made_up_snapshot(tick, 2), Verdict(), b"")
+        writer.tick(made_up_snapshot(tick, 2), RefereeOutput(), b"")
     monkeypatch.setattr(resolve_name(owner), name, interrupted)
     with pytest.raises(KeyboardInterrupt):  # noqa: PT012 - wherever it comes
-        writer.end_half(Verdict())
+        writer.end_half(RefereeOutput())
         writer.finish()
     writer.break_off(KeyboardInterrupt)
     result = read_result(writer.folder)
@@ -325,8 +325,8 @@ scenario = small_scenario()
 header = small_header(scenario)
 writer = RecordWriter(Path(sys.argv[1]), header)
 writer.begin_half(half_info(scenario, 1, 10**9, header))
-for snapshot, verdict in made_up_play(6, 10**9):
-    writer.tick(snapshot, verdict, b"12345678")
+for snapshot, output in made_up_play(6, 10**9):
+    writer.tick(snapshot, output, b"12345678")
     if snapshot.tick == int(sys.argv[2]):
         print(snapshot.tick, flush=True)
 """
@@ -369,12 +369,12 @@ def test_the_writer_holds_only_what_is_rare_in_memory(tmp_path: Path) -> None:
     scenario = small_scenario(3, 1)
     header = small_header(scenario)
     snapshots = [made_up_snapshot(tick, 6) for tick in range(1, 101)]
-    verdict = Verdict()
+    output = RefereeOutput()
     with RecordWriter(tmp_path, header) as writer:
         writer.begin_half(half_info(scenario, 1, 100, header))
         tracemalloc.start()
         for snapshot in snapshots:
-            writer.tick(snapshot, verdict, bytes(920))
+            writer.tick(snapshot, output, bytes(920))
         held, _ = tracemalloc.get_traced_memory()
         tracemalloc.stop()
         writer.finish()
@@ -384,9 +384,9 @@ def test_the_writer_holds_only_what_is_rare_in_memory(tmp_path: Path) -> None:
 def test_events_before_a_half_are_a_mistake_of_the_caller(tmp_path: Path) -> None:
     with RecordWriter(tmp_path, small_header(small_scenario())) as writer:
         with pytest.raises(ValueError, match="begin_half"):
-            writer.tick(made_up_snapshot(0, 6), Verdict(events=(Event(0, "GOAL"),)), b"")
+            writer.tick(made_up_snapshot(0, 6), RefereeOutput(events=(Event(0, "GOAL"),)), b"")
         with pytest.raises(ValueError, match="begin_half"):
-            writer.end_half(Verdict())
+            writer.end_half(RefereeOutput())
         writer.finish({"complete": False})
 
 
@@ -396,6 +396,6 @@ def test_a_fault_of_an_idle_robot_belongs_to_no_team(tmp_path: Path) -> None:
     fault = Fault("X9", "crash", 0, 1, "")
     with RecordWriter(tmp_path, header) as writer:
         writer.begin_half(half_info(scenario, 1, 2, header))
-        writer.tick(made_up_snapshot(1, 2, faults=(fault,)), Verdict(), b"")
+        writer.tick(made_up_snapshot(1, 2, faults=(fault,)), RefereeOutput(), b"")
         writer.finish({"complete": False})
     assert read_result(writer.folder).faults[0].team is None

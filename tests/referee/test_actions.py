@@ -335,9 +335,9 @@ class TestActionSetPhase:
     def test_it_takes_effect_at_once(self, stage):
         play = stage("phases: {pause: {waiting_for_kickoff: true}}", at_tick_10("{action: set_phase, phase: pause}"))
         play.play(9)
-        assert (play.verdict.phase, play.verdict.waiting_for_kickoff) == ("play", False)
+        assert (play.output.phase, play.output.waiting_for_kickoff) == ("play", False)
         play.play()
-        assert (play.verdict.phase, play.verdict.waiting_for_kickoff) == ("pause", True)
+        assert (play.output.phase, play.output.waiting_for_kickoff) == ("pause", True)
 
     def test_a_phase_with_a_length_runs_out(self, stage):
         play = stage("phases: {pause: {lasts_s: 0.32}}", at_tick_10("{action: set_phase, phase: pause}"))
@@ -365,21 +365,21 @@ class TestActionEnd:
             at_tick_10("{action: end, reason: enough}"),
             "rules: {later: {triggers: [{trigger: time_reached, at_s: 0.32}], actions: [{action: score, entrant: blue}]}}",
         )
-        verdict = play.play(10)
-        assert (verdict.ended, verdict.ends_match) == ("enough", False)
+        output = play.play(10)
+        assert (output.ended, output.ends_match) == ("enough", False)
         assert play.referee.scores["blue"] == 1
 
     def test_it_can_end_the_match(self, stage):
         play = stage(at_tick_10("{action: end, what: match}"))
-        verdict = play.play(10)
-        assert (verdict.ended, verdict.ends_match) == ("act", True)
+        output = play.play(10)
+        assert (output.ended, output.ends_match) == ("act", True)
 
     def test_it_can_end_the_match_when_the_half_is_over(self, stage):
         over = "rules: {over: {triggers: [{trigger: half_ended}], actions: [{action: end, what: match}]}}"
         play = stage("match: {half_s: 0.32}", over)
-        assert (play.play(10).ended, play.verdict.ends_match) == (None, False)
-        verdict = play.finish()
-        assert (verdict.ended, verdict.ends_match) == ("over", True)
+        assert (play.play(10).ended, play.output.ends_match) == (None, False)
+        output = play.finish()
+        assert (output.ended, output.ends_match) == ("over", True)
 
     def test_the_reason_of_the_rule_that_ends_the_match_goes_before_that_of_one_that_ends_the_half(self, stage):
         play = stage(at_tick_10("{action: end, reason: half}", "{action: end, what: match, reason: match}"))

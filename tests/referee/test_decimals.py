@@ -88,7 +88,7 @@ rules:
 def test_what_programs_are_told_of_a_decimal_score_is_the_number_on_paper(stage):
     play = stage(TENTHS, "broadcast: {fields: {score: {word: score, of: yellow}}}")
     play.play(30)
-    assert json.dumps(play.verdict.broadcast) == '{"score": 0.3}'
+    assert json.dumps(play.output.broadcast) == '{"score": 0.3}'
 
 
 def test_a_whole_score_stays_a_whole_number(stage):

@@ -28,7 +28,7 @@ def test_the_rule_of_the_drawn_one_fires_and_no_other(stage, catcher):
     play = stage(CATCHER, draws={"catcher": catcher})
     assert [event.payload for event in play.events] == [{"who": catcher}]
     assert [firing.says for firing in play.firings] == [f"{catcher} is the catcher."]
-    assert play.verdict.broadcast == {"catcher": catcher}
+    assert play.output.broadcast == {"catcher": catcher}
 
 
 def test_chance_decides_among_all_of_them(stage):
@@ -43,7 +43,7 @@ def test_whom_the_catcher_touches_is_the_one_from_then_on(stage):
     caught = [(event.payload["by"], event.payload["who"]) for event in play.events_named("CAUGHT")]
     assert caught == [("Y1", "B1"), ("B1", "Y2")]
     assert play.referee.scores == {"blue": -1, "yellow": -1}
-    assert play.verdict.broadcast == {"catcher": "Y2"}
+    assert play.output.broadcast == {"catcher": "Y2"}
 
 
 POISONED = """

@@ -95,8 +95,8 @@ class TestWhatIsToldOfTheCountersThatRank:
         for tick in range(31):
             if tick:
                 play.play(1)
-            if play.verdict.counted is not None:
-                told[tick] = play.verdict.counted
+            if play.output.counted is not None:
+                told[tick] = play.output.counted
         assert told == {0: {"laps": self.NO_LAPS, "faults": 0}, 10: {"laps": self.NO_LAPS, "faults": 1}}
         assert play.finish().counted == {"laps": self.NO_LAPS | {"Y1": 1}, "faults": 1}
         assert told[0]["laps"]["Y1"] == 0  # what was told stays as it was
@@ -104,4 +104,4 @@ class TestWhatIsToldOfTheCountersThatRank:
     def test_where_the_ranking_asks_no_counter_nothing_is_told(self, stage):
         play = stage("counters: {laps: {}}", "rules: {it: {triggers: [{trigger: half_started}], "
                      "actions: [{action: count, counter: laps}]}}")  # fmt: skip
-        assert play.verdict.counted is None
+        assert play.output.counted is None

@@ -1,4 +1,4 @@
-"""Robots that rules hold, for a time or until a rule lets them go; who is held can be asked, and is told in the verdict."""
+"""Robots that rules hold, for a time or until a rule lets them go; who is held can be asked, and is told in the output."""
 
 import pytest
 
@@ -26,8 +26,8 @@ def held(play, ticks):
     return {tick: found for tick in range(1, ticks + 1) if (found := names(play.play()))}
 
 
-def names(verdict):
-    return ",".join(ROBOTS[robot] for robot in sorted(verdict.held))
+def names(output):
+    return ",".join(ROBOTS[robot] for robot in sorted(output.held))
 
 
 class TestActionHold:
@@ -97,7 +97,7 @@ class TestActionHold:
         play = stage(
             "rules: {r: {triggers: [{trigger: half_started}], actions: [{action: hold, entity: [yellow, B2]}]}}"
         )
-        assert names(play.verdict) == "B2,Y1,Y2"
+        assert names(play.output) == "B2,Y1,Y2"
 
     def test_the_one_touched(self, stage):
         play = stage(
@@ -129,13 +129,13 @@ class TestActionHold:
         play.fail("B2")
         assert play.play().robots_held
         play.play(20)
-        assert (play.verdict.robots_held, names(play.verdict)) == (False, "Y1")
+        assert (play.output.robots_held, names(play.output)) == (False, "Y1")
 
     def test_the_same_robots_are_the_same_object_so_that_quiet_ticks_cost_nothing(self, play):
         play.touch("Y1", "walls")
         first = play.play()
         assert play.play() is play.play()
-        assert play.verdict.held is first.held
+        assert play.output.held is first.held
 
 
 class TestActionRelease:
@@ -256,7 +256,7 @@ broadcast: {fields: {Y1: {held: Y1}, B1: {held: B1}}}
 
     def test_also_while_a_phase_holds_all(self, stage):
         play = stage(self.TOLD, "phases: {play: {robots: held}}")
-        assert play.verdict.broadcast == {"Y1": True, "B1": True}
+        assert play.output.broadcast == {"Y1": True, "B1": True}
 
 
 class TestNoProgressOfHeldRobots:

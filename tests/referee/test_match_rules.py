@@ -123,7 +123,7 @@ class TestGoal:
         play.place("ball", 0.0, 0.8)
         flags = [play.play().waiting_for_kickoff for _ in range(100)]
         assert flags == [True] * 94 + [False] * 6
-        assert not match_play().verdict.waiting_for_kickoff
+        assert not match_play().output.waiting_for_kickoff
 
     def test_no_other_rule_runs_in_the_pause(self, match_play):
         play = match_play()

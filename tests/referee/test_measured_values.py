@@ -156,7 +156,7 @@ class TestValueLastTouch:
 
     def test_a_broadcast_tells_it_though_no_rule_asks_for_touches(self, stage):
         play = stage("broadcast: {fields: {who: {last_touch: ball}}}")
-        assert play.verdict.broadcast == {"who": None}
+        assert play.output.broadcast == {"who": None}
         play.touch("ball", "Y2")
         assert play.play().broadcast == {"who": "Y2"}
 

@@ -152,9 +152,9 @@ class TestDodgeball:
         play = stage(DODGEBALL)
         play.play()
         play.touch("B2", "green")
-        verdict = play.play()
-        assert [(p.entity, p.parked) for p in verdict.placements] == [(1, True)]
-        assert [firing.says for firing in verdict.firings] == ["green hits B2."]
+        output = play.play()
+        assert [(p.entity, p.parked) for p in output.placements] == [(1, True)]
+        assert [firing.says for firing in output.firings] == ["green hits B2."]
         assert play.referee.scores == {"blue": 0, "yellow": 1}
         play.play(63)
         assert play.pose("B2")[:2] == pytest.approx((-0.4, 0.5))

@@ -307,8 +307,8 @@ class TestLine5:
 
     def test_5_5_end_takes_effect_after_the_last_firing(self, stage):
         play = stage(once(5, "{action: end}"), once(5, TELL, name="later"))
-        verdict = play.play(5)
-        assert (verdict.ended, told(play)) == ("act", [5])
+        output = play.play(5)
+        assert (output.ended, told(play)) == ("act", [5])
 
     def test_5_6_a_goal_in_the_final_tick_counts(self, stage):
         play = stage(

@@ -128,6 +128,6 @@ class TestLine9:
             "broadcast: {fields: {phase: {word: phase}, ball: {position_of: ball}}}",
             once(5, "{action: set_phase, phase: pause}", "{action: place, entity: ball, at: {point: [0.25, 0]}}"),
         )
-        verdicts = [play.play() for _ in range(9)]
-        assert [verdict.waiting_for_kickoff for verdict in verdicts] == [False] * 4 + [True] * 3 + [False] * 2
-        assert verdicts[4].broadcast == {"phase": "pause", "ball": [0.25, 0.0, 0.0]}
+        outputs = [play.play() for _ in range(9)]
+        assert [output.waiting_for_kickoff for output in outputs] == [False] * 4 + [True] * 3 + [False] * 2
+        assert outputs[4].broadcast == {"phase": "pause", "ball": [0.25, 0.0, 0.0]}

@@ -67,9 +67,9 @@ class TestValuePositionOf:
             "rules: {moved: {triggers: [{trigger: time_reached, at_s: 0.32}], actions: [{action: set_spot, spot: mark, to: B1}]}}",
         )
         assert payload(play) == {"a": [0.5, -0.1], "b": [0, 0.25]}
-        assert play.verdict.broadcast == {"mark": [0.5, -0.1], "target": [0, 0.25]}
+        assert play.output.broadcast == {"mark": [0.5, -0.1], "target": [0, 0.25]}
         play.play_until(15)
-        assert play.verdict.broadcast == {"mark": [0.4, 0.5], "target": [0, 0.25]}
+        assert play.output.broadcast == {"mark": [0.4, 0.5], "target": [0, 0.25]}
         play.play()
         assert payload(play)["a"] == [0.4, 0.5]
 
@@ -163,7 +163,7 @@ class TestBroadcast:
             f"broadcast: {{fields: {self.FIELDS}}}",
             "rules: {point: {triggers: [{trigger: time_reached, at_s: 0.064}], actions: [{action: score, entrant: blue}]}}",
         )
-        assert play.verdict.broadcast == {"score": 0, "phase": "play", "ball": [0.0, 0.0, 0.0]}
+        assert play.output.broadcast == {"score": 0, "phase": "play", "ball": [0.0, 0.0, 0.0]}
         assert [play.play().broadcast["score"] for _ in range(3)] == [0, 1, 1]
 
     def test_some_are_told_what_others_are_not(self, stage):
@@ -172,24 +172,24 @@ class TestBroadcast:
             "draws: {way: {values: [left]}}",
             "counters: {n: {initial: 4}}",
         )
-        verdict = play.play()
+        output = play.play()
         names = play.roster.entities
-        assert {names[robot]: told for robot, told in verdict.told_only.items()} == {
+        assert {names[robot]: told for robot, told in output.private_broadcasts.items()} == {
             "Y1": {"way": "left"},
             "B1": {"way": "none", "n": 4},
             "B2": {"way": "B2", "n": 4},
         }
-        assert verdict.broadcast == {}
+        assert output.broadcast == {}
 
     def test_what_is_for_some_only_comes_as_rarely(self, stage):
         play = stage("broadcast: {every_ticks: 3, fields: {}, only: {Y1: {a: 1}}}")
-        assert [bool(play.play().told_only) for _ in range(6)] == [False, False, True, False, False, True]
+        assert [bool(play.play().private_broadcasts) for _ in range(6)] == [False, False, True, False, False, True]
 
     def test_who_is_told_nothing_under_only_is_told_what_all_are(self, stage):
         # So it stands there where a file that extends this one has taken a key away by null.
         play = stage("broadcast: {fields: {}, only: {Y1: {}, Y2: {a: 1}}}")
-        assert list(play.play().told_only.values()) == [{"a": 1}]
-        assert stage("broadcast: {fields: {}, only: {Y1: {}}}").play().told_only is None
+        assert list(play.play().private_broadcasts.values()) == [{"a": 1}]
+        assert stage("broadcast: {fields: {}, only: {Y1: {}}}").play().private_broadcasts is None
 
     def test_it_can_be_rarer(self, stage):
         play = stage(f"broadcast: {{every_ticks: 3, fields: {self.FIELDS}}}")

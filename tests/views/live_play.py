@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from contextlib import ExitStack, closing
 from pathlib import Path
 
-from rcj_challenges.facts.play import Event, Verdict
+from rcj_challenges.facts.play import Event, RefereeOutput
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.match.observers import ObserverGroup
 from rcj_challenges.records.sensors import SensorWriter
@@ -83,16 +83,16 @@ class MadeUpMatch:
             if self._sensors:
                 senses = recording.enter_context(closing(SensorWriter(writer.folder, number, SENSED)))
                 senses.tell(observer.sensing(half, SENSED))
-            for snapshot, verdict in made_up_play(len(self._scenario.robots), ticks):
+            for snapshot, output in made_up_play(len(self._scenario.robots), ticks):
                 if self._stopped.is_set():
                     return False
                 if snapshot.tick:
                     observer.before_tick(snapshot.tick)
-                writer.tick(snapshot, verdict, struct.pack("<d", snapshot.substeps[-1][0][0]))
-                observer.ticked(snapshot, verdict)
+                writer.tick(snapshot, output, struct.pack("<d", snapshot.substeps[-1][0][0]))
+                observer.ticked(snapshot, output)
                 if senses is not None:
                     sense(senses, snapshot.tick)
-        last = Verdict(events=(Event(ticks, "MATCH_FINISH", {"total_match_time": ticks * TICK_S}),))
+        last = RefereeOutput(events=(Event(ticks, "MATCH_FINISH", {"total_match_time": ticks * TICK_S}),))
         writer.end_half(last)
         observer.closing(last, half)
         return True

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
-from rcj_challenges.facts.play import Event, Fault, Firing, Placement, Snapshot, Verdict
+from rcj_challenges.facts.play import Event, Fault, Firing, Placement, RefereeOutput, Snapshot
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.records.logos import logo_path
 from rcj_challenges.records.sensors import SensorWriter
@@ -55,24 +55,24 @@ def scenario() -> Scenario:
     return Scenario.model_validate(fields)
 
 
-def play(robots: int, half: int) -> Iterator[tuple[Snapshot, Verdict]]:
+def play(robots: int, half: int) -> Iterator[tuple[Snapshot, RefereeOutput]]:
     """Yield a half; in the first one a program crashes, a robot is stuck, and one is taken off for a time."""
     for snapshot, judged in made_up_play(robots, TICKS):
-        tick, verdict = snapshot.tick, judged
+        tick, output = snapshot.tick, judged
         fault = Fault("Y1", "crash", CRASH, 1, "ZeroDivisionError: division by zero", TRACEBACK)
         shown = snapshot._replace(faults=(fault,) if half == 1 and tick == CRASH_HEARD else ())
         if half == 1 and tick == STUCK:
             says = "B2 made no progress or left the field; it is put on a neutral spot."
             firing = Firing(tick, "stuck", "B2", "no_progress", 0.49712, 0.5, {}, None, says)
             event = Event(tick, "LACK_OF_PROGRESS", {"type": "robot", "robot_name": "B2"})
-            verdict = replace(verdict, events=(event,), firings=(firing,), placements=(Placement(1, 0.0, 0.2, 0.0),))
+            output = replace(output, events=(event,), firings=(firing,), placements=(Placement(1, 0.0, 0.2, 0.0),))
         if half == 1 and REMOVED < tick <= BACK:
             gone = (1000.0, 0.0, 0.0)
             shown = shown._replace(substeps=[[*poses[:2], gone, *poses[3:]] for poses in shown.substeps])
         if half == 1 and tick in (REMOVED, BACK):
             placement = Placement(2, 0.0, 0.0, math.pi / 2, parked=tick == REMOVED)
-            verdict = replace(verdict, placements=(*verdict.placements, placement))
-        yield shown, verdict
+            output = replace(output, placements=(*output.placements, placement))
+        yield shown, output
 
 
 def write_storied_run(out: Path, names: tuple[str, str] = ("Hanse", "Alster"), *, with_sensors: bool = True) -> Path:
@@ -82,9 +82,9 @@ def write_storied_run(out: Path, names: tuple[str, str] = ("Hanse", "Alster"), *
     writer = RecordWriter(out, header)
     for half in (1, 2):
         writer.begin_half(half_info(played, half, TICKS, header, writer.result["score"]))
-        for snapshot, verdict in play(len(played.robots), half):
-            writer.tick(snapshot, verdict, b"")
-        writer.end_half(Verdict(events=(Event(TICKS, "MATCH_FINISH", {"total_match_time": TICKS * TICK_S}),)))
+        for snapshot, output in play(len(played.robots), half):
+            writer.tick(snapshot, output, b"")
+        writer.end_half(RefereeOutput(events=(Event(TICKS, "MATCH_FINISH", {"total_match_time": TICKS * TICK_S}),)))
     folder = writer.finish({"wall_s": 1.0})
     if with_sensors:
         sensors = SensorWriter(folder, 1, SENSED)

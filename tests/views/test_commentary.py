@@ -9,7 +9,7 @@ from rich.console import Console
 from rich.text import Text
 
 from rcj_challenges.expect.scripted_match import half_of
-from rcj_challenges.facts.play import Event, Firing, Verdict
+from rcj_challenges.facts.play import Event, Firing, RefereeOutput
 from rcj_challenges.match.observers import Progress
 from rcj_challenges.scenario.load import load
 from rcj_challenges.views.commentary import Commentator
@@ -17,11 +17,11 @@ from rcj_challenges.views.scoreboard import PlainLines, Scoreboard
 
 MATCH = load("match").scenario
 NAMES = {"blue": "Die Kicker", "yellow": "Hanse"}
-GOAL = Verdict(
+GOAL = RefereeOutput(
     (Event(509, "GOAL", {"team_name": "Die Kicker", "score_yellow": 1, "score_blue": 2}),),
     (Firing(509, "goal_in_yellow", None, "enters", scored={"blue": 1}, says="The ball is in the yellow goal."),),
 )
-KICKOFF = Verdict(
+KICKOFF = RefereeOutput(
     (Event(0, "KICKOFF", {"robot_name": "Y3", "team_name": "Y"}),),
     (Firing(0, "first_kickoff_yellow", None, "half_started", says="Yellow kicks off."),),
 )
@@ -32,10 +32,10 @@ def half():
     return replace(half_of(MATCH), team_names=NAMES, scores={"blue": 1, "yellow": 1})
 
 
-def said(verdict, half, scenario=MATCH):
+def said(output, half, scenario=MATCH):
     commentator = Commentator(scenario)
     commentator.begin(half)
-    return [(remark.text, remark.seat) for remark in commentator.remarks(verdict)]
+    return [(remark.text, remark.seat) for remark in commentator.remarks(output)]
 
 
 def test_a_goal_is_told_with_team_score_and_time(half):
@@ -49,16 +49,16 @@ def test_an_event_is_told_by_the_sentence_of_its_rule(half):
 def test_of_a_payload_is_told_what_the_sentence_leaves_out(half):
     firing = Firing(50, "match_start", None, "half_started", says="The half begins.")
     event = Event(50, "MATCH_START", {"score_blue": 0, "run_s": 8.48})
-    assert said(Verdict((event,), (firing,)), half) == [(" 0:01.6  The half begins. · run 8.48 s", "")]
+    assert said(RefereeOutput((event,), (firing,)), half) == [(" 0:01.6  The half begins. · run 8.48 s", "")]
 
 
 def test_an_event_without_a_sentence_is_told_by_its_name(half):
-    assert said(Verdict((Event(50, "POLE_TOUCHED"),)), half) == [(" 0:01.6  POLE TOUCHED", "")]
+    assert said(RefereeOutput((Event(50, "POLE_TOUCHED"),)), half) == [(" 0:01.6  POLE TOUCHED", "")]
 
 
 def test_points_without_an_event_are_told_and_lost_ones_with_their_number(half):
     firing = Firing(50, "no_such_rule", None, "enters", scored={"yellow": -3})
-    assert said(Verdict((), (firing,)), half) == [("POINTS  Hanse -2 : 1  (yellow, -3, 0:01.6)", "yellow")]
+    assert said(RefereeOutput((), (firing,)), half) == [("POINTS  Hanse -2 : 1  (yellow, -3, 0:01.6)", "yellow")]
 
 
 def test_a_rule_that_scores_and_emits_two_events_scores_once(half):
@@ -69,22 +69,24 @@ def test_a_rule_that_scores_and_emits_two_events_scores_once(half):
         update={"actions": [*actions, emit.model_copy(update={"event": "APPLAUSE"})]}
     )
     scenario = MATCH.model_copy(update={"rules": MATCH.rules | {"goal_in_yellow": rule}})
-    verdict = Verdict((*GOAL.events, Event(509, "APPLAUSE")), (firing,))
-    assert [seat for _, seat in said(verdict, half, scenario)] == ["blue", ""]
+    output = RefereeOutput((*GOAL.events, Event(509, "APPLAUSE")), (firing,))
+    assert [seat for _, seat in said(output, half, scenario)] == ["blue", ""]
 
 
 def test_points_on_every_tick_are_told_a_few_times_and_all_counted(half):
     commentator = Commentator(MATCH)
     commentator.begin(half)
-    paid = [Verdict((), (Firing(tick, "no_such_rule", None, "enters", scored={"blue": 1}),)) for tick in range(100)]
-    assert 0 < sum(len(list(commentator.remarks(verdict))) for verdict in paid) < 50
+    paid = [
+        RefereeOutput((), (Firing(tick, "no_such_rule", None, "enters", scored={"blue": 1}),)) for tick in range(100)
+    ]
+    assert 0 < sum(len(list(commentator.remarks(output))) for output in paid) < 50
     (goal,) = commentator.remarks(GOAL)
     assert "Die Kicker 102 : 1" in goal.text
 
 
 def test_what_a_suppressed_rule_would_have_said_is_not_told(half):
     (firing,) = GOAL.firings
-    assert said(Verdict((), (replace(firing, suppressed="cooldown"),)), half) == []
+    assert said(RefereeOutput((), (replace(firing, suppressed="cooldown"),)), half) == []
 
 
 def shown_by(kind, half, *, width=80, **console):

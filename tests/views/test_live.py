@@ -15,7 +15,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.facts.play import Firing, Placement, Verdict
+from rcj_challenges.facts.play import Firing, Placement, RefereeOutput
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.records.testing import (
     half_info,
@@ -405,8 +405,8 @@ def test_a_spectator_that_reads_nothing_does_not_hold_up_the_match(show: LiveSho
     stuck.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
     stuck.sendall(f"GET /feed?match={match}&from=0 HTTP/1.1\r\nHost: 127.0.0.1:{show.port}\r\n\r\n".encode())
     show.observer.half_started(half_info(SCENARIO, 1, 1875, HEADER))
-    for snapshot, verdict in made_up_play(ROBOTS, 1875):
-        show.observer.ticked(snapshot, verdict)
+    for snapshot, output in made_up_play(ROBOTS, 1875):
+        show.observer.ticked(snapshot, output)
         if snapshot.tick % 100 == 0:
             show.observer.flush()
     show.observer.flush()
@@ -414,12 +414,12 @@ def test_a_spectator_that_reads_nothing_does_not_hold_up_the_match(show: LiveSho
     stuck.close()
 
 
-def _told(ticks: list[tuple[Any, Verdict]], every: int = 7) -> list[Any]:
+def _told(ticks: list[tuple[Any, RefereeOutput]], every: int = 7) -> list[Any]:
     feed = Feed()
     observer = LiveObserver(SCENARIO, feed, Pace(MAX_SPEED))
     observer.half_started(half_info(SCENARIO, 1, len(ticks) - 1, HEADER))
-    for number, (snapshot, verdict) in enumerate(ticks):
-        observer.ticked(snapshot, verdict)
+    for number, (snapshot, output) in enumerate(ticks):
+        observer.ticked(snapshot, output)
         if number % every == 0:
             observer.flush()
     observer.flush()
@@ -468,15 +468,15 @@ def test_what_the_rules_say_after_the_last_tick_counts() -> None:
     half = half_info(SCENARIO, 1, 2, HEADER)
     observer.half_started(half)
     for tick in range(3):
-        observer.ticked(made_up_snapshot(tick, ROBOTS), Verdict())
-    observer.closing(Verdict(firings=(Firing(2, "goal", None, "half_ended", scored={"yellow": 5}),)), half)
+        observer.ticked(made_up_snapshot(tick, ROBOTS), RefereeOutput())
+    observer.closing(RefereeOutput(firings=(Firing(2, "goal", None, "half_ended", scored={"yellow": 5}),)), half)
     feed.close()
     last = _messages(_all(feed))[-1]
     assert (last["tick"], last["score"]) == (2, {"blue": 0, "yellow": 5})
 
 
 def test_the_start_is_shown_as_the_first_tick_finds_it() -> None:
-    start = Verdict(placements=(Placement(ROBOTS, 0.25, -0.5, 0.0),))
+    start = RefereeOutput(placements=(Placement(ROBOTS, 0.25, -0.5, 0.0),))
     (message,) = [told for told in _told([(made_up_snapshot(0, ROBOTS), start)]) if isinstance(told, tuple)]
     row = struct.unpack(f"<{CHANNELS * ENTITIES}h", message[2])
     unit = max(1e-4, (max(SCENARIO.field.width_m, SCENARIO.field.length_m) / 2 + 3.0) / 32_767)

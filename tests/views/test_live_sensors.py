@@ -127,8 +127,8 @@ def told(folder: Path, ticks: int = TICKS, every: int = 7, sensors: bool = True)
     writer = SensorWriter(folder, 1, SENSED)
     if sensors:
         writer.tell(ObserverGroup(observer).sensing(half, SENSED))
-    for snapshot, verdict in made_up_play(ROBOTS, ticks):
-        observer.ticked(snapshot, verdict)
+    for snapshot, output in made_up_play(ROBOTS, ticks):
+        observer.ticked(snapshot, output)
         sense(writer, snapshot.tick)
         if snapshot.tick % every == 0:
             observer.flush()

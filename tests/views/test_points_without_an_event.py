@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from rcj_challenges.facts.play import Event, Firing, Verdict
+from rcj_challenges.facts.play import Event, Firing, RefereeOutput
 from rcj_challenges.records.testing import half_info, made_up_snapshot, small_header, small_scenario
 from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -38,23 +38,23 @@ def _second(tick: int, points: float = 1) -> Firing:
     return Firing(tick, "second", None, "holds", scored={"yellow": points}, says=SAYS)
 
 
-def _verdict(tick: int) -> Verdict:
+def _output(tick: int) -> RefereeOutput:
     if tick == 10:
-        return Verdict(firings=(_second(tick),))
+        return RefereeOutput(firings=(_second(tick),))
     if tick == 20:
         goal = Firing(tick, "goal", "Y1", "enters", scored={"yellow": 3}, says="A goal.")
-        return Verdict(events=(Event(tick, "GOAL", {}),), firings=(_second(tick, -0.5), goal))
-    return Verdict(firings=(_second(tick, 0),)) if tick == 30 else Verdict()
+        return RefereeOutput(events=(Event(tick, "GOAL", {}),), firings=(_second(tick, -0.5), goal))
+    return RefereeOutput(firings=(_second(tick, 0),)) if tick == 30 else RefereeOutput()
 
 
-def _page(folder: Path, verdict: Any = _verdict, ticks: int = TICKS) -> dict[str, Any]:
+def _page(folder: Path, output: Any = _output, ticks: int = TICKS) -> dict[str, Any]:
     scenario = _scenario()
     header = small_header(scenario)
     writer = RecordWriter(folder, header)
     writer.begin_half(half_info(scenario, 1, ticks, header))
     for tick in range(ticks + 1):
-        writer.tick(made_up_snapshot(tick, 2), verdict(tick), b"")
-    writer.end_half(Verdict())
+        writer.tick(made_up_snapshot(tick, 2), output(tick), b"")
+    writer.end_half(RefereeOutput())
     record = writer.finish({"wall_s": 1.0})
     write_replay(record)
     found = re.search(r'id="facts">(.*?)</script>', (record / "replay.html").read_text(encoding="utf-8"), re.DOTALL)
@@ -81,14 +81,14 @@ def test_what_has_an_event_is_told_once_and_before_what_has_none(events: list[di
 
 
 def test_points_that_are_lost_are_no_goal_and_no_points_at_all_are_neither(tmp_path: Path) -> None:
-    def verdict(tick: int) -> Verdict:
+    def output(tick: int) -> RefereeOutput:
         scored = {10: {"yellow": -1}, 20: {"yellow": -1, "blue": 2}, 30: {"yellow": 0}}.get(tick)
         if scored is None:
-            return Verdict()
+            return RefereeOutput()
         firing = Firing(tick, "goal", "Y1", "enters", scored=scored, says="The ball is in a goal.")
-        return Verdict(events=(Event(tick, "GOAL", {}),), firings=(firing,))
+        return RefereeOutput(events=(Event(tick, "GOAL", {}),), firings=(firing,))
 
-    lost, both, nothing = _page(tmp_path, verdict)["events"]
+    lost, both, nothing = _page(tmp_path, output)["events"]
     assert [event["kind"] for event in (lost, both, nothing)] == ["loss", "goal", "call"]
     assert (lost["standing"], both["standing"]) == ("0 : -1", "2 : -2")
     # Where one gains and another loses, it is told in the colour of who gains.
@@ -97,7 +97,7 @@ def test_points_that_are_lost_are_no_goal_and_no_points_at_all_are_neither(tmp_p
 
 def test_a_rule_that_pays_all_the_time_does_not_fill_the_page(tmp_path: Path) -> None:
     ticks = MOST_UNANNOUNCED + 20
-    facts = _page(tmp_path, lambda tick: Verdict(firings=(_second(tick),)), ticks)
+    facts = _page(tmp_path, lambda tick: RefereeOutput(firings=(_second(tick),)), ticks)
     assert len(facts["events"]) == MOST_UNANNOUNCED
     assert facts["halves"][0]["score_changes"][-1] == [ticks, {"yellow": ticks + 1, "blue": 0}]
 
@@ -107,8 +107,8 @@ def test_a_live_match_tells_them_too() -> None:
     observer = LiveObserver(scenario, feed, Pace(MAX_SPEED))
     observer.half_started(half_info(scenario, 1, TICKS, small_header(scenario)))
     for tick in range(TICKS + 1):
-        observer.ticked(made_up_snapshot(tick, 2), _verdict(tick))
-    observer.closing(Verdict(), half_info(scenario, 1, TICKS, small_header(scenario)))
+        observer.ticked(made_up_snapshot(tick, 2), _output(tick))
+    observer.closing(RefereeOutput(), half_info(scenario, 1, TICKS, small_header(scenario)))
     feed.close()
     pieces, at = [], 0
     while piece := feed.read(at, 0.0):

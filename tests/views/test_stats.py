@@ -12,7 +12,7 @@ import pytest
 from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
-from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Snapshot, Verdict
+from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, RefereeOutput, Snapshot
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.testing import (
     half_info,
@@ -229,12 +229,12 @@ def test_play_is_when_nobody_waits_for_a_kick_off() -> None:
 
 @pytest.fixture
 def record(tmp_path: Path) -> Callable[..., Path]:
-    """Write a run of one half: B1 and Y1; who touches the ball, or which body of several, and verdicts are given by tick."""
+    """Write a run of one half: B1 and Y1; who touches the ball, or which body of several, and outputs are given by tick."""
 
     def write(
         ticks: int,
         touches: dict[int, int | tuple[int, int]],
-        verdicts: dict[int, Verdict] | None = None,
+        outputs: dict[int, RefereeOutput] | None = None,
         faults: tuple[Fault, ...] = (),
         scenario: Scenario | None = None,
         half: int = 1,
@@ -243,7 +243,7 @@ def record(tmp_path: Path) -> Callable[..., Path]:
         header = small_header(made)
         with RecordWriter(tmp_path, header) as writer:
             writer.begin_half(half_info(made, half, ticks, header))
-            verdict = Verdict()
+            output = RefereeOutput()
             for tick in range(ticks + 1):
                 balls = [(0.1 * number, 0.0, 0.0) for number in range(len(made.balls))]
                 poses = [(0.3, 0.3, 0.0), (-0.3, -0.3 + 0.004 * tick, 0.0), *balls]
@@ -254,11 +254,11 @@ def record(tmp_path: Path) -> Callable[..., Path]:
                     tick, [poses] * 4, heights, [1.0] * len(poses), (touching, (), (), touching),
                     tuple(fault for fault in faults if fault.tick == tick),
                 )  # fmt: skip
-                verdict = (verdicts or {}).get(
-                    tick, Verdict(phase=verdict.phase, waiting_for_kickoff=verdict.waiting_for_kickoff)
+                output = (outputs or {}).get(
+                    tick, RefereeOutput(phase=output.phase, waiting_for_kickoff=output.waiting_for_kickoff)
                 )
-                writer.tick(snapshot, verdict, b"")
-            writer.end_half(Verdict())
+                writer.tick(snapshot, output, b"")
+            writer.end_half(RefereeOutput())
             return writer.finish()
 
     return write
@@ -266,8 +266,8 @@ def record(tmp_path: Path) -> Callable[..., Path]:
 
 def test_possession_is_the_share_of_play_since_the_last_touch(record: Callable[..., Path]) -> None:
     # 100 ticks of which 41..60 are a pause: blue has the ball from 11 to 40, yellow from 61 on.
-    verdicts = {40: Verdict(phase="pause", waiting_for_kickoff=True), 60: Verdict()}
-    stats = run_stats(record(100, {11: 0, 61: 1}, verdicts))
+    outputs = {40: RefereeOutput(phase="pause", waiting_for_kickoff=True), 60: RefereeOutput()}
+    stats = run_stats(record(100, {11: 0, 61: 1}, outputs))
     assert stats.play_ticks == 80
     told = stats_as_json(stats)["teams"]
     assert told["Hanse"]["possession"] == 37.5
@@ -300,7 +300,7 @@ def test_without_a_ball_nobody_has_it_touches_it_or_shoots(record: Callable[...,
 
 
 def test_way_and_speeds_are_those_of_play(record: Callable[..., Path]) -> None:
-    pause = {50: Verdict(phase="pause", waiting_for_kickoff=True)}
+    pause = {50: RefereeOutput(phase="pause", waiting_for_kickoff=True)}
     told = stats_as_json(run_stats(record(100, {}, pause)))["teams"]["Alster"]
     assert told["distance_m"] == pytest.approx(0.2, abs=1e-3)
     assert told["mean_mps"] == told["max_mps"] == pytest.approx(0.125, abs=1e-3)
@@ -314,13 +314,13 @@ def test_the_own_half_is_that_of_the_goal_which_the_team_defends(record: Callabl
 
 
 def test_calls_are_counted_for_the_robot_that_the_event_or_the_rule_names(record: Callable[..., Path]) -> None:
-    named = Verdict(events=(Event(10, "LACK_OF_PROGRESS", {"type": "robot", "robot_name": "Y1"}),))
-    ball = Verdict(events=(Event(20, "LACK_OF_PROGRESS", {"type": "ball"}),))
-    goal = Verdict(
+    named = RefereeOutput(events=(Event(10, "LACK_OF_PROGRESS", {"type": "robot", "robot_name": "Y1"}),))
+    ball = RefereeOutput(events=(Event(20, "LACK_OF_PROGRESS", {"type": "ball"}),))
+    goal = RefereeOutput(
         events=(Event(30, "GOAL", {"team_name": "Alster"}),),
         firings=(Firing(30, "goal", None, "enters", scored={"yellow": 1}),),
     )
-    start = Verdict(events=(Event(0, "KICKOFF", {"robot_name": "B1"}), Event(0, "MATCH_START")))
+    start = RefereeOutput(events=(Event(0, "KICKOFF", {"robot_name": "B1"}), Event(0, "MATCH_START")))
     fault = Fault("B1", "crash", 40, 1, "boom")
     stats = run_stats(record(50, {}, {0: start, 10: named, 20: ball, 30: goal}, (fault,)))
     assert stats.teams["Alster"].robots["Y1"].calls == {"LACK_OF_PROGRESS": 1}

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rcj_challenges.facts.play import Placement, Verdict
+from rcj_challenges.facts.play import Placement, RefereeOutput
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.testing import half_info, made_up_snapshot, small_header, small_scenario, write_made_up_run
@@ -38,8 +38,8 @@ def test_placements_at_kick_off_hold_from_the_first_picture_on(tmp_path):
     writer.begin_half(half_info(scenario, 1, 10, header))
     placed = (Placement(BALL, 0.2, -0.1, 0.0), Placement(0, 0.0, 0.0, 0.0, parked=True))
     for tick in range(11):
-        writer.tick(made_up_snapshot(tick, 6), Verdict(placements=() if tick else placed), b"")
-    writer.end_half(Verdict())
+        writer.tick(made_up_snapshot(tick, 6), RefereeOutput(placements=() if tick else placed), b"")
+    writer.end_half(RefereeOutput())
     (half,) = Footage.open(writer.finish({"wall_s": 1.0})).halves
     start = half.poses_at(0.0)
     assert start[BALL, :2] == pytest.approx((0.2, -0.1))

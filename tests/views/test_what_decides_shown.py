@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from rcj_challenges.facts.measures import measure_words, measured_words, number_words
-from rcj_challenges.facts.play import Event, Firing, Verdict
+from rcj_challenges.facts.play import Event, Firing, RefereeOutput
 from rcj_challenges.records.testing import half_info, made_up_snapshot, small_header, small_scenario
 from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -99,9 +99,9 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for half in (1, 2):
         writer.begin_half(half_info(scenario, half, TICKS, header))
         for tick in range(TICKS + 1):
-            writer.tick(made_up_snapshot(tick, 2), _verdict(half, tick), b"")
+            writer.tick(made_up_snapshot(tick, 2), _output(half, tick), b"")
         closing = {"laps": {"B1": half, "Y1": 1}, "best_s": 30 - half}
-        writer.end_half(Verdict(counted=closing))
+        writer.end_half(RefereeOutput(counted=closing))
     values = {"blue": [2, 57], "yellow": [3, 57]}
     places = [{"place": place, "team": team, "values": values[team]} for place, team in ((1, "yellow"), (2, "blue"))]
     folder = writer.finish({"wall_s": 1.0, "ranking": places})
@@ -109,15 +109,15 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-def _verdict(half: int, tick: int) -> Verdict:
+def _output(half: int, tick: int) -> RefereeOutput:
     best_s = 99 if half == 1 else 29
     if tick == 0:
-        return Verdict(counted={"laps": {"B1": 0, "Y1": 0}, "best_s": best_s})
+        return RefereeOutput(counted={"laps": {"B1": 0, "Y1": 0}, "best_s": best_s})
     if tick != 20:
-        return Verdict()
+        return RefereeOutput()
     firing = Firing(tick, "goal", "B1", "enters", says="A lap is complete.")
     event = Event(tick, "GOAL", {"lap": half})
-    return Verdict(events=(event,), firings=(firing,), counted={"laps": {"B1": half, "Y1": 0}, "best_s": best_s})
+    return RefereeOutput(events=(event,), firings=(firing,), counted={"laps": {"B1": half, "Y1": 0}, "best_s": best_s})
 
 
 def _facts(folder: Path) -> dict[str, Any]:
@@ -189,8 +189,8 @@ def _replay(folder: Path, **more: Any) -> Path:
     writer = RecordWriter(folder, small_header(scenario))
     writer.begin_half(half_info(scenario, 1, TICKS, small_header(scenario)))
     for tick in range(TICKS + 1):
-        writer.tick(made_up_snapshot(tick, 2), Verdict(), b"")
-    writer.end_half(Verdict())
+        writer.tick(made_up_snapshot(tick, 2), RefereeOutput(), b"")
+    writer.end_half(RefereeOutput())
     run = writer.finish({"wall_s": 1.0})
     write_replay(run)
     return run
@@ -306,9 +306,9 @@ def test_a_live_match_tells_what_counts_where_it_changes() -> None:
     half = half_info(scenario, 1, TICKS, small_header(scenario))
     observer.half_started(half)
     for tick in range(TICKS + 1):
-        observer.ticked(made_up_snapshot(tick, 2), _verdict(1, tick))
+        observer.ticked(made_up_snapshot(tick, 2), _output(1, tick))
     last = Firing(TICKS, "goal", "Y1", "half_ended")
-    observer.closing(Verdict(firings=(last,), counted={"laps": {"B1": 1, "Y1": 2}, "best_s": 7}), half)
+    observer.closing(RefereeOutput(firings=(last,), counted={"laps": {"B1": 1, "Y1": 2}, "best_s": 7}), half)
     feed.close()
     told = re.findall(rb'"tick":(\d+),"counted":(\{.*?\]\})', b"".join(iter(_reader(feed), None)))
     assert [(int(tick), json.loads(values)) for tick, values in told] == [

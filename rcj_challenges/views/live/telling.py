@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from rcj_challenges.facts.amounts import round_score
-from rcj_challenges.facts.play import Fault, HalfInfo, Snapshot, Verdict
+from rcj_challenges.facts.play import Fault, HalfInfo, RefereeOutput, Snapshot
 from rcj_challenges.facts.timing import TICK_S, ticks_from_s
 from rcj_challenges.match.observers import NullObserver
 from rcj_challenges.records.lines import json_line
@@ -34,7 +34,7 @@ from rcj_challenges.views.standing import Counting
 
 _MOST_AT_ONCE = 2_000
 _NUMBERS_PER_ENTITY = 5  # x, y, yaw; height; upright
-_Kept = tuple[int, bytes, tuple[Snapshot, Verdict] | None]  # tick, poses, and all of it where something happened
+_Kept = tuple[int, bytes, tuple[Snapshot, RefereeOutput] | None]  # tick, poses, and all of it where something happened
 _SEEN_BEYOND_M = 3.0
 """How far outside of the field poses are still told apart; what is further (parked robots) stands at the edge."""
 
@@ -101,20 +101,20 @@ class LiveObserver(NullObserver):
         self._flushing = threading.Lock()
         self.before_tick = pace.before_tick  # type: ignore[method-assign]
 
-    def ticked(self, snapshot: Snapshot, verdict: Verdict) -> None:
+    def ticked(self, snapshot: Snapshot, output: RefereeOutput) -> None:
         """Keep of it what the next `flush` tells."""
         poses, heights = snapshot.substeps[-1], snapshot.heights
         if len(heights) != self._entities:
             self._entities = len(heights)
             self._row = struct.Struct(f"<{_NUMBERS_PER_ENTITY * self._entities}f")
         row = self._row.pack(*chain.from_iterable(poses), *heights, *snapshot.uprights)
-        phase = verdict.phase, verdict.waiting_for_kickoff
+        phase = output.phase, output.waiting_for_kickoff
         is_news = (
-            verdict.events or verdict.firings or verdict.placements or snapshot.faults
-            or phase != self._phase_kept or verdict.held is not self._held_kept or not snapshot.tick
+            output.events or output.firings or output.placements or snapshot.faults
+            or phase != self._phase_kept or output.held is not self._held_kept or not snapshot.tick
         )  # fmt: skip
-        self._phase_kept, self._held_kept = phase, verdict.held
-        self._waiting.append((snapshot.tick, row, (snapshot, verdict) if is_news else None))
+        self._phase_kept, self._held_kept = phase, output.held
+        self._waiting.append((snapshot.tick, row, (snapshot, output) if is_news else None))
 
     def half_started(self, half: HalfInfo) -> None:
         """Tell of the half; what is left of the one before comes first."""
@@ -139,14 +139,14 @@ class LiveObserver(NullObserver):
             self._feed.append(self._senses.announcement)
         return (self._senses,)
 
-    def closing(self, verdict: Verdict, half: HalfInfo) -> None:
+    def closing(self, output: RefereeOutput, half: HalfInfo) -> None:
         """Tell what the rules said after the last tick."""
         self.flush()
         with self._flushing:
-            tick = max((event.tick for event in verdict.events), default=0)
-            tick = max([tick, *(firing.tick for firing in verdict.firings)])
-            if verdict.events or verdict.firings:
-                self._feed.append(self._news(Snapshot(tick, [], [], [], ()), verdict, phase=False))
+            tick = max((event.tick for event in output.events), default=0)
+            tick = max([tick, *(firing.tick for firing in output.firings)])
+            if output.events or output.firings:
+                self._feed.append(self._news(Snapshot(tick, [], [], [], ()), output, phase=False))
 
     def flush(self) -> None:
         """Make messages of all that waits: poses first, so that no reading is of a moment that nobody knows yet."""
@@ -176,43 +176,43 @@ class LiveObserver(NullObserver):
         news = [self._news(*happened) for _, _, happened in batch if happened is not None]
         self._feed.append(poses(half.half, first, rows) + b"".join(news))
 
-    def _news(self, snapshot: Snapshot, verdict: Verdict, *, phase: bool = True) -> bytes:
+    def _news(self, snapshot: Snapshot, output: RefereeOutput, *, phase: bool = True) -> bytes:
         """Return what happened on a tick, framed: events, score, phase, who is held, faults, who was put elsewhere."""
         half = self._half
         assert half is not None  # noqa: S101 - only called within a half
         tick = snapshot.tick
         news: dict[str, Any] = {"say": "news", "half": half.half, "tick": tick}
-        if self._follow_the_score(half, verdict):
+        if self._follow_the_score(half, output):
             self._story.score_changes[half.half].append([tick, dict(self._scores)])
             news["score"] = dict(self._scores)
-        if verdict.counted is not None:
-            news["counted"] = self._counting.at(verdict.counted)
-        if phase and (verdict.phase, verdict.waiting_for_kickoff) != self._phase:
-            self._phase = (verdict.phase, verdict.waiting_for_kickoff)
+        if output.counted is not None:
+            news["counted"] = self._counting.at(output.counted)
+        if phase and (output.phase, output.waiting_for_kickoff) != self._phase:
+            self._phase = (output.phase, output.waiting_for_kickoff)
             news["phase"] = self._phase
-        if phase and verdict.held != self._held:
-            self._held = verdict.held
-            news["held"] = [self._names[robot] for robot in sorted(verdict.held)]
-        if verdict.placements and tick:
-            news["jumps"] = sorted({placement.entity for placement in verdict.placements})
+        if phase and output.held != self._held:
+            self._held = output.held
+            news["held"] = [self._names[robot] for robot in sorted(output.held)]
+        if output.placements and tick:
+            news["jumps"] = sorted({placement.entity for placement in output.placements})
         if snapshot.faults:
             news["faults"] = [_fault(fault) for fault in snapshot.faults]
-        news["events"] = self._events(half, snapshot, verdict)
+        news["events"] = self._events(half, snapshot, output)
         return said(news)
 
-    def _events(self, half: HalfInfo, snapshot: Snapshot, verdict: Verdict) -> list[dict[str, Any]]:
-        events = events_of(snapshot, verdict)
-        if not events and not any(firing.scored for firing in verdict.firings):
+    def _events(self, half: HalfInfo, snapshot: Snapshot, output: RefereeOutput) -> list[dict[str, Any]]:
+        events = events_of(snapshot, output)
+        if not events and not any(firing.scored for firing in output.firings):
             return []
-        firings = [_as_read(firing_line(half.half, firing)) for firing in verdict.firings if firing.suppressed is None]
+        firings = [_as_read(firing_line(half.half, firing)) for firing in output.firings if firing.suppressed is None]
         teller = Teller(self._scenario, self._teams, firings, self._story, self._titles)
         lines = [_as_read({"kind": "event", **event_line(half.half, event)}) for event in events]
         told = [teller.event(line, snapshot.faults) for line in lines]
         return [*told, *teller.unannounced()]
 
-    def _follow_the_score(self, half: HalfInfo, verdict: Verdict) -> bool:
+    def _follow_the_score(self, half: HalfInfo, output: RefereeOutput) -> bool:
         """Add what was scored; returns whether anything was."""
-        scored = [firing for firing in verdict.firings if firing.suppressed is None and firing.scored]
+        scored = [firing for firing in output.firings if firing.suppressed is None and firing.scored]
         for firing in scored:
             for seat, points in firing.scored.items():
                 team = half.teams[seat]
