@@ -8,22 +8,18 @@ turn by a quarter, and shoot.
 One goal takes less than six seconds, so every tenth of a second counts:
 
 * `shot.py` looks for the quickest of all possible shots,
-* `driving.py` drives it: it knows how the wheels slip, and where we are now (the packets are old),
-* `field.py` holds the measures of field, robot and ball,
+* the folder `driving` drives it: it knows how the wheels slip, and where we are now (the packets are old),
 * this file listens to the referee and decides what to do.
-
-The packets call the direction to the blue goal `x` and the direction across the field `y`. We swap the two, so that it
-is as in a mathematics book: our x goes across the field (to the right when we look at the blue goal), our y goes to
-the blue goal, and the orientation is the angle from our x axis, counter-clockwise.
 """
 
 import math
 import struct
 
 from controller import Robot
-from driving import STEP_MS, Body, Drive, Stop, make_step, moves_to
-from field import TOP_SPEED
-from shot import best_shot
+from driving.body import STEP_MS, Body
+from driving.field import TOP_SPEED
+from driving.moves import Drive, Stop, make_step, moves_to
+from shot import best_goal_shot
 
 # Behind the halfway line, so that the ball has room before our side, wherever it is put.
 WAITING_PLACE = (0.0, -0.0755)
@@ -43,7 +39,7 @@ class Shooter:
         self.robot = Robot()
         self.receiver = self.robot.getDevice("receiver")
         self.receiver.enable(STEP_MS)
-        self.body = Body(self.robot)
+        self.body = Body(self.robot, steers=6)
         self.ball = None  # where it was in the newest packet
         self.ball_speed = (0.0, 0.0)
         self.waiting = True  # the goal pause
@@ -101,13 +97,13 @@ class Shooter:
             # A ball that rolls will be further when we hit it; so we plan again, for there.
             ball = self.ball_after(shot.seconds_to_hit)
         self.planned_ball = self.ball, self.ball_speed, now
-        self.moves = moves_to(self.body, shot.run_up, shot.heading, Drive(shot.gear))
+        self.moves = self.way_to(shot.run_up, shot.heading, Drive(shot.gear))
         return True
 
     def shot_at(self, ball):
         """The quickest shot at the goal; if there is none, one that brings the ball away from the wall."""
         place, heading = self.body.position, self.body.heading
-        return best_shot(place, heading, ball) or best_shot(place, heading, ball, WAYS_OUT)
+        return best_goal_shot(place, heading, ball) or best_goal_shot(place, heading, ball, WAYS_OUT)
 
     def ball_after(self, seconds):
         """Where the ball rolls to, as far as the walls let it."""
@@ -120,6 +116,10 @@ class Shooter:
         seconds = self.robot.getTime() - planned_at
         return x + seconds * speed_x, y + seconds * speed_y
 
+    def way_to(self, point, heading, last):
+        """The moves to a pose, and what to do there."""
+        return moves_to(self.body.position, self.body.heading, point, heading, last, near=0.0015)
+
     def is_home(self):
         """Whether we are at the waiting place and look along the halfway line."""
         return math.dist(WAITING_PLACE, self.body.position) < 0.004 and abs(math.sin(self.body.heading)) < 0.01
@@ -127,7 +127,7 @@ class Shooter:
     def go_home(self):
         """Back to the waiting place. Whether we look to the right or to the left there is all the same."""
         heading = 0.0 if math.cos(self.body.heading) > 0 else math.pi
-        self.moves = moves_to(self.body, WAITING_PLACE, heading, Stop())
+        self.moves = self.way_to(WAITING_PLACE, heading, Stop())
 
 
 Shooter().run()

@@ -1,95 +1,12 @@
-"""Which way of shooting brings the ball into the goal soonest?
+"""Which shot brings the ball into the goal soonest? We try many aims between the posts."""
 
-A robot with two wheels is quickest when it only drives straight and turns on the spot. So every shot has four parts:
+from driving.field import GOAL_LINE, is_free
+from driving.shots import best_shot
 
-    turn to the run-up point - drive there - turn to the aim - drive through the ball
-
-and we can say how long each of them takes. There are many ways to do it: many aims between the posts, the run-up
-point near the ball or further away, our front or our rear as the face that hits. We try them all and take the quickest:
-two hundred short sums.
-"""
-
-import math
-
-from field import (
-    BALL_RADIUS,
-    CORNER,
-    GOAL_LINE,
-    TOP_SPEED,
-    TOUCHING,
-    WHEEL_ARM,
-    direction_of,
-    distance_to_segment,
-    is_free,
-    point_at,
-    wrap,
-)
-
-# Where on the goal line we aim. Not at the posts: a ball that hits a post does not go in.
+# Not at the posts: a ball that hits a post does not go in.
 AIMS = [(x / 100, GOAL_LINE) for x in range(-15, 16, 2)]
 
-# How much room there is between our face and the ball after the last turn: with less our corners would touch it.
-RUN_UPS = [0.018 + 0.0015 * i for i in range(6)]
 
-# How far we stay off the ball until we hit it.
-ROOM = 0.0003
-
-# How fast a ball leaves the middle of our face, in m/s (measured). Beside the middle it is slower, 0.23 m/s with 20 mm:
-# the blow turns the robot away.
-BALL_SPEED = 0.258
-
-
-class Shot:
-    """One way of shooting.
-
-    direction: in which it will roll
-    run_up: the point from which we drive through it
-    heading: where our front looks then
-    gear: 1 if our front hits, -1 if our rear does
-    seconds: from now until the ball is in the goal
-    seconds_to_hit: from now until we hit the ball
-    """
-
-    def __init__(self, direction, run_up, gear, seconds_to_hit, seconds):
-        self.direction = direction
-        self.run_up = run_up
-        self.gear = gear
-        self.heading = direction if gear > 0 else wrap(direction + math.pi)
-        self.seconds_to_hit = seconds_to_hit
-        self.seconds = seconds
-
-
-def turning_time(angle):
-    """How long it takes to turn on the spot."""
-    return abs(wrap(angle)) * WHEEL_ARM / TOP_SPEED
-
-
-def time_to(position, heading, point, end_heading):
-    """How long it takes to drive to a point, forwards or backwards, and to look into a direction there."""
-    distance = math.dist(position, point)
-    if distance < 0.002:
-        return turning_time(end_heading - heading)
-    course = direction_of(position, point)
-    turning = min(turning_time(c - heading) + turning_time(end_heading - c) for c in (course, course + math.pi))
-    return distance / TOP_SPEED + turning
-
-
-def best_shot(position, heading, ball, aims=AIMS):
+def best_goal_shot(position, heading, ball, aims=AIMS):
     """The quickest shot, or None if there is none (the ball lies at a wall)."""
-    best = None
-    stay_off = min(CORNER + BALL_RADIUS, math.dist(position, ball)) - 0.001
-    for aim in aims:
-        direction = direction_of(ball, aim)
-        for run_up in RUN_UPS:
-            point = point_at(ball, direction + math.pi, TOUCHING + run_up)
-            if math.dist(point, ball) < CORNER + BALL_RADIUS + ROOM or not is_free(point):
-                continue  # no room to turn there
-            if distance_to_segment(ball, position, point) < stay_off:
-                continue  # the ball is in our way
-            for gear in (1, -1):
-                end_heading = direction if gear > 0 else direction + math.pi
-                to_hit = time_to(position, heading, point, end_heading) + run_up / TOP_SPEED
-                seconds = to_hit + math.dist(ball, aim) / BALL_SPEED
-                if best is None or seconds < best.seconds:
-                    best = Shot(direction, point, gear, to_hit, seconds)
-    return best
+    return best_shot(position, heading, ball, aims, is_free)

@@ -7,14 +7,14 @@ All four robots run the same program. It lies in the folder `pass_library`, besi
 
 * `player.py` listens to the referee and decides what to do,
 * `touch.py` knows how a rolling ball leaves a face that hits it,
-* `shot.py` shoots a ball that lies still (the first one),
-* `ring.py` knows the quarters and the ring in which the ball goes round,
-* `driving.py` drives, `field.py` holds measures and geometry.
+* `ring.py` knows the quarters and the ring in which the ball goes round.
+
+The folder `driving` drives, shoots a ball that lies still (the first one), and holds measures and geometry.
 """
 
 import sys
 
-sys.path.append("..")  # there lies pass_library
+sys.path.append("..")  # there lie pass_library and driving
 
 from pass_library.player import Player
 

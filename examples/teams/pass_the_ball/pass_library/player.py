@@ -11,10 +11,11 @@ import math
 import struct
 
 from controller import Robot
-from pass_library.driving import STEP, STEP_MS, Body, Drive, Stop, make_step, moves_to
-from pass_library.field import TOP_SPEED, TOUCHING, WHEEL_ARM, direction_of, point_at, wrap
+from driving.body import STEP, STEP_MS, Body
+from driving.field import TOP_SPEED, TOUCHING, WHEEL_ARM, direction_of, point_at, wrap
+from driving.moves import Drive, Stop, make_step, moves_to
+from driving.shots import best_shot
 from pass_library.ring import CORNERS, after, before, can_stand, is_in_quarter
-from pass_library.shot import best_shot
 from pass_library.touch import face_for, meeting
 
 ROBOTS = ["B1", "B2", "Y1", "Y2"]  # as the packet lists them
@@ -80,7 +81,7 @@ class Player:
             self.receiver.nextPacket()
         numbers = struct.unpack("ddd" * len(ROBOTS) + "dd?", packet)
         first = 3 * ROBOTS.index(self.name)
-        # The packet's x is our y and the other way round: see field.py.
+        # The packet's x is our y and the other way round: see driving/field.py.
         y, x, heading = numbers[first : first + 3]
         was_moved = math.dist(self.body.position, (x, y)) > JUMP
         self.body.seen_at((x, y), heading)
@@ -180,7 +181,7 @@ class Player:
         """Shoot a ball that lies, or rolls slowly, in our quarter."""
         body, ball, shot = self.body, self.ball, None
         for _ in range(3):  # it will have rolled on when we get there
-            shot = best_shot(body.position, body.heading, ball, self.target, lambda place: can_stand(self.name, place))
+            shot = best_shot(body.position, body.heading, ball, [self.target], lambda place: can_stand(self.name, place))
             if shot is None:
                 return
             ball = self.ball_in(shot.seconds_to_hit)

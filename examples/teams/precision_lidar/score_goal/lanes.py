@@ -5,7 +5,7 @@ All in the attack frame: the goal under attack is at the top, at y = 0.75, which
 
 import math
 
-from field import BALL_RADIUS, GOAL_LINE, GOAL_POST, direction_of, distance_to_segment
+from driving.field import BALL_RADIUS, GOAL_LINE, GOAL_POST, direction_of, distance_to_segment
 
 # An obstacle is a robot like us, turned to the goal, with its wheels to the left and right.
 HALF_WIDTH = 0.05

@@ -13,7 +13,7 @@ the yellow goal, we turn the field by half a turn.
 
 * `obstacles.py` finds the formation,
 * `lanes.py` finds the way past it,
-* `driving.py` drives, `field.py` holds measures and geometry,
+* the folder `driving` drives, and holds measures and geometry,
 * this file reads the sensors and decides what to do.
 """
 
@@ -21,8 +21,9 @@ import math
 import struct
 
 from controller import Robot
-from driving import STEP_MS, Body, Drive, Stop, Turn, make_step, moves_to, total_turn
-from field import HALF_ROBOT, TOUCHING, direction_of, distance_to_segment, nearest_on_segment, point_at, wrap
+from driving.body import STEP_MS, Body
+from driving.field import HALF_ROBOT, TOUCHING, direction_of, distance_to_segment, nearest_on_segment, point_at, wrap
+from driving.moves import Drive, Stop, Turn, make_step, moves_to, total_turn
 from lanes import cushion_direction, straight_direction
 from obstacles import formation_of, points_before_goal
 

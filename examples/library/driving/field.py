@@ -1,11 +1,14 @@
-"""The robot and the ball in numbers, and a little geometry. Metres, radians, seconds.
+"""The field, the robot and the ball in numbers, and a little geometry. Metres, radians, seconds.
 
-The packets call the direction to the blue goal `x` and the direction across the field `y`. We swap the two, so that it
-is as in a mathematics book: our x goes across the field (to the right when we look at the blue goal), our y goes to
-the blue goal, and the orientation is the angle from our x axis, counter-clockwise.
+The packets of 2021 call the direction to the blue goal `x` and the direction across the field `y`. We swap the two, so
+that it is as in a mathematics book: our x goes across the field (to the right when we look at the blue goal), our y goes
+to the blue goal, and the orientation is the angle from our x axis, counter-clockwise.
 """
 
 import math
+
+GOAL_LINE = 0.745  # the ball is in when its middle is beyond this y ...
+GOAL_POST = 0.2  # ... between the posts at x = -0.2 and x = 0.2
 
 BALL_RADIUS = 0.021
 HALF_ROBOT = 0.0375  # from the robot's middle to its front and to its rear
@@ -46,3 +49,8 @@ def nearest_on_segment(point, start, end):
 def distance_to_segment(point, start, end):
     """How near the straight way from `start` to `end` comes to a point."""
     return math.dist(point, nearest_on_segment(point, start, end))
+
+
+def is_free(point):
+    """Whether the robot can stand and turn there without touching a wall."""
+    return abs(point[0]) < 0.594 and abs(point[1]) < 0.694

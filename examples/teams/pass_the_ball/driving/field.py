@@ -1,4 +1,9 @@
-"""The field, the robot and the ball in numbers, and a little geometry. Metres, radians, seconds."""
+"""The field, the robot and the ball in numbers, and a little geometry. Metres, radians, seconds.
+
+The packets of 2021 call the direction to the blue goal `x` and the direction across the field `y`. We swap the two, so
+that it is as in a mathematics book: our x goes across the field (to the right when we look at the blue goal), our y goes
+to the blue goal, and the orientation is the angle from our x axis, counter-clockwise.
+"""
 
 import math
 

@@ -1,16 +1,16 @@
-"""How to shoot a ball that lies still.
+"""Which way of shooting a ball that lies still is the quickest?
 
 A robot with two wheels is quickest when it only drives straight and turns on the spot. So every shot has four parts:
 
     turn to the run-up point - drive there - turn to the aim - drive through the ball
 
-and we can say how long each of them takes. There are many ways to do it: the run-up point near the ball or further
-away, our front or our rear as the face that hits. We try them all and take the quickest.
+and we can say how long each of them takes. There are many ways to do it: several aims, the run-up point near the
+ball or further away, our front or our rear as the face that hits. We try them all and take the quickest.
 """
 
 import math
 
-from pass_library.field import (
+from driving.field import (
     BALL_RADIUS,
     CORNER,
     TOP_SPEED,
@@ -40,7 +40,7 @@ class Shot:
     run_up: the point from which we drive through it
     heading: where our front looks then
     gear: 1 if our front hits, -1 if our rear does
-    seconds: from now until the ball is at the target
+    seconds: from now until the ball is there
     seconds_to_hit: from now until we hit the ball
     """
 
@@ -68,21 +68,22 @@ def time_to(position, heading, point, end_heading):
     return distance / TOP_SPEED + turning
 
 
-def best_shot(position, heading, ball, target, can_stand):
-    """The quickest shot at a target, or None if there is none (we cannot stand behind the ball)."""
+def best_shot(position, heading, ball, aims, is_free):
+    """The quickest shot at one of some points, or None if we can stand nowhere behind the ball."""
     best = None
-    direction = direction_of(ball, target)
     stay_off = min(CORNER + BALL_RADIUS, math.dist(position, ball)) - 0.001
-    for run_up in RUN_UPS:
-        point = point_at(ball, direction + math.pi, TOUCHING + run_up)
-        if math.dist(point, ball) < CORNER + BALL_RADIUS + ROOM or not can_stand(point):
-            continue  # no room to turn there
-        if distance_to_segment(ball, position, point) < stay_off:
-            continue  # the ball is in our way
-        for gear in (1, -1):
-            end_heading = direction if gear > 0 else direction + math.pi
-            to_hit = time_to(position, heading, point, end_heading) + run_up / TOP_SPEED
-            seconds = to_hit + math.dist(ball, target) / BALL_SPEED
-            if best is None or seconds < best.seconds:
-                best = Shot(direction, point, gear, to_hit, seconds)
+    for aim in aims:
+        direction = direction_of(ball, aim)
+        for run_up in RUN_UPS:
+            point = point_at(ball, direction + math.pi, TOUCHING + run_up)
+            if math.dist(point, ball) < CORNER + BALL_RADIUS + ROOM or not is_free(point):
+                continue  # no room to turn there
+            if distance_to_segment(ball, position, point) < stay_off:
+                continue  # the ball is in our way
+            for gear in (1, -1):
+                end_heading = direction if gear > 0 else direction + math.pi
+                to_hit = time_to(position, heading, point, end_heading) + run_up / TOP_SPEED
+                seconds = to_hit + math.dist(ball, aim) / BALL_SPEED
+                if best is None or seconds < best.seconds:
+                    best = Shot(direction, point, gear, to_hit, seconds)
     return best

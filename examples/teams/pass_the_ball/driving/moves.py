@@ -1,69 +1,12 @@
-"""The robot's body, and how it gets from one pose to another in the shortest time.
+"""Moves: drive straight, turn on the spot, stand still; and the quickest way from one pose to another.
 
-A robot at full speed cannot stop at once, its wheels slip. With a small model of the slipping wheels we look ahead,
-know where we will end up, and brake at the right moment.
+A robot with two wheels is quickest when it only drives straight and turns on the spot.
 """
 
 import math
 
-from field import TOP_SPEED, WHEEL_ARM, WHEEL_RADIUS, direction_of, wrap
-
-STEP_MS = 32
-STEP = STEP_MS / 1000
-
-# How fast a wheel can change the speed of its side of the robot, in m/s^2 (measured). If we ask for more, it slips.
-PUSHES, REVERSES, BRAKES = 4.4, 6.5, 10.0
-
-
-def slip(before, wanted):
-    """One side of the robot in one step: its speed afterwards, and its mean speed."""
-    backwards = before * wanted < 0
-    if 0 <= before * wanted < before * before or (backwards and abs(before) > 0.15):
-        rate = BRAKES
-    else:
-        rate = REVERSES if backwards and abs(before) > 0.06 else PUSHES
-    speed, total = before, 0.0
-    for _ in range(4):  # the world is computed in steps of 8 ms
-        speed += max(-rate * STEP / 4, min(rate * STEP / 4, wanted - speed))
-        total += speed
-    return speed, total / 4
-
-
-def look_ahead(sides, commands):
-    """How far we drive and how far we turn, given these (left, right) speeds, one pair a step."""
-    way = turn = 0.0
-    left, right = sides
-    for wanted_left, wanted_right in commands:
-        left, mean_left = slip(left, wanted_left)
-        right, mean_right = slip(right, wanted_right)
-        way += (mean_left + mean_right) / 2 * STEP
-        turn += (mean_right - mean_left) / (2 * WHEEL_ARM) * STEP
-    return way, turn
-
-
-class Body:
-    """Pose of the robot, and its motors."""
-
-    def __init__(self, robot):
-        self.motors = robot.getDevice("left wheel motor"), robot.getDevice("right wheel motor")
-        for motor in self.motors:
-            motor.setPosition(float("inf"))
-            motor.setVelocity(0.0)
-        self.position = (0.0, 0.0)
-        self.heading = 0.0
-        self.sides = (0.0, 0.0)  # how fast our left and our right side move forwards, in m/s
-
-    def is_at(self, position, heading):
-        """What the sensors say."""
-        self.position, self.heading = position, heading
-
-    def command(self, left, right):
-        """Set the motors: speeds of our left and our right side in m/s."""
-        for motor, speed in zip(self.motors, (left, right)):
-            # In 2021 negative velocities drive forwards. Rounded, because 10.000000000000002 would be too fast.
-            motor.setVelocity(-round(speed / WHEEL_RADIUS, 6))
-        self.sides = slip(self.sides[0], left)[0], slip(self.sides[1], right)[0]
-
+from driving.body import look_ahead
+from driving.field import TOP_SPEED, WHEEL_ARM, direction_of, wrap
 
 # A move says which speeds it wants, how much of it is missing, and how much of that a way and a turn would bring.
 
@@ -81,7 +24,7 @@ class Drive:
             return speed, speed
         # Steer onto the point: one side keeps its speed, the other is a little slower.
         course = direction_of(body.position, self.point) + (0 if self.gear > 0 else math.pi)
-        off = max(-0.1, min(0.1, 15 * wrap(course - body.heading) * WHEEL_ARM))
+        off = max(-0.1, min(0.1, body.steers * wrap(course - body.heading) * WHEEL_ARM))
         left, right = speed - off, speed + off
         too_fast = max(abs(left), abs(right)) / TOP_SPEED
         return left / too_fast, right / too_fast
@@ -124,9 +67,9 @@ class Stop:
         return 0.0, 0.0
 
 
-def moves_to(position, heading, point, end_heading, last):
+def moves_to(position, heading, point, end_heading, last, near=0.003):
     """The moves of the quickest way from one pose to another, and what to do there."""
-    if math.dist(position, point) < 0.003:
+    if math.dist(position, point) < near:
         return [Turn(end_heading), last]
     course = direction_of(position, point)
     turning = {
@@ -148,6 +91,36 @@ def total_turn(heading, moves):
             total += abs(wrap(move.heading - heading))
             heading = move.heading
     return total
+
+
+def make_step(body, moves):
+    """Command the next step of these moves. Those that are done are taken off the list; the last one never is.
+
+    A step is long: the robot turns by 8 degrees in it. When a move ends within a step, we mix: we command speeds
+    between those of this move and those of the next one, so that we come out just right.
+    """
+    while len(moves) > 1:
+        move, following = moves[0], moves[1]
+        missing = move.missing(body)
+        now, then = move.speeds(body), following.speeds(body)
+
+        def mix(share):
+            return [share * a + (1 - share) * b for a, b in zip(now, then)]
+
+        def brought(share):
+            return move.brings(*look_ahead(body.sides, [mix(share), then, then, then]))
+
+        if brought(1) < missing:
+            break  # a whole step of this move, and more to come
+        moves.pop(0)
+        if brought(0) < missing:
+            low, high = 0.0, 1.0
+            for _ in range(8):
+                share = (low + high) / 2
+                low, high = (share, high) if brought(share) < missing else (low, share)
+            body.command(*mix(low))
+            return
+    body.command(*moves[0].speeds(body))
 
 
 def make_step(body, moves):
