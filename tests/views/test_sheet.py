@@ -12,12 +12,10 @@ from rcj_challenges.views.sheet import sheet_html, sheet_markdown
 
 ROOT = Path(__file__).resolve().parents[2]
 SHIPPED = ("match", "fast_shooter", "pass_the_ball", "precision_lidar")
-RECIPES = re.findall(
-    r"^```yaml\n(.*?)^```$", (ROOT / "docs" / "recipes.md").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL
-)
+RECIPES = sorted((ROOT / "docs" / "recipes").glob("*.yaml"))
 ALL = [
     *(pytest.param(path, id=path.stem) for path in sorted((ROOT / "scenarios").rglob("*.yaml"))),
-    *(pytest.param(text, id=text.split("id: ")[1].split()[0]) for text in RECIPES),
+    *(pytest.param(path, id=path.stem) for path in RECIPES),
 ]
 
 
