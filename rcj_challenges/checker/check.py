@@ -11,13 +11,14 @@ from typing import TYPE_CHECKING
 from rcj_challenges.checker.archives import Inspection, TeamError, inspect
 from rcj_challenges.checker.findings import STAGES, Finding, Level, Stage, StageName, gravest
 from rcj_challenges.checker.many_given import Called, called
-from rcj_challenges.checker.report import FileReport, MatchReport, match_report, stage_report
+from rcj_challenges.checker.report import FileReport, MatchReport, first_cause, match_report, stage_report
 from rcj_challenges.checker.report_files import copy_page
 from rcj_challenges.checker.sources import check_sources
 from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.controllers.private_folders import PrivateFolders, temporary_trouble
 from rcj_challenges.controllers.scratch import ensure_room
 from rcj_challenges.controllers.team import Team
+from rcj_challenges.facts.diagnostics import one_line
 from rcj_challenges.facts.errors import (
     HostError,
     RcjError,
@@ -77,6 +78,7 @@ class _Findings:
     started: dict[str, str] = field(default_factory=dict)
     matches: list[MatchReport] = field(default_factory=list)
     hindrance: str = ""
+    hindrance_code: str = ""
     our_fault: bool = False
 
     def obstacle(self, name: StageName) -> str:
@@ -116,7 +118,7 @@ def check_file(
         if inspection is not None and inspection.team is not None:
             _examined(inspection, inspection.team, loaded, options, found, named)
     except HostError as error:
-        found.hindrance = sanitize(error)
+        found.hindrance, found.hindrance_code = sanitize(one_line(error)), error.code
     missing = "this computer could not go on" if found.hindrance else "the submission could not be opened"
     for left in STAGES:
         if left not in found.stages:
@@ -126,6 +128,8 @@ def check_file(
     return FileReport(
         file=named.name,
         level=level,
+        cause=first_cause([found.stages[name] for name in STAGES], level),
+        code=found.hindrance_code,
         hindrance=found.hindrance or (_unknown(found) if level == "unchecked" else ""),
         our_fault=found.our_fault and not found.hindrance,
         team=sanitize(inspection.display_name) if inspection is not None else "",
@@ -233,7 +237,7 @@ def _run(found: _Findings, options: CheckOptions, named: Called, rehearsal_in: C
         from rcj_challenges.checker.playing import check_play  # noqa: PLC0415
         from rcj_challenges.checker.starting import check_start  # noqa: PLC0415
     except (ImportError, OSError) as error:
-        raise HostError(f"the physics cannot be loaded: {format_error(error)}") from error
+        raise HostError(f"the physics cannot be loaded: {format_error(error)}", code="no-physics") from error
 
     with _private_folders() as folders:
         rehearsal = rehearsal_in(folders.place)
@@ -294,7 +298,7 @@ def _carried_out(found: _Findings, name: StageName, stage: Callable[[], Stage]) 
         ours = error.exit_code == _OUR_EXIT_CODE
         found.our_fault |= ours
         remedy = _OUR_REMEDY if ours else _IMPOSSIBLE_REMEDY
-        impossible = Finding(f"{name}.impossible", "unchecked", sanitize(error, 400), remedy)
+        impossible = Finding(f"{name}.impossible", "unchecked", sanitize(one_line(error), 400), remedy)
         found.stages[name] = Stage(name, [impossible])
     except Exception as error:  # whatever a program does to us, the others are checked
         if interruption_behind(error) is not None:
@@ -312,12 +316,14 @@ def _raise_if_of_the_host(error: Exception) -> None:
     """
     for reason in (error, error.__cause__):
         if isinstance(reason, MemoryError):
-            raise HostError("there is not enough memory") from error
+            raise HostError("there is not enough memory", code="no-memory") from error
         if isinstance(reason, UnwritableError) and reason.__cause__ is not None:  # a record that is kept there
             raise temporary_trouble(reason.__cause__) from error
         if reason is not None and is_no_room(reason):
             raise temporary_trouble(reason) from error
-        if isinstance(reason, HostError) or (reason is not None and is_of_the_host(reason)):
+        if isinstance(reason, HostError):
+            raise reason
+        if reason is not None and is_of_the_host(reason):
             raise HostError(format_error(reason)) from error
 
 

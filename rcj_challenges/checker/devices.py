@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rcj_challenges.checker.advice.devices import DeviceAdvice, missing_devices
-from rcj_challenges.checker.findings import Finding, StageName
+from rcj_challenges.checker.findings import NO_SUCH_DEVICE, Finding, StageName
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed
 from rcj_challenges.facts.sanitize import sanitize
 
@@ -34,7 +34,7 @@ def device_findings(stage: StageName, missing: MissingDevices, rehearsal: Rehear
     advice = DeviceAdvice(rehearsal.loaded.scenario, rehearsal.team, [name for name, _ in missing])
     findings = []
     for (name, has), robots in list(missing.items())[:_MAX_DEVICES]:
-        message = f'{side}asks for a device "{sanitize(name)}"; there is none'
+        message = f'{side}asks for a device "{sanitize(name)}"{NO_SUCH_DEVICE}'
         if made_for := advice.made_for(name):
             message += f": {made_for}"
         remedy = advice.remedy(name, robots[0], has)

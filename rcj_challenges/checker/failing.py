@@ -4,27 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
-from rcj_challenges.checker.advice.hints import WHEREABOUTS, hint_for
+from rcj_challenges.checker.advice.hints import REMEDIES, hint_for, whereabouts_in
 from rcj_challenges.checker.advice.table import Hint
 from rcj_challenges.checker.findings import Finding, StageName
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed
-from rcj_challenges.controllers.log import AFTER_ITS_END, ANOTHER_THREAD
 from rcj_challenges.facts.sanitize import sanitize, sanitize_block
 from rcj_challenges.facts.timing import s_from_ticks
 
-_BETWEEN = (ANOTHER_THREAD.strip(), AFTER_ITS_END)
-"""What stands between the places that a log names."""
-_REMEDIES = {
-    "crash": "the last line of the report below says what is wrong, the lines above it where",
-    "exit": "call robot.step(32) in a loop until it returns -1; a program that ends leaves its robot standing",
-    "start_timeout": "call robot.step(32) sooner: is there a loop before it, or something that takes long to load?",
-    "step_timeout": "look for a loop that never calls robot.step(32), at the place below if one is named",
-    "half_timeout": "do less in each step: the program may only compute and wait for that long in a whole half",
-    "memory": "keep less, start fewer threads: is there a list that grows in every step?",
-    "output_flood": "print less, and write fewer files",
-    "protocol": "leave the channel to the match alone: let the controller module do the talking",
-    "start": "if the files are in order, this computer may be the reason: ask the organizers",
-}
 _OTHER_REMEDY = "see the report below, if there is one, and the program's output (--show-output)"
 
 
@@ -53,9 +39,10 @@ def _finding(
     first, robots = faults[0], [fault["robot"] for fault in faults]
     kind, detail, traceback = first["kind"], first["detail"], first["traceback"]
     # Of robots that hang, each was somewhere else when its patience ended: one place is enough.
-    whereabouts = next(filter(None, (_whereabouts(match.log(robot)) for robot in robots)), "") if not traceback else ""
+    places = (whereabouts_in(match.log(robot)) for robot in robots if not traceback)
+    whereabouts = next(filter(None, places), "")
     hint = hint_for(rehearsal.loaded.scenario, rehearsal.team, first, match.log(first["robot"]), whereabouts)
-    hint = hint or Hint(kind, _REMEDIES.get(kind, _OTHER_REMEDY))
+    hint = hint or Hint(kind, REMEDIES.get(kind, _OTHER_REMEDY))
     when = f"{side}after {s_from_ticks(first['tick']):.1f} s: " if stage == "play" else ""
     report = traceback or whereabouts
     return Finding(
@@ -66,11 +53,3 @@ def _finding(
         where=", ".join(robots),
         details=sanitize_block(report) if report else "",
     )
-
-
-def _whereabouts(log: str) -> str:
-    """Return what stands in a log about where a program was when it was ended."""
-    _, found, rest = log.rpartition(WHEREABOUTS)
-    lines = rest.splitlines() if found else []
-    inside = [line for line in lines if line.startswith("  File ") or line in _BETWEEN]
-    return "\n".join([WHEREABOUTS.strip(), *inside]) if inside else ""

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Annotated, Any, Literal
+
+from pydantic import Field
 
 Level = Literal["passed", "warning", "failure", "unchecked"]
 """How grave something is; ``unchecked``: it is not known, and says nothing about the submission."""
@@ -25,27 +27,25 @@ STAGES: dict[StageName, str] = {
 """All stages in their order, and what each is about."""
 
 
+NO_SUCH_DEVICE = "; there is none"
+"""How the message about a missing device ends."""
+
+
+def _about(text: str) -> Any:
+    return Field(description=text)
+
+
 @dataclass(frozen=True)
 class Finding:
-    """One thing that was found.
+    """One thing that was found. All texts are safe to print on a terminal."""
 
-    Attributes:
-        code: what it is, the same in every language and version: ``archive.encrypted``.
-        level: how grave it is.
-        message: what was found, one line, safe to show: control and direction marks made visible.
-        remedy: what to do; empty if there is nothing to do.
-        where: the file inside the submission, with ``:line`` where there is one, or the robot; safe to show.
-        repair: whether ``--fix`` puts it right.
-        details: more lines, for those who want them, such as a traceback; safe to show.
-    """
-
-    code: str
-    level: Level
-    message: str
-    remedy: str = ""
-    where: str = ""
-    repair: bool = False
-    details: str = ""
+    code: Annotated[str, _about("stable over versions: archive.encrypted")]
+    level: Annotated[Level, _about("severity; unchecked: not about the submission, but why nothing is known")]
+    message: Annotated[str, _about("what was found, one line")]
+    remedy: Annotated[str, _about("what to do; empty if there is nothing to do")] = ""
+    where: Annotated[str, _about("the file in the submission, with line and column where known, or the robots")] = ""
+    repair: Annotated[bool, _about("whether --fix repairs it")] = False
+    details: Annotated[str, _about("more lines, such as a traceback; mostly empty")] = ""
 
 
 @dataclass

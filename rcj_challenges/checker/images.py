@@ -24,6 +24,8 @@ _SIDES = (MOST_LOGO_SIDE, 512, 256, 128)  # 128 pixels a side are 65 kB, however
 class PictureError(RcjError):
     """A picture cannot be converted; the message says why."""
 
+    CODE = "unusable-picture"
+
 
 @dataclass(frozen=True)
 class Picture:

@@ -19,6 +19,7 @@ from rcj_challenges.checker.check import CheckOptions, check_file, crashed_repor
 from rcj_challenges.checker.many_given import Called, called
 from rcj_challenges.checker.report import FileReport
 from rcj_challenges.controllers.team import TeamError
+from rcj_challenges.facts.diagnostics import one_line
 from rcj_challenges.facts.errors import format_error
 from rcj_challenges.match.worker_pool import Attempt, python_command, run_all
 from rcj_challenges.scenario.load import Loaded, load_resolved
@@ -110,7 +111,7 @@ def work() -> None:
             named=named,
         )
     except TeamError as error:  # it could be opened when the check began
-        report = unchecked_report(named, str(error))
+        report = unchecked_report(named, one_line(error))
     logo = None if report.logo is None else base64.b64encode(report.logo).decode("ascii")
     said = json.dumps({"report": report.model_dump(mode="json"), "logo": logo})
     sys.stdout.write(said + "\n")

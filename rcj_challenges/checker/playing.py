@@ -5,10 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from pathlib import PurePosixPath
 from typing import Any
 
-from rcj_challenges.checker.advice.endings import hidden_error
+from rcj_challenges.checker.advice.hints import standing_help
 from rcj_challenges.checker.devices import MissingDevices, device_findings, missing_by_device
 from rcj_challenges.checker.failing import fault_findings
 from rcj_challenges.checker.findings import Finding, Level, Stage
@@ -159,20 +158,17 @@ def _absent_findings(match: Rehearsed, absent: Mapping[str, int], side: str) -> 
 def _standing(rehearsal: Rehearsal, match: Rehearsed, absent: Collection[str], side: str) -> list[Finding]:
     """Return warnings if robots did not move: without those that failed or were absent."""
     known = {*absent, *(fault["robot"] for fault in match.faults)}
-    standing: dict[str, list[str]] = {}  # by what else may be the reason
-    reasons: dict[str, str] = {}  # by the program: strange ones take long to look through
+    standing: dict[str, list[str]] = {}  # by the remedy
+    remedies: dict[str, str] = {}  # by the program: strange ones take long to look through
     for robot, motion in match.motions.items():
         if motion.path_m < _STANDS_M and motion.turned_rad < _STANDS_RAD and robot not in known:
             entry = rehearsal.team.entries[robot]
-            if entry not in reasons:
-                reasons[entry] = hidden_error(rehearsal.team.files, PurePosixPath(entry))
-            why = reasons[entry]
-            standing.setdefault(f"; or an error is hidden: {why}" if why else "", []).append(robot)
+            if entry not in remedies:
+                remedies[entry] = standing_help(rehearsal.loaded.scenario, rehearsal.team, robot)
+            standing.setdefault(remedies[entry], []).append(robot)
     message = f"{side}did not move in {match.simulated_s:.0f} s"
-    usual = "if it waits on purpose, all is well; else look for setPosition(inf) and setVelocity on both motors"
     return [
-        Finding("play.stands", "warning", message, f"{usual}{hidden}", ", ".join(robots))
-        for hidden, robots in standing.items()
+        Finding("play.stands", "warning", message, remedy, ", ".join(robots)) for remedy, robots in standing.items()
     ]
 
 

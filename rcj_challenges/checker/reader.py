@@ -116,9 +116,10 @@ def read_source(source: bytes, name: str, max_imports: int = sys.maxsize) -> dic
 
 def _wrong(source: bytes, name: str) -> dict[str, Any] | None:
     """Return why a file is no Python; None if it is."""
-    line, encoding = _odd_encoding(source)
-    if encoding:
-        return {"kind": "odd_encoding", "said": encoding, "line": line, "column": 0}
+    line, declared = _declared_encoding(source)
+    encoding = _codec_of(declared)
+    if encoding and not _ENCODINGS.fullmatch(encoding):
+        return {"kind": "odd_encoding", "said": declared, "line": line, "column": 0}
     try:
         compile(source, name, "exec", dont_inherit=True)
     except SyntaxError as error:
@@ -127,22 +128,37 @@ def _wrong(source: bytes, name: str) -> dict[str, Any] | None:
         return {"kind": "depth", "said": "", "line": 0, "column": 0}
     except (ValueError, OverflowError) as error:  # null bytes, before Python 3.12
         return {"kind": "ValueError", "said": str(error)[:_MOST_WORDS], "line": 0, "column": 0}
+    return _not_utf8(source) if encoding.startswith("utf-8") else None
+
+
+def _not_utf8(source: bytes) -> dict[str, Any] | None:
+    """Return where a file is not UTF-8. Python refuses it when it runs the file; `compile` overlooks it in comments."""
+    try:
+        source.decode()
+    except UnicodeDecodeError as error:
+        line = len(_LINE_END.findall(source[: error.start])) + 1
+        said = f"Non-UTF-8 code starting with '\\x{source[error.start]:02x}'"
+        return {"kind": "SyntaxError", "said": said, "line": line, "column": 0}
     return None
 
 
-def _odd_encoding(source: bytes) -> tuple[int, str]:
-    """Return the line and name of an encoding that is not read; 0 and nothing if the file is in another one."""
+def _declared_encoding(source: bytes) -> tuple[int, str]:
+    """Return the line that names the file's encoding, and the name; 0 and UTF-8 if none does."""
     first, *rest = _LINE_END.split(source, 2)
     lines = [first, *rest[:1]] if _BLANK_OR_COMMENT.match(first) else [first]
     for number, line in enumerate(lines, 1):
         named = _CODING.match(line.removeprefix(codecs.BOM_UTF8))
         if named is not None:
-            name = named[1].decode("ascii")
-            with contextlib.suppress(LookupError):  # then Python says that there is none
-                if not _ENCODINGS.fullmatch(codecs.lookup(name).name):
-                    return number, name[:_MOST_WORDS]
-            break
-    return 0, ""
+            return number, named[1].decode("ascii")[:_MOST_WORDS]
+    return 0, "utf-8"
+
+
+def _codec_of(encoding: str) -> str:
+    """Return what `codecs` calls an encoding; empty if there is none, which Python says itself."""
+    try:
+        return codecs.lookup(encoding).name
+    except LookupError:
+        return ""
 
 
 def _place(error: SyntaxError) -> dict[str, Any]:

@@ -23,7 +23,7 @@ from rcj_challenges.controllers.team import LOGO_FILE, Opening, alternatives, ca
 from rcj_challenges.controllers.team_name import NAME_FILE, find_team_name
 from rcj_challenges.controllers.troubles import MOST_OF_A_KIND, MOST_PATH_SHOWN, told, with_remedy
 from rcj_challenges.facts.amounts import counted
-from rcj_challenges.facts.errors import RcjError, error_hint
+from rcj_challenges.facts.errors import RcjError, format_error, room_help
 from rcj_challenges.records.logos import LogoError, checked_png
 from rcj_challenges.scenario.models.robots import Entrant
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -48,6 +48,8 @@ _BY_WRITING = {
 
 class RepairError(RcjError):
     """A repaired archive cannot be written to the place that was given."""
+
+    CODE = "cannot-write"
 
 
 @dataclass
@@ -80,7 +82,7 @@ def repair(path: Path, out: Path, scenario: Scenario) -> Repaired:
         TeamError: there is nothing at ``path`` that can be opened.
     """
     if os.path.lexists(out):
-        raise RepairError(f"{told(out, MOST_PATH_SHOWN)}: there is something already; nothing was written")
+        raise _taken(out)
     found = inspect(path, scenario)
     hopeless = _hopeless(found)
     if hopeless:
@@ -291,6 +293,11 @@ def _zipped(files: Files) -> bytes:
     return out.getvalue()
 
 
+def _taken(out: Path) -> RepairError:
+    message = f"{told(out, MOST_PATH_SHOWN)}: there is something already; nothing was written"
+    return RepairError(message, "choose another name, or move it away", code="file-exists")
+
+
 def _write(out: Path, data: bytes) -> None:
     """Write a file that appears whole or not at all, and never in place of another."""
     temporary = None
@@ -302,9 +309,10 @@ def _write(out: Path, data: bytes) -> None:
             os.fsync(file.fileno())
         _give_name(temporary, out)
     except FileExistsError:
-        raise RepairError(f"{told(out, MOST_PATH_SHOWN)}: there is something already; nothing was written") from None
+        raise _taken(out) from None
     except OSError as error:
-        raise RepairError(f"{told(out, MOST_PATH_SHOWN)}: cannot be written: {error_hint(error)}") from error
+        message = f"{told(out, MOST_PATH_SHOWN)}: cannot be written: {format_error(error)}"
+        raise RepairError(message, room_help(error)) from error
     finally:
         if temporary is not None:
             with suppress(OSError):  # gone, or a virus scanner has it open

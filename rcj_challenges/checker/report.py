@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from rcj_challenges.checker.findings import RANKS, STAGES, Level, Stage, StageName, gravest
+from rcj_challenges.checker.findings import NO_SUCH_DEVICE, RANKS, STAGES, Finding, Level, Stage, StageName, gravest
+from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.facts.timing import SUBSTEP_S
 
@@ -26,18 +28,6 @@ def _described(text: str, **bounds: Any) -> Any:
     return Field(description=text, **bounds)
 
 
-class FindingReport(_Part):
-    """One thing that was found. All texts are safe to show on a terminal."""
-
-    code: str = _described("what it is, the same in every language and version: archive.encrypted")
-    level: Level = _described("how grave it is; unchecked: no finding on the submission, but why nothing is known")
-    message: str = _described("what was found, one line")
-    remedy: str = _described("what to do; empty if there is nothing to do")
-    where: str = _described("the file in the submission, with line and column where known, or the robots; may be empty")
-    repair: bool = _described("whether --fix puts it right")
-    details: str = _described("more lines, such as a traceback; mostly empty")
-
-
 class StageReport(_Part):
     """One stage."""
 
@@ -45,7 +35,7 @@ class StageReport(_Part):
     about: str = _described("what it is about")
     level: Level = _described("the gravest of its findings")
     skipped: str = _described("why it was not carried out; empty if it was")
-    findings: list[FindingReport] = _described("what was found")
+    findings: list[Finding] = _described("what was found")
 
 
 class RobotReport(_Part):
@@ -99,6 +89,8 @@ class FileReport(_Part):
         "the verdict: passed, warning (it plays, but look at what is told), failure, "
         "or unchecked (nothing is known: the check itself could not be carried out)"
     )
+    cause: str = _described("what to put right first and how, in one line; empty if all is in order", default="")
+    code: str = _described("the code of what could not be done, as of an error; mostly empty", default="")
     hindrance: str = _described("why it is unchecked: what could not be done; else empty", default="")
     our_fault: bool = _described("whether it is unchecked by a fault of this project", default=False)
     team: str = _described("name of the team, safe to show; empty if it is not known")
@@ -204,18 +196,7 @@ def stage_report(stage: Stage) -> StageReport:
         about=STAGES[stage.name],
         level=stage.level,
         skipped=stage.skipped,
-        findings=[
-            FindingReport(
-                code=finding.code,
-                level=finding.level,
-                message=finding.message,
-                remedy=finding.remedy,
-                where=finding.where,
-                repair=finding.repair,
-                details=finding.details,
-            )
-            for finding in stage.findings
-        ],
+        findings=list(stage.findings),
     )
 
 
@@ -265,3 +246,72 @@ def schema_text() -> str:
     schema = CheckReport.model_json_schema(mode="serialization")
     schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
     return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"
+
+
+WORDS: dict[Level, str] = {"passed": "ok", "warning": "warning", "failure": "failure", "unchecked": "not checked"}
+"""What levels are called in the report."""
+
+
+def is_single(report: CheckReport) -> bool:
+    """Return whether only one submission was to be checked: it needs no table."""
+    return len(report.files) == 1 and not report.interrupted
+
+
+def placed(finding: Finding) -> str:
+    """Return a finding in one line: where, unless the message says so itself, and what."""
+    needless = not finding.where or finding.where in finding.message
+    return finding.message if needless else f"{finding.where}: {finding.message}"
+
+
+def first_cause(stages: Sequence[Stage | StageReport], level: Level) -> str:
+    """Return what to put right first and how, in one line; empty if all is in order.
+
+    A crash over a device that does not exist is reported as that device, not as the error over None.
+    """
+    found = [finding for stage in stages for finding in stage.findings]
+    first = next((finding for finding in found if finding.level == level != "passed"), None)
+    if first is None:
+        return ""
+    asked = re.search(r'getDevice\((".*?")\) returned None', first.remedy)
+    devices = (one for one in found if asked and one.code.endswith(".no_device") and asked[1] in one.message)
+    first = next(devices, first)
+    return "; ".join(filter(None, (placed(first).removesuffix(NO_SUCH_DEVICE), first.remedy)))
+
+
+def verdict(file: FileReport) -> str:
+    """Return the verdict in one or two sentences: what follows, what --fix repairs, and what to put right first."""
+    failures, warnings = file.count("failure"), file.count("warning")
+    if file.level == "unchecked":
+        whose = "a fault of the check itself" if file.our_fault else "a matter of this computer"
+        known = f" What failed before ({counted(failures, 'failure')}) stands." if failures else ""
+        return f"Not checked: {file.hindrance}. That is {whose} and says nothing about the team.{known}"
+    noticed = f", {counted(warnings, 'warning')}" if warnings else ""
+    found = [one for stage in file.stages for one in stage.findings if one.level == file.level != "passed"]
+    repairable = sum(finding.repair for finding in found)
+    amount = "this" if repairable == len(found) else "part of this"
+    fix = f"; --fix OUT.zip repairs {amount}" if repairable else ""
+    first = f" First: {file.cause}" if file.cause else ""
+    if failures:
+        return f"It cannot play like this: {counted(failures, 'failure')}{noticed}{fix}.{first}"
+    if any(stage.skipped for stage in file.stages):
+        return f"In order as far as it was looked at{noticed}{fix}."
+    return f"It will play{noticed}{fix}."
+
+
+def no_replay(match: MatchReport) -> str:
+    """Return why a replay is missing, as a sentence."""
+    return f"The replay could not be written on this computer: {match.no_replay}."
+
+
+def summary(report: CheckReport) -> str:
+    """Return how many submissions passed, as a sentence."""
+    counts = report.summary
+    parts = [f"{counts.passed} ok", counted(counts.warning, "warning"), counted(counts.failure, "failure")]
+    if counts.unchecked:
+        parts.append(f"{counts.unchecked} not checked")
+    if report.lost_replays:
+        parts.append(f"{counted(report.lost_replays, 'replay')} not written")
+    if report.left_out:
+        parts.append(f"{len(report.left_out)} not looked at")
+    interrupted = "interrupted, " if report.interrupted else ""
+    return f"{interrupted}{counted(counts.files, 'submission')}: {', '.join(parts)}"

@@ -11,8 +11,17 @@ from urllib.parse import quote
 
 from jinja2 import Environment, StrictUndefined
 
-from rcj_challenges.checker.report import ROBOT_NUMBERS, CheckReport, MatchReport
-from rcj_challenges.checker.report_text import WORDS, first_finding, is_single, no_replay, summary, verdict
+from rcj_challenges.checker.report import (
+    ROBOT_NUMBERS,
+    WORDS,
+    CheckReport,
+    MatchReport,
+    is_single,
+    no_replay,
+    placed,
+    summary,
+    verdict,
+)
 from rcj_challenges.controllers.disk_names import from_disk, on_disk
 from rcj_challenges.facts.measures import number_words
 
@@ -40,8 +49,8 @@ def html_page(report: CheckReport, folder: Path) -> str:
         words=WORDS,
         numbers=ROBOT_NUMBERS,
         base64=_base64,
-        first_finding=first_finding,
         no_replay=no_replay,
+        placed=placed,
         summary=summary,
         verdict=verdict,
         replay_link=lambda match: _replay_link(match, folder),

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from rich.console import Console, RenderableType
 from rich.measure import Measurement
 from rich.padding import Padding
@@ -13,16 +11,19 @@ from rich.text import Text
 from rcj_challenges.checker.findings import Level
 from rcj_challenges.checker.report import (
     ROBOT_NUMBERS,
+    WORDS,
     CheckReport,
     FileReport,
-    FindingReport,
     MatchReport,
     StageReport,
+    is_single,
+    no_replay,
+    placed,
+    summary,
+    verdict,
 )
-from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.sanitize import sanitize
 
-WORDS: dict[Level, str] = {"passed": "ok", "warning": "warning", "failure": "failure", "unchecked": "not checked"}
 _STYLES: dict[Level, str] = {"passed": "green", "warning": "yellow", "failure": "bold red", "unchecked": "bold"}
 _SKIPPED = "skipped"
 _WIDTH = max(map(len, ("warning", "failure", _SKIPPED)))  # the longest word is rare
@@ -45,11 +46,6 @@ def print_report(console: Console, report: CheckReport) -> None:
     _print_left_out(console, report)
     if not single:
         _say(console, Text(summary(report), style="bold"))
-
-
-def is_single(report: CheckReport) -> bool:
-    """Return whether only one submission was to be checked: it needs no table."""
-    return len(report.files) == 1 and not report.interrupted
 
 
 def print_file(console: Console, file: FileReport) -> None:
@@ -79,30 +75,6 @@ def print_file(console: Console, file: FileReport) -> None:
     _say(console, Text(""))
 
 
-def verdict(file: FileReport) -> str:
-    """Return the verdict as a sentence."""
-    failures, warnings = file.count("failure"), file.count("warning")
-    if file.level == "unchecked":
-        whose = "a fault of the check itself" if file.our_fault else "a matter of this computer"
-        known = f" What failed before ({counted(failures, 'failure')}) stands." if failures else ""
-        return f"Not checked: {file.hindrance}. That is {whose} and says nothing about the team.{known}"
-    noticed = f", {counted(warnings, 'warning')}" if warnings else ""
-    if failures:
-        found = [finding for stage in file.stages for finding in stage.findings if finding.level == "failure"]
-        mendable = sum(finding.repair for finding in found)
-        amount = "this" if mendable == len(found) else "part of this"
-        hint = f"; --fix OUT.zip puts {amount} right" if mendable else ""
-        return f"It cannot play like this: {counted(failures, 'failure')}{noticed}{hint}."
-    if any(stage.skipped for stage in file.stages):
-        return f"In order as far as it was looked at{noticed}."
-    return f"It will play{noticed}."
-
-
-def no_replay(match: MatchReport) -> str:
-    """Return why a replay is missing, as a sentence."""
-    return f"The replay could not be written on this computer: {match.no_replay}."
-
-
 def print_table(console: Console, report: CheckReport) -> None:
     """Print one line for each submission."""
     table = Table(
@@ -111,13 +83,11 @@ def print_table(console: Console, report: CheckReport) -> None:
     for column in table.columns:
         column.overflow = "fold"
     for file in report.files:
-        first = first_finding(file)
-        told_first = "" if first is None else told(first)
         table.add_row(
             Text(file.file),
             Text(file.team),
             Text(WORDS[file.level], style=_STYLES[file.level]),
-            Text(file.hindrance or told_first),
+            Text(file.hindrance or file.cause),
         )
     _say(console, table)
 
@@ -133,26 +103,6 @@ def _print_left_out(console: Console, report: CheckReport) -> None:
         _indented(console, Text(f"and {len(report.left_out) - _MOST_LEFT_OUT} more (all of them: --json or --html)"))
 
 
-def summary(report: CheckReport) -> str:
-    """Return how many submissions passed, as a sentence."""
-    counts = report.summary
-    parts = [f"{counts.passed} ok", counted(counts.warning, "warning"), counted(counts.failure, "failure")]
-    if counts.unchecked:
-        parts.append(f"{counts.unchecked} not checked")
-    if report.lost_replays:
-        parts.append(f"{counted(report.lost_replays, 'replay')} not written")
-    if report.left_out:
-        parts.append(f"{len(report.left_out)} not looked at")
-    interrupted = "interrupted, " if report.interrupted else ""
-    return f"{interrupted}{counted(counts.files, 'submission')}: {', '.join(parts)}"
-
-
-def first_finding(file: FileReport) -> FindingReport | None:
-    """Return the first of a submission's gravest findings; None if there is nothing to do."""
-    found = [finding for stage in file.stages for finding in stage.findings if finding.level == file.level]
-    return found[0] if found and file.level != "passed" else None
-
-
 def _print_stage(console: Console, stage: StageReport) -> None:
     if stage.skipped:
         _indented(console, Text(f"{stage.name}: {stage.skipped}", style="dim"), Text(_SKIPPED, style="dim"))
@@ -160,17 +110,11 @@ def _print_stage(console: Console, stage: StageReport) -> None:
     word = Text(WORDS[stage.level], style=_STYLES[stage.level])
     _indented(console, Text(f"{stage.name}: {stage.about}"), word)
     for finding in stage.findings:
-        _indented(console, Text(told(finding), style="dim" if finding.level == "passed" else _STYLES[finding.level]))
+        _indented(console, Text(placed(finding), style="dim" if finding.level == "passed" else _STYLES[finding.level]))
         if finding.remedy:
             _indented(console, Text(f"→ {finding.remedy}"))
         for line in finding.details.splitlines():
             _indented(console, Text(f"  {line}", style="dim"))
-
-
-def told(finding: FindingReport) -> str:
-    """Return a finding in one line: where, unless the message says so itself, and what."""
-    needless = not finding.where or finding.where in finding.message
-    return finding.message if needless else f"{finding.where}: {finding.message}"
 
 
 def _indented(console: Console, text: Text, word: Text | None = None) -> None:
@@ -228,8 +172,3 @@ def _say(console: Console, content: RenderableType) -> None:
 def progress_line(done: int, total: int, file: FileReport) -> str:
     """Return a line for a submission that is done, while others are not."""
     return f"{done}/{total}  {WORDS[file.level]:<{_WIDTH}}  {file.file}"
-
-
-def repaired_lines(done: Sequence[str]) -> list[str]:
-    """Return what was repaired, safe to show."""
-    return [sanitize(line) for line in done]

@@ -30,7 +30,7 @@ INTERRUPTED = 130
 _OBJECTS_BETWEEN_COLLECTIONS = 50_000
 """Some MB at most; Python's own 700 means a hundred collections until the first command begins."""
 
-_ONE_AND_THE_SAME_S = 1.0
+_SAME_SIGNAL_S = 1.0
 """Signals that follow each other faster mean one thing."""
 
 
@@ -47,7 +47,7 @@ def main() -> None:
     try:
         code = _exit_code(heard)
         if code == INTERRUPTED:
-            _hear_no_more(heard)
+            _ignore_signals(heard)
         sys.exit(code)
     finally:
         # At its end the interpreter would look through all objects for garbage, 80 ms, just before it gives all back.
@@ -64,28 +64,33 @@ def _exit_code(heard: list[int]) -> int:
     interrupted_at_s: list[float] = []
     code: object = OK
     try:
-        heard += _end_gently(interrupted_at_s)
-        from rcj_challenges.cli.says import know_gone_readers, lack_letters_gently, open_what_is_closed, say_no_more
+        heard += _install_signal_handlers(interrupted_at_s)
+        from rcj_challenges.cli.stdio import (
+            detect_closed_pipes,
+            discard_output,
+            open_closed_streams,
+            replace_unencodable,
+        )
 
-        open_what_is_closed()
+        open_closed_streams()
         if sys.platform == "win32":
-            know_gone_readers()
-        lack_letters_gently()
-        _start_quickly()
+            detect_closed_pipes()
+        replace_unencodable()
+        _speed_up_start()
         from rcj_challenges.cli.app import app
 
-        code = _of_one_command(app, sys.argv[1:3], begun)(standalone_mode=False)
+        code = _with_one_command(app, sys.argv[1:3], begun)(standalone_mode=False)
         sys.stdout.flush()
     except BrokenPipeError:
-        say_no_more(sys.stdout)  # the reader of our output has seen enough
+        discard_output(sys.stdout)  # the reader of our output has seen enough
     except SystemExit as error:
         # The library of the command line makes that of a broken pipe, with the status of a negative verdict.
         return OK if isinstance(error.__context__, BrokenPipeError) else _status(error.code)
     except (Exception, KeyboardInterrupt, CommandInterruptedError) as error:  # noqa: BLE001 - the last line of defence
-        just_now = any(time.monotonic() - at_s <= _ONE_AND_THE_SAME_S for at_s in interrupted_at_s)
-        return _told(error, begun=bool(begun), interrupted=just_now)
+        just_now = any(time.monotonic() - at_s <= _SAME_SIGNAL_S for at_s in interrupted_at_s)
+        return _report_error(error, begun=bool(begun), interrupted=just_now)
     if code == INTERRUPTED and not begun:  # the library heard it while it read the options
-        return _told(KeyboardInterrupt(), begun=False)
+        return _report_error(KeyboardInterrupt(), begun=False)
     return _status(code)
 
 
@@ -93,7 +98,7 @@ def _status(code: object) -> int:
     return code if isinstance(code, int) else OK
 
 
-def _told(error: BaseException, *, begun: bool, interrupted: bool = False) -> int:
+def _report_error(error: BaseException, *, begun: bool, interrupted: bool = False) -> int:
     """Say what ended a command; returns its exit code. What is unexpected becomes a report.
 
     Args:
@@ -102,9 +107,11 @@ def _told(error: BaseException, *, begun: bool, interrupted: bool = False) -> in
         interrupted: whether a signal came just before. Libraries that are not written in Python may make an error of
             their own of it, behind which nothing else can be seen.
     """
-    from rcj_challenges.cli.faults import report_our_fault
-    from rcj_challenges.cli.says import is_of_the_output, output_trouble, say_no_more
+    from rcj_challenges.cli.crash_report import write_crash_report
+    from rcj_challenges.cli.stdio import discard_output, is_output_error, output_error
+    from rcj_challenges.facts.diagnostics import render_error
     from rcj_challenges.facts.errors import (
+        HostError,
         RcjError,
         format_error,
         interruption_behind,
@@ -113,33 +120,34 @@ def _told(error: BaseException, *, begun: bool, interrupted: bool = False) -> in
         is_of_the_host,
     )
 
-    error = _or_not_installed(error)
+    error = _as_missing_package(error)
     if isinstance(error, RcjError) and error.exit_code != OUR_FAULT:
-        _complain(str(error))
+        _print_error(render_error(error))
         return error.exit_code
     interruption = interruption_behind(error)
     if interruption is not None:
         said = str(interruption) if begun else "nothing had begun"
-        _complain(f"interrupted: {said}" if said else "interrupted")
+        _print_error(f"interrupted: {said}" if said else "interrupted")
         return INTERRUPTED
-    if is_of_the_output(error):
-        trouble = output_trouble(error)
-        say_no_more(sys.stdout)  # else the interpreter complains of it once more
-        _complain(str(trouble))
+    if is_output_error(error):
+        trouble = output_error(error)
+        discard_output(sys.stdout)  # else the interpreter complains of it once more
+        _print_error(render_error(trouble))
         return WRONG_INPUT
     if is_of_the_host(error) or isinstance(error, PermissionError):
         where = f": {error.filename}" if isinstance(error, OSError) and error.filename else ""
-        remedy = "; close the program that may have it open" if isinstance(error, OSError) and is_held(error) else ""
-        remedy = "; make room there" if where and is_no_room(error) else remedy
-        _complain(f"this computer cannot go on: {format_error(error)}{where}{remedy}")
+        remedy = "close the program that may have it open" if isinstance(error, OSError) and is_held(error) else ""
+        code = "disk-full" if is_no_room(error) else "host-error"
+        remedy = "free some space there and run the command again" if is_no_room(error) else remedy
+        _print_error(render_error(HostError(f"{format_error(error)}{where}", remedy, code=code)))
         return WRONG_INPUT
     usage = _usage_error(error)
     if usage is None and interrupted:
-        return _told(KeyboardInterrupt(), begun=begun)
-    return report_our_fault(error) if usage is None else usage
+        return _report_error(KeyboardInterrupt(), begun=begun)
+    return write_crash_report(error) if usage is None else usage
 
 
-def _or_not_installed(error: BaseException) -> BaseException:
+def _as_missing_package(error: BaseException) -> BaseException:
     """Return an error as it is, unless it is that a package is missing: then what to do about that."""
     package = (error.name or "").partition(".")[0] if isinstance(error, ModuleNotFoundError) else ""
     if package in ("", __name__.partition(".")[0], *sys.stdlib_module_names):
@@ -147,12 +155,13 @@ def _or_not_installed(error: BaseException) -> BaseException:
     from rcj_challenges.facts.errors import HostError
 
     return HostError(
-        f"the package {package!r} is missing: this Python has rcj-challenge without all that belongs to it; "
-        "install it as the README says, or start the Python in which it is installed"
+        f"the package {package!r} is missing: this Python does not have all that rcj-challenge needs",
+        "install it as the README says, or start the Python in which it is installed",
+        code="missing-package",
     )
 
 
-def _end_gently(interrupted_at_s: list[float]) -> list[int]:
+def _install_signal_handlers(interrupted_at_s: list[float]) -> list[int]:
     """Let what ends a service or a closed terminal end a command as Ctrl-C does: with its record closed.
 
     Such signals often come twice: a closed terminal tells its shell, and the shell its commands. The second does not
@@ -168,7 +177,7 @@ def _end_gently(interrupted_at_s: list[float]) -> list[int]:
 
     def interrupt(*_: object) -> None:
         now_s = time.monotonic()
-        if not interrupted_at_s or now_s - interrupted_at_s[-1] > _ONE_AND_THE_SAME_S:
+        if not interrupted_at_s or now_s - interrupted_at_s[-1] > _SAME_SIGNAL_S:
             interrupted_at_s.append(now_s)
             raise KeyboardInterrupt
 
@@ -182,7 +191,7 @@ def _end_gently(interrupted_at_s: list[float]) -> list[int]:
     return heard
 
 
-def _hear_no_more(heard: list[int]) -> None:
+def _ignore_signals(heard: list[int]) -> None:
     """Let no second signal change the exit code: while it ends, the interpreter would take it as a sudden death."""
     import signal
 
@@ -190,7 +199,7 @@ def _hear_no_more(heard: list[int]) -> None:
         signal.signal(number, signal.SIG_IGN)
 
 
-def _start_quickly() -> None:
+def _speed_up_start() -> None:
     """Spare the start what it does not need."""
     # Pydantic would look for plug-ins in the metadata of every installed package.
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
@@ -200,7 +209,7 @@ def _start_quickly() -> None:
     gc.set_threshold(_OBJECTS_BETWEEN_COLLECTIONS, *gc.get_threshold()[1:])
 
 
-def _of_one_command(app: Typer, asked: list[str], begun: list[str]) -> Typer:
+def _with_one_command(app: Typer, asked: list[str], begun: list[str]) -> Typer:
     """Return the app with the command asked for alone: to read the options of all of them takes 20 ms.
 
     If it is none of the commands, the app is returned as it is: it knows what to say.
@@ -213,6 +222,11 @@ def _of_one_command(app: Typer, asked: list[str], begun: list[str]) -> Typer:
     import copy
 
     quick = copy.copy(app)
+    if asked in (["--help"], ["-h"]):  # which lists no options of commands
+        quick.registered_commands = [copy.copy(one) for one in app.registered_commands]
+        for command in quick.registered_commands:
+            command.callback = _without_options(command.callback) if command.callback is not None else None
+        return quick
     commands = [one for one in app.registered_commands if [_name_of(one)] == asked[:1]]
     if commands:
         command = copy.copy(commands[0])
@@ -225,10 +239,19 @@ def _of_one_command(app: Typer, asked: list[str], begun: list[str]) -> Typer:
     ]
     if groups and groups[0].typer_instance:
         group = copy.copy(groups[0])
-        group.typer_instance = _of_one_command(groups[0].typer_instance, asked[1:2], begun)
+        group.typer_instance = _with_one_command(groups[0].typer_instance, asked[1:2], begun)
         quick.registered_commands, quick.registered_groups = [], [group]
         return quick
     return app
+
+
+def _without_options(work: Callable[..., Any]) -> Callable[[], None]:
+    """Return a function with the name and description of a command, and nothing to do."""
+
+    def described() -> None: ...
+
+    described.__name__, described.__doc__ = work.__name__, work.__doc__
+    return described
 
 
 def _interruptible(work: Callable[..., Any], begin: Callable[[], object]) -> Callable[..., Any]:
@@ -251,23 +274,29 @@ def _name_of(command: CommandInfo) -> str:
 
 
 def _usage_error(error: BaseException) -> int | None:
-    """Show a wrong option as the command line's own words; None if the error is something else."""
+    """Print what is wrong with options; returns the exit code, None if the error is something else."""
     import contextlib
 
-    show = getattr(error, "show", None)
-    code = getattr(error, "exit_code", None)
-    if show is not None and isinstance(code, int):
+    from rcj_challenges.facts.diagnostics import Diagnostic
+
+    show, context = getattr(error, "show", None), getattr(error, "ctx", None)
+    if show is not None and type(error).__name__ == "NoArgsIsHelpError":
         with contextlib.suppress(OSError):
             show()
         return WRONG_INPUT
+    format_message = getattr(error, "format_message", None)
+    if format_message is not None:
+        command = getattr(context, "command_path", "rcj-challenge")
+        _print_error(str(Diagnostic("bad-arguments", format_message(), f"{command} --help")))
+        return WRONG_INPUT
     if type(error).__name__ == "Abort":
-        _complain("interrupted")
+        _print_error("interrupted")
         return INTERRUPTED
     return None
 
 
-def _complain(message: str) -> None:
-    from rcj_challenges.cli.says import say_no_more
+def _print_error(message: str) -> None:
+    from rcj_challenges.cli.stdio import discard_output
     from rcj_challenges.facts.letters import READABLE
     from rcj_challenges.facts.sanitize import sanitize_lines
 
@@ -278,4 +307,4 @@ def _complain(message: str) -> None:
     try:
         print(sanitize_lines(message), file=sys.stderr, flush=True)  # noqa: T201 - this is the terminal
     except OSError:  # a full disk, or nobody there: the exit code still tells
-        say_no_more(sys.stderr)
+        discard_output(sys.stderr)

@@ -1,4 +1,4 @@
-"""What ``run`` says of programs that failed beyond their faults, as far as it shows without starting them again."""
+"""Hints that ``run`` prints below a match and writes into logs: those of ``check``, without starting programs again."""
 
 from __future__ import annotations
 
@@ -13,54 +13,47 @@ if TYPE_CHECKING:
     from rcj_challenges.controllers.team import Team
     from rcj_challenges.scenario.models.scenario import Scenario
 
-_BEGINNING = 100_000  # letters
-_STANDS = (
-    "it did not move: if it waits on purpose, all is well; "
-    'else call setPosition(float("inf")) and setVelocity on both motors'
-)
+_MAX_LETTERS = 100_000  # of the beginning and of the end of a log
+_ONLY_SPECIAL = ("crash", "start", "protocol")
+"""Faults whose general remedy says no more than the fault itself."""
 
 
 def advice_on(
-    scenario: Scenario, teams: Mapping[str, Team | SuperTeam], faults: Sequence[Mapping[str, Any]], logs: Path
+    scenario: Scenario,
+    teams: Mapping[str, Team | SuperTeam],
+    faults: Sequence[Mapping[str, Any]],
+    standing: Sequence[str],
+    logs: Path,
 ) -> list[dict[str, Any]]:
-    """Return what to do about faults, where that shows, as in `HintResult`, and write it into the robots' logs.
-
-    The words are those of ``check``.
+    """Return what to do about faults and robots that never moved, as in `HintResult`, and write it into their logs.
 
     Args:
         scenario: what was played.
-        teams: who played, by seat of the first half.
+        teams: by seat of the first half.
         faults: as in the result.
+        standing: robots that did not fail and never moved.
         logs: folder with the robots' logs.
     """
-    ended = [fault for fault in faults if fault["kind"] in ("crash", "exit") and fault["team"] in teams]
-    if not ended:
+    faults = [fault for fault in faults if fault["team"] in teams]
+    if not faults and not standing:
         return []
-    from rcj_challenges.checker.advice.hints import hint_for
+    from rcj_challenges.checker.advice.hints import REMEDIES, hint_for, standing_help, whereabouts_in
 
     numbers = {robot: number for seat in scenario.entrants.values() for number, robot in enumerate(seat.robots)}
+    seats = {robot: seat for seat, entrant in scenario.entrants.items() for robot in entrant.robots}
     robots: dict[str, dict[str, None]] = {}
-    for fault in ended:
+    for fault in faults:
         team = teams[fault["team"]].driving(numbers[fault["robot"]])
-        hint = hint_for(scenario, team, fault, _beginning(logs, fault["robot"]))
-        if hint is not None:
-            robots.setdefault(hint.remedy, {})[fault["robot"]] = None
+        log = _text(logs, fault["robot"])
+        hint = hint_for(scenario, team, fault, log, whereabouts_in(log))
+        general = "" if fault["kind"] in _ONLY_SPECIAL else REMEDIES.get(fault["kind"], "")
+        if remedy := hint.remedy if hint is not None else general:
+            robots.setdefault(remedy, {})[fault["robot"]] = None
+    for robot in standing:
+        team = teams[seats[robot]].driving(numbers[robot])
+        remedy = f"it did not move: {standing_help(scenario, team, robot, _text(logs, robot))}"
+        robots.setdefault(remedy, {})[robot] = None
     hints = [{"robots": list(alike), "remedy": remedy} for remedy, alike in robots.items()]
-    _write_into_logs(hints, logs)
-    return hints
-
-
-def advice_on_standing(robots: Sequence[str], faults: Sequence[Mapping[str, Any]], logs: Path) -> list[dict[str, Any]]:
-    """Return what to do about robots that never set off, and write it into their logs.
-
-    Args:
-        robots: of `StandingObserver`.
-        faults: as in the result: whose program failed stands for that reason.
-        logs: folder with the robots' logs.
-    """
-    failed = {fault["robot"] for fault in faults}
-    standing = [robot for robot in robots if robot not in failed]
-    hints = [{"robots": standing, "remedy": _STANDS}] if standing else []
     _write_into_logs(hints, logs)
     return hints
 
@@ -73,10 +66,13 @@ def _write_into_logs(hints: Sequence[Mapping[str, Any]], logs: Path) -> None:
                 log.write(f"hint: {hint['remedy']}\n")
 
 
-def _beginning(logs: Path, robot: str) -> str:
-    """Return what a robot's log begins with: there a program asks for its devices."""
+def _text(logs: Path, robot: str) -> str:
+    """Return the beginning of a log, where a program asks for its devices, and its end, where a fault stands."""
     try:
-        with (logs / f"{robot}.log").open(encoding="utf-8", errors="replace") as log:
-            return log.read(_BEGINNING)
+        with (logs / f"{robot}.log").open("rb") as log:
+            text = log.read(_MAX_LETTERS)
+            size = log.seek(0, 2)
+            log.seek(max(len(text), size - _MAX_LETTERS))
+            return (text + log.read()).decode("utf-8", "replace")
     except OSError:
         return ""

@@ -263,8 +263,8 @@ def new(
     ] = None,
 ) -> None:
     """Write a new team, or a challenge with a first program for it; nothing is overwritten."""
+    from rcj_challenges.cli.new import new_scenario
     from rcj_challenges.cli.new_team import new_team
-    from rcj_challenges.cli.starter import new_scenario
     from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
 
     kind, name = ("challenge", words[0]) if len(words) == 1 else (words[0], words[-1])

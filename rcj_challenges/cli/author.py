@@ -5,15 +5,17 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from rcj_challenges.cli.outputs import refuse_devices
-from rcj_challenges.cli.says import typed
-from rcj_challenges.facts.errors import RcjError, error_hint
+from rcj_challenges.cli.output_paths import refuse_devices
+from rcj_challenges.cli.stdio import shell_quoted
+from rcj_challenges.facts.errors import RcjError, format_error, room_help
 
 _HTML = (".html", ".htm")
 
 
 class OutputError(RcjError):
     """A file that cannot be written."""
+
+    CODE = "cannot-write"
 
 
 def draw(scenario: str, out: Path | None, overrides: list[str]) -> int:
@@ -56,7 +58,7 @@ def sheet(scenario: str, out: Path | None, overrides: list[str]) -> int:
     loaded = load(scenario, overrides)
     if out is None:
         # Who reads it in a terminal does not read a drawing's source; a file or another program gets all of it.
-        command = f"rcj-challenge draw {typed(scenario)} --out field.svg"
+        command = f"rcj-challenge draw {shell_quoted(scenario)} --out field.svg"
         picture = f"The drawing: `{command}`" if sys.stdout.isatty() else None
         return _deliver(sheet_markdown(loaded.scenario, loaded.roster, picture), None)
     if out.suffix.lower() in _HTML:
@@ -88,7 +90,7 @@ def _check_ending(out: Path | None, endings: tuple[str, ...], told: str) -> None
     """
     refuse_devices(out=out)
     if out is not None and out.suffix.lower() not in endings:
-        raise OutputError(f"--out {out}: {told}")
+        raise OutputError(f"--out {out}: {told}", code="bad-out")
 
 
 def _deliver(content: str | bytes, out: Path | None) -> int:
@@ -99,6 +101,6 @@ def _deliver(content: str | bytes, out: Path | None) -> int:
         # Bytes, so that no system changes the ends of lines.
         out.write_bytes(content.encode("utf-8") if isinstance(content, str) else content)
     except OSError as error:
-        raise OutputError(f"{out}: cannot be written: {error_hint(error)}") from error
+        raise OutputError(f"{out}: cannot be written: {format_error(error)}", room_help(error)) from error
     sys.stdout.write(f"{out}\n")
     return 0

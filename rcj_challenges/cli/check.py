@@ -13,8 +13,8 @@ import typer
 
 from rcj_challenges.cli.completion import complete_scenarios
 from rcj_challenges.cli.help import SUBMIT, Command
-from rcj_challenges.cli.says import say_json, say_progress
-from rcj_challenges.facts.errors import RcjError, error_hint
+from rcj_challenges.cli.stdio import say_json, say_progress
+from rcj_challenges.facts.errors import RcjError, format_error, room_help
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 
 class CheckUsageError(RcjError):
     """Options that do not fit together, or a path that cannot be opened or written."""
+
+    CODE = "bad-option"
 
 
 @dataclass(frozen=True)
@@ -124,7 +126,7 @@ def check_submissions(command: CheckCommand) -> int:
         RcjError: wrong usage.
         KeyboardInterrupt: somebody interrupted it; what was checked before has been reported.
     """
-    from rcj_challenges.cli.outputs import refuse_devices
+    from rcj_challenges.cli.output_paths import refuse_devices
     from rcj_challenges.cli.teams import path_or_sample_team
     from rcj_challenges.controllers.isolation import active_layers
     from rcj_challenges.scenario.load import load
@@ -134,9 +136,9 @@ def check_submissions(command: CheckCommand) -> int:
     active_layers(command.sandbox)
     given = submissions([path_or_sample_team(path) for path in command.paths])
     if command.fix is not None and len(given.paths) != 1:
-        raise CheckUsageError(f"--fix repairs one submission at a time, not {len(given.paths)}")
+        raise CheckUsageError(f"--fix repairs one submission at a time, not {len(given.paths)}", "give one of them")
     if command.fix is not None and str(command.fix).startswith("-"):
-        raise CheckUsageError(f"--fix {command.fix}: the name of the ZIP to write is missing: --fix repaired.zip")
+        raise CheckUsageError(f"--fix {command.fix}: the name of the ZIP to write is missing", "--fix repaired.zip")
     _ensure_outputs(command)
 
     from rcj_challenges.checker.check import CheckOptions
@@ -181,7 +183,8 @@ def submissions(given: list[Path]) -> Given:
             if path.is_file():
                 path.open("rb").close()
             elif not path.is_dir():
-                raise CheckUsageError(f"{_safe(path)}: cannot be opened: it is neither a file nor a folder")
+                message = f"{_safe(path)}: cannot be opened: it is neither a file nor a folder"
+                raise CheckUsageError(message, code="cannot-open")
             else:
                 in_folders([path])
     return in_folders(given)
@@ -209,8 +212,9 @@ def _or_usage_error(path: Path, done: str) -> Iterator[None]:
     try:
         yield
     except (OSError, ValueError) as error:
-        reason = error_hint(error) if isinstance(error, OSError) else str(error)
-        raise CheckUsageError(f"{_safe(path)}: cannot be {done}: {reason}") from error
+        code = "cannot-open" if done == "opened" else "cannot-write"
+        message = f"{_safe(path)}: cannot be {done}: {format_error(error)}"
+        raise CheckUsageError(message, room_help(error), code=code) from error
 
 
 @dataclass
@@ -240,7 +244,7 @@ def _not_come_to(paths: list[Path], checked: _Checked) -> list[LeftOut]:
 
 def _check_one(path: Path, loaded: Loaded, options: CheckOptions, fix: Path | None) -> FileReport:
     from rcj_challenges.checker.check import check_file
-    from rcj_challenges.checker.report_text import repaired_lines
+    from rcj_challenges.facts.sanitize import sanitize
 
     if fix is None:
         return check_file(path, loaded, options)
@@ -251,7 +255,7 @@ def _check_one(path: Path, loaded: Loaded, options: CheckOptions, fix: Path | No
     if repaired.out is None:
         return check_file(path, loaded, options, ["nothing: the submission cannot be read well enough"])
     why_nothing = "what follows has to be put right by hand" if repaired.left else "there was no need"
-    return check_file(repaired.out, loaded, options, repaired_lines(repaired.done) or [f"nothing: {why_nothing}"])
+    return check_file(repaired.out, loaded, options, [*map(sanitize, repaired.done)] or [f"nothing: {why_nothing}"])
 
 
 def _check_many(paths: list[Path], loaded: Loaded, options: CheckOptions, command: CheckCommand) -> _Checked:

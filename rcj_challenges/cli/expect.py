@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from rcj_challenges.cli.says import say_json
+from rcj_challenges.cli.stdio import say_json
 from rcj_challenges.cli.validate import say
 from rcj_challenges.expect.runner import TestResult, run_test
 from rcj_challenges.facts.amounts import counted

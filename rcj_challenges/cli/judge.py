@@ -13,8 +13,9 @@ import typer
 
 from rcj_challenges.cli.completion import complete_scenarios
 from rcj_challenges.cli.help import ORGANIZE, Command
-from rcj_challenges.cli.says import say_json
+from rcj_challenges.cli.stdio import say_json
 from rcj_challenges.facts.amounts import counted
+from rcj_challenges.facts.diagnostics import render_error
 from rcj_challenges.facts.errors import RcjError
 
 if TYPE_CHECKING:
@@ -129,8 +130,8 @@ def judge(options: JudgeOptions) -> int:
             judged = _judge_one(folder, options, scenario)
         except RcjError as error:
             code = RcjError.exit_code
-            told.append({"record": name, "problem": str(error)})
-            sys.stderr.write(f"{error}\n")
+            told.append({"record": name, "problem": str(error), "code": error.code, "help": error.help})
+            sys.stderr.write(f"{render_error(error)}\n")
             continue
         if not (judged.is_as_recorded or options.other_rules):
             code = max(code, 1)

@@ -68,7 +68,8 @@ class LiveOptions:
             return cls(port, _speed(speed), open_, for_s)
         given = {"--speed": speed is not None, "--live-for": for_s is not None}
         for option in (option for option, is_given in given.items() if is_given):
-            raise LiveOptionError(f"{option} is for a match that is shown while it is played: give --live too")
+            message = f"{option} is for a match that is shown while it is played"
+            raise LiveOptionError(message, "give --live too", code="option-does-not-fit")
         return None
 
 
@@ -117,7 +118,8 @@ def _speed(text: str | None) -> float:
     except ValueError:
         speed = 0.0
     if not SLOWEST <= speed <= FASTEST:
-        raise LiveOptionError(f"--speed {text}: how many times real time, from {SLOWEST:g} to {FASTEST:g}, or max")
+        allowed = f"give how many times real time, from {SLOWEST:g} to {FASTEST:g}, or max"
+        raise LiveOptionError(f"--speed {text}: not a speed", allowed, code="bad-speed")
     return speed
 
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from pathlib import Path
 
-from rcj_challenges.cli.says import typed
-from rcj_challenges.cli.starter import StarterError, refuse_name, write_new
+from rcj_challenges.cli.new import refuse_existing, refuse_name, write_new
+from rcj_challenges.cli.stdio import shell_quoted
 from rcj_challenges.scenario.resources import starters_folder
 
 _FILES = {
@@ -29,10 +28,13 @@ def new_team(name: str) -> int:
     """
     folder = Path(name)
     refuse_name(folder.name, name)
-    if os.path.exists(folder):  # noqa: PTH110 - that of pathlib raises for names that are too long
-        raise StarterError(f"{folder} exists already; nothing was written. Choose another name, or move it away")
+    refuse_existing(folder)
     title = " ".join(folder.name.replace("_", " ").replace("-", " ").split()).capitalize()
-    words = {"TEAM_NAME": title, "TEAM_FOLDER": typed(folder.name), "TEAM_ZIP": typed(f"{folder.name}.zip")}
+    words = {
+        "TEAM_NAME": title,
+        "TEAM_FOLDER": shell_quoted(folder.name),
+        "TEAM_ZIP": shell_quoted(f"{folder.name}.zip"),
+    }
     for target, source in _FILES.items():
         text = (starters_folder() / "team" / source).read_text(encoding="utf-8")
         for word, value in words.items() if target == "README.md" else ():
@@ -41,7 +43,7 @@ def new_team(name: str) -> int:
     write_new(folder / "team_name.txt", f"{title}\n")
     sys.stdout.write(f"""{folder}
 Now:
-  rcj-challenge run match --yellow {typed(folder)} --blue ball_chaser --duration 1:00 --open
-  rcj-challenge check {typed(folder)}
+  rcj-challenge run match --yellow {shell_quoted(folder)} --blue ball_chaser --duration 1:00 --open
+  rcj-challenge check {shell_quoted(folder)}
 """)
     return 0

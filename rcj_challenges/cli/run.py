@@ -8,8 +8,8 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from rcj_challenges.cli.says import say_json, typed
-from rcj_challenges.cli.seating import UsageError, assignments, known, open_teams
+from rcj_challenges.cli.stdio import say_json, shell_quoted
+from rcj_challenges.cli.team_args import UsageError, assignments, known, open_teams
 from rcj_challenges.facts.timing import TICK_S
 
 if TYPE_CHECKING:
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from rcj_challenges.match.runner import MatchInterruptedError, MatchPlan, PlayedMatch
     from rcj_challenges.scenario.load import Loaded
     from rcj_challenges.scenario.models.scenario import Scenario
+
+_CONTRADICT, _ONE = "options-contradict", "give one of them"
 
 
 @dataclass(frozen=True)
@@ -101,20 +103,21 @@ def _refuse_contradictions(options: RunOptions) -> None:
         UsageError: says which, and why they do not go together.
     """
     if options.open and options.live is None and not options.replay:
-        raise UsageError("--open opens the page of the match, and --no-replay leaves it out: give one of them")
+        raise UsageError("--open opens the page of the match, and --no-replay leaves it out", _ONE, code=_CONTRADICT)
     if options.debug and options.json:
         raise UsageError(
-            "--debug gives a program the terminal, and --json prints the result there and nothing else: "
-            "give one of them; result.json in the record has the same"
+            "--debug gives a program the terminal, and --json prints the result there and nothing else",
+            f"{_ONE}; result.json in the record has the same",
+            code=_CONTRADICT,
         )
     if len(options.debug) > 1:
         robots = ", ".join(sorted(options.debug))
-        raise UsageError(f"--debug gives a program the terminal, and there is one: it can be given for one of {robots}")
+        raise UsageError("--debug is given more than once", f"give it for one of {robots}", code="option-given-twice")
 
 
 def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Observer]:
     """Return what is to be played, with its teams opened, where it is told, and who tells it."""
-    from rcj_challenges.cli.outputs import refuse_devices
+    from rcj_challenges.cli.output_paths import refuse_devices
     from rcj_challenges.scenario.load import load
 
     refuse_devices(out=options.out)
@@ -129,10 +132,6 @@ def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Observer]:
     from rcj_challenges.views.scoreboard import create_observer
 
     console = console_for(to_stderr=options.json)
-    quiet = options.quiet or options.json
-    observer = create_observer(console, loaded.scenario, quiet=quiet, shared=bool(options.debug))
-    if options.debug and find_spec("debugpy") is None:
-        _say_how_to_debug(console)
     plan = MatchPlan(
         loaded=loaded,
         teams=open_teams(loaded, options.teams),
@@ -146,6 +145,10 @@ def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Observer]:
         debug=options.debug,
         record_sensors=options.record_sensors,
     )
+    quiet = options.quiet or options.json
+    observer = create_observer(console, loaded.scenario, quiet=quiet, shared=bool(options.debug))
+    if options.debug and find_spec("debugpy") is None:
+        _say_how_to_debug(console)
     return plan, console, observer
 
 
@@ -176,27 +179,30 @@ def _tell(options: RunOptions, console: Console, played: _Played, trouble: OSErr
     Raises:
         HostError: something cannot be written; the match counts all the same.
     """
-    from rcj_challenges.cli.says import is_of_the_output, output_trouble
-    from rcj_challenges.facts.errors import HostError, error_hint, is_of_the_host
+    from rcj_challenges.cli.stdio import is_output_error, output_error
+    from rcj_challenges.facts.errors import HostError, format_error, is_no_room, is_of_the_host, room_help
     from rcj_challenges.facts.sanitize import sanitize
 
     try:
         _tell_all(options, console, played)
         if trouble is not None:
-            raise output_trouble(trouble)
+            raise output_error(trouble)
     except (OSError, HostError) as error:
         if isinstance(error, BrokenPipeError) or not (isinstance(error, HostError) or is_of_the_host(error)):
             raise
         file = error.filename if isinstance(error, OSError) else None
-        told = f"{sanitize(file)}: {error_hint(error)}" if file else error_hint(error)
-        if isinstance(error, OSError) and not file and (trouble is not None or is_of_the_output(error)):
-            told = str(output_trouble(error))
-        whole = f"The match was played to its end, and its record is whole: {sanitize(played.outcome.folder)}"
-        raise HostError(f"{told}\n{whole}") from error
+        message = f"{sanitize(file)}: {format_error(error)}" if file else format_error(error)
+        found = HostError(message, room_help(error), code="disk-full" if is_no_room(error) else "")
+        if isinstance(error, OSError) and not file and (trouble is not None or is_output_error(error)):
+            found = output_error(error)
+        elif isinstance(error, HostError):
+            found = error
+        whole = f"the match was played to its end, and its record is whole: {sanitize(played.outcome.folder)}"
+        raise HostError(str(found), "; ".join(filter(None, (found.help, whole))), code=found.code) from error
 
 
 def _tell_all(options: RunOptions, console: Console, played: _Played) -> None:
-    from rcj_challenges.cli.advice import advice_on, advice_on_standing
+    from rcj_challenges.cli.advice import advice_on
     from rcj_challenges.facts.errors import interruption_behind
     from rcj_challenges.records.folder import LOGS
 
@@ -214,8 +220,9 @@ def _tell_all(options: RunOptions, console: Console, played: _Played) -> None:
     try:  # whatever comes of the advice and the page, the match is told
         # Who had the terminal and left the debugger knows what it is for.
         faults = [fault for fault in outcome.result["faults"] if fault["robot"] not in options.debug]
-        hints = advice_on(scenario, plan.teams, faults, outcome.folder / LOGS)
-        hints += advice_on_standing(played.standing, outcome.result["faults"], outcome.folder / LOGS)
+        failed = {fault["robot"] for fault in outcome.result["faults"]}
+        standing = [robot for robot in played.standing if robot not in failed]
+        hints = advice_on(scenario, plan.teams, faults, standing, outcome.folder / LOGS)
         if wanted:
             from rcj_challenges.views.replay import write_replay
 
@@ -266,7 +273,7 @@ def _tell_of_interruption(
         where += f": {score_line(names, result['score'], sides_change=changes_sides(scenario))}"
     lines = [f"interrupted {where}", f"record: {folder}"]
     if result["halves"]:
-        lines.append(f"watch:  rcj-challenge view {typed(folder)}")
+        lines.append(f"watch:  rcj-challenge view {shell_quoted(folder)}")
     if error.trouble:
         lines.append(f"the record could not be closed: {error.trouble}")
     for line in lines:
@@ -281,7 +288,7 @@ def _team_names(loaded: Loaded, options: RunOptions) -> dict[str, str]:
     names = {seat: safe_name(name) for seat, name in given.items()}
     for seat, name in names.items():
         if not name:
-            raise UsageError(f"--team-name {seat}=…: nothing of this name can be shown")
+            raise UsageError(f"--team-name {seat}=…: nothing of this name can be shown", code="bad-team-name")
     return names
 
 

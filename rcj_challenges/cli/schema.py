@@ -5,8 +5,8 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from rcj_challenges.cli.outputs import refuse_devices
-from rcj_challenges.facts.errors import RcjError, error_hint
+from rcj_challenges.cli.output_paths import refuse_devices
+from rcj_challenges.facts.errors import RcjError, format_error, room_help
 from rcj_challenges.scenario import json_schema as of_scenarios
 from rcj_challenges.scenario.resources import schemas_folder
 from rcj_challenges.tournament import json_schema as of_tournaments
@@ -14,6 +14,8 @@ from rcj_challenges.tournament import json_schema as of_tournaments
 
 class SchemaFileError(RcjError):
     """The schema cannot be written where it was asked for."""
+
+    CODE = "cannot-write"
 
 
 def write_schema(out: Path | None, *, of_tournament: bool = False) -> int:
@@ -37,7 +39,7 @@ def write_schema(out: Path | None, *, of_tournament: bool = False) -> int:
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(schema.schema_text(), encoding="utf-8", newline="\n")
     except OSError as error:
-        raise SchemaFileError(f"{file}: cannot be written: {error_hint(error)}") from error
+        raise SchemaFileError(f"{file}: cannot be written: {format_error(error)}", room_help(error)) from error
     sys.stdout.write(f"{file}\n")
     return 0
 

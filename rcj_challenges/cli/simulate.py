@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.cli import OK, OUR_FAULT, WRONG_INPUT
-from rcj_challenges.cli.says import say_json, say_progress
-from rcj_challenges.cli.seating import open_teams
+from rcj_challenges.cli.stdio import say_json, say_progress
+from rcj_challenges.cli.team_args import open_teams
 from rcj_challenges.facts.amounts import counted, times
 from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.facts.sanitize import sanitize
@@ -34,6 +34,8 @@ _MOST_DIGITS = 100
 
 class SeedsError(RcjError):
     """Seeds that cannot be understood."""
+
+    CODE = "bad-seeds"
 
 
 @dataclass(frozen=True)
@@ -83,7 +85,7 @@ def simulate(options: SimulateOptions) -> int:
     if wrong and len(failed) == len(outcomes):
         if options.json:
             _report(outcomes, rank, options)  # who reads it by a program finds there why
-        raise SeedsError(wrong[0].complaint)  # one clear message once more
+        raise RcjError(wrong[0].complaint)  # one clear message once more
     _report(outcomes, rank, options)
     return (WRONG_INPUT if len(wrong) == len(failed) else OUR_FAULT) if failed else OK
 
@@ -94,7 +96,7 @@ def _prepared(options: SimulateOptions) -> tuple[Loaded, list[Job], dict[int, Ou
     Raises:
         RcjError: wrong input.
     """
-    from rcj_challenges.cli.outputs import refuse_devices
+    from rcj_challenges.cli.output_paths import refuse_devices
     from rcj_challenges.controllers.isolation import active_layers
     from rcj_challenges.match.batch import Job
     from rcj_challenges.records.folder import make_out_folder
@@ -154,7 +156,7 @@ def parse_seeds(text: str) -> list[int]:
     for part in text.split(","):
         first, dots, last = part.strip().partition("..")
         if not first.isdecimal() or (dots and not last.isdecimal()):
-            raise SeedsError(f"--seeds {sanitize(text)}: expected 1..10, 3 or 1,4,7..9")
+            raise SeedsError(f"--seeds {sanitize(text)}: not seeds", "write 1..10, 3 or 1,4,7..9")
         if max(len(first), len(last)) > _MOST_DIGITS:
             raise SeedsError(f"--seeds {sanitize(text)}: a seed has at most {_MOST_DIGITS} digits")
         end = int(last) if dots else int(first)

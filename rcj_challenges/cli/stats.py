@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from rcj_challenges.cli.help import WATCH, Command
-from rcj_challenges.cli.says import say_json
+from rcj_challenges.cli.stdio import say_json
 from rcj_challenges.facts.amounts import counted
+from rcj_challenges.facts.diagnostics import render_error
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -87,7 +88,7 @@ def show_stats(runs: Sequence[Path | None], out: Path, *, as_json: bool, explain
     else:
         _print(console_for(), stats, explain=explain)
     for complaint in complaints if as_json else ():
-        sys.stderr.write(f"{complaint}\n")
+        sys.stderr.write(f"{render_error(complaint)}\n")
     return 1 if complaints else 0
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from rcj_challenges.cli.help import ORGANIZE, Command, Group
-from rcj_challenges.cli.says import say_json
+from rcj_challenges.cli.stdio import say_json
 
 if TYPE_CHECKING:
     from rcj_challenges.tournament.opened import OpenTournament

@@ -8,7 +8,7 @@ from dataclasses import asdict, replace
 from rich.text import Text
 
 from rcj_challenges.cli import OK
-from rcj_challenges.cli.says import say_json
+from rcj_challenges.cli.stdio import say_json
 from rcj_challenges.cli.tournament_tables import score_words, stage_tables
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError

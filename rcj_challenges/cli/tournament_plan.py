@@ -10,7 +10,7 @@ from pathlib import Path
 from rich.text import Text
 
 from rcj_challenges.cli import OK
-from rcj_challenges.cli.says import say_json
+from rcj_challenges.cli.stdio import say_json
 from rcj_challenges.cli.tournament_tables import team_words
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.errors import RcjError

@@ -9,7 +9,7 @@ from typing import Any, Literal
 from rich.text import Text
 
 from rcj_challenges.cli import OK
-from rcj_challenges.cli.says import say_json
+from rcj_challenges.cli.stdio import say_json
 from rcj_challenges.cli.tournament_tables import score_words, stage_tables, team_words
 from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.tournament.csv_text import csv_text

@@ -15,7 +15,7 @@ from rich.table import Table
 from rich.text import Text
 
 from rcj_challenges.cli import OK, OUR_FAULT
-from rcj_challenges.cli.says import say_progress
+from rcj_challenges.cli.stdio import say_progress
 from rcj_challenges.cli.tournament_tables import score_words, stage_tables
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError

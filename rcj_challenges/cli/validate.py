@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
-from rcj_challenges.cli.says import say_json, say_no_more
+from rcj_challenges.cli.stdio import discard_output, say_json
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError, InFile
 from rcj_challenges.facts.letters import READABLE
@@ -127,4 +127,4 @@ def say(text: str, stream: object) -> None:
     try:
         write(sanitize_lines(text).encode(encoding, READABLE).decode(encoding) + "\n")
     except BrokenPipeError:
-        say_no_more(stream)
+        discard_output(stream)

@@ -13,7 +13,7 @@ import typer
 
 from rcj_challenges.cli import OK, OUR_FAULT
 from rcj_challenges.cli.help import ORGANIZE, Command
-from rcj_challenges.cli.says import say_json, say_progress
+from rcj_challenges.cli.stdio import say_json, say_progress
 
 if TYPE_CHECKING:
     from rcj_challenges.scenario.models.robots import Entrant

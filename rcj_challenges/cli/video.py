@@ -65,7 +65,7 @@ def video(
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress bar, no notes.")] = False,
 ) -> None:
     """Make an MP4 of a record, with scoreboard and captions."""
-    from rcj_challenges.cli.outputs import refuse_devices
+    from rcj_challenges.cli.output_paths import refuse_devices
     from rcj_challenges.views.video.errors import require_packages
 
     refuse_devices(out=out)
@@ -107,7 +107,7 @@ def snapshot(
     runs: _Runs = Path("runs"),
 ) -> None:
     """Make a picture of one moment of a record."""
-    from rcj_challenges.cli.outputs import refuse_devices
+    from rcj_challenges.cli.output_paths import refuse_devices
     from rcj_challenges.views.video.errors import require_packages
 
     refuse_devices(out=out)

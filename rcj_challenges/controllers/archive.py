@@ -69,7 +69,9 @@ _MOST_WASTED_BYTES = 300_000_000  # unpacked in vain from damaged entries: a sec
 
 
 class TeamError(RcjError):
-    """A team's folder or archive cannot be used; the message says why and what to do."""
+    """A team's folder or archive cannot be used; the message says why, ``help`` what to do."""
+
+    CODE = "unusable-team"
 
 
 Files = dict[PurePosixPath, bytes]
@@ -111,10 +113,11 @@ def read_contents(path: Path) -> Contents:
             return _from_folder(path)
         if not path.exists():
             # There "my team\\" --blue … is read as one name: the backslash makes the quotation mark a letter.
-            swallowed = "; leave away the backslash at its end" if os.sep == "\\" and '"' in str(path) else ""
-            raise TeamError(f"{told(path, MOST_PATH_SHOWN)}: there is no such file or folder{swallowed}")
+            swallowed = "leave away the backslash at its end" if os.sep == "\\" and '"' in str(path) else ""
+            message = f"{told(path, MOST_PATH_SHOWN)}: there is no such file or folder"
+            raise TeamError(message, swallowed, code="no-such-team")
         if not path.is_file():
-            raise TeamError(f"{told(path, MOST_PATH_SHOWN)}: this is neither a file nor a folder")
+            raise TeamError(f"{told(path, MOST_PATH_SHOWN)}: this is neither a file nor a folder", code="cannot-open")
         if path.suffix.casefold() == ".py":
             return _from_program(path)
         return _from_zip(path)
@@ -123,13 +126,15 @@ def read_contents(path: Path) -> Contents:
     except (OSError, ValueError, RecursionError) as error:  # the last: folders too deep to be searched
         reason = getattr(error, "strerror", None) or error
         where = getattr(error, "filename", None) or path  # a file or folder in it, perhaps
-        raise TeamError(f"{told(Path(where), MOST_PATH_SHOWN)}: cannot be read: {reason}") from error
+        message = f"{told(Path(where), MOST_PATH_SHOWN)}: cannot be read: {reason}"
+        raise TeamError(message, code="cannot-open") from error
 
 
 def refusal(path: Path, reasons: list[Trouble]) -> TeamError:
     """Return the error that says why something is not used: the first reason, and how many more there are."""
     more = f" (and {len(reasons) - 1} more)" if len(reasons) > 1 else ""
-    return TeamError(f"{told(path, MOST_PATH_SHOWN)}: {reasons[0]}{more}")
+    first = reasons[0]
+    return TeamError(f"{told(path, MOST_PATH_SHOWN)}: {first.message}{more}", first.remedy, code=first.code)
 
 
 def _from_program(path: Path) -> Contents:

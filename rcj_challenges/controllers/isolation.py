@@ -52,6 +52,8 @@ _NOT_HERE = {
 class IsolationError(RcjError):
     """Strict isolation was asked for and cannot be had."""
 
+    CODE = "isolation-missing"
+
 
 def active_layers(sandbox: str, platform: str = sys.platform) -> tuple[str, ...]:
     """Return the layers that programs get on this platform.
@@ -65,13 +67,14 @@ def active_layers(sandbox: str, platform: str = sys.platform) -> tuple[str, ...]
         IsolationError: ``strict``, and layers are missing; or no such sandbox.
     """
     if sandbox not in SANDBOXES:
-        raise IsolationError(f"unknown sandbox {sandbox!r}: expected {', '.join(SANDBOXES)}")
+        raise IsolationError(f"unknown sandbox {sandbox!r}", f"write {', '.join(SANDBOXES)}", code="unknown-sandbox")
     if sandbox == "off":
         return _ALWAYS
     missing = missing_layers(platform)
     if sandbox == "strict" and missing:
         told = "; ".join(f"{layer} ({LAYERS[layer]}): {why}" for layer, why in missing.items())
-        raise IsolationError(f"--sandbox strict: these layers cannot be had here: {told}")
+        message = f"--sandbox strict: layers of isolation are missing here: {told}"
+        raise IsolationError(message, "play with --sandbox auto, or on another computer (docs/isolation.md)")
     layers = tuple(layer for layer in LAYERS if layer not in missing)
     return (*layers, *EXTRA_LAYERS) if platform == "linux" and _has_bubblewrap() else layers
 

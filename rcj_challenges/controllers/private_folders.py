@@ -40,10 +40,8 @@ def temporary_trouble(error: BaseException, trouble: str = "cannot be used") -> 
         trouble: what is wrong.
     """
     place = _temporary_folder()
-    return HostError(
-        f"the temporary folder{place} {trouble}: {format_error(error)}; "
-        f"make room there, or let {_VARIABLE} name another"
-    )
+    message = f"the temporary folder{place} {trouble}: {format_error(error)}"
+    return HostError(message, f"make room there, or let {_VARIABLE} name another", code="temporary-folder")
 
 
 class DiskFullError(DiagnosticError, HostError):

@@ -122,7 +122,8 @@ class Program:
             if isinstance(error, HostError):
                 raise
             if is_of_the_host(error):
-                raise HostError(f"the program of {self.name} cannot be started here: {format_error(error)}") from error
+                message = f"the program of {self.name} cannot be started here: {format_error(error)}"
+                raise HostError(message, code="cannot-start-program") from error
             self._fail("start", f"the program could not be started: {one_line(format_error(error))}")
 
     def release(self, observation: Observation) -> None:

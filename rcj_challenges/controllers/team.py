@@ -30,6 +30,9 @@ __all__ = ["MOST_NAME_LETTERS", "Opening", "Team", "TeamError", "alternatives", 
 
 LOGO_FILE = "logo.png"
 
+_MISSING = "layout.missing"
+"""The code of a team that lacks a program, as of the finding of ``check``."""
+
 _LOGO_STEMS = frozenset({"logo", "teamlogo", "logoteam"})
 _PICTURE_ENDINGS = frozenset({".png", ".jpg", ".jpeg", ".gif", ".bmp", ".webp", ""})
 _MOST_TOP_FOLDERS = 3
@@ -89,7 +92,7 @@ class Team:
             found = self._first_of(entry_points)
             if found is None:
                 looked_for = missing_programs(self._files, {robot: alternatives(entry_points)})
-                raise TeamError(f"{told(self.source, MOST_PATH_SHOWN)}: {looked_for}")
+                raise TeamError(f"{told(self.source, MOST_PATH_SHOWN)}: {looked_for}", code=_MISSING)
             return found
         if robot not in self._entries:
             raise TeamError(f"{self.source}: opened for {', '.join(self._entries)}, not for {robot}")
@@ -114,9 +117,8 @@ class Team:
         except (OSError, ValueError) as error:
             if is_of_the_host(error):
                 raise temporary_trouble(error, "cannot take the team's files") from error
-            raise TeamError(
-                f"{self.source}: {name} cannot be written on this computer: {format_error(error)}"
-            ) from error
+            message = f"{self.source}: {name} cannot be written on this computer: {format_error(error)}"
+            raise TeamError(message, code="cannot-write") from error
 
     def leaves_beside(self, name: str) -> bool:
         """Return whether a file or folder lies beside a program that was given alone, and so was not read.
@@ -216,7 +218,8 @@ def open_team(path: str | Path, *seats: Entrant) -> Team:
         return opening.team
     if opening.contents.refused:
         raise refusal(source, opening.contents.refused)
-    raise TeamError(f"{told(source, MOST_PATH_SHOWN)}: {missing_programs(opening.contents.files, opening.missing)}")
+    message = f"{told(source, MOST_PATH_SHOWN)}: {missing_programs(opening.contents.files, opening.missing)}"
+    raise TeamError(message, code=_MISSING)
 
 
 def look_into(path: Path, *seats: Entrant) -> Opening:

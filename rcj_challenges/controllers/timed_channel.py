@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from rcj_challenges.controllers import pipes, tasks
 from rcj_challenges.controllers.pipes import Channel, ChannelClosedError, FrameTooLongError
 from rcj_challenges.controllers.time_budget import MEASURED_AFTER_S, TimeBudget
-from rcj_challenges.facts.diagnostics import Diagnostic
 from rcj_challenges.facts.errors import HostError
 
 
@@ -123,7 +122,7 @@ class WaitBudget:
         if self._left_s < 0:
             message = f"the match waited {self._limit_s:.0f} s for programs, but none reached a limit of its own"
             help_ = "this computer is too busy: run fewer programs beside the match, and play it again"
-            raise HostError(str(Diagnostic("host-too-busy", message, help_)))
+            raise HostError(message, help_, code="host-too-busy")
 
 
 def wait_together(channels: Sequence[TimedChannel], timeout_s: float, wait_budget: WaitBudget) -> None:

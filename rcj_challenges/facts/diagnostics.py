@@ -16,7 +16,7 @@ from typing import Any, Literal
 from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.facts.sanitize import sanitize
 
-_CODE = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
+_CODE = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*|[a-z]+[.][a-z0-9_]+")
 _MAX_LETTERS = 1000
 _MAX_PRINTED = 100
 
@@ -70,7 +70,8 @@ class Diagnostic:
     """One thing that is wrong.
 
     Attributes:
-        code: stable over versions, lower case with hyphens: ``unknown-zone``.
+        code: stable over versions, lower case with hyphens: ``unknown-zone``; findings of ``check`` have the form
+            ``stage.kind_of_it``.
         message: what is wrong, in one line.
         help: what to do about it, in one line; empty if there is nothing to say.
         where: the place; None if there is none.
@@ -87,7 +88,7 @@ class Diagnostic:
         """Refuse a code of another form.
 
         Raises:
-            ValueError: the code is not lower case with hyphens.
+            ValueError: the code has another form.
         """
         if not _CODE.fullmatch(self.code):
             raise ValueError(f"not a code: {self.code!r}")
@@ -105,6 +106,24 @@ class Diagnostic:
         return asdict(self)
 
 
+def render_error(error: RcjError) -> str:
+    """Return an error as it is printed: code and help stand in it."""
+    if isinstance(error, DiagnosticError) or not error.code:
+        return str(error)
+    message, *rest = str(error).split("\n")
+    return "\n".join([str(Diagnostic(error.code, message, error.help)), *rest])
+
+
+def one_line(error: RcjError) -> str:
+    """Return message and help of an error in one line, for a report that has codes of its own."""
+    found = error.diagnostics if isinstance(error, DiagnosticError) else (error,)
+    return "; ".join(part for one in found for part in (_message_of(one), one.help) if part)
+
+
+def _message_of(error: RcjError | Diagnostic) -> str:
+    return error.message if isinstance(error, Diagnostic) else " ".join(str(error).split("\n"))
+
+
 class DiagnosticError(RcjError):
     """Wrong input that has codes; all that is wrong is reported at once. ``str()`` is the text for the terminal.
 
@@ -116,4 +135,5 @@ class DiagnosticError(RcjError):
         self.diagnostics = diagnostics
         more = len(diagnostics) - _MAX_PRINTED
         texts = [*map(str, diagnostics[:_MAX_PRINTED]), *([f"… and {more} more"] if more > 0 else [])]
-        super().__init__("\n\n".join(texts))
+        first = diagnostics[0]
+        super().__init__("\n\n".join(texts), first.help, code=first.code)

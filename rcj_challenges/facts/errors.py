@@ -11,13 +11,24 @@ class RcjError(Exception):
 
     Attributes:
         exit_code: what the command line exits with.
+        code: stable over versions, as of a `Diagnostic`; empty if the message is printed as it is.
+        help: what to do about it, in one line; may be empty.
     """
 
     exit_code: ClassVar[int] = 2
+    CODE: ClassVar[str] = ""
+    """Of errors that are raised without one."""
+
+    def __init__(self, message: object = "", help_: str = "", *, code: str = "") -> None:
+        super().__init__(message)
+        self.code = code or self.CODE
+        self.help = help_
 
 
 class HostError(RcjError):
     """This computer cannot do what is needed: no space, too many open files. No program and no team is to blame."""
+
+    CODE = "host-error"
 
 
 _OF_THE_HOST = frozenset(
@@ -62,6 +73,11 @@ def is_no_room(error: BaseException) -> bool:
 def error_hint(error: BaseException) -> str:
     """Return what the system says of a file that cannot be written, and what helps if there is no room for it."""
     return format_error(error) + ("; make room there, or write it elsewhere" if is_no_room(error) else "")
+
+
+def room_help(error: BaseException) -> str:
+    """Return what helps where something could not be written; empty unless there was no room for it."""
+    return "make room there, or write it elsewhere" if is_no_room(error) else ""
 
 
 def interruption_behind(error: BaseException | None) -> KeyboardInterrupt | None:

@@ -30,7 +30,7 @@ def load_stage(load: Callable[[str], Any] = import_module, system: str = sys.pla
         ours = (getattr(error, "name", None) or "").startswith("rcj_challenges")
         if ours or interruption_behind(error) is not None:
             raise
-        raise HostError(f"the physics cannot be loaded: {error}; {_remedy(system)}") from error
+        raise HostError(f"the physics cannot be loaded: {error}", _remedy(system), code="no-physics") from error
     return builder
 
 

@@ -28,6 +28,8 @@ Score = int | float
 class MisfitError(RcjError):
     """A record that a scenario cannot judge: others took part in it."""
 
+    CODE = "record-does-not-fit"
+
 
 @dataclass(frozen=True)
 class JudgedHalf:

@@ -13,9 +13,13 @@ from rcj_challenges.facts.sanitize import sanitize
 class RecordError(RcjError):
     """A record that is missing, damaged, foreign or newer than this package."""
 
+    CODE = "unusable-record"
+
 
 class UnwritableError(HostError, RecordError):
     """A record that cannot be written on this computer, as it is at present."""
+
+    CODE = "cannot-write-record"
 
     @classmethod
     def of(cls, error: OSError, place: Path) -> Self | None:

@@ -34,6 +34,8 @@ _OTHER_KINDS = ((b"\xff\xd8\xff", "a JPEG"), (b"GIF8", "a GIF"), (b"BM", "a BMP"
 class LogoError(RcjError):
     """A logo that cannot be shown; the message says why."""
 
+    CODE = "unusable-picture"
+
 
 def logo_of(files: Mapping[PurePosixPath, bytes]) -> bytes | None:
     """Return a team's ``logo.png`` as it is, the nearest to the top; None without one or if it is too large."""

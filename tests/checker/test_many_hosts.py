@@ -19,9 +19,9 @@ from rcj_challenges.checker import many, playing, report_files, starting
 from rcj_challenges.checker.check import CheckOptions, check_file, crashed_report
 from rcj_challenges.checker.many import check_many
 from rcj_challenges.checker.many_given import called
-from rcj_challenges.checker.report import check_report, schema_text
+from rcj_challenges.checker.report import check_report, schema_text, summary, verdict
 from rcj_challenges.checker.report_html import html_page
-from rcj_challenges.checker.report_text import print_report, summary, verdict
+from rcj_challenges.checker.report_text import print_report
 from rcj_challenges.facts.errors import HostError
 from rcj_challenges.records.errors import RecordError, UnwritableError
 from rcj_challenges.scenario.load import load

@@ -7,6 +7,7 @@ import zipfile
 import pytest
 
 from rcj_challenges.checker.check import CheckOptions, check_file
+from rcj_challenges.checker.report import verdict
 from rcj_challenges.scenario.load import load
 from tests.checker.alone import alone
 
@@ -39,6 +40,12 @@ def test_who_uses_a_missing_device_in_the_middle_of_the_match_is_told_which(pack
     program = BEGIN + "imu = robot.getDevice('imu')\nlamp = robot.getDevice('led')\n" + LOOP + "imu.getRollPitchYaw()\n"
     (crash,) = findings(check_file(pack(program), ALONE, LATE), "play", "play.crash")
     assert crash.remedy.startswith('getDevice("imu") returned None: these robots have: left wheel motor')
+
+
+def test_the_verdict_names_the_device_behind_a_crash_as_the_first_cause(pack):
+    report = check_file(pack(BEGIN + "robot.getDevice('ball reciever').enable(32)\n"), ALONE, LATE)
+    assert report.cause == 'B1: asks for a device "ball reciever"; did you mean "ball receiver"?'
+    assert report.cause in verdict(report)
 
 
 def test_who_asks_for_what_robots_of_another_challenge_have_is_told_of_that_one(tmp_path):

@@ -9,6 +9,8 @@ from pathlib import Path, PurePosixPath
 import pytest
 
 from rcj_challenges.checker import reader, reading
+from rcj_challenges.checker.reading import Source
+from rcj_challenges.checker.unreadable import what_is_wrong
 
 NAME = PurePosixPath("robot.py")
 # Python compares each name with each other one: that takes minutes.
@@ -121,3 +123,11 @@ def test_files_in_odd_encodings_are_not_decoded(source: bytes) -> None:
 
 def test_words_about_encodings_below_the_second_line_mean_nothing() -> None:
     assert "imports" in reader.read_source(b"import a\n# coding: punycode\n", "robot.py")
+
+
+@pytest.mark.parametrize("head", [b"", b"# coding: utf-8\n", b"\xef\xbb\xbf"])
+def test_a_comment_that_is_not_utf8_is_refused_with_its_line(head: bytes) -> None:
+    """Python refuses such a file when it runs it; `compile` passes over comments."""
+    error = reader.read_source(head + b"import a\n# f\xfcr\n", "robot.py")["error"]
+    assert error["line"] == head.count(b"\n") + 2
+    assert what_is_wrong(Source(wrong=error["kind"], said=error["said"]), b"")[0] == "encoding"

@@ -16,21 +16,22 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from rich.console import Console
 
-from rcj_challenges.checker.findings import STAGES
+from rcj_challenges.checker.findings import STAGES, Finding, gravest
 from rcj_challenges.checker.report import (
     ROBOT_NUMBERS,
     CheckReport,
     FileReport,
-    FindingReport,
     MatchReport,
     RobotReport,
     StageReport,
     check_report,
-    gravest,
+    first_cause,
     schema_text,
+    summary,
+    verdict,
 )
 from rcj_challenges.checker.report_html import html_page
-from rcj_challenges.checker.report_text import print_report, summary, verdict
+from rcj_challenges.checker.report_text import print_report
 from rcj_challenges.facts.sanitize import sanitize
 
 PNG = base64.b64decode(
@@ -40,7 +41,7 @@ EVIL = sanitize("<script>alert(1)</script>\x1b[2J\u202e\"'&</style>--><img src=x
 
 
 def finding(level="failure", message="it broke", remedy="mend it", where="robot.py:3:1", *, repair=False, details=""):
-    return FindingReport(
+    return Finding(
         code="sources.syntax", level=level, message=message, remedy=remedy, where=where, repair=repair, details=details
     )
 
@@ -60,6 +61,7 @@ def file_report(name="team.zip", findings=(), *, team="Hanse", skipped="", logo=
     return FileReport(
         file=name,
         level=gravest(levels),
+        cause=first_cause(stages, gravest(levels)),
         team=team,
         digest="0" * 64,
         repaired=list(repaired),
@@ -151,10 +153,15 @@ def test_the_verdict_says_whether_it_plays_and_what_a_repair_would_mend():
     assert verdict(file_report()) == "It will play."
     assert verdict(file_report(findings=[finding("warning")])) == "It will play, 1 warning."
     assert verdict(file_report(skipped="not asked for")) == "In order as far as it was looked at."
-    assert verdict(file_report(findings=[finding()])) == "It cannot play like this: 1 failure."
+    failed = file_report(findings=[finding("warning"), finding()])
+    assert verdict(failed) == "It cannot play like this: 1 failure, 1 warning. First: robot.py:3:1: it broke; mend it"
     both = file_report(findings=[finding(repair=True), finding()])
-    assert verdict(both) == "It cannot play like this: 2 failures; --fix OUT.zip puts part of this right."
-    assert "puts this right" in verdict(file_report(findings=[finding(repair=True)]))
+    assert (
+        verdict(both)
+        == "It cannot play like this: 2 failures; --fix OUT.zip repairs part of this. First: robot.py:3:1: it broke; mend it"
+    )
+    for level in ("warning", "failure"):
+        assert "--fix OUT.zip repairs this" in verdict(file_report(findings=[finding(level, repair=True)]))
 
 
 def test_a_terminal_shows_stages_findings_remedies_and_details():

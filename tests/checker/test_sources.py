@@ -145,19 +145,6 @@ def test_the_nearest_name_is_suggested(check):
     assert found.remedy == "put robot3.py beside the program, or do without it"
 
 
-@pytest.mark.parametrize(
-    ("line", "lacks"),
-    [
-        ("from team_7_libraries.robot1.player import Player", "team_7_libraries (with robot1/player.py in it)"),
-        ("import team_7_libraries.tools", "team_7_libraries (with tools.py in it)"),
-    ],
-)
-def test_of_a_folder_that_was_not_packed_the_folder_is_asked_for_and_no_file_of_its_name(check, line, lacks):
-    found = only(check(line + "\n"))
-    assert found.code == "sources.missing_module"
-    assert found.remedy == f"put the folder {lacks} beside the program or the program's folder, or do without it"
-
-
 @pytest.mark.parametrize("beside", ["tools.py", "tools/speeds.py"])
 def test_a_module_beside_a_single_program_is_there_and_was_not_given(tmp_path, beside):
     (tmp_path / "robot.py").write_text("import tools\n", encoding="utf-8")
@@ -193,14 +180,6 @@ def test_a_module_where_python_does_not_look_is_named(check):
 def test_a_program_that_changes_sys_path_may_import_from_any_of_its_folders(check):
     program = "import os, sys\nsys.path.append(os.path.join(os.path.dirname(__file__), 'lib'))\nimport helper\n"
     assert codes(check(program, rcj_soccer_team_blue__lib__helper="")) == ["ok"]
-
-
-def test_who_looks_two_folders_up_finds_all_programs_in_controllers_as_in_the_original(check):
-    program = "import sys\nsys.path.append('../..')\nfrom controllers.rcj_soccer_team_blue.tools import SPEED\n"
-    assert codes(check(program, rcj_soccer_team_blue__tools="SPEED = 3\n")) == ["ok"]
-    assert codes(check(program.replace("tools", "tool"))) == ["missing_part"]
-    without = check(program.replace("sys.path.append('../..')\n", ""))
-    assert codes(without) == ["missing_module"]
 
 
 def test_the_layout_of_2021_finds_its_libraries_in_the_folder_above(check):
@@ -298,17 +277,6 @@ def test_a_missing_module_that_is_imported_at_once_fails(check, program):
     assert codes(check(program), "failure") == ["missing_module"]
 
 
-def test_other_troubles_of_an_import_that_may_never_be_reached_are_warnings_too(check):
-    absent = "winreg" if sys.platform != "win32" else "pwd"
-    program = f"if 0:\n    import {absent}\n    import Utils\n    from . import x\n    import utils.y\n"
-    assert codes(check(program, rcj_soccer_team_blue__utils=""), "warning") == [
-        "conditional_not_on_this_computer",
-        "conditional_wrong_case",
-        "conditional_relative_import",
-        "conditional_missing_part",
-    ]
-
-
 def test_what_a_file_needs_that_may_never_be_imported_is_a_warning(check):
     stage = check("def show():\n    import screen, broken\n", rcj_soccer_team_blue__screen="import torch\n",
                   rcj_soccer_team_blue__broken="x = (\n")  # fmt: skip
@@ -330,62 +298,12 @@ def test_a_file_that_is_imported_for_certain_as_well_still_fails(check):
     assert codes(stage) == ["missing_module"]
 
 
-def test_what_fails_for_one_program_is_not_told_again_as_a_warning_for_another(check):
-    programs = {f"robot{number}/robot{number}.py": "import lib.tools\n" for number in (1, 2)}
-    last = "if 0:\n    import lib.tools\n"
-    stage = check.paths({**programs, "robot3/robot3.py": last, "lib/tools.py": "import torch\n"})
-    assert codes(stage) == ["missing_module"]
-
-
-def test_for_well_known_libraries_it_is_said_what_there_is_in_a_match(check):
-    found = only(check("import matplotlib.pyplot\n"))
-    assert "numpy and scipy" in found.remedy
-    assert "matplotlib.py" not in found.remedy
-    assert "put shapes.py beside" in only(check("import shapes\n")).remedy
-
-
-PACKAGE = {
-    f"{FOLDER}/__init__.py": "",
-    f"{FOLDER}/utils.py": "x = 1\n",
-    f"{FOLDER}/sub/helper.py": "from ..utils import x\n",
-}
-FROM_ABOVE = "import os, sys\nsys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))\n"
-
-
-def test_a_program_may_import_from_its_own_folder_by_name_if_it_looks_in_the_folder_above_first(check):
-    imports = f"from {FOLDER}.utils import x\nfrom {FOLDER} import utils\nimport {FOLDER}.sub.helper\n"
-    assert codes(check.paths({ENTRY: FROM_ABOVE + imports, **PACKAGE})) == ["ok"]
-
-
-def test_a_program_that_looks_in_its_own_folder_first_finds_itself_instead_of_its_folder(check):
-    assert codes(check.paths({ENTRY: f"import {FOLDER}.utils\n", **PACKAGE}), "failure") == ["missing_part"]
-
-
-def test_a_part_that_is_in_no_folder_of_that_name_fails_whatever_the_program_does_to_its_path(check):
-    stage = check.paths({ENTRY: FROM_ABOVE + f"import {FOLDER}.tools\n", **PACKAGE})
-    assert codes(stage, "failure") == ["missing_part"]
-
-
 @pytest.mark.parametrize("marker", ["<<<<<<< HEAD", ">>>>>>> main"])
 def test_what_git_left_in_a_file_is_told(check, marker):
     (found,) = check(f"x = 1\n{marker}\ny = 2\n").findings
     assert found.code == "sources.syntax"
     assert "git" in found.remedy
     assert found.where.endswith(":2:1")
-
-
-def test_another_robots_program_is_found_in_its_folder_whatever_the_program_does_to_its_path(check):
-    entry = "import sys\nsys.path.append('..')\nfrom robot2.robot2 import speed\nimport robot2.robot2\n"
-    others = {f"robot{number}/robot{number}.py": "speed = 3\n" for number in (2, 3)}
-    assert codes(check.paths({"robot1/robot1.py": entry, **others})) == ["ok"]
-    wrong = entry.replace("robot2.robot2", "robot2.tools")
-    assert set(codes(check.paths({"robot1/robot1.py": wrong, **others}), "failure")) == {"missing_part"}
-
-
-def test_a_file_in_the_programs_own_folder_comes_before_a_folder_of_that_name_above(check):
-    parts = {f"{FOLDER}/utils.py": "x = 1\n"}
-    stage = check.paths({ENTRY: FROM_ABOVE + f"import {FOLDER}.utils\n", **parts})
-    assert codes(stage, "failure") == ["missing_part"]
 
 
 def test_what_only_type_checkers_import_does_not_count(check):
@@ -397,14 +315,6 @@ def test_modules_whose_use_is_refused_are_a_warning(check):
     assert codes(stage) == ["refused_module"] * 4
     assert stage.level == "warning"
     assert "the network" in stage.findings[0].message
-
-
-def test_pools_of_threads_are_not_refused(check):
-    stage = check(
-        "from multiprocessing.pool import ThreadPool\nfrom multiprocessing.dummy import Pool\nimport multiprocessing.dummy\n"
-    )
-    assert codes(stage) == ["ok"]
-    assert codes(check("from multiprocessing.pool import Pool, ThreadPool\n")) == ["refused_module"]
 
 
 def test_an_import_written_as_a_call_counts(check):
@@ -431,23 +341,6 @@ def test_a_file_that_the_match_never_lets_a_program_import_is_a_warning(check):
     assert found.where == f"{FOLDER}/controller.py"
     assert "never imported" in found.message
     assert "another name" in found.remedy
-
-
-@pytest.mark.parametrize("path", ["controller.py", f"{FOLDER}/controller/__init__.py"])
-def test_a_controller_in_the_folder_above_or_as_a_folder_is_passed_over_too(check, path):
-    found = only(check.paths({ENTRY: "from controller import Robot\n", path: ""}))
-    assert (found.code, found.where) == ("sources.passed_over", path)
-
-
-def test_a_controller_where_no_program_would_find_it_by_that_name_is_none_of_ours(check):
-    assert codes(check("import shared.controller\n", shared__controller="")) == ["ok"]
-
-
-def test_a_file_may_import_the_program_that_was_started_by_the_name_that_it_has_then(check):
-    stage = check(
-        "import tools\nspeed = 5\n", rcj_soccer_team_blue__tools="import __main__ as m\nfrom __main__ import speed\n"
-    )
-    assert codes(stage) == ["ok"]
 
 
 def test_a_circle_of_imports_ends(check):

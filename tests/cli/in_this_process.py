@@ -27,7 +27,7 @@ def here(monkeypatch: pytest.MonkeyPatch, folder: Path, *arguments: str) -> obje
         # This process has more to do than one command.
         patched.setattr(gc, "set_threshold", lambda *_: None)
         patched.setattr(gc, "freeze", lambda: None)
-        patched.setattr(cli, "_end_gently", list)
+        patched.setattr(cli, "_install_signal_handlers", list)
         with pytest.raises(SystemExit) as left:
             cli.main()
     return left.value.code

@@ -11,7 +11,6 @@ import subprocess
 import sys
 import tempfile
 import time
-from pathlib import Path
 
 import jsonschema
 import pytest
@@ -42,25 +41,6 @@ def never(*_, **__):
     raise AssertionError("nothing was to be checked")
 
 
-@pytest.mark.nightly
-def test_what_lies_in_the_folder_and_was_not_looked_at_is_in_every_summary(team, tmp_path, capsys, monkeypatch):
-    team("subs/a.zip")
-    team("subs/b.zip")
-    (tmp_path / "subs" / "stray.py").write_text("x = 1\n", encoding="utf-8")
-    (tmp_path / "subs" / "team c").mkdir()
-    assert check(tmp_path / "subs", html=tmp_path / "report.html") == 0
-    out = capsys.readouterr().out
-    assert "stray.py: it is a single program" in out
-    assert "2 submissions: 2 ok, 0 warnings, 0 failures, 2 not looked at" in out
-    page = (tmp_path / "report.html").read_text("utf-8")
-    assert "stray.py" in page
-    assert "team c" in page
-    monkeypatch.setattr(many, "check_many", one_after_the_other)
-    assert check(tmp_path / "subs", json=True) == 0
-    left_out = json.loads(capsys.readouterr().out)["left_out"]
-    assert [Path(other["file"]).name for other in left_out] == ["stray.py", "team c"]
-
-
 @pytest.mark.parametrize("as_json", [True, False])
 def test_the_page_is_written_also_if_there_is_no_room_for_what_is_printed(team, tmp_path, monkeypatch, as_json):
     """``check teams --html report.html > told.txt``: what took an hour is not lost."""
@@ -81,14 +61,6 @@ def test_with_one_archive_the_rest_of_the_folder_is_named_too(team, tmp_path, ca
     check(tmp_path / "subs", html=tmp_path / "report.html")
     assert ".hidden.zip: its name begins with a dot" in capsys.readouterr().out
     assert ".hidden.zip" in (tmp_path / "report.html").read_text("utf-8")
-
-
-def test_rows_of_the_same_file_name_are_told_apart(team, capsys, monkeypatch):
-    monkeypatch.setattr(many, "check_many", one_after_the_other)
-    check(team("a/team.zip"), team("b/team.zip"))
-    out = capsys.readouterr().out
-    assert "a/team.zip" in out
-    assert "b/team.zip" in out
 
 
 @pytest.fixture

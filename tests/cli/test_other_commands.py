@@ -45,13 +45,6 @@ def test_a_damaged_record_is_listed_with_what_is_wrong(runs, capsys, monkeypatch
     assert "cannot be read" in capsys.readouterr().out
 
 
-def test_a_folder_may_be_listed_without_naming_it_an_option(runs, capsys, monkeypatch):
-    monkeypatch.setenv("COLUMNS", "120")
-    (folder,) = runs.iterdir()
-    assert run("view", "--list", runs) == 0
-    assert folder.name in capsys.readouterr().out
-
-
 def test_where_nothing_was_recorded_there_is_no_empty_table(runs, tmp_path):
     (tmp_path / "empty").mkdir()
     with pytest.raises(RcjError, match=r"no run was recorded in .*empty"):
@@ -135,25 +128,6 @@ def test_simulate_tells_wrong_input_once(tmp_path):
         run("simulate", "match", "--seeds", "1", "--team", "blue=nowhere", "--out", tmp_path / "runs", "--quiet")
 
 
-@pytest.mark.parametrize(
-    ("given", "told"), [("shooter=team.py", "this scenario has blue, yellow"), ("blue=nowhere", "nowhere")]
-)
-def test_simulate_plays_nothing_if_a_team_is_not_there(tmp_path, monkeypatch, given, told):
-    monkeypatch.setattr(batch, "play_many", lambda *_: pytest.fail("a match was begun"))
-    with pytest.raises(RcjError, match=told):
-        run("simulate", "match", "--seeds", "1..9", "--team", given, "--out", tmp_path / "runs")
-
-
-def test_simulate_has_the_short_options_of_run(monkeypatch):
-    jobs = []
-    monkeypatch.setattr(batch, "play_many", lambda given, *_: jobs.extend(given) or [outcome(1, 7)])
-    short = ("--blue", BALL_CHASER, "--yellow", BALL_CHASER, "--duration", "8", "--halves", "1")
-    assert run("simulate", "match", "--seeds", "1", "--quiet", *short) == 0
-    assert {f"blue={BALL_CHASER}", f"yellow={BALL_CHASER}", "match.half_s=8.0", "match.halves=1"} < set(
-        jobs[0].arguments
-    )
-
-
 def test_simulate_isolates_programs_as_run_does(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(batch, "play_many", played_one_after_the_other)
     one_each = [
@@ -212,16 +186,6 @@ def test_why_no_seed_could_be_played_is_in_the_json_too(monkeypatch, capsys):
         run("simulate", "match", "--seeds", "1..2", "--json")
     told = json.loads(capsys.readouterr().out)
     assert (told["played"], [one["seed"] for one in told["failed"]]) == (0, [1, 2])
-
-
-def test_the_list_is_whole_also_in_a_narrow_terminal(runs, capsys, monkeypatch):
-    monkeypatch.setenv("COLUMNS", "40")
-    assert run("view", "--list", "--out", runs) == 0
-    told = capsys.readouterr().out
-    (folder,) = [path for path in runs.iterdir() if path.is_dir()]
-    (line,) = [line for line in told.splitlines() if folder.name in line]
-    assert " : " in line
-    assert "…" not in told
 
 
 def test_a_folder_that_is_closed_to_us_hides_no_other_record(runs, capsys, monkeypatch):

@@ -69,26 +69,10 @@ def test_how_long_programs_took_to_start_is_not_taken_for_the_pace_of_the_match(
     assert progress.factor == pytest.approx(3.2)
 
 
-def test_in_real_time_the_match_does_not_hurry_after_programs_that_were_slow_to_start(monkeypatch):
-    now, slept = SimpleNamespace(s=0.0), []
-    clock = SimpleNamespace(perf_counter=lambda: now.s, sleep=slept.append)
-    monkeypatch.setattr("rcj_challenges.match.pacing.time", clock)
-    half = half_of(load("match").scenario)
-    effects = TickEffects(half, 0, Counting(0), Nothing(), Listening(), Nothing(), (), real_time=True)
-    for tick, took_s in ((0, 5.0), (1, 0.002), (2, 0.002)):
-        effects.ticked(SimpleNamespace(tick=tick), Nothing(), b"", b"")
-        now.s += took_s
-    assert slept == pytest.approx([0.032, 0.062])
-
-
 def test_while_the_clock_stops_the_time_to_wait_does_not_shrink_under_nothing():
     progress = heard_at(400, 200, later_ticks=0)
     assert (progress.tick, progress.clock_ticks) == (400, 200)
     assert progress.remaining_s > 0
-
-
-def test_halves_of_other_lengths_count_with_their_own():
-    assert heard_at(100, 100, later_ticks=0).remaining_s < heard_at(100, 100, later_ticks=10**9).remaining_s
 
 
 def test_the_clock_that_is_shown_is_that_of_the_half():
@@ -99,13 +83,6 @@ def test_the_clock_that_is_shown_is_that_of_the_half():
 
 def progress(remaining_s):
     return Progress(half_of(load("match").scenario), 1900, 1875, {"blue": 0, "yellow": -1}, "play", 49.0, remaining_s)
-
-
-def test_the_time_to_wait_cannot_be_taken_for_the_time_left_to_play():
-    shown = io.StringIO()
-    PlainLines(Console(file=shown, width=200), load("match").scenario).progressed(progress(1.2))
-    line = shown.getvalue().splitlines()[-1]
-    assert line == " 1:00.0  Blue 0 : -1 Yellow  (49 x real time, done in about 1 s)"
 
 
 def test_the_board_says_it_in_the_same_words():
@@ -147,14 +124,6 @@ def test_the_board_says_who_plays_in_which_colour_now():
     board.finished({})
     assert "Hanse 2 : 1 Alster" in Text.from_ansi(shown.getvalue()).plain
     assert "SoccerSim match   blue: Alster, yellow: Hanse" in shown.getvalue()
-
-
-def test_teams_of_the_same_name_are_told_by_where_they_began():
-    shown = io.StringIO()
-    now = after_half_time()
-    now = replace(now, half=replace(now.half, team_names={"blue": "Hanse", "yellow": "Hanse"}))
-    PlainLines(Console(file=shown, width=200), load("match").scenario).progressed(now)
-    assert " Hanse (blue first) 2 : 1 Hanse (yellow first)  (" in shown.getvalue()
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,6 @@ import json
 
 import pytest
 
-from rcj_challenges.cli.advice import advice_on_standing
 from rcj_challenges.expect.scripted_match import half_of
 from rcj_challenges.facts.play import Placement, RefereeOutput, Snapshot
 from rcj_challenges.facts.timing import ticks_from_s
@@ -58,19 +57,30 @@ def test_a_half_that_is_too_short_tells_nothing():
     assert observer.robots() == []
 
 
-def test_a_robot_whose_program_failed_is_left_out(tmp_path):
-    hints = advice_on_standing(["B1", "Y2"], [{"robot": "B1"}], tmp_path)
-    assert [hint["robots"] for hint in hints] == [["Y2"]]
+def without(line, instead):
+    return WITHOUT_POSITION.replace(line, instead)
 
 
-def test_run_tells_a_robot_that_lacks_set_position(tmp_path, monkeypatch, capsys):
-    (tmp_path / "team.py").write_text(WITHOUT_POSITION, encoding="utf-8")
+@pytest.mark.parametrize(
+    ("program", "named"),
+    [
+        (WITHOUT_POSITION, "setPosition"),
+        (without("left wheel", "left_wheel").replace("in motors:", "in filter(None, motors):"), '"left wheel motor"'),
+        (
+            without("    for motor in motors:", "    try:").replace("motor.set", "gone.set") + "    except: pass\n",
+            "line 7",
+        ),
+    ],
+    ids=["no setPosition", "no such device", "hidden error"],
+)
+def test_hint_for_a_robot_that_never_moves_names_the_reason(tmp_path, monkeypatch, capsys, program, named):
+    (tmp_path / "team.py").write_text(program, encoding="utf-8")
     alone = [f"--set=entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)]
     match = ["run", "match", "--blue", "team.py", "--yellow", "team.py", "--duration", "11", "--halves", "1", *alone]
     assert here(monkeypatch, tmp_path, *match, "--no-replay", "--json") == 0
     result = json.loads(capsys.readouterr().out)
     (hint,) = result["hints"]
     assert sorted(hint["robots"]) == ["B1", "Y1"]
-    assert "setPosition" in hint["remedy"]
+    assert named in hint["remedy"]
     (log,) = tmp_path.glob("runs/*/logs/B1.log")
     assert f"hint: {hint['remedy']}\n" in log.read_text("utf-8")

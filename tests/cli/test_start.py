@@ -16,7 +16,7 @@ def arguments(monkeypatch):
     """Return a function that runs the command line with arguments and returns its exit code."""
     thresholds = gc.get_threshold()
     monkeypatch.setenv("PYDANTIC_DISABLE_PLUGINS", "__all__")
-    monkeypatch.setattr(cli, "_end_gently", list)  # the signals of this process are the tests'
+    monkeypatch.setattr(cli, "_install_signal_handlers", list)  # the signals of this process are the tests'
 
     def run(*given: str) -> object:
         monkeypatch.setattr("sys.argv", ["rcj-challenge", *given])
@@ -45,7 +45,7 @@ def test_a_package_that_is_not_installed_is_no_fault_of_ours(arguments, capsys, 
     def missing(*_):
         raise ModuleNotFoundError(f"No module named {package!r}", name=package)
 
-    monkeypatch.setattr(cli, "_start_quickly", missing)
+    monkeypatch.setattr(cli, "_speed_up_start", missing)
     assert arguments("validate", "match") == 2
     told = capsys.readouterr().err
     assert f"the package '{package.partition('.')[0]}' is missing" in told
@@ -59,7 +59,7 @@ def test_a_module_that_we_should_have_is(arguments, capsys, monkeypatch, tmp_pat
         raise ModuleNotFoundError(f"No module named {module!r}", name=module)
 
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(cli, "_start_quickly", missing)
+    monkeypatch.setattr(cli, "_speed_up_start", missing)
     assert arguments("validate", "match") == 3
     assert "our fault" in capsys.readouterr().err
 
@@ -75,7 +75,7 @@ def test_ctrl_break_of_windows_interrupts_as_ctrl_c_does(monkeypatch):
         monkeypatch.setattr(signal, "SIGBREAK", signal.SIGUSR1, raising=False)
     handlers = {}
     monkeypatch.setattr(signal, "signal", handlers.__setitem__)
-    heard = cli._end_gently([])
+    heard = cli._install_signal_handlers([])
     assert signal.SIGBREAK in heard
     with pytest.raises(KeyboardInterrupt):
         handlers[signal.SIGBREAK]()

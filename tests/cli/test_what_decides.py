@@ -11,7 +11,7 @@ from rcj_challenges.cli.simulate import rank_summary
 from rcj_challenges.match import batch
 from rcj_challenges.match.batch import Job, Outcome
 from rcj_challenges.scenario.models.scenario import Result
-from rcj_challenges.views.scoreboard import ranking_lines, score_line
+from rcj_challenges.views.scoreboard import ranking_lines
 from tests.cli.in_this_process import played_one_after_the_other
 
 SLALOM = Path(__file__).resolve().parents[2] / "scenarios" / "examples" / "slalom.yaml"
@@ -59,24 +59,6 @@ class TestLines:
         (line,) = ranking_lines(criteria(BY_TIME), NAMES, placed((1, "blue", [1209.248])))
         assert line == "place 1: Hanse, time 1209.248 s (with fouls, falls)"
 
-    def test_teams_that_nothing_tells_apart_share_a_place(self):
-        lines = ranking_lines(criteria([{"time": "ascending"}]), NAMES, placed((1, "blue", [40]), (1, "yellow", [40])))
-        assert lines == ["place 1: Hanse, time 40 s", "place 1: Alster, time 40 s"]
-
-    @pytest.mark.parametrize("order", ["ascending", "descending"])
-    def test_where_the_score_alone_decides_the_score_says_it_all(self, order):
-        ranking = placed((1, "blue", [2]), (2, "yellow", [1]))
-        assert ranking_lines(criteria([{"score": order}]), NAMES, ranking) == []
-
-    def test_teams_of_one_name_are_told_apart_by_their_seats(self):
-        twice = {"blue": "Hanse", "yellow": "Hanse"}
-        assert score_line(twice, {"blue": 2, "yellow": 1}) == "Hanse (blue) 2 : 1 Hanse (yellow)"
-        three = {**twice, "red": "Alster"}
-        line = "Hanse (blue) 2, Hanse (yellow) 1, Alster 0"
-        assert score_line(three, {"blue": 2, "yellow": 1, "red": 0}) == line
-        lines = ranking_lines(criteria([{"time": "ascending"}]), twice, placed((1, "yellow", [4]), (2, "blue", [5])))
-        assert lines == ["place 1: Hanse (yellow), time 4 s", "place 2: Hanse (blue), time 5 s"]
-
     def test_a_name_of_a_team_cannot_rearrange_its_line(self):
         (line,) = ranking_lines(criteria([{"time": "ascending"}]), {"blue": "\x1b[31mA"}, placed((1, "blue", [4])))
         assert "\x1b" not in line
@@ -94,12 +76,6 @@ class TestManyMatches:
         assert told["matches"][0] == {"seed": 1, "ranking": placed((1, "yellow", [2, 1]), (2, "blue", [2, 3]))}
         assert told["places"] == {"yellow": {"1": 2, "2": 1}, "blue": {"1": 2, "2": 1}}
         assert told["spread"]["blue"][1] == {"least": 2, "median": 3, "mean": 4.0, "most": 7}
-
-    def test_a_match_that_could_not_be_played_has_no_place(self):
-        outcomes = [Outcome(Job(1, ()), None, "it broke"), played(2, (1, "blue", [5]), (2, "yellow", [9]))]
-        told = rank_summary(criteria([{"time": "ascending"}]), outcomes)
-        assert told["places"] == {"blue": {"1": 1}, "yellow": {"2": 1}}
-        assert [match["seed"] for match in told["matches"]] == [2]
 
 
 def test_a_run_that_time_decides_ends_with_places_and_times(tmp_path, capsys):
@@ -159,15 +135,3 @@ def test_json_of_simulate_holds_what_was_compared(tmp_path, capsys, still):
     told = json.loads(capsys.readouterr().out)["ranking"]
     assert told["criteria"] == ["score", "put_backs"]
     assert told["matches"] == [{"seed": 1, "ranking": placed((1, "blue", [0, 0]), (1, "yellow", [0, 0]))}]
-
-
-def test_the_plain_match_is_told_by_its_score(capsys, still, monkeypatch):
-    monkeypatch.setattr(batch, "play_many", played_one_after_the_other)
-    assert run("simulate", "match", "--seeds", "1", *still, "--json") == 0
-    assert "ranking" not in json.loads(capsys.readouterr().out)
-    assert run("simulate", "match", "--seeds", "1", *still, "--quiet") == 0
-    shown = capsys.readouterr().out
-    assert "place" not in shown
-    assert shown.split("\n", 1)[0].strip() == "1 match"
-    assert run("run", "match", *still, "--quiet", "--no-replay") == 0
-    assert len(capsys.readouterr().out.splitlines()) == 3

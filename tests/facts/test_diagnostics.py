@@ -80,5 +80,5 @@ def test_many_diagnostics_are_cut_in_the_text_only():
 
 
 def test_the_command_line_prints_all_diagnostics_and_exits_with_2(capsys):
-    assert cli._told(DiagnosticError(UNKNOWN_ZONE, NO_BALL), begun=True) == 2
+    assert cli._report_error(DiagnosticError(UNKNOWN_ZONE, NO_BALL), begun=True) == 2
     assert capsys.readouterr().err == f"{UNKNOWN_ZONE}\n\n{NO_BALL}\n"

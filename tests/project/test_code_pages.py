@@ -11,7 +11,8 @@ import rcj_challenges
 from rcj_challenges.cli.explain import pages_by_room
 
 PACKAGE = Path(rcj_challenges.__file__).parent
-CODE = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)+")
+CODE = re.compile(r"[a-z][a-z0-9]*((-[a-z0-9]+)+|[.][a-z0-9_]+)")
+"""Hyphens, or the form ``stage.kind`` of the findings of ``check``."""
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 
 
@@ -55,8 +56,13 @@ def given(call):
     place = takers().get(name)
     named = next((one.value for one in call.keywords if one.arg == "code"), None)
     if place is None or named is not None:
-        return named if place is not None else None
+        return named
     return call.args[place] if place < len(call.args) else None
+
+
+def is_code_of_a_class(node):
+    """Return whether this is the code of an error class, for errors that are raised without one."""
+    return isinstance(node, ast.Assign) and [getattr(one, "id", "") for one in node.targets] == ["CODE"]
 
 
 def texts(node):
@@ -79,6 +85,8 @@ def assigned(name, function):
 def codes_in(node, around=None):
     """Yield the codes that are given in a source."""
     for inner in ast.iter_child_nodes(node):
+        if is_code_of_a_class(inner):
+            yield from texts(inner.value)
         if isinstance(inner, ast.Call) and (code := given(inner)) is not None:
             yield from texts(code)
             if isinstance(code, ast.Name) and around is not None:

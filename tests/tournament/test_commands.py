@@ -6,7 +6,8 @@ import json
 
 import pytest
 
-from rcj_challenges.checker.report import FileReport, FindingReport, StageReport
+from rcj_challenges.checker.findings import Finding
+from rcj_challenges.checker.report import FileReport, StageReport
 from rcj_challenges.cli import tournament_run, tournament_verify
 from rcj_challenges.tournament import submissions
 from rcj_challenges.tournament.jobs import MatchJob
@@ -15,7 +16,7 @@ from tests.tournament.store_helpers import LEAGUE, FakeExecutor, Home, let_other
 
 
 def report(path, level):
-    finding = FindingReport(
+    finding = Finding(
         code="start.crash", level=level, message="it crashed", remedy="", where="", repair=False, details=""
     )
     stage = StageReport(name="start", about="", level=level, skipped="", findings=[finding])

@@ -10,8 +10,8 @@ from posixpath import relpath
 from typing import Any
 
 from rcj_challenges.checker.advice.crash_site import code_at, unquote
-from rcj_challenges.checker.advice.devices import none_hint
-from rcj_challenges.checker.advice.endings import why_it_ended
+from rcj_challenges.checker.advice.devices import DeviceAdvice, missing_devices, none_hint
+from rcj_challenges.checker.advice.endings import hidden_error, why_it_ended
 from rcj_challenges.checker.advice.packets import packet_hint
 from rcj_challenges.checker.advice.table import Hint, find_old_name, find_row
 from rcj_challenges.checker.file_beside import help_for_file_beside
@@ -22,6 +22,22 @@ from rcj_challenges.scenario.models.scenario import Scenario
 
 WHEREABOUTS = "It was here, the innermost call first:\n"
 """What the match writes into a program's log when it had to stop it."""
+
+_BETWEEN = (ANOTHER_THREAD.strip(), AFTER_ITS_END)
+"""What stands between the places that a log names."""
+REMEDIES = {
+    "crash": "the last line of the report below says what is wrong, the lines above it where",
+    "exit": "call robot.step(32) in a loop until it returns -1; a program that ends leaves its robot standing",
+    "start_timeout": "call robot.step(32) sooner: is there a loop before it, or something that takes long to load?",
+    "step_timeout": "look for a loop that never calls robot.step(32), at the place below if one is named",
+    "half_timeout": "do less in each step: the program may only compute and wait for that long in a whole half",
+    "memory": "keep less, start fewer threads: is there a list that grows in every step?",
+    "output_flood": "print less, and write fewer files",
+    "protocol": "leave the channel to the match alone: let the controller module do the talking",
+    "start": "if the files are in order, this computer may be the reason: ask the organizers",
+}
+"""By the kind of a fault: what to do where nothing more special is known."""
+_STANDS = 'if it waits on purpose, all is well; else call setPosition(float("inf")) and setVelocity on both motors'
 
 _MAX_CODE_LETTERS = 80
 _PLACE = re.compile(r'^  File "(?P<file>[^"]+)", line (?P<line>[0-9]{1,7})\b', re.MULTILINE)
@@ -66,6 +82,31 @@ def hint_for(
     if kind in ("step_timeout", "start_timeout") and whereabouts:
         return _timeout_hint(team, whereabouts)
     return None
+
+
+def whereabouts_in(log: str) -> str:
+    """Return the lines of a log that say where a program was when it was stopped; empty if there are none."""
+    _, found, rest = log.rpartition(WHEREABOUTS)
+    lines = rest.splitlines() if found else []
+    inside = [line for line in lines if line.startswith("  File ") or line in _BETWEEN]
+    return "\n".join([WHEREABOUTS.strip(), *inside]) if inside else ""
+
+
+def standing_help(scenario: Scenario, team: Team, robot: str, log: str = "") -> str:
+    """Return what to do about a robot that never moves although its program did not fail.
+
+    Args:
+        scenario: what was played.
+        team: whose program it is.
+        robot: its name.
+        log: of the robot, or its beginning: there it asks for its devices.
+    """
+    missing = missing_devices(log)
+    for name, has in missing.items():
+        help_ = DeviceAdvice(scenario, team, missing).remedy(name, robot, has)
+        return f'it asks for a device "{sanitize(name)}"; {help_}'
+    hidden = hidden_error(team.files, PurePosixPath(team.entries[robot]))
+    return f"{_STANDS}; or an error is hidden: {hidden}" if hidden else _STANDS
 
 
 def _crash_hint(

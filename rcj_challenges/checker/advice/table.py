@@ -104,22 +104,15 @@ _BYTES_OR_TEXT = (
 
 TABLE: tuple[Row, ...] = (
     Row(
-        "controller_name",
-        r"cannot import name '(?P<name>\w{1,100})' from '(?:partially .{1,50})?controller'",
-        '"controller" is the module of the match, and has no "{name}": rename a file of your own with that name',
-    ),
-    Row(
-        "circular_import",
-        r"partially initialized module '(?P<name>[\w.]{1,100})'",
-        "{name} and this file import each other: move what both need into a third file",
-    ),
-    Row(
         "missing_module",
         r"^ModuleNotFoundError: No module named '(?P<name>[\w.]{1,100})'",
         f'put the file or folder "{{name}}" beside the program, or do without it; {_IN_A_MATCH}',
     ),
-    Row("indentation", r"^(?:IndentationError|TabError): ", "correct how far this line is indented; use only spaces"),
-    Row("syntax", r"^SyntaxError: ", "correct this line, or the one before it: is a bracket or a colon missing?"),
+    Row(
+        "syntax",
+        r"^(?:SyntaxError|IndentationError|TabError): ",
+        "correct this line, or the one before it: is a bracket or a colon missing, or a line indented too far?",
+    ),
     Row(
         "not_imported",
         r"^NameError: name '(?P<name>math|time|struct|json|random|sys|os|re|copy|itertools)' is not defined",
@@ -129,11 +122,6 @@ TABLE: tuple[Row, ...] = (
         "numpy_not_imported",
         r"^NameError: name 'np' is not defined",
         'write "import numpy as np" at the top of the file',
-    ),
-    Row(
-        "math_not_imported",
-        r"^NameError: name '(?P<name>sqrt|sin|cos|tan|a?tan2?|asin|acos|hypot|radians|degrees|pi|inf)' is not defined",
-        'write "from math import {name}" at the top of the file',
     ),
     Row(
         "unknown_name",
@@ -146,28 +134,12 @@ TABLE: tuple[Row, ...] = (
         'a function that sets "{name}" has a variable of its own: write "global {name}" as its first line for the one '
         "outside",
     ),
-    Row(
-        "recursion",
-        r"^RecursionError: ",
-        "a function calls itself over and over (its name is repeated in the report below): write a while loop",
-    ),
-    Row("out_of_memory", r"^MemoryError\b", "keep less: is there a list that grows in every step?"),
     Row("no_brackets", r"^TypeError: .{0,100}'(?:builtin_function_or_)?method'", _BRACKETS),
     Row("no_brackets", r"^TypeError: cannot unpack non-iterable (?:builtin_function_or_)?method", _BRACKETS),
     Row(
         "not_callable",
         r"^TypeError: '(?:int|float|bool|str|bytes|list|tuple|dict)' object is not callable",
         "what stands before the brackets is not a function: is a variable called so (max = 10), or is a * missing?",
-    ),
-    Row(
-        "no_self",
-        rf"^TypeError: (?:\w{{1,100}}\.)?{_NAME}\(\) takes (?:0 positional \D+ 1|1 positional \D+ 2)\b",
-        "the first argument of a method is self: def {name}(self, …):",
-    ),
-    Row(
-        "no_object",
-        r"^TypeError: .{1,200} missing 1 required positional argument: 'self'",
-        "this is the class: make an object of it, robot = Robot()",
     ),
     Row("none", r"^(?:TypeError: .{0,300}\bNoneType\b|AttributeError: 'NoneType' object )", _NOTHING_THERE),
     Row("add_text", r"^TypeError: can only concatenate str \(not \"(?:float|int)\"\) to str", _ADD_TEXT),
@@ -184,17 +156,6 @@ TABLE: tuple[Row, ...] = (
         "too_many_values",
         r"^ValueError: too many values to unpack \(expected 2[,)]",
         "positions have three numbers: x, y, z = gps.getValues()",
-    ),
-    Row(
-        "robot_name",
-        r"^ValueError: invalid literal for int\(\) with base 10: '[BY][0-9]'",
-        "a robot's name is a letter and a number: int(robot.getName()[1])",
-    ),
-    Row(
-        "robot_key",
-        r"^KeyError: '(?P<name>[BY][1-9]?)'",
-        '"{name}" comes from the name of the robot: one program may drive robots of both colours; add an entry for '
-        "each of them",
     ),
     Row(
         "empty_queue",
@@ -224,43 +185,16 @@ TABLE: tuple[Row, ...] = (
         "with struct.calcsize(format)",
     ),
     Row(
-        "packet_value",
-        r"^struct\.error: required argument is not an? (?:integer|float)",
-        'each letter of the format takes one type: "i" whole numbers (int(x)), "f" and "d" any number, "?" True or '
-        "False; None fits none of them: send a number for a ball that is not in sight",
-    ),
-    Row(
         "not_a_number",
         r"^ValueError: cannot convert float NaN to integer",
         "this number is NaN: sensors give it before their first sample (enable the sensor and call robot.step(32) "
         "before reading it)",
     ),
     Row(
-        "infinite",
-        r"^OverflowError: cannot convert float infinity to integer",
-        "this number is infinite, as a lidar beyond its range gives it; ask first: if math.isfinite(x):",
-    ),
-    Row(
-        "math_domain",
-        r"^ValueError: (?:math domain error|expected a (?:number in range|nonnegative|positive) )",
-        "rounding can lead just beyond what acos, asin, sqrt and log accept: math.acos(max(-1, min(1, x)))",
-    ),
-    Row(
-        "nobody_types",
-        r"^EOFError: EOF when reading a line",
-        "nobody types during a match: do without input(), and write the value into the program",
-    ),
-    Row(
         "debugger",
         r"^bdb\.BdbQuit\b",
-        "leave out breakpoint() and pdb.set_trace(), or run with --debug and the robot's name: rcj-challenge run match "
-        "--debug Y1",
-    ),
-    Row("no_screen", r"^_tkinter\.TclError: ", "there is no screen in a match: do without windows (tkinter, turtle)"),
-    Row(
-        "threads",
-        r"^RuntimeError: can't start new thread",
-        "start a thread once, before the loop, not in every step: the number of threads is limited",
+        "write breakpoint() instead of pdb.set_trace(): it stops only in the robot that is debugged, rcj-challenge run "
+        "match --yellow my_team --debug Y1",
     ),
     Row(
         "refused",

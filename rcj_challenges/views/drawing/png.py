@@ -24,6 +24,8 @@ _WORD = '<svg xmlns="http://www.w3.org/2000/svg" width="20" height="20"><text y=
 class PngMissingError(DiagnosticError):
     """The package that renders PNG is not installed."""
 
+    CODE = "missing-extra"
+
 
 def png_from_svg(picture: str) -> bytes:
     """Return a drawing as PNG, twice as many pixels each way as its SVG has units.

@@ -33,6 +33,8 @@ _ACCEPT_EVERY_S = 0.05
 class PortTakenError(DiagnosticError):
     """The port cannot be listened on."""
 
+    CODE = "port-taken"
+
 
 class LiveShow:
     """Serves a match from before its first tick until it is closed; a context manager.

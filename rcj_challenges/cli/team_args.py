@@ -67,8 +67,8 @@ def _opened(path: Path, seats: tuple[Entrant, ...], scenario: Scenario) -> Team:
         others = others_that_fit(opening.contents.files, scenario)
         found = next(one for one in layout_findings(opening, seats, others) if one.level == "failure")
         copy = "; rcj-challenge check … --fix NEW.zip makes such a copy" if found.repair else ""
-        message = f"{told(path, MOST_PATH_SHOWN)}: {found.message}\nwhat to do: {found.remedy}{copy}"
-        raise TeamError(message) from error
+        message = f"{told(path, MOST_PATH_SHOWN)}: {found.message}"
+        raise TeamError(message, f"{found.remedy}{copy}", code=found.code) from error
 
 
 def _sample_team(loaded: Loaded, seat: str) -> Path:
@@ -86,8 +86,9 @@ def _sample_team(loaded: Loaded, seat: str) -> Path:
     if found is not None:
         return found
     raise UsageError(
-        f"who plays for {seat!r}? {_why_no_sample_team(scenario, seat, bases)}: "
-        f"give --team {seat}=PATH, a team with {_programs_of(scenario, seat)}"
+        f"who plays for {seat!r}? {_why_no_sample_team(scenario, seat, bases)}",
+        f"give --team {seat}=PATH, a team with {_programs_of(scenario, seat)}",
+        code="no-sample-team",
     )
 
 
@@ -122,10 +123,11 @@ def assignments(given: list[str], seats: Mapping[str, Any], option: str) -> dict
     for entry in given:
         seat, equals, value = entry.partition("=")
         if not equals or not value:
-            raise UsageError(f"{option} {entry}: expected ENTRANT=VALUE, such as {next(iter(seats))}=…")
+            example = f"write ENTRANT=VALUE, such as {option} {next(iter(seats))}=…"
+            raise UsageError(f"{option} {entry}: no entrant or no value", example, code="bad-option")
         known(seat, seats, "entrant")
         if seat in found:
-            raise UsageError(f"{option}: {seat!r} is given twice")
+            raise UsageError(f"{option}: {seat!r} is given twice", "leave one out", code="option-given-twice")
         found[seat] = value
     return found
 
@@ -134,5 +136,6 @@ def known(name: str, names: Mapping[str, Any] | frozenset[str], kind: str) -> No
     """Raise a `UsageError` with the names that there are, if this is none of them."""
     if name not in names:
         nearest = nearest_name(name, names)
-        hint = "" if nearest is None else f"; did you mean {nearest!r}?"
-        raise UsageError(f"unknown {kind} {name!r}: this scenario has {', '.join(sorted(names))}{hint}")
+        near = "" if nearest is None else f"did you mean {nearest!r}? "
+        there = f"{near}This scenario has {', '.join(sorted(names))}"
+        raise UsageError(f"unknown {kind} {name!r}", there, code=f"unknown-{kind}")

@@ -10,10 +10,11 @@ import traceback
 from pathlib import Path
 
 from rcj_challenges import __version__
+from rcj_challenges.facts.diagnostics import Diagnostic
 from rcj_challenges.facts.errors import RcjError
 
 
-def report_our_fault(error: BaseException) -> int:
+def write_crash_report(error: BaseException) -> int:
     """Write a report that can be sent with a bug report, name it on stderr, and return exit code 3."""
     lines = [
         f"rcj-challenges {__version__}, Python {platform.python_version()}, {platform.system()} {platform.machine()}",
@@ -22,14 +23,16 @@ def report_our_fault(error: BaseException) -> int:
         "".join(traceback.format_exception(error)),
     ]
     text = "\n".join(lines)
+    report = None
     try:
-        where = f"A report is in {_written(text, Path.cwd()).name}"
+        where = f"a report is in {_written(text, Path.cwd()).name}"
     except OSError:
-        where = f"No report can be written in this folder, so here it is:\n{text}"
+        where, report = "no report can be written in this folder, so it follows here", text
     what = str(error) if isinstance(error, RcjError) else f"{type(error).__name__}: {error}"
-    told = f"rcj-challenge: this is our fault, not yours: {what}"
+    message = f"this is our fault, not yours: {what}"
+    found = Diagnostic("internal-error", message, f"{where}; please send it to the project")
     with contextlib.suppress(OSError):
-        print(f"{told}\n{where}; please send it to the project.", file=sys.stderr)  # noqa: T201 - this is the terminal
+        print(found if report is None else f"{found}\n{report}", file=sys.stderr)  # noqa: T201 - this is the terminal
     return 3
 
 

@@ -11,6 +11,8 @@ from rcj_challenges.facts.file_names import is_device_of_windows
 class OutputNameError(RcjError):
     """A name that a file or folder cannot have."""
 
+    CODE = "device-name"
+
 
 def refuse_devices(**outputs: Path | None) -> None:
     """Refuse what no file on Windows may be called, on every system: what is made is handed on.
@@ -26,5 +28,5 @@ def refuse_devices(**outputs: Path | None) -> None:
     for option, path in outputs.items():
         if path is not None and is_device_of_windows(path.name):
             name = path.name.partition(".")[0].rstrip()
-            message = f"'{name}' is a device on Windows, where no file has that name; choose another name"
-            raise OutputNameError(f"--{option} {path}: {message}")
+            message = f"--{option} {path}: '{name}' is a device on Windows, where no file has that name"
+            raise OutputNameError(message, "choose another name")

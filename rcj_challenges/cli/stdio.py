@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from _typeshed import ReadableBuffer
     from rich.console import Console
 
-from rcj_challenges.facts.errors import HostError, error_hint, is_no_room
+from rcj_challenges.facts.errors import HostError, format_error, is_no_room, room_help
 from rcj_challenges.facts.letters import READABLE
 from rcj_challenges.facts.sanitize import sanitize
 
@@ -39,10 +39,10 @@ def say_json(value: Any) -> None:
         sys.stdout.write(text + "\n")
         sys.stdout.flush()
     except BrokenPipeError:
-        say_no_more(sys.stdout)
+        discard_output(sys.stdout)
     except OSError as error:
-        trouble = output_trouble(error)
-        say_no_more(sys.stdout)
+        trouble = output_error(error)
+        discard_output(sys.stdout)
         raise trouble from error
 
 
@@ -52,16 +52,17 @@ def say_progress(console: Console, line: str) -> None:
         console.print(line, markup=False, highlight=False, soft_wrap=True)
 
 
-def output_trouble(error: OSError) -> HostError:
+def output_error(error: OSError) -> HostError:
     """Return what is wrong with our output as an error that says where it goes, if it is a file and Linux tells."""
     where = ""
     with contextlib.suppress(OSError, ValueError):
         if _is_file(sys.stdout):
             where = f" ({sanitize(os.readlink(f'/proc/self/fd/{sys.stdout.fileno()}'))})"  # noqa: PTH115 - no path of ours
-    return HostError(f"the output{where} cannot be written: {error_hint(error)}")
+    message = f"the output{where} cannot be written: {format_error(error)}"
+    return HostError(message, room_help(error), code="cannot-write-output")
 
 
-def is_of_the_output(error: BaseException) -> TypeGuard[OSError]:
+def is_output_error(error: BaseException) -> TypeGuard[OSError]:
     """Return whether an error, one without a file's name, is that of our output, a file on a disk that is full."""
     if not isinstance(error, OSError) or error.filename is not None or not is_no_room(error):
         return False
@@ -74,7 +75,7 @@ def _is_file(stream: Any) -> bool:
     return stat.S_ISREG(os.fstat(stream.fileno()).st_mode)
 
 
-def typed(path: object) -> str:
+def shell_quoted(path: object) -> str:
     """Return a path as it is typed into a shell: in double quotes, which every shell knows, if it needs quotes."""
     text = str(path)
     if os.sep == "/" and re.search(r'[$`"\\!]', text):  # these mean something to a POSIX shell within double quotes
@@ -82,7 +83,7 @@ def typed(path: object) -> str:
     return text if re.fullmatch(r"[\w./\\:@+,=-]+", text) else f'"{text}"'
 
 
-def say_no_more(stream: Any) -> None:
+def discard_output(stream: Any) -> None:
     """Let what is still printed there go nowhere: else the interpreter complains of it at its end."""
     with contextlib.suppress(OSError, ValueError), contextlib.ExitStack() as stack:
         nowhere = os.open(os.devnull, os.O_WRONLY)
@@ -90,7 +91,7 @@ def say_no_more(stream: Any) -> None:
         os.dup2(nowhere, stream.fileno())
 
 
-def lack_letters_gently() -> None:
+def replace_unencodable() -> None:
     """Let letters that the encoding of our output lacks be no error: on Windows a path may have them, and a title.
 
     There Python's own choice is ``surrogateescape``. Where that keeps the bytes of names (``LC_ALL=C``), it stays.
@@ -102,7 +103,7 @@ def lack_letters_gently() -> None:
                 stream.reconfigure(errors=READABLE)
 
 
-def know_gone_readers() -> None:
+def detect_closed_pipes() -> None:
     """Let output that nobody reads any more be a broken pipe also where the system tells it otherwise (Windows)."""
     for name in ("stdout", "stderr"):
         stream = getattr(sys, name)
@@ -142,7 +143,7 @@ class _ToReader(io.RawIOBase):
             raise BrokenPipeError(errno.EPIPE, os.strerror(errno.EPIPE)) from error
 
 
-def open_what_is_closed() -> None:
+def open_closed_streams() -> None:
     """Let the three standard streams lead nowhere where they are closed, as cron and services like to start commands.
 
     Else the next files that are opened take their places, such as the log of the match, and get what is printed.

@@ -8,14 +8,15 @@ import re
 import sys
 from pathlib import Path
 
-from rcj_challenges.cli.says import typed
-from rcj_challenges.facts.errors import RcjError, error_hint
+from rcj_challenges.cli.stdio import shell_quoted
+from rcj_challenges.facts.errors import RcjError, format_error, room_help
 from rcj_challenges.facts.file_names import is_device_of_windows
 from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.scenario.errors import listing, nearest
 from rcj_challenges.scenario.json_schema import FILE
 from rcj_challenges.scenario.resources import names_in, starters_folder
 
+_CHOOSE = "choose another name, such as relay_race"
 _LONGEST_ID = 64
 _LONGEST_TITLE = 120
 _NO_LETTER = re.compile("[\x00-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff\ufeff\ufffe\uffff]")
@@ -24,6 +25,8 @@ _NO_LETTER = re.compile("[\x00-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff\ufeff\ufff
 
 class StarterError(RcjError):
     """A starter that cannot be written."""
+
+    CODE = "bad-name"
 
 
 def new_scenario(name: str, preset: str) -> int:
@@ -41,22 +44,22 @@ def new_scenario(name: str, preset: str) -> int:
     """
     known = names_in(starters_folder())
     if preset not in known:
-        raise StarterError(f"no preset '{preset}'; there are {listing(known)}{nearest(preset, known)}")
+        near = nearest(preset, known).removeprefix("; ")
+        there = f"{near} There are {listing(known)}".strip()
+        raise StarterError(f"unknown preset '{preset}'", there, code="unknown-preset")
     file = Path(name if name.endswith((".yaml", ".yml")) else f"{name}.yaml")
     refuse_name("" if file.name in (".yaml", ".yml") else file.name, name)
     short = _identifier(file.stem)
     program = file.with_name(f"{file.stem}_team") / "robot.py"
-    for path in (file, program):
-        if os.path.exists(path):  # noqa: PTH110 - that of pathlib raises for names that are too long
-            raise StarterError(f"{path} exists already; nothing was written. Choose another name, or move it away")
+    refuse_existing(file, program)
     text = (starters_folder() / f"{preset}.yaml").read_text(encoding="utf-8")
     title = " ".join(part for part in re.split(r"[-_\s]+", file.stem) if part).capitalize()[:_LONGEST_TITLE]
     written = {
         "id: starter": f"id: {short}",
         "title: Starter": f"title: {json.dumps(title, ensure_ascii=False)}",
         "SCHEMA_FILE": _schema_seen_from(file),
-        "FILE_NAME": typed(file.name),
-        "TEAM_FOLDER": typed(program.parent.name),
+        "FILE_NAME": shell_quoted(file.name),
+        "TEAM_FOLDER": shell_quoted(program.parent.name),
     }
     # In one go: a file may be called FILE_NAME.
     write_new(file, re.sub("|".join(written), lambda found: written[found[0]], text))
@@ -64,10 +67,10 @@ def new_scenario(name: str, preset: str) -> int:
     sys.stdout.write(f"""{file}
 {program}
 Now:
-  rcj-challenge validate {typed(file)}
-  rcj-challenge test {typed(file)}
-  rcj-challenge draw {typed(file)} --out {typed(file.with_suffix(".svg"))}
-  rcj-challenge run {typed(file)} --yellow {typed(program.parent)}
+  rcj-challenge validate {shell_quoted(file)}
+  rcj-challenge test {shell_quoted(file)}
+  rcj-challenge draw {shell_quoted(file)} --out {shell_quoted(file.with_suffix(".svg"))}
+  rcj-challenge run {shell_quoted(file)} --yellow {shell_quoted(program.parent)}
 """)
     return 0
 
@@ -83,13 +86,24 @@ def refuse_name(file: str, given: str) -> None:
         StarterError: says why.
     """
     if not file.strip("."):
-        raise StarterError(f"'{sanitize(given)}' is no name of a file; choose one such as relay_race")
+        raise StarterError(f"'{sanitize(given)}' cannot be the name of a file", _CHOOSE)
     if is_device_of_windows(file):
         stem = Path(file).stem
-        raise StarterError(f"'{stem}' is a device on Windows, where no file has that name; choose another name")
+        raise StarterError(f"'{stem}' is a device on Windows, where no file has that name", _CHOOSE)
     if _NO_LETTER.search(file):
-        what = "a line break, a control character or stray bytes"
-        raise StarterError(f"'{sanitize(given)}' has {what} in it; choose a name such as relay_race")
+        raise StarterError(f"'{sanitize(given)}' has a line break, a control character or stray bytes in it", _CHOOSE)
+
+
+def refuse_existing(*paths: Path) -> None:
+    """Refuse to write where something is.
+
+    Raises:
+        StarterError: one of the paths exists.
+    """
+    for path in paths:
+        if os.path.exists(path):  # noqa: PTH110 - that of pathlib raises for names that are too long
+            message = f"{path} exists already; nothing was written"
+            raise StarterError(message, "choose another name, or move it away", code="file-exists")
 
 
 def _schema_seen_from(file: Path) -> str:
@@ -108,7 +122,7 @@ def _identifier(stem: str) -> str:
     """Return a file's stem as a name: letters, digits and _, not beginning with a digit."""
     found = re.sub(r"[^A-Za-z0-9_]+", "_", stem).strip("_")[:_LONGEST_ID]
     if not found:
-        raise StarterError(f"'{stem}' has no letter a to z and no digit in it; choose a name such as relay_race")
+        raise StarterError(f"'{stem}' has no letter a to z and no digit in it", _CHOOSE)
     return f"_{found}"[:_LONGEST_ID] if found[0].isdigit() else found
 
 
@@ -129,4 +143,5 @@ def write_new(path: Path, text: str) -> None:
             path.unlink()
             raise
     except OSError as error:
-        raise StarterError(f"{sanitize(path)}: cannot be written: {error_hint(error)}") from error
+        message = f"{sanitize(path)}: cannot be written: {format_error(error)}"
+        raise StarterError(message, room_help(error), code="cannot-write") from error

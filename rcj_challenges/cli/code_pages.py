@@ -1,0 +1,44 @@
+"""The pages of the codes about the command line."""
+
+from __future__ import annotations
+
+_SCENARIO_HAS = "The help of the error lists the names that the scenario has."
+
+PAGES: dict[str, str] = {
+    "bad-arguments": "The command has an option or an argument that it does not know.\n\n`--help` lists all of them.",
+    "bad-fps": "A video cannot have so many pictures a second.\n\nGive --fps from 1 to 240.",
+    "bad-out": "The file to write has a wrong ending, or its folder does not exist.\n\nThe message says what fits.",
+    "bad-speed": "A speed is not readable, or out of range.\n\nThe message says what is allowed.",
+    "bad-option": "An option has a value that it cannot have.\n\nThe help of the error has an example.",
+    "bad-duration": "A time is not readable.\n\nWrite 90, 90s or 1:30.",
+    "bad-name": "A name cannot be the name of a file on every computer.\n\nUse letters, digits and _.",
+    "bad-seeds": "The seeds are not readable.\n\nWrite 1..10, 3 or 1,4,7..9.",
+    "bad-team-name": "Nothing of the name of a team can be shown.\n\nUse letters.",
+    "cannot-write-output": "What the command prints cannot be written.\n\nFree some space, or print elsewhere.",
+    "device-name": "A file has the name of a Windows device, such as CON or AUX.\n\nChoose another name.",
+    "internal-error": (
+        "Something went wrong in this program, not in your input.\n\n"
+        "Please send the report that the message names to the people of this project."
+    ),
+    "missing-package": "A package that this program needs is not installed.\n\nInstall it as the README says.",
+    "no-sample-team": "No team was given for a seat, and no sample team fits.\n\nGive one with --team SEAT=PATH.",
+    "not-verifiable": "A record cannot be played again.\n\nThe message says why.",
+    "no-trajectory": "A match has no record of its poses any more.\n\nPlay it again: `tournament rerun`.",
+    "not-played": "A match has not been played yet.\n\nRun the tournament first.",
+    "option-does-not-fit": "An option needs another one, or does not fit the rest.\n\nThe help of the error says which.",
+    "option-given-twice": "An option is given twice.\n\nLeave one out.",
+    "options-contradict": "One option undoes what another one asks for.\n\nGive one of them.",
+    "programs-missing": "The programs of a recorded match are not there.\n\nGive their submission with --team PATH.",
+    "ruling-score": "A ruling has a score that is not readable.\n\nWrite TEAM=POINTS for both teams.",
+    "set-on-tournament": "--set changes scenarios, and a tournament file was given.\n\nChange the file.",
+    "shared-without-cluster": "--shared is given, and the tournament is not played on a cluster.\n\nGive --cluster too.",
+    "site-unwritable": "The site of a tournament cannot be written.\n\nGive another folder, or free some space.",
+    "submission-fails": "A submission would not play.\n\n`rcj-challenge check FILE` says what to do.",
+    "submission-unchecked": "A submission could not be checked on this computer.\n\nThe message says why.",
+    "unknown-code": "There is no page for a code.\n\n`rcj-challenge explain` lists all codes.",
+    "unknown-entrant": f"An option names an entrant that the scenario does not have.\n\n{_SCENARIO_HAS}",
+    "unknown-preset": "There is no such preset for a new challenge.\n\nThe help of the error lists them.",
+    "unknown-robot": f"An option names a robot that the scenario does not have.\n\n{_SCENARIO_HAS}",
+    "which-decision": "It is not clear what to decide.\n\nGive exactly one decision.",
+    "unknown-team": "There is no file, folder or sample team of that name.\n\n`rcj-challenge teams` lists the sample teams.",
+}

@@ -1,0 +1,75 @@
+"""The pages of the codes about submissions as archives, and about running programs."""
+
+from __future__ import annotations
+
+_PACK = "Pack the folder of your programs again, as an ordinary ZIP archive without a password."
+_FIX = "`rcj-challenge check FILE --fix NEW.zip` repairs this."
+_LESS = "Leave out what the programs do not need; docs/submission.md has the limits."
+_RENAME = "Rename the file, also where programs import or open it."
+
+PAGES: dict[str, str] = {
+    "no-such-team": "There is no file or folder at the path that was given for a team.\n\nCheck the path.",
+    "unusable-team": "A team's folder or archive cannot be used.\n\n`rcj-challenge check FILE` says what to do.",
+    "unknown-sandbox": "The value of --sandbox is unknown.\n\nWrite auto, strict or off.",
+    "isolation-missing": (
+        "--sandbox strict was given, and this computer lacks some layers of isolation.\n\n"
+        "Play with --sandbox auto, or on another computer. docs/isolation.md lists the layers."
+    ),
+    "host-too-busy": (
+        "The match waited very long for programs, but none of them used up its own time.\n\n"
+        "This computer is too busy: close other programs, and play the match again."
+    ),
+    "cannot-start-program": "This computer cannot start one more program.\n\nClose other programs and run it again.",
+    "temporary-folder": (
+        "The folder for temporary files cannot be used, perhaps because its disk is full.\n\n"
+        "Free some space there, or set TMPDIR (TEMP on Windows) to another folder."
+    ),
+    "archive.backslashes": f"Names in the archive are separated by backslashes.\n\n{_FIX}",
+    "archive.bomb": f"Unpacked, the archive is far too large.\n\n{_LESS}",
+    "archive.collision": f"Two files would be one file on some computers, which ignore upper and lower case.\n\n{_RENAME}",
+    "archive.damaged": f"The archive is damaged.\n\n{_PACK}",
+    "archive.deceptive": f"The sizes in the archive are not those of its files.\n\n{_PACK}",
+    "archive.duplicate": f"A file is in the archive twice.\n\nKeep one of them. If both are equal, {_FIX}",
+    "archive.empty": "There are no files in the submission.\n\nGive the folder or the ZIP with the robot programs.",
+    "archive.encrypted": f"A file in the archive is encrypted.\n\n{_PACK}",
+    "archive.headers": f"Sizes or checksums in the archive are wrong.\n\n{_FIX}",
+    "archive.leftovers": f"The archive has files that operating systems and editors leave behind.\n\n{_FIX}",
+    "archive.link": "The submission has a link or a device in it.\n\nCopy the file or folder itself.",
+    "archive.link_inside": "A link to a folder is left out.\n\nCopy the folder, if programs need it there.",
+    "archive.method": f"A file is packed with a method that not every program knows.\n\n{_PACK}",
+    "archive.name_control": f"A file name has control characters in it.\n\n{_RENAME} {_FIX}",
+    "archive.name_encoding": f"A file name cannot be read.\n\n{_RENAME} {_FIX}",
+    "archive.name_ending": f"A file name ends with a dot or a blank, which Windows removes.\n\n{_RENAME} {_FIX}",
+    "archive.name_forbidden": f"A file name has characters that some computers refuse.\n\n{_RENAME} {_FIX}",
+    "archive.name_guessed": (
+        "The archive does not say how its file names are encoded, so they may be read wrongly.\n\n"
+        "Use plain letters (a to z) in names of files and folders."
+    ),
+    "archive.name_long": f"A path is longer than some computers allow.\n\n{_RENAME}",
+    "archive.name_reserved": f"A file has the name of a Windows device, such as CON or AUX.\n\n{_RENAME} {_FIX}",
+    "archive.nested": "There is an archive inside the submission, and it is not unpacked.\n\nPack what is in it instead.",
+    "archive.no_folders": "The archive has no entries for its folders.\n\nThat does no harm.",
+    "archive.not_zip": f"The file is not a ZIP archive.\n\n{_PACK}",
+    "archive.other_kind": f"The file is an archive of another kind, or no archive.\n\n{_PACK}",
+    "archive.outside": f"A path leads out of the archive.\n\n{_PACK}",
+    "archive.outside_folder": f"A folder leads out of the archive; it is left out.\n\n{_FIX}",
+    "archive.overlap": f"Files in the archive overlap.\n\n{_PACK}",
+    "archive.prepended": f"There are other data before the archive.\n\n{_FIX}",
+    "archive.split": f"The file is one part of an archive in several parts.\n\n{_PACK}",
+    "archive.too_deep": f"Folders are nested too deeply.\n\n{_LESS}",
+    "archive.too_large": f"The submission is too large.\n\n{_LESS}",
+    "archive.too_many": f"The submission has too many files.\n\n{_LESS}",
+    "archive.too_many_folders": f"The submission has too many folders.\n\n{_LESS}",
+    "archive.trailing": f"There are other data behind the archive.\n\n{_FIX}",
+    "archive.truncated": f"The end of the archive is missing.\n\nCopy or upload it again. {_PACK}",
+    "archive.two": f"Two archives are in one file.\n\n{_PACK}",
+    "identity.name_document": (
+        "team_name.txt is the document of a word processor.\n\nWrite the name with a text editor, as one line of text."
+    ),
+    "identity.name_encoding": f"The letters of team_name.txt cannot be read.\n\nSave it as UTF-8. {_FIX}",
+    "identity.name_file": f"The team's name is in a file with another name or in another folder.\n\n{_FIX}",
+    "layout.missing": (
+        "A program is not where the scenario asks for it.\n\n"
+        "Rename or move it. For match it is rcj_soccer_team_blue/rcj_soccer_team_blue.py; docs/submission.md has a table."
+    ),
+}
