@@ -181,7 +181,9 @@ class Player:
         """Shoot a ball that lies, or rolls slowly, in our quarter."""
         body, ball, shot = self.body, self.ball, None
         for _ in range(3):  # it will have rolled on when we get there
-            shot = best_shot(body.position, body.heading, ball, [self.target], lambda place: can_stand(self.name, place))
+            shot = best_shot(
+                body.position, body.heading, ball, [self.target], lambda place: can_stand(self.name, place)
+            )
             if shot is None:
                 return
             ball = self.ball_in(shot.seconds_to_hit)
