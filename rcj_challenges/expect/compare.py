@@ -1,4 +1,4 @@
-"""What a test expects beside what came: single values, and events in their order."""
+"""Compares the outcome of a test with what it expects: single values, and events in order."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.models.scenario import Expectation, ExpectedEvent
 
 _COUNTS_AS_EQUAL = 1e-9
-_MOST_DIFFERENCES = 10
-"""As many differences of events are told; what follows is mostly of the same cause."""
-_MOST_PAIRS = 250_000
-"""More pairs than these are compared by position: to look for the best order would take seconds."""
+MAX_DIFFERENCES = 10
+"""At most so many differences of events are listed; further ones mostly have the same cause."""
+MAX_PAIRS = 250_000
+"""More pairs than these are compared by position, because finding the best order would take seconds."""
 IGNORED_BY_DEFAULT: tuple[str, ...] = Expectation.model_fields["ignore"].default
 
 _Pair = tuple[Event | None, int | None]
@@ -25,7 +25,7 @@ _Pair = tuple[Event | None, int | None]
 
 
 def difference(what: str, expected: Scalar, found: Scalar | None, tolerance: float | None = None) -> Iterator[str]:
-    """Yield what is told of a value that is another one than expected.
+    """Yield a line if a value is not the expected one.
 
     Args:
         what: what it is.
@@ -39,13 +39,13 @@ def difference(what: str, expected: Scalar, found: Scalar | None, tolerance: flo
     yield f"{what}: expected {shown(expected)}, is {shown(found)}{allowed}"
 
 
-def told_difference(what: str, expected: Scalar | tuple[float, ...], found: Any, tolerance_m: float) -> Iterator[str]:
-    """Yield what is told of a value that programs are told and that is another one than expected.
+def sent_difference(what: str, expected: Scalar | tuple[float, ...], found: Any, tolerance_m: float) -> Iterator[str]:
+    """Yield a line if a value that was sent to a program is not the expected one.
 
     Args:
         what: what it is.
         expected: the value, or the first numbers of a position.
-        found: what programs are told.
+        found: the value that was sent.
         tolerance_m: how far off each number of a position may be, in m and rad.
     """
     if not isinstance(expected, tuple):
@@ -71,7 +71,7 @@ def equal(expected: Scalar, found: object, tolerance: float = 0) -> bool:
 
 
 def shown(value: object) -> str:
-    """Return a value as a test tells it."""
+    """Return a value as differences show it."""
     if value is None:
         return "nothing"
     if isinstance(value, bool):
@@ -105,8 +105,8 @@ def event_differences(
             [_out_of_order(pairs, place, moved[place])] if place in moved else _told_of(pair, expected, ignored)
         )
     ]
-    yield from told[:_MOST_DIFFERENCES]
-    more = len(told) - _MOST_DIFFERENCES
+    yield from told[:MAX_DIFFERENCES]
+    more = len(told) - MAX_DIFFERENCES
     if more > 0:
         yield f"and {counted(more, 'more difference')} of events"
 
@@ -217,7 +217,7 @@ def _beside(found: Sequence[Event], expected: Sequence[ExpectedEvent]) -> list[_
 
 
 def _is_flood(found: Sequence[Event], expected: Sequence[ExpectedEvent]) -> bool:
-    return len(found) * len(expected) > _MOST_PAIRS
+    return len(found) * len(expected) > MAX_PAIRS
 
 
 def _by_position(found: Sequence[Event], expected: Sequence[ExpectedEvent]) -> Iterable[_Pair]:

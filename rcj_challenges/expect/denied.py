@@ -1,4 +1,4 @@
-"""Rules that were triggered in a test and did not fire, since a condition did not hold: why an event may be missing."""
+"""Notes on rules that were triggered in a test but did not fire because a condition did not hold."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from rcj_challenges.tracking.bound_rules import Denied
 
 
 class Wanted(NamedTuple):
-    """What a test expects and is otherwise.
+    """What differs from the expectations of a test.
 
     Attributes:
         missing: the events that did not come, with the time in s at which they were expected, if at any.
@@ -32,7 +32,7 @@ class Wanted(NamedTuple):
         flags: the flags with another value.
         phase: the phase that it should be; None: it is.
         over: whether nothing, or the half only, is over that should be.
-        held: whether somebody is held who should not be, or the other way round.
+        held: whether a robot is held that should not be, or the other way round.
     """
 
     missing: Mapping[str, float | None]
@@ -44,8 +44,8 @@ class Wanted(NamedTuple):
     held: bool = False
 
 
-_SHOWN = 3
-"""So many rules are told of a test that failed."""
+_MAX_NOTES = 3
+"""At most so many rules are noted for a failed test."""
 _YET = (
     " yet: a rule of that very tick made it true, which others see one tick later, as they hear an event that it emits"
 )
@@ -57,7 +57,7 @@ def denied_notes(
     wanted: Wanted,
     fired: Container[str],
 ) -> Iterable[str]:
-    """Return notes on rules that never fired, and would have done something to what is otherwise than expected.
+    """Return notes on rules that never fired but would have changed what differs from the expectations.
 
     Args:
         denied: what conditions did not hold.
@@ -65,13 +65,13 @@ def denied_notes(
         wanted: what the test expects and is otherwise.
         fired: the rules that fired at some time.
     """
-    told = 0
+    noted = 0
     for name, ticks in denied.items():
         rule = scenario.rules[name]
         emitted = [one.event for one in rule.actions if isinstance(one, Emit) and one.event in wanted.missing]
-        if not (emitted or any(_does(one, wanted) for one in rule.actions)) or name in fired or told == _SHOWN:
+        if not (emitted or any(_does(one, wanted) for one in rule.actions)) or name in fired or noted == _MAX_NOTES:
             continue
-        told += 1
+        noted += 1
         tick = _nearest(ticks, wanted.missing[emitted[0]] if emitted else None)
         condition, held_after = ticks[tick]
         which = as_written(rule.conditions[condition])
@@ -80,7 +80,7 @@ def denied_notes(
 
 
 def _does(action: AnyAction, wanted: Wanted) -> bool:
-    """Return whether an action does something to what is otherwise than expected; events are another matter."""
+    """Return whether an action changes what differs from the expectations, apart from events."""
     match action:
         case Score():
             does = bool(wanted.scores) and _may_be(action.entrant, wanted.scores)
@@ -98,7 +98,7 @@ def _does(action: AnyAction, wanted: Wanted) -> bool:
 
 
 def _may_be(entrant: object, scores: Container[str]) -> bool:
-    """Return whether a score may be that of one of some entrants: ``each`` and who touched something may be anybody."""
+    """Return whether a score may be that of one of some entrants; ``each`` and the last toucher may be any of them."""
     return not isinstance(entrant, str) or entrant in (EACH, OTHER) or entrant in scores
 
 

@@ -1,4 +1,4 @@
-"""Things that a rule put into a zone in a test: they have not entered it, which is often why nothing came."""
+"""Notes on things that a rule placed inside a zone in a test: that is no entry, so ``enters`` did not fire."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def _inside(
             name = roster.entities[put.entity]
             if put.parked or name not in who:
                 continue
-            # Of a zone that is drawn nobody here knows when it is.
+            # A zone that is drawn is not looked at: it may be another one at that time.
             inside = (zone for zone in zones if zone in scenario.zones)
             yield from (
                 (tick, name, zone) for zone in inside if region_of(scenario.zones[zone]).contains(put.x_m, put.y_m)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from math import hypot
 from typing import Any, Protocol
 
-from rcj_challenges.expect.compare import difference, equal, event_differences, told_difference
+from rcj_challenges.expect.compare import difference, equal, event_differences, sent_difference
 from rcj_challenges.expect.denied import Wanted, denied_notes
 from rcj_challenges.expect.put_inside import put_inside_notes
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
@@ -24,8 +24,8 @@ from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.tracking.state import Number
 
-_SHOWN = 5
-"""So many changes of phases are told of a test that failed."""
+MAX_PHASES = 5
+"""At most so many changes of phases are noted for a failed test."""
 
 
 class HasScenario(Protocol):
@@ -125,7 +125,7 @@ def _no_room(match: ScriptedMatch) -> Iterable[str]:
 
 
 def _true_before(match: ScriptedMatch, fired: Container[str]) -> Iterable[str]:
-    """Return which rules waited in vain for a condition to come true: it held from the beginning."""
+    """Return which rules waited for a condition to come true that held from the beginning."""
     for rule, tick in match.referee.true_before.items():
         if rule not in fired:
             yield (
@@ -135,7 +135,7 @@ def _true_before(match: ScriptedMatch, fired: Container[str]) -> Iterable[str]:
 
 
 def _wanted(differences: Collection[str], match: ScriptedMatch, expected: Expectation) -> Wanted:
-    """Return what is otherwise than expected, by the differences that are told."""
+    """Return what differs from the expectations, from the lines of differences."""
     # A name has no blank and no colon in it.
     told = {tuple(one.replace(":", " :").split(" ", 3)[:2]) for one in differences}
     return Wanted(
@@ -182,10 +182,10 @@ def _scores(match: ScriptedMatch, expected: Expectation) -> set[str]:
 
 
 def _course(match: ScriptedMatch, differences: Iterable[str]) -> Iterable[str]:
-    """Return which phase went on when, if something is missing: in a phase of others a rule hears nothing."""
+    """Return the course of the phases if an event is missing: rules are inactive in phases that are not theirs."""
     if len(match.phases) == 1 or not any(one.startswith("missing:") for one in differences):
         return
-    entered = [*match.phases[1 : _SHOWN + 1], None]
+    entered = [*match.phases[1 : MAX_PHASES + 1], None]
     told = [
         phase if after is None else f"{phase} until {s_from_ticks(after[0]):g} s"
         for (_, phase), after in zip(match.phases, entered, strict=False)
@@ -292,7 +292,7 @@ def _differences(match: ScriptedMatch, scenario: Scenario, expected: Expectation
         for robot in match.roster.expand(whom):
             for key, value in told.items():
                 heard = match.told.get(robot, {}).get(key)
-                yield from told_difference(f"{key} told to {robot}", value, heard, expected.tolerance_m)
+                yield from sent_difference(f"{key} told to {robot}", value, heard, expected.tolerance_m)
 
 
 def _state_differences(referee: Referee, expected: Expectation) -> Iterable[str]:

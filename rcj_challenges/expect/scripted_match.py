@@ -24,7 +24,7 @@ _STANDING_HEIGHT_M = 0.0375
 
 
 def half_of(scenario: Scenario, half: int = 1, seed: int = 1) -> HalfInfo:
-    """Return the facts of a half as a test needs them: no points yet, teams named by their seats' titles."""
+    """Return the facts of a half for tests: no points yet, teams named by their seats' titles."""
     return HalfInfo(
         half=half,
         halves=max(half, scenario.match.halves),
@@ -59,7 +59,7 @@ class ScriptedMatch:
         events, firings: all so far, in order.
         placements: all so far, each with its tick.
         output: the last output.
-        told: by robot what the broadcast has told it last.
+        told: by robot, the last broadcast that it received.
         wrong_ways: the gates that were crossed the way that does not count.
         phases: all phases so far, each with the tick in which it was entered.
     """
@@ -95,7 +95,7 @@ class ScriptedMatch:
         self.phases: list[tuple[int, str]] = [(0, scenario.first_phase)]
         self.told: dict[str, dict[str, Any]] = {}
         self.output = self._take(self.referee.start(self._snapshot()))
-        self._tell_programs()
+        self._store_broadcast()
 
     # --- what the script does ---------------------------------------------------------------------------------------
 
@@ -128,7 +128,7 @@ class ScriptedMatch:
         self._faults.append(Fault(robot, "crash", self.tick + 1, 1, "scripted"))
 
     def tell(self, robot: str, text: str) -> None:
-        """Let a robot tell the referee something by radio; it is heard in the next tick, after what it told before."""
+        """Let a robot send the referee a message; it arrives in the next tick, after earlier ones."""
         self._told.setdefault(self.roster.index[robot], []).append(text)
 
     def play(self, ticks: int = 1) -> RefereeOutput:
@@ -140,7 +140,7 @@ class ScriptedMatch:
                 self.wrong_ways.look(self.tick, self._judged, snapshot.substeps, self._parked)
             by_hand, self._by_hand = frozenset(self._by_hand), set()
             self.output = self._take(self.referee.judge(snapshot, by_hand))
-            self._tell_programs()
+            self._store_broadcast()
         return self.output
 
     def play_until(self, tick: int) -> RefereeOutput:
@@ -227,8 +227,8 @@ class ScriptedMatch:
         self._judged = self._poses  # what a hand puts elsewhere now moves within the next tick
         return output
 
-    def _tell_programs(self) -> None:
-        """Note what each robot's program is told beyond the official packet."""
+    def _store_broadcast(self) -> None:
+        """Store what each robot's program receives beyond the official packet."""
         to_all, to_some = self.output.broadcast, self.output.private_broadcasts or {}
         if to_all is None:
             return

@@ -1,4 +1,4 @@
-"""Gates crossed the wrong way in a test: they count for nothing, which is often why nothing came."""
+"""Notes on gates that were crossed the wrong way in a test: a likely reason for a missing event."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _WRONG = {"forward": -1, "backward": 1}
 
 
 class _Passage(NamedTuple):
-    """An entity that crosses a gate this way (1 forward, -1 backward) has done nothing for somebody who counts."""
+    """A crossing that counts for nothing: of an entity, through a gate, 1 forward or -1 backward."""
 
     entity: int
     gate: str
@@ -33,7 +33,7 @@ class WrongWays:
     """Notes which gates were crossed the way that a sequence, or a rule with a direction, does not count.
 
     Attributes:
-        passages: what would be noted; if it is empty, nobody needs to look.
+        passages: the crossings that would be noted.
     """
 
     def __init__(self, scenario: Scenario, roster: Roster) -> None:
@@ -60,7 +60,7 @@ class WrongWays:
             unheard = f"not heard by the rule {name}, which has direction: {trigger.direction}"
             for each in (None,) if rule.for_each is None else self._members(rule.for_each, None):
                 for entity in self._entities(trigger.entity, each):
-                    # Of a gate that is drawn, nobody here knows when it is.
+                    # A gate that is drawn is not looked at: it may be another one at that time.
                     for gate in self._members(trigger.gate, each):
                         if gate in self._gates:
                             yield _Passage(entity, gate, _WRONG[trigger.direction], unheard)
@@ -78,7 +78,7 @@ class WrongWays:
             tick: the tick.
             before: poses by entity before its first sub-step.
             substeps: ``[sub-step][entity]``.
-            parked: who is off the field; they cross nothing, nor do others cross a gate that is fixed to them.
+            parked: entities off the field; they cross nothing, nor are gates crossed that are anchored to them.
         """
         for passage in self.passages:
             if passage in self._first or passage.entity in parked:

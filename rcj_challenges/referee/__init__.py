@@ -1,9 +1,6 @@
-"""The referee: triggers, conditions, actions, placements, sequences, and the engine that runs them.
+"""The referee: compiles the rules of a scenario and judges snapshots by them.
 
-Belongs here: everything that judges a snapshot by the rules of a scenario (`engine.Referee`), and the script that
-plays the tests written in a scenario (`script`). Does not belong here: files, clocks, global random numbers, physics.
-Snapshot in, output out; the same snapshots give the same outputs on every machine.
-
-Each kind of word has one visible dict: `triggers.TRIGGERS`, `conditions.CONDITIONS`, `actions.ACTIONS`,
-`places.PLACES`, `values.WORDS`.
+Belongs here: what words need to be compiled (`binding`, `compiling`), the order of a tick (`engine`), placements
+(`placement`) and the ranking. Does not belong here: the words themselves (`rules`), tests in scenario files (`expect`),
+files, clocks, global random numbers, physics. The same snapshots give the same outputs on every machine.
 """

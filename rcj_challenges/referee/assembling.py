@@ -1,6 +1,6 @@
-"""The rules of a scenario put together: one standing rule per member of ``for_each``, in the order of firing.
+"""Compiles the rules of a scenario: one bound rule for each member of ``for_each``, in the order of firing.
 
-Of a rule that names ``other`` there is one for each that may be touched as well.
+A rule that names ``other`` is also compiled once for each thing that may be touched.
 """
 
 from __future__ import annotations
@@ -19,16 +19,16 @@ from rcj_challenges.tracking.bound_rules import BoundRule
 def assemble(context: CompileContext) -> None:
     """Compile all rules of the context's scenario into it: lower priority first, then file order, then entity order."""
     rules = context.scenario.rules
-    standing = [
+    bound = [
         (rule.priority, number, place, turn, one)
         for number, (name, rule) in enumerate(rules.items())
         for place, each in enumerate(_members(rule, context))
-        for turn, one in enumerate(_for_others(rule, _standing(name, rule, each, context), context))
+        for turn, one in enumerate(_for_others(rule, _bound_rule(name, rule, each, context), context))
     ]
-    standing.sort(key=lambda entry: entry[:4])
-    for rank, (*_, rule) in enumerate(standing):
+    bound.sort(key=lambda entry: entry[:4])
+    for rank, (*_, rule) in enumerate(bound):
         rule.rank = rank
-    for *_, rule in standing:
+    for *_, rule in bound:
         _compile(rules[rule.name], rule, context)
 
 
@@ -41,13 +41,13 @@ def _members(rule: Rule, context: CompileContext) -> tuple[str | None, ...]:
 
 
 def _for_others(model: Rule, rule: BoundRule, context: CompileContext) -> list[BoundRule]:
-    """Return a rule for each that ``other`` may stand for in it; they share its past, and so its limits."""
+    """Return a rule for each thing that ``other`` may stand for; they share one history, and so its limits."""
     if not names_other(model, context.scenario):
         return [rule]
     return [replace(rule, other=other) for other in others_of(model, rule.each, context.roster)]
 
 
-def _standing(name: str, rule: Rule, each: str | None, context: CompileContext) -> BoundRule:
+def _bound_rule(name: str, rule: Rule, each: str | None, context: CompileContext) -> BoundRule:
     return BoundRule(
         name=name,
         each=each,

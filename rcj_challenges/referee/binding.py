@@ -1,4 +1,4 @@
-"""Compiles words for one rule: what they need of the referee, with ``each`` and the rule's phases filled in."""
+"""Implements the protocols against which words are compiled, for one rule, layout or broadcast."""
 
 from __future__ import annotations
 
@@ -294,12 +294,12 @@ class RuleBinder(NameScope):
         self._context.trackers.release(self.state.held.release(robots))
 
     def decide_draw(self, draw: str, value: Scalar | None) -> None:
-        """Draw anew, or set a draw to a value; what follows the draw is reset if it changed."""
+        """Draw again, or set a draw to a value; trackers that depend on the draw are reset if it changed."""
         before = self.state.draws[draw]
         if value is not None:
             self.state.set_draw(draw, value)
         else:
-            self.state.draw_anew(draw, self._context.scenario.draws[draw])
+            self.state.draw_again(draw, self._context.scenario.draws[draw])
         if self.state.draws[draw] != before:
             self._context.has_drawn(draw)
 

@@ -1,4 +1,4 @@
-"""What the scenario lets programs know beyond the official packet: all of them, or some only."""
+"""The scenario's broadcast: values sent to all programs, or to single robots, beyond the official packet."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from rcj_challenges.tracking.bound_rules import BoundRule, Firing, Reader
 
 Told = dict[str, Any]
 
-_NOBODY = Firing(BoundRule("", None, None, None, 0, None, ""), None, "")
-"""A broadcast is about no rule that fires, and about nobody."""
+_NO_FIRING = Firing(BoundRule("", None, None, None, 0, None, ""), None, "")
+"""A broadcast belongs to no rule and no entity."""
 
 
 class Broadcasting:
@@ -35,8 +35,8 @@ class Broadcasting:
             for robot in context.roster.expand(name) if readers else ():
                 self._to_some.setdefault(context.roster.index[robot], {}).update(readers)
 
-    def told(self, tick: int) -> tuple[Told | None, dict[int, Told] | None]:
-        """Return what all are told at a tick, and what some are told too, by index of the robot; None: nothing."""
+    def values_at(self, tick: int) -> tuple[Told | None, dict[int, Told] | None]:
+        """Return what is sent to all robots at a tick, and to single ones besides, by index; None: nothing."""
         if tick % self._every_ticks:
             return None, None
         to_some = {robot: _read(readers) for robot, readers in self._to_some.items()}
@@ -49,4 +49,4 @@ def _readers(fields: Mapping[str, Value], context: CompileContext) -> dict[str, 
 
 
 def _read(readers: Mapping[str, Reader]) -> Told:
-    return {key: read(_NOBODY) for key, read in readers.items()}
+    return {key: read(_NO_FIRING) for key, read in readers.items()}

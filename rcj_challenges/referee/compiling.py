@@ -1,4 +1,4 @@
-"""From the names of a scenario to indices, regions and trackers: what every word needs to be compiled, once."""
+"""Resolves names to indices, regions and trackers, once for all rules."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class CompileContext:
         layouts: compiled layouts by name, what ``each`` stands for, and mirror.
         timers_changed: to be called after a timer was started or stopped; trackers are rescheduled.
         floor: what lies inside the walls.
-        remembered: the spots that rules set: they are read each time.
+        remembered: the spots that rules set; they are read each time.
     """
 
     def __init__(self, state: State) -> None:
@@ -122,11 +122,11 @@ class CompileContext:
         return index
 
     def whose(self, name: str | None, each: str | None) -> str | None:
-        """Return whose counter, flag, timer or sequence is meant; None: all of them, or the only one."""
+        """Return whose counter, flag, timer or sequence a name stands for; None: all of them, or the only one."""
         return each if name == EACH else name
 
     def drawn_value(self, value: Scalar, each: str | None) -> Scalar:
-        """Return the value of a draw that is meant: ``each`` is a name where the rule is for somebody."""
+        """Return a value of a draw; ``each`` stands for a name if the rule has ``for_each``."""
         return each if value == EACH and each is not None else value
 
     def region(self, names: Names, each: str | None) -> Region:

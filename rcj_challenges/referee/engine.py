@@ -1,4 +1,4 @@
-"""The referee: one snapshot in, one output out. The tick contract (ADR 1) as a list of steps.
+"""The referee: takes a snapshot, returns an output. The tick contract (ADR 1) as a list of steps.
 
 Detect, then apply: all triggers and conditions are judged against the snapshot and against counters, flags and phase
 as they were at the start of the tick; then the rules fire in order, and at last things are set down.
@@ -36,8 +36,8 @@ from rcj_challenges.tracking.trackers import NEVER
 class Referee:
     """Judges one half.
 
-    Call `start` once with the snapshot of tick 0, then `judge` with that of each tick in order, then `finish`. What a
-    output places must be carried out exactly; the next snapshot shows what physics made of it.
+    Call `start` once with the snapshot of tick 0, then `judge` with that of each tick in order, then `finish`. The
+    placements of an output must be carried out exactly; the next snapshot shows what physics made of it.
 
     Attributes:
         denied: what kept triggered rules from firing; None: it is not noted (only tests ask).
@@ -48,7 +48,7 @@ class Referee:
         half: what makes this half different from others.
         draws: values of draws decided beforehand (for tests): one stands until a rule draws anew; of several the next
             one comes whenever the draw is drawn, and when all have come, chance decides again.
-        spots: where chance sets spots, likewise, in m.
+        spots: where random ``set_spot`` actions set spots, decided beforehand in the same way, in m.
 
     Raises:
         ValueError: ``draws`` names no draw, or a value that it cannot have; or a name in the scenario is unknown.
@@ -84,7 +84,7 @@ class Referee:
         self.denied: Denied | None = None
         self._counted: dict[str, Any] | None = None
 
-    # --- what others may read ---------------------------------------------------------------------------------------
+    # --- state for readers --------------------------------------------------------------------------------------------
 
     @property
     def scores(self) -> dict[str, Number]:
@@ -145,7 +145,7 @@ class Referee:
 
     @property
     def kept(self) -> dict[str, Any]:
-        """What lives on in the next half, as its `HalfInfo.kept`."""
+        """What is kept for the next half, as its `HalfInfo.kept`."""
         return self._state.kept()
 
     @property
@@ -158,7 +158,7 @@ class Referee:
         """Whether the half has been judged in full: its clock has reached its length."""
         return self._state.clock >= self._half.ticks
 
-    # --- the three calls --------------------------------------------------------------------------------------------
+    # --- the three calls ----------------------------------------------------------------------------------------------
 
     def start(self, snapshot: Snapshot) -> RefereeOutput:
         """Judge tick 0: layouts, arming, ``half_started``. The snapshot holds the nominal start poses."""
@@ -170,7 +170,7 @@ class Referee:
         self._set_phase(state.phase)
         self._trackers.enter(state.phase, None)
         self._hits.report(self._clock_events.half_started)
-        self._hear_faults(snapshot.faults)
+        self._report_faults(snapshot.faults)
         self._fire()
         self._scatter_starts()
         return self._output()
@@ -198,7 +198,7 @@ class Referee:
             self._enter_phase(state.scenario.phases[state.phase].next)
         self._trackers.advance(substeps, changed_phase=changed_phase)
         if heard or changed_phase or snapshot.faults or self._clock_events.times:
-            self._hear(snapshot.faults)
+            self._report_moments(snapshot.faults)
         if self._hits:
             self._fire()
         if self._events or self._firings or self._queue.busy or self._broadcast is not None:
@@ -218,7 +218,7 @@ class Referee:
         if self._contacts.used:
             self._contacts.advance(snapshot.touches)
         if snapshot.heard:
-            self._listen(snapshot.heard)
+            self._receive_messages(snapshot.heard)
 
     def finish(self) -> RefereeOutput:
         """Run the ``half_ended`` rules after the last tick; one of them may still end the match."""
@@ -226,14 +226,14 @@ class Referee:
         self._fire()
         return self._output()
 
-    # --- hearing ----------------------------------------------------------------------------------------------------
+    # --- events of this tick ------------------------------------------------------------------------------------------
 
     def _without_parked(self, judged: list[tuple[float, float, float]]) -> list[tuple[float, float, float]]:
         """Return the judged poses; what is off the field stays where it was last seen."""
         state = self._state
         return [pose if state.present[i] else state.poses[i] for i, pose in enumerate(judged)]
 
-    def _hear(self, faults: tuple[Fault, ...]) -> None:
+    def _report_moments(self, faults: tuple[Fault, ...]) -> None:
         """Report the moments of this tick: phases entered, events of the tick before, times, faults."""
         entered, self._entered = self._entered, []
         emitted, self._emitted = self._emitted, []
@@ -249,14 +249,14 @@ class Referee:
         if self._clock_ran:
             for one in self._clock_events.due_at(self._state.clock):
                 self._hits.report([one.binding], one.next_s, one.at_s)
-        self._hear_faults(faults)
+        self._report_faults(faults)
 
-    def _hear_faults(self, faults: tuple[Fault, ...]) -> None:
+    def _report_faults(self, faults: tuple[Fault, ...]) -> None:
         for fault in faults:
             self._hits.report(self._clock_events.faults.get(fault.robot, []))
 
-    def _listen(self, heard: tuple[tuple[int, str], ...]) -> None:
-        """Take in what robots have told by radio; those off the field are not heard."""
+    def _receive_messages(self, heard: tuple[tuple[int, str], ...]) -> None:
+        """Store radio messages of robots to the referee; those of robots off the field are dropped."""
         state = self._state
         for entity, text in heard:
             if state.present[entity]:
@@ -266,7 +266,7 @@ class Referee:
                     if says(text):
                         self._hits.report([binding], number_in(text))
 
-    # --- firing -----------------------------------------------------------------------------------------------------
+    # --- firing -------------------------------------------------------------------------------------------------------
 
     def _fire(self) -> None:
         """Judge the conditions of all rules whose triggers fired, then run the actions in order."""
@@ -342,10 +342,10 @@ class Referee:
         self._events.append(Event(self._state.tick, name, payload))
         self._emitted.append((name, about))
 
-    # --- phases -----------------------------------------------------------------------------------------------------
+    # --- phases -------------------------------------------------------------------------------------------------------
 
     def _enter_phase(self, phase: str) -> None:
-        """Enter a phase at once; ``phase_entered`` is heard in the next round of hearing."""
+        """Enter a phase at once; ``phase_entered`` fires in the next tick."""
         left = self._state.phase
         self._entered.append((phase, left))
         self._state.phase = phase
@@ -361,7 +361,7 @@ class Referee:
         if model.lasts_s is not None:
             self._phase_ends = self._state.tick + self._state.lasting_ticks(model.lasts_s)
 
-    # --- placements -------------------------------------------------------------------------------------------------
+    # --- placements ---------------------------------------------------------------------------------------------------
 
     def _scatter_starts(self) -> None:
         """At tick 0: what has noise in its start pose and was placed by no rule starts with that noise."""
@@ -378,9 +378,9 @@ class Referee:
             return ()
         placements, failed = carry_out(jobs, state, self._context.bodies)
         for job in failed:
-            self._tell_no_room(job)
+            self._log_no_room(job)
             if job.spec is not None and job.spec.retry:
-                self._queue.ask_later(replace(job, due=state.tick + 1, instead_of=None, told=True))
+                self._queue.ask_later(replace(job, due=state.tick + 1, instead_of=None, is_logged=True))
             elif job.instead_of is not None and not state.present[job.entity]:
                 # What was to be taken off and placed in one tick, and stays, was never off.
                 self._queue.ask_later(job.instead_of)
@@ -391,25 +391,25 @@ class Referee:
             self._trackers.on_placed(moved)
         return tuple(placements)
 
-    def _tell_no_room(self, job: PlacementJob) -> None:
-        """Note in the log, once, that what a rule placed found no room: its event and its sentence have been told."""
+    def _log_no_room(self, job: PlacementJob) -> None:
+        """Log once that a placement found no room."""
         state = self._state
-        if job.told or job.rule is None or job.spec is None:
+        if job.is_logged or job.rule is None or job.spec is None:
             return
         says = no_room_sentence(job, job.spec, state, self._context.bodies)
         name = state.roster.entities[job.entity]
-        told = FiringRecord(
+        record = FiringRecord(
             state.tick, job.rule.name, name, "place", suppressed="no_room", says=says, other=job.rule.other
         )
-        self._firings.append(told)
+        self._firings.append(record)
 
-    # --- answering --------------------------------------------------------------------------------------------------
+    # --- the output ---------------------------------------------------------------------------------------------------
 
     def _output(self) -> RefereeOutput:
         placements = self._carry_out() if self._queue.busy else ()
         events, firings = tuple(self._events), tuple(self._firings)
         broadcast = self._broadcast
-        told, private_broadcasts = (None, None) if broadcast is None else broadcast.told(self._state.tick)
+        to_all, private = (None, None) if broadcast is None else broadcast.values_at(self._state.tick)
         self._events.clear()
         self._firings.clear()
         return RefereeOutput(
@@ -420,15 +420,15 @@ class Referee:
             waiting_for_kickoff=self._waiting,
             ended=self._state.ended,
             ends_match=self._state.match_over,
-            broadcast=told,
-            private_broadcasts=private_broadcasts,
+            broadcast=to_all,
+            private_broadcasts=private,
             robots_held=self._state.held.by_phase,
             held=self._state.held.by_rules,
             counted=self._newly_counted() if self._ranked_by else None,
         )
 
     def _newly_counted(self) -> dict[str, Any] | None:
-        """Return what the counters stand at that decide the ranking, if that is news. Only rules change them."""
+        """Return the counters that decide the ranking if they have changed; None if not."""
         counters = self._state.counters
         now = {name: dict(kept) if isinstance(kept := counters[name], dict) else kept for name in self._ranked_by}
         if now == self._counted:
@@ -439,7 +439,7 @@ class Referee:
     def _quiet_output(self) -> RefereeOutput:
         """Return the output of an uneventful tick: one object per phase, shared by all such ticks.
 
-        It is made anew only where rules hold others than they did.
+        A new one is made only if rules hold other robots than before.
         """
         phase, held = self._state.phase, self._state.held
         found = self._quiet.get(phase)

@@ -176,12 +176,12 @@ class PlacementJob:
     Attributes:
         entity: index of the entity.
         spec: how it is set down; None takes it off the field.
-        rule: the rule that asked; a retry waits while the rule does not live. None: the start of the half.
+        rule: the rule that asked; a retry waits while the rule is inactive. None: the start of the half.
         due: from which tick on it is to be done.
         signs: of x and y, as the mirrors stood when it was asked for; a retry keeps them.
         comes_back: whether it brings back what was taken off for a time: that waits for no phase.
         instead_of: what would have brought the entity back; that goes on to wait if this finds no room and gives up.
-        told: whether it found no room already, and the log says so.
+        is_logged: whether it found no room before, which is in the log.
         aimless: whether it failed for want of something to kick it at.
     """
 
@@ -192,13 +192,13 @@ class PlacementJob:
     signs: Point = (1.0, 1.0)
     comes_back: bool = False
     instead_of: PlacementJob | None = None
-    told: bool = False
+    is_logged: bool = False
     aimless: bool = False
 
     @property
     def most_attempts(self) -> int:
         """How often a random place may be drawn for it in this tick, however many its placement allows."""
-        return ATTEMPTS_WAITING if self.told else _ALL_ATTEMPTS
+        return ATTEMPTS_WAITING if self.is_logged else _ALL_ATTEMPTS
 
 
 class PlacementQueue:
@@ -286,7 +286,7 @@ def _try(jobs: list[PlacementJob], state: State, bodies: Bodies) -> tuple[list[_
 def _turned(done: list[_Done], jobs: list[PlacementJob], board: PlacementBoard, state: State) -> list[_Done]:
     """Turn those that face something towards where it is now: it may have been put there after them.
 
-    Who has no room to turn goes on to look where it was.
+    What has no room to turn keeps its facing.
     """
     turned: list[_Done] = []
     for (entity, pose, velocity), job in zip(done, jobs, strict=True):

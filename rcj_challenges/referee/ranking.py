@@ -1,4 +1,4 @@
-"""Who is ranked where, by the criteria of the scenario's ``result``."""
+"""Ranks teams by the criteria of the scenario's ``result``."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def counted_for(scenario: Scenario, team: str, counter: str, halves: Sequence[Ta
 
 
 def ranking(scenario: Scenario, scores: Mapping[str, Score], halves: Sequence[Tally]) -> list[dict[str, Any]]:
-    """Return the teams, best first; teams that no criterion tells apart share a place.
+    """Return the teams, best first; teams that are equal by all criteria share a place.
 
     Args:
         scenario: its ``result.rank`` holds the criteria; a later one breaks ties.

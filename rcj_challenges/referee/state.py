@@ -1,4 +1,4 @@
-"""All that the referee remembers within a half, in one place: where things are, what was counted, which phase it is."""
+"""The referee's state within a half, filled from a scenario: poses, counters, flags, timers, draws, phase."""
 
 from __future__ import annotations
 
@@ -74,7 +74,8 @@ class State(RefereeState):
     def decide_draws(self, decided: Mapping[str, Series]) -> None:
         """Draw everything at the start of the half, but for what is decided beforehand or kept from the last half.
 
-        Of several values that are decided, the later ones come when it is drawn anew. Timers get their length then.
+        If several values are decided for a draw, the later ones are used when it is drawn again. Timers get their
+        length.
 
         Raises:
             ValueError: a value is decided that the draw cannot have, or for a draw that does not exist.
@@ -91,13 +92,13 @@ class State(RefereeState):
             if draw.not_again is not None:
                 self._undrawn[name] = list(undrawn.get(name, draw.values))
             if name in decided:
-                self.draw_anew(name, draw)
+                self.draw_again(name, draw)
             elif draw.keep == "match" and name in kept:
                 self.draws[name] = kept[name]
                 if name not in undrawn:  # else it was taken out when it was drawn
                     self.set_draw(name, kept[name])
             else:
-                self.draw_anew(name, draw)
+                self.draw_again(name, draw)
         for name, timer in self.scenario.timers.items():
             for whose, clock in self.timers[name].items():
                 self.wind_up(clock, timer.lasts_s, whose)
@@ -108,7 +109,7 @@ class State(RefereeState):
         Args:
             clock: the clock.
             lasts_s: how long it lasts.
-            whose: whom it is kept for; None for a single one.
+            whose: the entity whose clock it is; None for a single one.
         """
         clock.length_s = duration_s(lasts_s, self, whose)
         clock.length = ticks_from_s(clock.length_s)
@@ -124,7 +125,7 @@ class State(RefereeState):
         if value in undrawn:
             undrawn.remove(value)
 
-    def draw_anew(self, name: str, draw: Draw) -> None:
+    def draw_again(self, name: str, draw: Draw) -> None:
         """Draw a value, equally likely each: with ``not_last`` never the one it has, with ``not_again`` one left.
 
         As long as a test has decided what comes next, that comes.
@@ -154,7 +155,7 @@ class State(RefereeState):
         return {name: len(left) for name, left in self._decided_spots.items() if left}
 
     def kept(self) -> dict[str, dict[str, object]]:
-        """Return what lives on of draws, flags and counters, for the next half's `HalfInfo.kept`."""
+        """Return the draws, flags and counters that are kept for the next half's `HalfInfo.kept`."""
         counters: dict[str, object] = {
             name: dict(value) if isinstance(value, dict) else value
             for name, value in self.counters.items()

@@ -44,8 +44,8 @@ class Word(Strict):
 class Vocabulary:
     """The words of one kind, in the order in which the schema and the reference list them.
 
-    It stands in annotations, ``Annotated[Trigger, TRIGGERS]``, where it is the union of its words, told apart by their
-    key. That is built when a model is first used, so words can be added until then.
+    It stands in annotations, ``Annotated[Trigger, TRIGGERS]``, where it is the union of its words, discriminated by
+    their key. That is built when a model is first used, so words can be added until then.
 
     Args:
         key: the field that says which word it is.
@@ -227,7 +227,7 @@ class Action(Word):
 
 
 class FormWord(Word):
-    """A word that is told apart by a key of its own: its ``KEY`` is its name."""
+    """A word that has a key of its own: its ``KEY`` is its name."""
 
     @classmethod
     def name(cls) -> str:

@@ -167,7 +167,7 @@ class Binder(Scope, Protocol):
         """Let robots go that rules hold."""
 
     def decide_draw(self, draw: str, value: Scalar | None) -> None:
-        """Draw anew, or set a draw to a value; what follows the draw is reset if it changed."""
+        """Draw again, or set a draw to a value; trackers that depend on the draw are reset if it changed."""
 
     def draw_values(self, draw: str) -> tuple[Scalar, ...]:
         """Return the values of a draw."""

@@ -44,7 +44,7 @@ def change_bound(model: Bounded) -> Callable[[Number, Number], Number]:
     """Return what an amount becomes that is added to a score or a counter, given what that is before.
 
     It goes as far as ``keeps_at_least`` or ``keeps_at_most`` and no further. What lies beyond already stays where it
-    is: nobody gains by losing points.
+    is: losing points never raises a score.
     """
     within = amount_bound(model)
     least, most = model.keeps_at_least, model.keeps_at_most

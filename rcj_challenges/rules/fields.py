@@ -97,7 +97,7 @@ Point = Annotated[
 Positive = Annotated[float, Field(gt=0)]
 NotNegative = Annotated[float, Field(ge=0)]
 MM_DIGITS = 3
-"""To the millimetre: what is measured is told and counted so, and compared so with what was counted."""
+"""Measured lengths are counted, sent and compared with counters to the millimetre."""
 LONGEST_S = 86_400
 DurationS = Annotated[
     float, Field(ge=TICK_S, le=LONGEST_S, description="a duration in s, rounded up to ticks of 0.032 s")

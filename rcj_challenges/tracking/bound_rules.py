@@ -1,4 +1,4 @@
-"""A rule as it stands for one entity, what it listens to, and the moment in which it fires."""
+"""A rule bound to one entity, its triggers, and its firings."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Reader = Callable[["Firing"], Any]
 
 @dataclass(slots=True)
 class RuleHistory:
-    """What a rule has done in this half; one for all that ``other`` stands for in it.
+    """What a rule has done in this half; shared by all things that ``other`` stands for.
 
     Attributes:
         rests_until: first tick at which it may fire again.
@@ -31,13 +31,13 @@ class RuleHistory:
 
 @dataclass(eq=False)
 class BoundRule:
-    """A rule of the scenario for one member of its ``for_each`` (or for nobody in particular).
+    """A rule of the scenario, for one member of its ``for_each`` if it has one.
 
     Attributes:
         name: as in the scenario.
         each: the member that ``each`` stands for, or None.
-        about: ``each`` if that is an entity or an obstacle, else None: of a rule over zones or gates the trigger tells.
-        other: what ``other`` stands for: it fires for a touch of that only; None where the rule does not name it.
+        about: ``each`` if it is an entity or an obstacle; else None, and the trigger finds the entity.
+        other: what ``other`` stands for; the rule fires only if that is touched. None: the rule does not name it.
         phases: in which it is active; None: in all.
         exclusive: the group of which only one fires a tick, per entity.
         cooldown: ticks it rests after firing.

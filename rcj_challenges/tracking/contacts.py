@@ -1,4 +1,4 @@
-"""Who touches whom from sub-step to sub-step: new contacts, and which robot touched a thing last."""
+"""Contacts from sub-step to sub-step: new ones, and which robot touched a thing last."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Gates on the field: who crosses them, and how far away they are."""
+"""Gates on the field: crossings and distances."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Who is held: all robots by a phase, single ones by rules, until a time or until a rule lets them go."""
+"""Held robots: all of them by a phase, single ones by rules, until a time or until a rule releases them."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from math import inf
 
 
 class Held:
-    """Which robots are held, by the phase or by rules: the one knows nothing of the other.
+    """Which robots are held, by the phase or by rules, independently of each other.
 
     Attributes:
         by_phase: whether the phase holds all robots.
@@ -26,7 +26,7 @@ class Held:
         return self.by_phase or robot in self.by_rules
 
     def hold(self, robots: Iterable[int], until: float) -> None:
-        """Hold robots until a tick, or for ever (``inf``); who is held for longer already stays so."""
+        """Hold robots until a tick, or for ever (``inf``); a robot that is held for longer stays so."""
         for robot in robots:
             self._until[robot] = max(until, self._until.get(robot, until))
         self._changed()

@@ -1,4 +1,4 @@
-"""What the referee remembers within a half, as plain data: where things are, what was counted, which phase it is."""
+"""The referee's state within a half, as plain data."""
 
 from __future__ import annotations
 
@@ -49,15 +49,15 @@ class RefereeState:
         phase: the phase now.
         poses: by entity, where it is now (after a placement: where it was put).
         before: by entity, where it was a tick ago (or was put then).
-        by_hand: who was put where it is by hand since a tick ago, which tests do: its speed is unknown then.
+        by_hand: entities that a test moved by hand since the last tick; their speed is unknown.
         uprights: by entity, cosine of the tilt.
         present: by entity, whether it is on the field.
-        held: who is held, by the phase or by rules; also of those off the field.
+        held: which robots are held, by the phase or by rules, on the field or off it.
         put_at: by entity, [x, y] where it was last put, or started.
-        ways: by entity whose way somebody asks for, how far it has driven or rolled in the half, in m.
+        ways: by entity, how far it has driven or rolled in the half, in m; only entities that a rule asks about.
         spots: by name, [x, y] where it is now: where the scenario says, until a rule sets it.
         scores: by entrant, as seated in this half.
-        heard: by robot, what it has told the referee by radio, the last time in this half.
+        heard: by robot, its last radio message to the referee in this half.
         counters, flags: by name; a mapping by entity for those kept per entity.
         timers: by name, then entity (None for one that is not kept per entity).
         draws: by name, the value drawn.
@@ -126,5 +126,5 @@ class RefereeState:
         return value
 
     def seed_id(self) -> str:
-        """Return eight hexadecimal digits that tell two seeds apart without telling the seed."""
+        """Return eight hexadecimal digits that identify the seed without revealing it."""
         return f"{stream_seed(self.half.match_seed, 'seed_id') & 0xFFFFFFFF:08x}"

@@ -1,4 +1,4 @@
-"""What is followed from tick to tick on behalf of rules, and the manager that does so cheaply.
+"""Trackers follow things from tick to tick on behalf of rules; the manager updates only those that need it.
 
 Three kinds of trackers. A `PositionTracker` follows one entity and is only advanced when its centre leaves a cell in
 which nothing can change. A `DueTracker` knows the earliest tick at which it could have something to report. A

@@ -138,7 +138,7 @@ def test_to_look_for_the_reason_takes_nothing_from_chance(stage, monkeypatch):
         return play.pose("Y1")
 
     told = placed(stage(narrow, put("uniform_in: strip", ", facing: {random: true}")))
-    monkeypatch.setattr(Referee, "_tell_no_room", lambda _referee, _job: None)
+    monkeypatch.setattr(Referee, "_log_no_room", lambda _referee, _job: None)
     assert told == placed(stage(narrow, put("uniform_in: strip", ", facing: {random: true}")))
 
 

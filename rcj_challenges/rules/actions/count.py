@@ -32,8 +32,8 @@ class Count(Action):
         "what it is set to, a number, {counter, flag, draw, timer, way or word: NAME} or {distance: [A, B]}, or a list "
         "that is added up, each with a weight",
     )
-    at_least: float | None = described(None, "`by` or `to` is no less than this, whatever was reckoned")
-    at_most: float | None = described(None, "`by` or `to` is no more than this, whatever was reckoned")
+    at_least: float | None = described(None, "`by` or `to` is no less than this, whatever the sum is")
+    at_most: float | None = described(None, "`by` or `to` is no more than this, whatever the sum is")
     keeps_at_least: float | None = described(
         None, "with `by`: the counter does not fall below this; what lies below it already stays"
     )

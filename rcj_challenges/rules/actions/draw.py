@@ -14,7 +14,7 @@ from rcj_challenges.tracking.bound_rules import Act
 
 
 class DrawAction(Action):
-    """Draw anew, or set a draw to a value."""
+    """Draw again, or set a draw to a value."""
 
     action: Literal["draw"]
     draw: Annotated[Name, DRAW] = described(..., "the draw")
@@ -40,7 +40,7 @@ expect:
 """
 
     def compile(self, to: Binder) -> Act:
-        """Return what draws anew, or sets a draw to a value."""
+        """Return what draws again, or sets a draw to a value."""
         name, fixed = self.draw, None if self.as_ is None else to.drawn_value(self.as_)
         return lambda _firing: to.decide_draw(name, fixed)
 

@@ -21,11 +21,11 @@ class Hold(Action):
     """
 
     action: Literal["hold"]
-    entity: Annotated[Names, ROBOTS] = described(..., "who is held: robots, groups, or each")
+    entity: Annotated[Names, ROBOTS] = described(..., "which robots are held: robots, groups, or each")
     for_s: Lasts | None = described(
         None,
         "how long, in s, also while it is off the field: a number, {draw: NAME} or {counter: NAME}, read in that "
-        "moment (0 or less: not at all); left out: until a rule lets it go (release); who is held already stays so "
+        "moment (0 or less: not at all); left out: until a rule releases it; a robot that is held already stays so "
         "until the later of the two ends",
     )
 

@@ -12,13 +12,13 @@ from rcj_challenges.tracking.bound_rules import Act
 
 
 class Release(Action):
-    """Let robots go that rules hold: they drive again from the next tick on; who is not held stays as it is.
+    """Release robots that rules hold: they drive again from the next tick on.
 
     What a phase with `robots: held` holds stays held until the phase is over.
     """
 
     action: Literal["release"]
-    entity: Annotated[Names, ROBOTS] = described(..., "who is let go: robots, groups, or each")
+    entity: Annotated[Names, ROBOTS] = described(..., "which robots are released: robots, groups, or each")
 
     EXAMPLE = Hold.EXAMPLE
 

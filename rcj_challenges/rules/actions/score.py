@@ -31,7 +31,7 @@ class Score(Action):
         ...,
         "who gets them (the seat as played in this half); each: who drives the robot of for_each; other: who drives "
         "the robot touched; "
-        "{last_touch: ball}: who drives the robot that touched it last since it was put where it is, else nobody",
+        "{last_touch: ball}: who drives the robot that touched it last since it was put where it is, else no entrant",
         union_mode="left_to_right",
     )
     points: Points = described(
@@ -39,8 +39,8 @@ class Score(Action):
         "how many: a number, {counter, flag, draw, timer, way or word: NAME}, {distance: [A, B]}, or a list of which "
         "all is added: numbers, and these with weights",
     )
-    at_least: float | None = described(None, "no fewer points are given than this, whatever was reckoned")
-    at_most: float | None = described(None, "no more points are given than this, whatever was reckoned")
+    at_least: float | None = described(None, "no fewer points are given than this, whatever the sum is")
+    at_most: float | None = described(None, "no more points are given than this, whatever the sum is")
     keeps_at_least: float | None = described(
         None, "points taken away do not take the entrant's score below this; what lies below it already stays"
     )

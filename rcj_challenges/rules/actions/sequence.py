@@ -11,7 +11,7 @@ from rcj_challenges.tracking.bound_rules import Act, Firing
 
 
 class SequenceAction(Action):
-    """Begin a sequence anew: the steps made so far are forgotten."""
+    """Begin a sequence again: the steps made so far are forgotten."""
 
     action: Literal["sequence"]
     sequence: Annotated[Name, SEQUENCE] = described(..., "the sequence")

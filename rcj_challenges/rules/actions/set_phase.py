@@ -12,7 +12,7 @@ from rcj_challenges.tracking.bound_rules import Act
 
 
 class SetPhase(Action):
-    """Enter a phase at once; the one that it is already begins anew."""
+    """Enter a phase at once; if it is the current one, it begins again."""
 
     action: Literal["set_phase"]
     phase: Annotated[Name, PHASE] = described(..., "the phase")

@@ -15,7 +15,7 @@ from rcj_challenges.tracking.bound_rules import Test
 
 
 class Looks(Condition):
-    """Whether a robot looks towards something, or in a direction; off the field nobody looks or is looked at."""
+    """Whether a robot looks towards something, or in a direction, with both of them on the field."""
 
     condition: Literal["looks"]
     entity: Annotated[Names, ROBOTS] = described(..., "a robot, each, or a group with `of`")

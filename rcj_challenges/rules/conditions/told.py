@@ -47,7 +47,7 @@ expect:
 """
 
     def test(self, to: Binder) -> Test:
-        """Return whether what robots have told the referee last is as it must be."""
+        """Return whether the last messages of robots to the referee match."""
         heard, of, fits = to.state.heard, self.of, self.matcher(to.state.draws)
         robots = to.members(self.entity)
         return lambda: quantified(of, (robot in heard and fits(heard[robot]) for robot in robots))
