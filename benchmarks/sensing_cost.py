@@ -11,10 +11,10 @@ import statistics
 import time
 
 from benchmarks.physics_floor import MixedLoad
-from rcj_challenges.devices.rack import DeviceRack
-from rcj_challenges.devices.sonar import device_sites
 from rcj_challenges.facts.play import HalfInfo, RefereeOutput
 from rcj_challenges.facts.traffic import Request
+from rcj_challenges.robots.fitting import fit, fixed_rays
+from rcj_challenges.robots.manager import DeviceRack
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.world.world import World
 
@@ -24,7 +24,7 @@ def measure(loaded: Loaded, ticks: int) -> dict[str, float]:
     scenario, roster = loaded.scenario, loaded.roster
     seats = list(scenario.entrants)
     half = HalfInfo(1, 1, ticks, 1, 0, {s: s for s in seats}, {s: s for s in seats}, dict.fromkeys(seats, 0))
-    world = World(scenario, roster, device_sites(scenario, roster))
+    world = World(scenario, roster, fixed_rays(fit(scenario, roster)))
     rack = DeviceRack(scenario, roster, world, half)
     rack.begin(RefereeOutput())
     for robot, spec in rack.specs.items():

@@ -19,6 +19,7 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
+from rcj_challenges.devices import DEVICES, AnyDevice
 from rcj_challenges.rules.actions import ACTIONS, AnyAction
 from rcj_challenges.rules.base import Vocabulary
 from rcj_challenges.rules.conditions import CONDITIONS, AnyCondition
@@ -51,6 +52,7 @@ VOCABULARIES: dict[str, Vocabulary] = {
     "triggers": TRIGGERS,
     "conditions": CONDITIONS,
     "actions": ACTIONS,
+    "devices": DEVICES,
 }
 """The words with an example of their own, by kind."""
 STAGE = """schema_version: 1
@@ -171,7 +173,7 @@ CHAPTERS = (
     Chapter(
         "Devices",
         "What a kit or a robot has under `devices`, by the name that programs ask for.",
-        _tagged(robots.Device),
+        _tagged(AnyDevice),
         "devices",
         "device",
     ),
@@ -349,7 +351,7 @@ _NAMED: tuple[tuple[Any, str], ...] = (
     (AnyTrigger, "[trigger](#triggers)"), (AnyCondition, "[condition](#conditions)"),
     *((get_args(fields(one)["conditions"])[0], "[condition](#conditions)")
       for one in (AnyOf, AllOf)),
-    (AnyAction, "[action](#actions)"), (robots.Device, "[device](#devices)"), (places.Zone, "[zone](#zones)"),
+    (AnyAction, "[action](#actions)"), (AnyDevice, "[device](#devices)"), (places.Zone, "[zone](#zones)"),
     (field.Obstacle, "[obstacle](#obstacles)"), (places.Layout, "list of [placements](#placements)"),
     (robots.EntryPoints, "path, or list of paths"),
 )  # fmt: skip

@@ -15,6 +15,7 @@ from struct import Struct
 from struct import error as StructError  # noqa: N812 - the standard library's name is too plain to be read alone
 from typing import Any
 
+from rcj_challenges.devices import device_of_class
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.timing import TICK_MS
 from rcj_challenges.facts.traffic import MotorCommand, Observation, Packet, Request, RobotSpec
@@ -41,10 +42,6 @@ _FREQUENCY = Struct("<Hd")
 _EMISSION = Struct("<HiI")
 _FAULT = Struct("<BBI")
 
-_SAMPLED_KINDS = frozenset({"position_sensor", "gps", "compass", "distance_sensor", "receiver", "lidar"})
-_TUNED_KINDS = frozenset({"receiver"})
-_TURNING_KINDS = frozenset({"lidar"})
-_EMITTING_KINDS = frozenset({"emitter"})
 _ADDRESS = re.compile(r"\b0x[0-9a-fA-F]{6,}")
 _SPEED_TOLERANCE = 1e-9
 _MOST_TRACEBACK = 20_000  # letters
@@ -84,8 +81,8 @@ class Codec:
     def __init__(self, spec: RobotSpec, message_bytes: int) -> None:
         self._values = spec.values
         self._form = Struct(f"{_OBSERVATION}{spec.values}d")
-        self._kinds = {device.index: device.kind for device in spec.devices}
-        self._motors = frozenset(device.index for device in spec.devices if device.kind == "motor")
+        self._accepts = {device.index: device_of_class(device.kind).ACCEPTS for device in spec.devices}
+        self._motors = frozenset(device for device, lists in self._accepts.items() if "motors" in lists)
         self._max_velocity = spec.max_velocity_radps * (1 + _SPEED_TOLERANCE)
         self._message_bytes = message_bytes
         self._first_packet: Packet | None = None
@@ -139,7 +136,7 @@ class Codec:
             raise ProtocolError("a request to advance by no tick")
         sampling, channels, frequencies, emissions = others
         settings = max(motors, sampling, channels, frequencies)
-        if settings > len(self._kinds) or emissions > MOST_EMISSIONS:
+        if settings > len(self._accepts) or emissions > MOST_EMISSIONS:
             told = f"{settings} settings and {emissions} packets"
             raise ProtocolError(f"a request with too many settings or packets in one step: {told}")
         at = _REQUEST.size + motors * _MOTOR.size
@@ -191,15 +188,15 @@ class Codec:
         return f"device {device}: a position of {position:g} rad"
 
     def _sampling(self, device: int, period_ticks: int) -> tuple[int, int]:
-        self._must_be(device, _SAMPLED_KINDS, "a sensor")
+        self._must_be(device, "sampling", "a sensor")
         return device, period_ticks
 
     def _tuning(self, device: int, channel: int) -> tuple[int, int]:
-        self._must_be(device, _TUNED_KINDS, "a receiver")
+        self._must_be(device, "channels", "a receiver")
         return device, channel
 
     def _frequency(self, device: int, frequency_hz: float) -> tuple[int, float]:
-        self._must_be(device, _TURNING_KINDS, "a lidar")
+        self._must_be(device, "frequencies", "a lidar")
         if not math.isfinite(frequency_hz):
             raise ProtocolError(f"device {device}: a frequency of {frequency_hz:g} Hz")
         return device, frequency_hz
@@ -212,7 +209,7 @@ class Codec:
             if begins > len(body):
                 raise ProtocolError("a request that ends too early")
             device, channel, size = _EMISSION.unpack_from(body, at)
-            self._must_be(device, _EMITTING_KINDS, "an emitter")
+            self._must_be(device, "emissions", "an emitter")
             if size > self._message_bytes:
                 raise ProtocolError(f"a radio packet of {size} bytes")
             at = begins + size
@@ -223,8 +220,9 @@ class Codec:
             raise ProtocolError(f"a request with {counted(len(body) - at, 'byte')} too many")
         return tuple(sent)
 
-    def _must_be(self, device: int, kinds: frozenset[str], wanted: str) -> None:
-        if self._kinds.get(device) not in kinds:
+    def _must_be(self, device: int, named_in: str, wanted: str) -> None:
+        """Refuse a device that may not be named in a list of the request."""
+        if named_in not in self._accepts.get(device, ()):
             raise ProtocolError(f"device {device} is not {wanted}")
 
 

@@ -1,9 +1,48 @@
-"""Sensors, motors and radio: what a program can read and set.
+"""Sensors, motors and radio: what a kit may have, one file each.
 
-Belongs here: which devices a robot has (`fitting`), what each of them measures or does (one file per family), and
-the rack that serves all robots of a half (`rack`). Does not belong here: how readings travel to a program's process
-(controllers), when a program is due (match), what the referee decides (referee).
+Belongs here: what a device is in a scenario, what it measures, its noise, and what programs, recordings and the rule
+sheet are given of it. Does not belong here: the devices of all robots together (robots), how rays are cast (world).
+Files here import neither scenario nor MuJoCo, and numpy only when a sensor is made.
 
 Every device measures in the frames of the rule book: x forward, y left, z up of the robot; while a robot stands, its
 frame is level and heights are nominal (ADR 5).
 """
+
+from typing import Annotated
+
+from rcj_challenges.devices.ball_receiver import BallReceiverDevice
+from rcj_challenges.devices.base import DEVICES, Device
+from rcj_challenges.devices.compass import CompassDevice
+from rcj_challenges.devices.gps import GpsDevice
+from rcj_challenges.devices.lidar import LidarDevice
+from rcj_challenges.devices.motor import MotorDevice
+from rcj_challenges.devices.sonar import SonarDevice
+from rcj_challenges.devices.supervisor_receiver import SupervisorReceiverDevice
+from rcj_challenges.devices.team_emitter import TeamEmitterDevice
+from rcj_challenges.devices.team_receiver import TeamReceiverDevice
+from rcj_challenges.devices.wheel_sensor import WheelSensorDevice
+
+DEVICES.add(
+    MotorDevice,
+    WheelSensorDevice,
+    GpsDevice,
+    CompassDevice,
+    SonarDevice,
+    BallReceiverDevice,
+    SupervisorReceiverDevice,
+    TeamReceiverDevice,
+    TeamEmitterDevice,
+    LidarDevice,
+)
+
+AnyDevice = Annotated[Device, DEVICES]
+
+
+def device_of_class(name: str) -> type[Device]:
+    """Return the first kind of device that programs know as this class; `Device` itself if there is none.
+
+    Args:
+        name: `DeviceSpec.kind`.
+    """
+    kinds = (kind for kind in DEVICES.words() if issubclass(kind, Device) and name == kind.CLASS)
+    return next(kinds, Device)

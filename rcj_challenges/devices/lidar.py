@@ -1,75 +1,170 @@
-"""Laser scanners: a ring of rays, all at once or a part of the turn each tick."""
-
-from __future__ import annotations
+"""The device ``lidar``: a ring of rays, all at once or a part of the turn each tick."""
 
 import math
-from typing import NamedTuple, cast
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
-import mujoco
-import numpy as np
-from numpy.typing import NDArray
-
-from rcj_challenges.devices.fitting import Fitted, lidar_bearings
-from rcj_challenges.devices.ground import Ground
+from rcj_challenges.devices.base import Carrier, Device, Fitted, Phrases, Sensor, SensorContext
 from rcj_challenges.devices.noise import Noise
 from rcj_challenges.devices.poses import RobotPose
-from rcj_challenges.devices.sight import as_geomgroup, groups_at
-from rcj_challenges.facts.play import HalfInfo
+from rcj_challenges.devices.wording import noise_words, order_words
 from rcj_challenges.facts.timing import TICK_S
-from rcj_challenges.scenario.models.robots import LidarDevice
-from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.rules.fields import NotNegative, Positive, described
+from rcj_challenges.rules.phrasing import counted, degrees, metres
 
-NOT_YET_SWEPT = 0.0
-"""What a cell holds that the rays have not reached yet. Source: reference, 4.2."""
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+LOWEST_HZ = 1.0
+HIGHEST_HZ = 25.0
+"""Bounds of ``setFrequency``, as in the Webots reference (Lidar: minFrequency, maxFrequency)."""
+
+_MAX_SECTORS = 1_000
+"""Sectors of a turning head that are kept; at 10 Hz there are 25."""
 
 
-_REMEMBERED = 1_000
-"""Sectors of a turning head; at 10 Hz there are 25."""
+class LidarDevice(Device):
+    """A laser scanner of one layer. The defaults are those of the original's robots."""
+
+    # Their source: reference, section 4.2.
+
+    device: Literal["lidar"]
+    points: int = described(360, "how many readings there are, evenly over field_of_view_rad", ge=1, le=1440)
+    field_of_view_rad: Positive = described(6.283185307179586, "angle covered by the readings in rad", le=6.2832)
+    min_range_m: NotNegative = described(0.01, "nearer things read as inf, in m")
+    max_range_m: Positive = described(3.0, "farther things read as inf, in m", le=50)
+    frame: Literal["field", "legacy"] = described(
+        "field", "of its points; field: x ahead, y left, z up; legacy: x left, y up, z ahead as in the 2021 worlds"
+    )
+    height_m: Positive = described(0.0425, "height of the scanning plane above the floor in m")
+    rotating: bool = described(True, "True: a turning head refreshes part of the readings each tick; False: all")
+    frequency_hz: Positive = described(10.0, "turns per second of a rotating head", le=31)
+    noise_m: NotNegative = described(0.0, "standard deviation of each reading in m")
+
+    CLASS = "lidar"
+    ACCEPTS = frozenset({"sampling", "frequencies"})
+    MAX_SHOWN = 180  # rays of a picture: more cannot be told apart
+    PAGE_FACTS = ("first_bearing_rad", "bearing_step_rad", "max_range")
+    EXAMPLE = """
+robots:
+  Y1: {devices: {lidar: {device: lidar, points: 180, max_range_m: 1.5, rotating: false, noise_m: 0.005}}}
+"""
+
+    @property
+    def width(self) -> int:
+        """How many numbers a sample has."""
+        return self.points
+
+    @property
+    def is_full_turn(self) -> bool:
+        """Whether it looks all around; a turn that was rounded is one."""
+        return math.isclose(self.field_of_view_rad, 2 * math.pi, rel_tol=1e-4)
+
+    @property
+    def bearings(self) -> tuple[float, float]:
+        """The bearing of cell 0 and the step from cell to cell, in rad, counter-clockwise from the front.
+
+        A full turn begins at the front (reference, 4.2); a part of one spans from its left edge to its right edge. Both
+        run clockwise.
+        """
+        if self.is_full_turn:
+            return 0.0, -2 * math.pi / self.points
+        if self.points == 1:
+            return 0.0, 0.0
+        return self.field_of_view_rad / 2, -self.field_of_view_rad / (self.points - 1)
+
+    def facts(self, _carrier: Carrier) -> dict[str, Any]:
+        """Return what a program can ask without stepping."""
+        first_rad, step_rad = self.bearings
+        return {
+            "horizontal_resolution": self.points,
+            "number_of_layers": 1,
+            "number_of_points": self.points,
+            "fov": self.field_of_view_rad,
+            "vertical_fov": 0.0,
+            "min_range": self.min_range_m,
+            "max_range": self.max_range_m,
+            "frequency": self.frequency_hz,
+            "min_frequency": min(LOWEST_HZ, self.frequency_hz),
+            "max_frequency": max(HIGHEST_HZ, self.frequency_hz),
+            "rotating": self.rotating,
+            "first_bearing_rad": first_rad,
+            "bearing_step_rad": step_rad,
+            **({"frame": self.frame} if self.frame != "field" else {}),
+        }
+
+    def contradictions(self) -> Iterator[tuple[str, str]]:
+        """Yield fields that contradict others, each with what is wrong."""
+        if self.min_range_m >= self.max_range_m:
+            yield "min_range_m", "must be less than max_range_m"
+
+    def make_sensor(self, fitted: Fitted, context: SensorContext) -> Sensor:
+        """Return the sensor of this device."""
+        return LidarSensor(self, fitted, context)
+
+    def describe(self, _phrases: Phrases) -> str:
+        """Return what it is."""
+        turning = f", turning at {self.frequency_hz:g} Hz" if self.rotating else ""
+        noise = noise_words(metres(self.noise_m) if self.noise_m else "")
+        order = order_words(self.frame, ", its points told as [left, up, ahead]")
+        return (
+            f"lidar, {counted(self.points, 'point')}, {metres(self.min_range_m)} to {metres(self.max_range_m)}"
+            f"{turning}{order}{noise}, {metres(self.height_m)} above the floor, {self._sweep()}"
+        )
+
+    def _sweep(self) -> str:
+        """Return where it looks."""
+        if self.points == 1:
+            return "straight ahead"  # whatever its field of view is
+        return (
+            "clockwise from the front"
+            if self.is_full_turn
+            else f"over {degrees(self.field_of_view_rad)} from left to right"
+        )
 
 
 class Sector(NamedTuple):
     """Cells of a ring: which, and the parts of their rays along the robot's +x and +y."""
 
-    cells: slice | NDArray[np.intp]
-    forward: NDArray[np.float64]
-    left: NDArray[np.float64]
+    cells: "slice | NDArray[np.intp]"
+    forward: "NDArray[np.float64]"
+    left: "NDArray[np.float64]"
 
 
-class Lidar:
+class LidarSensor(Sensor):
     """One scanner. Its plane is level at its height while the robot stands, and tilts with a robot that lies."""
 
-    def __init__(self, fitted: Fitted, scenario: Scenario, ground: Ground, half: HalfInfo) -> None:
+    BLANK = 0.0  # a cell that the rays have not reached yet; source: reference, 4.2
+
+    def __init__(self, device: LidarDevice, fitted: Fitted, context: SensorContext) -> None:
         """Lay out the ring of rays in the robot's frame."""
-        device = cast("LidarDevice", fitted.device)
-        self.slot = fitted.spec.slot
-        self.device = device
-        self.cells: NDArray[np.float32] = np.full(device.points, NOT_YET_SWEPT, np.float32)
+        import numpy as np
+
+        super().__init__(fitted.spec)
+        self.advances = device.rotating
+        self._np = np
+        self._device = device
+        self._cells: NDArray[np.float32] = np.full(device.points, self.BLANK, np.float32)
         self._bounds_hz = (fitted.spec.facts["min_frequency"], fitted.spec.facts["max_frequency"])
         self._frequency_hz = device.frequency_hz
         self._turns = 0.0
-        self._passed: dict[tuple[float, float], Sector] = {}
-        first_rad, step_rad = lidar_bearings(device)
+        self._sectors: dict[tuple[float, float], Sector] = {}
+        first_rad, step_rad = device.bearings
         bearings = first_rad + step_rad * np.arange(device.points)
         self._forward = np.cos(bearings)
         self._left = np.sin(bearings)
         self._whole = Sector(slice(None), self._forward, self._left)
         # Where in its clockwise turn from the front the head passes each cell, in turns.
         self._passed_at = (-bearings / (2 * math.pi)) % 1.0
-        chassis = scenario.kits[scenario.robots[fitted.robot_name].kit].chassis
-        self._above_centre_m = device.height_m - chassis.size_m / 2
-        self._groups = as_geomgroup(groups_at(scenario, device.height_m))
-        self._noise = Noise(half, [(fitted.robot_name, fitted.spec.name)], device.points) if device.noise_m else None
-        self._model = ground.model
-        self._data = ground.data
-        self._body = int(ground.model.body(fitted.robot_name).id)
-        self._origin = np.zeros(3)
-        self._rays = np.zeros((device.points, 3))
-        self._geoms = np.zeros(device.points, np.int32)
-        self._distances = np.zeros(device.points)
+        self._above_centre_m = device.height_m - fitted.carrier.size_m / 2
+        self._noise = Noise.of(fitted, context.half, device.points) if device.noise_m else None
+        self._fan = context.rays.fan(fitted.robot_name, device.height_m, device.max_range_m, device.points)
 
-    def clear(self) -> None:
+    def clear(self, values: list[float]) -> None:
         """Forget all readings and begin the turn at the front."""
-        self.cells[:] = NOT_YET_SWEPT
+        super().clear(values)
+        self._cells[:] = self.BLANK
         self._turns = 0.0
 
     def set_frequency(self, frequency_hz: float) -> None:
@@ -80,54 +175,50 @@ class Lidar:
 
     def read(self, tick: int, pose: RobotPose, values: list[float]) -> None:
         """Write all cells into the robot's numbers: as they are, if the head turns; else measured now."""
-        if not self.device.rotating:
-            self.measure(tick, pose)
-        values[self.slot : self.slot + self.device.points] = self.cells.tolist()
+        if not self.advances:
+            self._measure(tick, pose, self._whole)
+        values[self.slot : self.slot + self.width] = self._cells.tolist()
 
-    def turn(self, tick: int, pose: RobotPose) -> None:
+    def advance(self, tick: int, pose: RobotPose) -> None:
         """Refresh the cells that a rotating head passes in one tick."""
         begin, forth = self._turns, self._frequency_hz * TICK_S  # less than a turn: at most 31 Hz
         # Rounded, so that a head that comes back to the same place is seen to be there.
         self._turns = round(begin + forth, 12) % 1.0
-        sector = self._passed.get((begin, forth))
+        sector = self._sectors.get((begin, forth))
         if sector is None:
             sector = self._sector(begin, forth)
-        self.measure(tick, pose, sector)
+        self._measure(tick, pose, sector)
 
     def _sector(self, begin: float, forth: float) -> Sector:
-        """Return the cells that the head passes from one place on, in turns; remembered, for it passes them again."""
+        """Return the cells that the head passes from one place on, in turns; kept, for it passes them again."""
+        np = self._np
         # Rounded to a billionth of a turn: whether a cell is passed must not hang on the last bit of a sum.
         since = np.round((self._passed_at - begin) % 1.0, 9) % 1.0
         cells = np.flatnonzero(since < round(forth, 9))
-        if len(self._passed) >= _REMEMBERED:
-            self._passed.clear()
-        sector = self._passed[begin, forth] = Sector(cells, self._forward[cells], self._left[cells])
+        if len(self._sectors) >= _MAX_SECTORS:
+            self._sectors.clear()
+        sector = self._sectors[begin, forth] = Sector(cells, self._forward[cells], self._left[cells])
         return sector
 
-    def measure(self, tick: int, pose: RobotPose, sector: Sector | None = None) -> None:
-        """Measure some cells, or all of them (None)."""
-        chosen, forward, left = sector or self._whole
-        count = len(forward)
-        self._aim(pose, forward, left, count)
-        distances = self._distances[:count]
-        mujoco.mj_multiRay(
-            self._model, self._data, self._origin, self._rays[:count].reshape(-1), self._groups, 1, self._body,
-            self._geoms[:count], distances, None, count, self.device.max_range_m,
-        )  # fmt: skip
-        unseen = (distances < self.device.min_range_m) | (distances > self.device.max_range_m)
+    def _measure(self, tick: int, pose: RobotPose, sector: Sector) -> None:
+        chosen, forward, left = sector
+        np, device = self._np, self._device
+        self._aim(pose, forward, left)
+        distances = self._fan.cast(len(forward))
+        unseen = (distances < device.min_range_m) | (distances > device.max_range_m)
         if self._noise is not None:
-            distances += self.device.noise_m * self._noise.row(tick)[chosen]
+            distances += device.noise_m * self._noise.row(tick)[chosen]
             np.maximum(distances, 0.0, out=distances)
-        self.cells[chosen] = np.where(unseen, np.inf, distances)
+        self._cells[chosen] = np.where(unseen, np.inf, distances)
 
-    def _aim(self, pose: RobotPose, forward: NDArray[np.float64], left: NDArray[np.float64], count: int) -> None:
-        rays = self._rays[:count]
+    def _aim(self, pose: RobotPose, forward: "NDArray[np.float64]", left: "NDArray[np.float64]") -> None:
+        np, origin, rays = self._np, self._fan.origin, self._fan.directions[: len(forward)]
         if pose.tipped:
             rotation = np.reshape(pose.rotation, (3, 3))
-            self._origin[:] = (pose.x, pose.y, pose.z) + self._above_centre_m * rotation[:, 2]
+            origin[:] = (pose.x, pose.y, pose.z) + self._above_centre_m * rotation[:, 2]
             rays[:] = np.outer(forward, rotation[:, 0]) + np.outer(left, rotation[:, 1])
             return
-        self._origin[:] = (pose.x, pose.y, pose.z + self._above_centre_m)
+        origin[:] = (pose.x, pose.y, pose.z + self._above_centre_m)
         rays[:, 0] = pose.cos * forward - pose.sin * left
         rays[:, 1] = pose.sin * forward + pose.cos * left
         rays[:, 2] = 0.0

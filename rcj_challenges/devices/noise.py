@@ -7,12 +7,16 @@ period of a device, nor another device more or less, ever shifts a reading.
 from __future__ import annotations
 
 from collections.abc import Sequence
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import TYPE_CHECKING, Self
 
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.streams import stream_seed
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from rcj_challenges.devices.base import Fitted
 
 _DRAWS_PER_BLOCK = 8192
 """Numbers drawn at once: drawing singly costs more than measuring. Of no influence on the numbers themselves."""
@@ -20,6 +24,8 @@ _DRAWS_PER_BLOCK = 8192
 
 def sensor_stream(half: HalfInfo, robot: str, device: str) -> np.random.Generator:
     """Return the generator of one device of one robot in one half."""
+    import numpy as np
+
     name = f"half {half.half}/sensor/{robot}/{device}"
     return np.random.Generator(np.random.PCG64(stream_seed(half.match_seed, name)))
 
@@ -39,6 +45,8 @@ class Noise:
             draws_per_tick: how many numbers each device uses in a tick.
             scale: what a row is multiplied by: one number, or one for each of its draws.
         """
+        import numpy as np
+
         self._streams = [sensor_stream(half, robot, device) for robot, device in devices]
         self._draws = draws_per_tick
         self._ticks = max(1, _DRAWS_PER_BLOCK // max(1, draws_per_tick * len(devices)))
@@ -47,9 +55,16 @@ class Noise:
         self._first = 0
         self._scale = scale
 
+    @classmethod
+    def of(cls, fitted: Fitted, half: HalfInfo, draws_per_tick: int = 1) -> Self:
+        """Return the noise of one device."""
+        return cls(half, [(fitted.robot_name, fitted.spec.name)], draws_per_tick)
+
     def row(self, tick: int) -> NDArray[np.float64]:
         """Return the draws of a tick, shape [devices · draws_per_tick]. Ticks must not go back."""
         while tick >= self._first + len(self._block):
+            import numpy as np
+
             self._first += len(self._block)
             shape = (self._ticks, self._draws)
             block = np.concatenate([stream.standard_normal(shape) for stream in self._streams], axis=1)

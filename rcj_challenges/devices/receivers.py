@@ -1,10 +1,14 @@
-"""Receivers, and the queue of what they have delivered since their program last looked."""
-
-from __future__ import annotations
+"""What all receivers share, and the queue of what they have delivered since their program last looked."""
 
 from collections.abc import Callable
 
+from rcj_challenges.devices.base import Device
 from rcj_challenges.facts.traffic import Packet
+
+ANY_CHANNEL = -1
+"""What a receiver is set to that hears all channels of its kind (Webots: -1): those of its team and the referee's, or
+the balls'; those of another team stay silent. No emitter may send on all of them: among
+them is the referee's."""
 
 QUEUE_PACKETS = 16_384
 """Packets that wait for a program that does not look: with five a tick, those of 105 s."""
@@ -14,6 +18,13 @@ QUEUE_BYTES = 4_194_304
 
 TRIM_EVERY_TICKS = 32
 """How often the bounds are enforced: counting at every packet costs more than a second of packets too many."""
+
+
+class ReceiverDevice(Device):
+    """A device that receives packets."""
+
+    CLASS = "receiver"
+    ACCEPTS = frozenset({"sampling", "channels"})
 
 
 class Queue:

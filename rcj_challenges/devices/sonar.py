@@ -1,141 +1,150 @@
-"""Sonars: horizontal rays that find the nearest wall, goal or robot.
+"""The device ``sonar``.
 
-All rays of all robots are MuJoCo rangefinders, so that one call measures them all. They see the boxes of the field,
-obstacles and robots' cubes; never what the rule book's sonar passes over: balls and wheels.
+The rays of all robots are measured in one call. They see the boxes of the field, obstacles and robots' cubes; never
+what the rule book's sonar passes over: balls and wheels.
 """
-
-from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from struct import Struct
-from typing import cast
+from collections.abc import Sequence
+from typing import Any, Literal, Self, cast
 
-import mujoco
-import numpy as np
-
-from rcj_challenges.devices.fitting import Fitted, fit
-from rcj_challenges.devices.ground import Ground
+from rcj_challenges.devices.base import Carrier, Device, Fitted, FixedRay, Phrases, Sensor, SensorContext
 from rcj_challenges.devices.noise import Noise
-from rcj_challenges.devices.sight import RayMask, groups_at
-from rcj_challenges.facts.play import HalfInfo
-from rcj_challenges.scenario.models.robots import SONAR_NOISE_FULL_FROM_M, SonarDevice
-from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.devices.poses import RobotPose
+from rcj_challenges.devices.wording import noise_words, percent_words
+from rcj_challenges.rules.fields import NotNegative, Positive, described
+from rcj_challenges.rules.phrasing import degrees, metres
 
-_FIELDS = (
-    mujoco.mjtRayDataField.mjRAYDATA_DIST,
-    mujoco.mjtRayDataField.mjRAYDATA_DIR,
-    mujoco.mjtRayDataField.mjRAYDATA_NORMAL,
-)
-_NUMBERS = 7
-_RAY = Struct(f"{_NUMBERS}d")
-"""Numbers of one rangefinder: distance, direction (3), the surface's normal (3)."""
+NOISE_FULL_FROM_M = 1.0
+"""Up to here the share of a sonar's noise grows with the distance. Source: reference, 4.1."""
 
-_SENSORS_ON = ~int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
 _MM_PER_M = 1000.0
 _GRAZING = 1e-6
-"""Cosine of the flattest echo there is, also where a scenario says that none is ever lost (`lost_from_rad` ≥ π / 2)."""
+"""Cosine of the flattest echo there is, also if a scenario says that none is ever lost (`lost_from_rad` ≥ π / 2)."""
 
 
-def _site_name(one: Fitted) -> str:
-    return f"{one.robot_name}/{one.spec.name}"
+class SonarDevice(Device):
+    """A distance sensor: one horizontal ray. The defaults are those of the original's robots."""
 
+    # Their source: reference, section 4.1.
 
-def device_sites(scenario: Scenario, roster: Roster) -> Callable[[mujoco.MjSpec], None]:
-    """Return what adds the sonars to a model: a site and a rangefinder each, on the robot's body.
+    device: Literal["sonar"]
+    bearing_rad: float = described(..., "direction in the robot's frame in rad; 0 front, 1.5708 left (+y)")
+    offset_m: NotNegative = described(0.0385, "where the ray starts, from the centre along the bearing, in m")
+    height_m: Positive = described(0.0575, "height of the ray above the floor in m")
+    range_m: Positive = described(1.0, "beyond it the out-of-range value is read, in m", le=20)
+    noise: NotNegative = described(0.05, "standard deviation as a share of the value, times the distance up to 1 m")
+    lost_from_rad: Positive = described(0.3927, "from this angle to the surface's normal on, no echo comes back, rad")
 
-    The sensor stage is switched off in the model, for the rays are wanted once a tick and not in every sub-step;
-    `Echoes` switches it on while it measures.
-    """
-    sonars = [one for one in fit(scenario, roster) if isinstance(one.device, SonarDevice)]
-
-    def extend(spec: mujoco.MjSpec) -> None:
-        spec.option.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
-        for one in sonars:
-            sonar = cast("SonarDevice", one.device)
-            kit = scenario.kits[scenario.robots[one.robot_name].kit]
-            cos, sin = math.cos(sonar.bearing_rad), math.sin(sonar.bearing_rad)
-            # A rangefinder looks along its site's z axis: a quarter turn about the horizontal normal to the bearing.
-            spec.body(one.robot_name).add_site(
-                name=_site_name(one),
-                pos=[sonar.offset_m * cos, sonar.offset_m * sin, sonar.height_m - kit.chassis.size_m / 2],
-                quat=[math.sqrt(0.5), -sin * math.sqrt(0.5), cos * math.sqrt(0.5), 0],
-                size=[0.001, 0.001, 0.001],
-                rgba=[0, 0, 0, 0],
-            )
-            rangefinder = spec.add_sensor(
-                name=_site_name(one),
-                type=mujoco.mjtSensor.mjSENS_RANGEFINDER,
-                objtype=mujoco.mjtObj.mjOBJ_SITE,
-                objname=_site_name(one),
-            )
-            rangefinder.intprm[0] = sum(1 << int(field) for field in _FIELDS)
-
-    return extend
-
-
-Sonar = tuple[int, int, float, float]
-"""One sonar: its ray, the slot of its own, its range in m, and the cosine of ray and normal below which it hears.
-
-A plain tuple: Python takes twice as long to unpack a named one, and does so for two dozen at every tick.
+    CLASS = "distance_sensor"
+    ACCEPTS = frozenset({"sampling"})
+    WIDTH = 1
+    RESOLUTION = 0.1
+    PAGE_FACTS = ("bearing_rad", "max_value")
+    EXAMPLE = """
+robots:
+  Y1:
+    without: [distancesensor back]
+    devices:
+      distancesensor front left: {device: sonar, bearing_rad: 0.7854, range_m: 0.5}
 """
+
+    def facts(self, _carrier: Carrier) -> dict[str, Any]:
+        """Return what a program can ask without stepping."""
+        return {"min_value": 0.0, "max_value": 1000.0 * self.range_m, "bearing_rad": self.bearing_rad}
+
+    def fixed_ray(self, robot_name: str, name: str, carrier: Carrier) -> FixedRay:
+        """Return its ray."""
+        return FixedRay(robot_name, name, self.bearing_rad, self.offset_m, self.height_m - carrier.size_m / 2)
+
+    @classmethod
+    def make_sensors(cls, fitted: Sequence[Fitted], context: SensorContext) -> "Sequence[SonarSensor]":
+        """Return all sonars of a half, which share their echoes."""
+        echoes = Echoes(fitted, context)
+        return [SonarSensor(number, one, echoes, context) for number, one in enumerate(fitted)]
+
+    def describe(self, _phrases: Phrases) -> str:
+        """Return what it is."""
+        noise = noise_words(percent_words(self.noise, "the value from 1 m on, less when nearer"))
+        if self.noise and self.range_m < NOISE_FULL_FROM_M:
+            # It never measures as far as where the noise stops growing: the figure that holds is that of its own range.
+            full = percent_words(self.noise * self.range_m, f"the value at {metres(self.range_m)}")
+            noise = noise_words(f"{full}, less when nearer: at half the distance half that share")
+        where = f"{metres(self.offset_m)} off the robot's centre and {metres(self.height_m)} above the floor"
+        # At a right angle and more a ray meets nothing.
+        lost = f", without an echo of what it meets at {degrees(self.lost_from_rad)} or more off the perpendicular"
+        return (
+            f"distance sensor, bearing {degrees(self.bearing_rad)}, up to {metres(self.range_m)}{noise}, {where}"
+            f"{lost if self.lost_from_rad < math.pi / 2 else ''}"
+        )
 
 
 class Echoes:
-    """All sonars of all robots: v = 1000·d below the range, else the out-of-range value, times the noise.
+    """What the rays of all robots meet, measured once in a tick in which a sonar is read.
 
     Attributes:
-        sonars: by robot and index of the device.
+        rays: distance, direction and normal, by number of the ray.
+        errors: the noise, by number of the sonar.
     """
 
-    def __init__(self, fitted: Sequence[Fitted], scenario: Scenario, ground: Ground, half: HalfInfo) -> None:
-        """Find the rangefinders that `device_sites` added, in the same order; there is at least one."""
+    def __init__(self, fitted: Sequence[Fitted], context: SensorContext) -> None:
+        import numpy as np
+
         devices = [cast("SonarDevice", one.device) for one in fitted]
-        self._model: mujoco.MjModel = ground.model
-        self._data: mujoco.MjData = ground.data
-        first = int(self._model.sensor(_site_name(fitted[0])).adr[0])
-        self._numbers = memoryview(self._data.sensordata[first : first + _NUMBERS * len(fitted)]).cast("B")
-        self._rays: list[tuple[float, ...]] = []
-        shares = np.array([device.noise for device in devices])
-        self._noise = Noise(half, [(one.robot_name, one.spec.name) for one in fitted], scale=_MM_PER_M * shares)
-        self.sonars = {
-            (one.robot, one.spec.index): (
-                ray,
-                one.spec.slot,
-                device.range_m,
-                -max(_GRAZING, math.cos(device.lost_from_rad)),
-            )
-            for ray, (one, device) in enumerate(zip(fitted, devices, strict=True))
-        }
-        self._errors: list[float] = []
-        self._mask = RayMask(ground, groups_at(scenario, min(device.height_m for device in devices)))
-        self._option = self._model.opt
+        scale = _MM_PER_M * np.array([device.noise for device in devices])
+        self._noise = Noise(context.half, [(one.robot_name, one.spec.name) for one in fitted], scale=scale)
+        self._fixed = context.rays.fixed(min(device.height_m for device in devices))
+        self._tick = -1
+        self.rays: list[tuple[float, ...]] = []
+        self.errors: list[float] = []
 
     def measure(self, tick: int) -> None:
-        """Measure all rays; `read` makes readings of them."""
-        option = self._option
-        flags = option.disableflags  # others use them as well
-        option.disableflags = flags & _SENSORS_ON
-        self._mask.hide()
-        mujoco.mj_sensorPos(self._model, self._data)
-        self._mask.show()
-        option.disableflags = flags
-        self._rays = list(_RAY.iter_unpack(self._numbers))
-        self._errors = self._noise.numbers(tick)
+        """Measure all rays, unless that has been done at this tick."""
+        if tick != self._tick:
+            self._tick = tick
+            self.rays = self._fixed.measure()
+            self.errors = self._noise.numbers(tick)
 
-    def read(self, sonars: Sequence[Sonar], values: list[float]) -> None:
-        """Write the readings of some sonars of a robot into its numbers."""
-        rays, errors = self._rays, self._errors
-        full_from_m, mm_per_m = SONAR_NOISE_FULL_FROM_M, _MM_PER_M
+
+class SonarSensor(Sensor):
+    """One sonar: v = 1000·d below the range, else the out-of-range value, times the noise.
+
+    Attributes:
+        echoes: of all sonars.
+        number: its own among them.
+        ray: the number of its ray.
+        range_m: how far it hears.
+        facing_below: cosine of ray and normal from which on no echo comes back.
+    """
+
+    __slots__ = ("echoes", "facing_below", "number", "range_m", "ray")
+
+    def __init__(self, number: int, fitted: Fitted, echoes: Echoes, context: SensorContext) -> None:
+        super().__init__(fitted.spec)
+        device = cast("SonarDevice", fitted.device)
+        self.echoes = echoes
+        self.number = number
+        self.ray = context.rays.number_of(fitted.robot_name, fitted.spec.name)
+        self.range_m = device.range_m
+        self.facing_below = -max(_GRAZING, math.cos(device.lost_from_rad))
+
+    @classmethod
+    def read_all(cls, sensors: Sequence[Self], tick: int, _pose: RobotPose, values: list[float]) -> None:
+        """Take the samples of a robot's sonars."""
+        echoes = sensors[0].echoes
+        echoes.measure(tick)
+        rays, errors = echoes.rays, echoes.errors
+        full_from_m, mm_per_m = NOISE_FULL_FROM_M, _MM_PER_M
         # Number by number: for a handful of them numpy's calls cost more than they save.
-        for ray, slot, range_m, heard_below in sonars:
-            distance, dx, dy, dz, nx, ny, nz = rays[ray]
-            # Cosine of the angle between ray and normal, -1 head on. Nothing hit: the normal is zero, not heard.
+        for sensor in sensors:
+            distance, dx, dy, dz, nx, ny, nz = rays[sensor.ray]
+            range_m = sensor.range_m
+            # Cosine of the angle between ray and normal, -1 head on. Nothing hit: the normal is zero, no echo.
             facing = dx * nx + dy * ny + dz * nz
-            if facing < heard_below:
+            if facing < sensor.facing_below:
                 echo_m = distance if distance < range_m else range_m  # noqa: FURB136 - `min` takes twice as long
             else:
                 # A ray leaves a body only if it begins in one that is pressed against the robot: echo from no distance.
                 echo_m = 0.0 if facing > 0 else range_m
-            values[slot] = echo_m * (mm_per_m + (echo_m if echo_m < full_from_m else full_from_m) * errors[ray])  # noqa: FURB136
+            full_m = echo_m if echo_m < full_from_m else full_from_m  # noqa: FURB136
+            values[sensor.slot] = echo_m * (mm_per_m + full_m * errors[sensor.number])

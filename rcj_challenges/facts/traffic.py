@@ -16,8 +16,7 @@ class DeviceSpec:
 
     Attributes:
         name: as the program asks for it, ``distancesensor left``.
-        kind: ``motor``, ``position_sensor``, ``gps``, ``compass``, ``distance_sensor``, ``receiver``, ``emitter`` or
-            ``lidar``: the class of the object that ``getDevice`` returns.
+        kind: the class of the object that ``getDevice`` returns, in snake_case: ``position_sensor``.
         index: position in the robot's list of devices; messages name a device by it.
         slot: offset of its first number in ``Observation.values`` (-1: it has none).
         width: how many numbers it has there.

@@ -13,7 +13,6 @@ from rcj_challenges.controllers.isolation import active_layers
 from rcj_challenges.controllers.program import Program
 from rcj_challenges.controllers.super_team import SuperTeam
 from rcj_challenges.controllers.team import Team
-from rcj_challenges.devices.fitting import fit, robot_specs
 from rcj_challenges.facts.errors import format_error, interruption_behind
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.timing import ticks_from_s
@@ -28,6 +27,7 @@ from rcj_challenges.records.errors import UnwritableError
 from rcj_challenges.records.logos import logo_of
 from rcj_challenges.records.result import MemberResult
 from rcj_challenges.records.writer import RecordWriter, RunHeader
+from rcj_challenges.robots.fitting import fit, robot_specs
 from rcj_challenges.scenario.halves import half_length_s, half_lengths_s
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.scenario.seats import by_seat, teams_by_seat

@@ -9,13 +9,13 @@ from pathlib import Path
 from typing import Protocol, Self
 
 from rcj_challenges.controllers.scheduling import Manners
+from rcj_challenges.devices.ball_receiver import BallReceiverDevice
 from rcj_challenges.facts.play import Fault, HalfInfo
 from rcj_challenges.facts.traffic import Observation, Request, RobotSpec
 from rcj_challenges.match.loop import Driver
 from rcj_challenges.match.observers import Observer
 from rcj_challenges.records.sensors import SensedRobot, SensorWriter
 from rcj_challenges.records.writer import RecordWriter
-from rcj_challenges.scenario.models.robots import BallReceiverDevice
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.own_devices import devices_of
 

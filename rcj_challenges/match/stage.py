@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from rcj_challenges.devices.rack import DeviceRack
-from rcj_challenges.devices.sonar import device_sites
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.match.loop import Driver
 from rcj_challenges.referee.engine import Referee
+from rcj_challenges.robots.fitting import fit, fixed_rays
+from rcj_challenges.robots.manager import DeviceRack
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world.world import World
@@ -41,5 +41,5 @@ def build_stage(scenario: Scenario, roster: Roster, half: HalfInfo, drivers: Map
         half: what is to be played.
         drivers: by robot index.
     """
-    world = World(scenario, roster, device_sites(scenario, roster))
+    world = World(scenario, roster, fixed_rays(fit(scenario, roster)))
     return HalfStage(world, Referee(scenario, roster, half), DeviceRack(scenario, roster, world, half), drivers)

@@ -22,6 +22,7 @@ from typing import Any, BinaryIO, Protocol
 import numpy as np
 import numpy.typing as npt
 
+from rcj_challenges.devices import device_of_class
 from rcj_challenges.facts.traffic import DeviceSpec, MotorCommand, Observation, RobotSpec
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import RECORD_VERSION, SENSORS, read_file
@@ -71,7 +72,7 @@ class SensedRobot:
     @property
     def motors(self) -> tuple[DeviceSpec, ...]:
         """Its motors, in order."""
-        return tuple(device for device in self.devices if device.kind == "motor")
+        return tuple(device for device in self.devices if "motors" in device_of_class(device.kind).ACCEPTS)
 
     @classmethod
     def of(cls, spec: RobotSpec, ball_receivers: Sequence[str], balls: int) -> SensedRobot:

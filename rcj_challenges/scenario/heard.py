@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rcj_challenges.devices.team_emitter import TeamEmitterDevice
 from rcj_challenges.facts.messages import READS, is_said
 from rcj_challenges.rules.conditions.told import Told
 from rcj_challenges.rules.fields import Scalar
@@ -9,7 +10,6 @@ from rcj_challenges.rules.message import Message
 from rcj_challenges.rules.triggers.tells import Tells
 from rcj_challenges.rules.values.draw import DrawValue
 from rcj_challenges.rules.values.told import ToldValue
-from rcj_challenges.scenario.models.robots import TeamEmitterDevice
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.own_devices import devices_of
 from rcj_challenges.scenario.visiting import visit

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rcj_challenges.scenario.models.robots import Device
+from rcj_challenges.devices.base import Device
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.tree import Entries, Leaf, Node
 

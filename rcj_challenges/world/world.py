@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from typing import Any
 
 import mujoco
 import numpy as np
 
+from rcj_challenges.devices.base import FixedRay
 from rcj_challenges.facts.play import Fault, Placement, Snapshot
 from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -21,6 +22,7 @@ from rcj_challenges.world.errors import PhysicsFault
 from rcj_challenges.world.gliding import Gliding
 from rcj_challenges.world.passing import Passing
 from rcj_challenges.world.poles import Poles
+from rcj_challenges.world.rays import add_fixed_rays
 from rcj_challenges.world.recorder import Recorder
 from rcj_challenges.world.rolling import Rolling
 from rcj_challenges.world.surroundings import Surroundings
@@ -46,20 +48,19 @@ class World:
     """
 
     def __init__(
-        self, scenario: Scenario, roster: Roster, extend: Callable[[mujoco.MjSpec], None] | None = None
-    ) -> None:
+        self, scenario: Scenario, roster: Roster, rays: Iterable[FixedRay] = ()
+    ) -> None:  # fmt: skip
         """Compile a scenario's world; everything stands at its start pose.
 
         Args:
             scenario: whose references have been checked.
             roster: of this scenario.
-            extend: adds to the spec before it is compiled (sites, sensors); bodies bear the names of their entities.
+            rays: those that turn with robots, for `WorldRays`.
         """
         # MuJoCo would write its warnings to a file in the current folder; here they become a PhysicsFault.
         mujoco.set_mju_user_warning(_silent)
         spec = build_spec(scenario, roster)
-        if extend is not None:
-            extend(spec)
+        add_fixed_rays(spec, rays)
         self.model: Any = spec.compile()
         self.data: Any = mujoco.MjData(self.model)
         self.tables = WorldTables.of(self.model, roster)

@@ -10,10 +10,10 @@ from typing import Any
 import yaml
 
 import rcj_challenges.scenario
-from rcj_challenges.devices.rack import DeviceRack
-from rcj_challenges.devices.sonar import device_sites
 from rcj_challenges.facts.play import HalfInfo, Placement, RefereeOutput
 from rcj_challenges.facts.traffic import MotorCommand, Packet, Request
+from rcj_challenges.robots.fitting import fit, fixed_rays
+from rcj_challenges.robots.manager import DeviceRack
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world.world import World
@@ -63,7 +63,7 @@ class Bench:
     ) -> None:
         self.scenario = scenario_of(preset, change)
         self.roster = Roster.of(self.scenario)
-        self.world = World(self.scenario, self.roster, extend=device_sites(self.scenario, self.roster))
+        self.world = World(self.scenario, self.roster, fixed_rays(fit(self.scenario, self.roster)))
         self.rack = DeviceRack(self.scenario, self.roster, self.world, info or half())
         self.tick = 0
         for name in self.roster.entities:

@@ -6,8 +6,8 @@ import math
 
 import pytest
 
-from rcj_challenges.devices.sampling import Schedule
 from rcj_challenges.facts.traffic import Request
+from rcj_challenges.robots.sampling import Schedule
 from tests.devices.device_bench import Bench
 
 NUMBERS = ("left wheel sensor", "gps", "compass", "distancesensor left")
@@ -148,7 +148,7 @@ def test_a_dead_program_costs_no_more_sampling() -> None:
     bench.rack.silence(bench.roster.index["Y1"])
     bench.enable("Y1", *NUMBERS)
     bench.sense(ticks=5)
-    assert not any(senses.enabled() for senses in bench.rack._senses.values())
+    assert not bench.rack._sensors[bench.roster.index["Y1"]]._due
     assert bench.heard("Y1", "supervisor receiver") == []
 
 

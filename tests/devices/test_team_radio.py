@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rcj_challenges.devices.radio import BACKLOG_PACKETS, Emitter
+from rcj_challenges.devices.team_emitter import BACKLOG_PACKETS, Emitter
 from tests.devices.device_bench import Bench
 
 BLUE, YELLOW = ("B1", "B2", "B3"), ("Y1", "Y2", "Y3")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rcj_challenges.devices.radio import BACKLOG_BYTES, BACKLOG_PACKETS, Emitter
+from rcj_challenges.devices.team_emitter import BACKLOG_BYTES, BACKLOG_PACKETS, Emitter
 from rcj_challenges.facts.traffic import RobotSpec
 from tests.devices.device_bench import Bench
 

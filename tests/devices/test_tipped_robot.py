@@ -9,11 +9,12 @@ from typing import Any
 import mujoco
 import pytest
 
-from rcj_challenges.devices.rack import DeviceRack
-from rcj_challenges.devices.sonar import device_sites
 from rcj_challenges.facts.traffic import Request
+from rcj_challenges.robots.fitting import fit, fixed_rays
+from rcj_challenges.robots.manager import DeviceRack
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world import contact
+from rcj_challenges.world.rays import add_fixed_rays
 from tests.devices.device_bench import BLANK, half, scenario_of
 
 CHANGE: dict[str, Any] = {
@@ -84,7 +85,7 @@ def tipping() -> Tipping:
     ball = spec.worldbody.add_body(name="ball", pos=[0.2, 0, 0.0209])
     ball.add_freejoint(name="ball")
     ball.add_geom(type=mujoco.mjtGeom.mjGEOM_SPHERE, size=[0.021, 0, 0], mass=0.05, group=contact.GROUP_BALLS)
-    device_sites(scenario, roster)(spec)
+    add_fixed_rays(spec, fixed_rays(fit(scenario, roster)))
     model = spec.compile()
     ground = FreeGround(model, mujoco.MjData(model))
     rack = DeviceRack(scenario, roster, ground, half())

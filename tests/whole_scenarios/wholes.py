@@ -9,10 +9,11 @@ from typing import Any
 
 import yaml
 
+from rcj_challenges.devices import AnyDevice
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import Loaded, load_text
 from rcj_challenges.scenario.models.places import Placing
-from rcj_challenges.scenario.models.robots import Chassis, Device
+from rcj_challenges.scenario.models.robots import Chassis
 from rcj_challenges.scenario.models.scenario import Broadcast, Expectation, Limits, Result
 from rcj_challenges.scenario.models.state import Counter, Flag, Phase, Sequence, Timer
 from rcj_challenges.scenario.reading.yaml_strict import parse_text
@@ -151,10 +152,10 @@ def _fit_out(stage: Stage, maker: Maker) -> None:
         if chance.random() < 0.4:
             kit["chassis"] = maker.model(Chassis, without=("size_m", "wheel_track_m"))
         for _ in range(chance.choice((0, 0, 1, 3))):
-            kit["devices"][chance.choice(("more", "ball", "left", "a b"))] = maker.value(Device, "device")
+            kit["devices"][chance.choice(("more", "ball", "left", "a b"))] = maker.value(AnyDevice, "device")
     for robot in _given(stage, "robots"):
         if chance.random() < 0.2:
-            robot["devices"] = {chance.choice(("more", "gps")): maker.value(Device, "device")}
+            robot["devices"] = {chance.choice(("more", "gps")): maker.value(AnyDevice, "device")}
     for ball in _given(stage, "balls"):
         if chance.random() < 0.3:
             ball |= {"radius_m": chance.choice((0.001, 0.03)), "mass_kg": chance.choice((1e-6, 0.001, 5))}

@@ -8,10 +8,11 @@ from collections.abc import Iterable, Mapping, Sequence
 from rcj_challenges.checker.advice.crash_site import OF_NONE, origins_of_none, programs
 from rcj_challenges.checker.others import others_that_fit, suggest_scenarios
 from rcj_challenges.controllers.team import Team
+from rcj_challenges.devices.base import Device
+from rcj_challenges.devices.supervisor_receiver import SupervisorReceiverDevice
 from rcj_challenges.facts.likeness import nearest_name
 from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.scenario.load import load
-from rcj_challenges.scenario.models.robots import Device
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.own_devices import devices_of
 from rcj_challenges.scenario.resources import presets_folder
@@ -149,8 +150,9 @@ def _plays_2021(scenario: Scenario) -> bool:
 
 def _in_place(scenario: Scenario, robot: str, wanted: Device, has: str) -> str:
     """Return what a robot has in place of a device of the robots of other years."""
-    alike = [name for name, device in devices_of(scenario, robot).items() if device.device == wanted.device]
-    if not alike or wanted.device != "supervisor_receiver":
+    devices = devices_of(scenario, robot).items()
+    alike = [name for name, device in devices if isinstance(device, SupervisorReceiverDevice)]
+    if not alike or not isinstance(wanted, SupervisorReceiverDevice):
         return _all_of(has)
     positions = "with" if _plays_2021(scenario) else "without"
     return f'here "{sanitize(alike[0])}" gets the referee\'s packets, {positions} positions in them; {_all_of(has)}'

@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterator
 from itertools import count
 
+from rcj_challenges.devices.base import Device
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.rules.actions.count import Count
@@ -37,7 +38,6 @@ from rcj_challenges.scenario.drawn import never_drawn
 from rcj_challenges.scenario.errors import in_plain_letters, listing, nearest
 from rcj_challenges.scenario.halves import clock_may_stop, half_length_s, longest_half_s
 from rcj_challenges.scenario.models.field import Match
-from rcj_challenges.scenario.models.robots import LidarDevice
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Rule, Scenario
 from rcj_challenges.scenario.models.state import Draw, Sequence
 from rcj_challenges.scenario.roster import Roster
@@ -77,8 +77,8 @@ def check_sense(scenario: Scenario, *, half_is_set: bool, lengths_are_set: bool)
             yield from _told(model, path, scenario, roster)
         if isinstance(model, Expectation | Given):
             yield from _one_by_one(model, path, scenario, roster)
-        if isinstance(model, LidarDevice) and model.min_range_m >= model.max_range_m:
-            yield Found((*path, "min_range_m"), "must be less than max_range_m")
+        if isinstance(model, Device):
+            yield from (Found((*path, key), message) for key, message in model.contradictions())
     yield from _robots(scenario, roster)
     yield from _entrants(scenario)
 

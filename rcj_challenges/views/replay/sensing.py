@@ -15,22 +15,13 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from rcj_challenges.devices import device_of_class
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.facts.traffic import DeviceSpec
 from rcj_challenges.records.sensors import FLOATS_PER_PACKET, SensedRobot, SensorHalf, SensorTrack
 
-UNITS = {
-    "position_sensor": 1e-3,
-    "gps": 1e-4,
-    "compass": 1e-4,
-    "distance_sensor": 0.1,
-    "lidar": 1e-3,
-}
-"""What 1 is worth, in the unit of the device's own numbers."""
 STRENGTH, DIRECTION, VELOCITY_RADPS = 1e-2, 1e-4, 1e-3
 
-MOST_RAYS = 180
-"""Rays of a lidar that the page carries: more cannot be told apart in a picture."""
 MOST_LETTERS = 1_000_000
 """Printed text in a page, of all robots of a half; all of it is in the logs."""
 MORE_IN_THE_LOG = "… (more in the log)\n"
@@ -100,7 +91,7 @@ def robot_facts(robot: SensedRobot) -> dict[str, Any]:
                 "name": device.name,
                 "kind": device.kind,
                 "columns": _shown_width(device),
-                "facts": _ray_facts(device),
+                "facts": _page_facts(device),
             }
             for device in robot.devices
             if device.width
@@ -110,18 +101,11 @@ def robot_facts(robot: SensedRobot) -> dict[str, Any]:
     }
 
 
-def _ray_facts(device: DeviceSpec) -> dict[str, Any]:
+def _page_facts(device: DeviceSpec) -> dict[str, Any]:
     """Return what drawing a device's rays needs."""
-    if device.kind == "distance_sensor":
-        return {"bearing_rad": device.facts["bearing_rad"], "max_value": device.facts["max_value"]}
-    if device.kind == "lidar":
-        step = _stride(device)
-        return {
-            "first_bearing_rad": device.facts["first_bearing_rad"],
-            "bearing_step_rad": device.facts["bearing_step_rad"] * step,
-            "max_range": device.facts["max_range"],
-        }
-    return {}
+    facts = {name: device.facts[name] for name in device_of_class(device.kind).PAGE_FACTS}
+    # Of readings that are skipped evenly, those that are shown are further apart.
+    return {name: value * _stride(device) if name == "bearing_step_rad" else value for name, value in facts.items()}
 
 
 def columns_of(robot: SensedRobot) -> list[Column]:
@@ -129,8 +113,9 @@ def columns_of(robot: SensedRobot) -> list[Column]:
     columns: list[Column] = []
     for device in robot.devices:
         places = range(device.slot, device.slot + device.width, _stride(device))
-        columns += [Column(UNITS.get(device.kind, 1e-3), at) for at in places]
-        if device.kind == "position_sensor":
+        kind = device_of_class(device.kind)
+        columns += [Column(kind.RESOLUTION, at) for at in places]
+        if kind.SHOWS_SPEED:
             columns.append(Column(VELOCITY_RADPS, device.slot, is_speed=True))
     packets = [STRENGTH, DIRECTION, DIRECTION, DIRECTION] * robot.packets
     motors = [VELOCITY_RADPS] * len(robot.motors)
@@ -186,13 +171,12 @@ def _floats(track: SensorTrack, at: int) -> Array:
 
 
 def _shown_width(device: DeviceSpec) -> int:
-    if device.kind == "position_sensor":
-        return 2
-    return -(-device.width // _stride(device))
+    return -(-device.width // _stride(device)) + device_of_class(device.kind).SHOWS_SPEED
 
 
 def _stride(device: DeviceSpec) -> int:
-    return -(-device.width // MOST_RAYS) if device.kind == "lidar" else 1
+    """Return how many readings there are for each that is shown."""
+    return max(1, -(-device.width // device_of_class(device.kind).MAX_SHOWN))
 
 
 def _planes(numbers: Array) -> bytes:

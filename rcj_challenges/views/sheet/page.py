@@ -6,7 +6,8 @@ from collections import Counter
 from collections.abc import Iterator
 from collections.abc import Set as AbstractSet
 
-from rcj_challenges.devices.channels import entrant_of
+from rcj_challenges.devices.team_emitter import TeamEmitterDevice
+from rcj_challenges.robots.channels import entrant_of
 from rcj_challenges.rules.actions.draw import DrawAction
 from rcj_challenges.rules.actions.hold import Hold
 from rcj_challenges.rules.actions.place import Place
@@ -23,7 +24,6 @@ from rcj_challenges.scenario.blanks import description_of
 from rcj_challenges.scenario.catalogue import EACH
 from rcj_challenges.scenario.followed import followed, phases_of
 from rcj_challenges.scenario.halves import clock_may_stop, half_lengths_s
-from rcj_challenges.scenario.models.robots import TeamEmitterDevice
 from rcj_challenges.scenario.models.scenario import (
     Limits,
     RankByCounter,

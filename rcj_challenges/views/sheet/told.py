@@ -6,9 +6,10 @@ import json
 import struct
 from collections.abc import Iterator, Mapping, Sequence
 
-from rcj_challenges.devices.channels import entrant_of, listening_channels
+from rcj_challenges.devices.supervisor_receiver import SupervisorReceiverDevice
 from rcj_challenges.facts.messages import MOST_LETTERS
 from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.robots.channels import entrant_of, listening_channels
 from rcj_challenges.rules.actions.emit import Emit
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.rules.phrasing import listed, plain
@@ -17,7 +18,7 @@ from rcj_challenges.rules.values.draw import DrawValue
 from rcj_challenges.rules.values.position_of import PositionValue
 from rcj_challenges.rules.values.word import WordValue
 from rcj_challenges.scenario.heard import referee_listens, robots_that_speak
-from rcj_challenges.scenario.models.robots import Kit, SupervisorReceiverDevice
+from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Broadcast, Scenario
 from rcj_challenges.scenario.own_devices import devices_of
 from rcj_challenges.views.sheet.blocks import Block, Heading, Items, Paragraph, Table

@@ -1,32 +1,33 @@
-"""The radio room: builds all receivers and emitters of the robots, and carries what is sent in each tick."""
+"""The radio hub: builds all receivers and emitters of the robots, and carries what is sent in each tick."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rcj_challenges.devices.channels import entrant_of
-from rcj_challenges.devices.fitting import Fitted
-from rcj_challenges.devices.ground import Ground
-from rcj_challenges.devices.infrared import Infrared, InfraredEar
-from rcj_challenges.devices.poses import Poses
-from rcj_challenges.devices.radio import Emitter, TeamRadio
-from rcj_challenges.devices.receivers import TRIM_EVERY_TICKS, Queue, Receiver
-from rcj_challenges.devices.referee_radio import RefereeRadio
+from rcj_challenges.devices.ball_receiver import BallReceiver, BallReceiverDevice
+from rcj_challenges.devices.base import Fitted, Rays
+from rcj_challenges.devices.receivers import TRIM_EVERY_TICKS, Queue, Receiver, ReceiverDevice
+from rcj_challenges.devices.supervisor_receiver import SupervisorReceiverDevice
+from rcj_challenges.devices.team_emitter import Emitter, TeamEmitterDevice
 from rcj_challenges.facts.messages import message_text
 from rcj_challenges.facts.play import HalfInfo, RefereeOutput
-from rcj_challenges.scenario.models.robots import BallReceiverDevice, SupervisorReceiverDevice, TeamEmitterDevice
+from rcj_challenges.robots.channels import entrant_of
+from rcj_challenges.robots.infrared import Infrared
+from rcj_challenges.robots.referee_radio import RefereeRadio
+from rcj_challenges.robots.team_radio import TeamRadio
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.world.poses import Poses
 
 
-class RadioRoom:
+class RadioHub:
     """Infra-red, team radio and the referee's packets."""
 
     def __init__(
         self,
         scenario: Scenario,
         roster: Roster,
-        ground: Ground,
+        rays: Rays,
         half: HalfInfo,
         fitted: Sequence[Fitted],
         queues: dict[int, Queue],
@@ -36,7 +37,7 @@ class RadioRoom:
         Args:
             scenario: kits and entrants.
             roster: order of robots and balls.
-            ground: for lines of sight.
+            rays: for lines of sight.
             half: for noise.
             fitted: all devices of all robots.
             queues: where each robot's receivers deliver, by robot.
@@ -47,16 +48,15 @@ class RadioRoom:
         self._refused: dict[tuple[int, int], frozenset[int]] = {}
         self._referees: dict[tuple[int, int], frozenset[int]] = {}
         radios: list[tuple[Fitted, Receiver]] = []
-        ears: list[InfraredEar] = []
+        ball_receivers: list[BallReceiver] = []
         for one in fitted:
             key = (one.robot, one.spec.index)
             facts = one.spec.facts
-            if one.spec.kind == "receiver":
+            if isinstance(one.device, ReceiverDevice):
                 receiver = Receiver(*key, facts["channel"], facts["range"], queues[one.robot])
                 self._receivers[key] = receiver
                 if isinstance(one.device, BallReceiverDevice):
-                    messages = scenario.kits[scenario.robots[one.robot_name].kit].messages
-                    ears.append(InfraredEar(receiver, one, messages, roster.balls, half))
+                    ball_receivers.append(BallReceiver(receiver, one, roster.balls, half))
                 else:
                     radios.append((one, receiver))
             elif isinstance(one.device, TeamEmitterDevice):
@@ -67,7 +67,7 @@ class RadioRoom:
                 self._referees[key] = frozenset(facts["referee_channels"])
         owners = entrant_of(scenario)
         teams = {one.robot: owners[one.robot_name] for one in fitted}
-        self._infrared = Infrared(scenario, roster, ground, ears)
+        self._infrared = Infrared(scenario, roster, rays, ball_receivers)
         self._team = TeamRadio(list(self._emitters.values()), [receiver for _, receiver in radios], teams)
         self._referee = _referee_radios(scenario, roster, radios)
 
@@ -122,7 +122,7 @@ class RadioRoom:
         self._retune()
 
     def _retune(self) -> None:
-        """Find out anew who listens to what."""
+        """Look up who listens to what."""
         self._slow = {}
         for receiver in self._receivers.values():
             if receiver.slow:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Literal, Protocol
+from typing import Protocol
 
 import mujoco
 
-Side = Literal["left", "right"]
+from rcj_challenges.devices.base import Side
 
 
 class Ground(Protocol):

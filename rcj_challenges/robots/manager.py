@@ -1,31 +1,34 @@
-"""The rack: all devices of all robots in one half, as the match loop uses them.
+"""All devices of all robots in one half, as the match loop uses them.
 
 A tick of the match: `DeviceRack.apply` what the programs that were due have asked for; physics, output and
 placements; `DeviceRack.begin_sensing`; then robot by robot `DeviceRack.finish_sensing`, and `DeviceRack.observe` if
-its program is due: the first programs think while the later robots still look around.
+its program is due: the first programs compute while the later robots are still being read.
 """
 
 from __future__ import annotations
 
-from rcj_challenges.devices.drive import Drive
-from rcj_challenges.devices.fitting import driven_robots, fit, robot_specs
-from rcj_challenges.devices.ground import Ground
-from rcj_challenges.devices.poses import Poses
-from rcj_challenges.devices.radio_room import RadioRoom
+from collections.abc import Sequence
+
+from rcj_challenges.devices.base import Device, Fitted, Sensor, SensorContext
+from rcj_challenges.devices.motor import Motors
 from rcj_challenges.devices.receivers import TRIM_EVERY_TICKS, Queue
-from rcj_challenges.devices.senses import Senses
-from rcj_challenges.devices.sonar import Echoes
 from rcj_challenges.facts.play import HalfInfo, RefereeOutput
 from rcj_challenges.facts.traffic import Observation, Request, RobotSpec
+from rcj_challenges.robots.fitting import driven_robots, fit, robot_specs
+from rcj_challenges.robots.radio_hub import RadioHub
+from rcj_challenges.robots.sensors import RobotSensors
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.world.ground import Ground
+from rcj_challenges.world.poses import Poses
+from rcj_challenges.world.rays import WorldRays
 
 
 class DeviceRack:
     """What programs can read and set, for one half.
 
     Attributes:
-        specs: what each program is told when it starts, by index of its robot; idle robots are absent.
+        specs: what each program is given when it starts, by index of its robot; idle robots are absent.
     """
 
     def __init__(self, scenario: Scenario, roster: Roster, world: Ground, half: HalfInfo) -> None:
@@ -34,7 +37,7 @@ class DeviceRack:
         Args:
             scenario: kits, robots, entrants.
             roster: order of robots, balls, obstacles.
-            world: compiled with `device_sites` as an extension of its model.
+            world: compiled with the `fixed_rays` of its devices.
             half: number and seed, for the noise of sensors.
         """
         fitted = fit(scenario, roster)
@@ -42,14 +45,15 @@ class DeviceRack:
         self.specs: dict[int, RobotSpec] = robot_specs(scenario, roster, fitted)
         self._poses = Poses(scenario, roster, world)
         self._queues = {robot: Queue() for robot in robots}
-        sonars = [one for one in fitted if one.spec.kind == "distance_sensor"]
-        self._echoes = Echoes(sonars, scenario, world, half) if sonars else None
-        self._senses = {
-            robot: Senses(robot, fitted, scenario, world, half, self._poses, self._echoes) for robot in robots
+        rays = WorldRays(scenario, roster, world)
+        sensors = _make_sensors(fitted, SensorContext(half, rays, self._poses))
+        self._sensors = {
+            robot: RobotSensors(sensors.get(robot, {}), self.specs[robot].values, self._poses.robots[robot])
+            for robot in robots
         }
-        self._uneven: list[Senses] = []
-        self._radio = RadioRoom(scenario, roster, world, half, fitted, self._queues)
-        self._drives = {robot: Drive(scenario, robot, fitted, world) for robot in robots}
+        self._uneven: list[RobotSensors] = []
+        self._radio = RadioHub(scenario, roster, rays, half, fitted, self._queues)
+        self._motors = {robot: Motors(robot, [one for one in fitted if one.robot == robot], world) for robot in robots}
         self._silent: set[int] = set()
         self._tick = 0
 
@@ -63,16 +67,16 @@ class DeviceRack:
         if robot in self._silent:
             return
         _, _, motors, emissions, sampling, channels, frequencies = request
-        if channels or sampling or frequencies:  # hardly ever
+        if channels or sampling or frequencies:  # rare
             for device, channel in channels:
                 self._radio.set_channel(robot, device, channel)
             for device, period_ticks in sampling:
                 self._set_period(robot, device, period_ticks)
             for device, frequency_hz in frequencies:
-                self._senses[robot].set_frequency(device, frequency_hz)
-        drive = self._drives[robot]
+                self._sensors[robot].set_frequency(device, frequency_hz)
+        wheels = self._motors[robot]
         for command in motors:
-            drive.command(command)
+            wheels.command(command)
         if emissions and not self._poses.robots[robot].parked:
             for device, channel, data in emissions:
                 self._radio.send(robot, device, channel, data, self._tick)
@@ -80,9 +84,9 @@ class DeviceRack:
     def silence(self, robot: int) -> None:
         """End a robot's part: its program is dead. Wheels at velocity 0, nothing sent or heard any more."""
         self._silent.add(robot)
-        self._drives[robot].stop()
+        self._motors[robot].stop()
         self._radio.fall_silent(robot)
-        self._senses[robot].close(self._tick)
+        self._sensors[robot].close(self._tick)
         self._find_uneven()
 
     def told_referee(self, tick: int) -> tuple[tuple[int, str], ...]:
@@ -110,12 +114,8 @@ class DeviceRack:
         if tick % TRIM_EVERY_TICKS == 0:
             for queue in self._queues.values():
                 queue.trim()
-        for senses in self._uneven:
-            senses.choose(tick)
-        for senses in self._senses.values():
-            if senses.sonars and self._echoes is not None:
-                self._echoes.measure(tick)
-                break
+        for sensors in self._uneven:
+            sensors.choose(tick)
         self._radio.carry(tick, poses)
         self._radio.speak(tick, verdict_now, poses)
 
@@ -124,7 +124,7 @@ class DeviceRack:
 
         To be called once for each robot after each `begin_sensing`, while the world has not moved.
         """
-        self._senses[robot].read(self._tick)
+        self._sensors[robot].read(self._tick)
         self._radio.carry_infrared(robot, self._tick, self._poses)
 
     def observe(self, robot: int, tick: int, over: bool = False, soon: bool = False) -> Observation:
@@ -136,14 +136,27 @@ class DeviceRack:
             over: whether the match is over for it.
             soon: whether its next step will end soon.
         """
-        return Observation(tick, self._senses[robot].values.copy(), self._queues[robot].take(), over, soon)
+        return Observation(tick, self._sensors[robot].values.copy(), self._queues[robot].take(), over, soon)
 
     def _set_period(self, robot: int, device: int, period_ticks: int) -> None:
         if self._radio.set_period(robot, device, period_ticks, self._tick):
             return
-        self._senses[robot].set_period(device, period_ticks, self._tick)
+        self._sensors[robot].set_period(device, period_ticks, self._tick)
         self._find_uneven()
 
     def _find_uneven(self) -> None:
-        """Find out anew which robots' sensors are not the same ones at every tick."""
-        self._uneven = [senses for senses in self._senses.values() if not senses.even]
+        """Look up which robots' sensors are not the same ones at every tick."""
+        self._uneven = [sensors for sensors in self._sensors.values() if not sensors.is_even]
+
+
+def _make_sensors(fitted: Sequence[Fitted], context: SensorContext) -> dict[int, dict[int, Sensor]]:
+    """Return all sensors by robot and index of the device."""
+    by_kind: dict[type[Device], list[Fitted]] = {}
+    for one in fitted:
+        by_kind.setdefault(type(one.device), []).append(one)
+    made: dict[int, dict[int, Sensor]] = {}
+    for kind, some in by_kind.items():
+        for one, sensor in zip(some, kind.make_sensors(some, context), strict=True):
+            if sensor is not None:
+                made.setdefault(one.robot, {})[one.spec.index] = sensor
+    return made

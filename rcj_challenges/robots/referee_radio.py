@@ -7,13 +7,12 @@ import struct
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from rcj_challenges.devices.channels import ANY_CHANNEL
-from rcj_challenges.devices.poses import Poses
-from rcj_challenges.devices.receivers import Receiver
+from rcj_challenges.devices.receivers import ANY_CHANNEL, Receiver
 from rcj_challenges.facts.play import RefereeOutput
 from rcj_challenges.facts.traffic import Packet
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.world.poses import Poses
 
 _Said = tuple[bytes, frozenset[int] | None]
 """A packet, and the robots that it is for; None: for all."""

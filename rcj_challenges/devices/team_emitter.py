@@ -1,15 +1,13 @@
-"""Team radio: emitters with a speed, first in first out, no occlusion, nobody else's channel."""
+"""The device ``team_emitter``: it has a speed, and sends first what was queued first."""
 
-from __future__ import annotations
-
-import math
 from collections import deque
+from typing import Any, Literal
 
-from rcj_challenges.devices.channels import ANY_CHANNEL
-from rcj_challenges.devices.poses import Poses
-from rcj_challenges.devices.receivers import Receiver
-from rcj_challenges.facts.timing import TICK_MS
-from rcj_challenges.facts.traffic import Packet
+from rcj_challenges.devices.base import Carrier, Device, Phrases
+from rcj_challenges.devices.receivers import ANY_CHANNEL
+from rcj_challenges.facts.timing import TICK_MS, TICK_S
+from rcj_challenges.rules.fields import Positive, described
+from rcj_challenges.rules.phrasing import counted, metres
 
 BACKLOG_PACKETS = 16_384
 """Packets that wait to be sent; what a program sends beyond it is lost."""
@@ -25,6 +23,43 @@ _BITS_PER_BYTE = 8
 """Source: reference, 4.1 (115200 baud are 460.8 bytes a tick: 8 bits a byte)."""
 
 _MS_PER_S = 1000
+
+
+class TeamEmitterDevice(Device):
+    """The emitter of the own team's radio."""
+
+    device: Literal["team_emitter"]
+    range_m: Positive = described(
+        10.0, "how far away it is heard, in m; of it and the receiver the shorter range counts"
+    )
+    baud: int = described(115_200, "speed in bits per second; 8 bits a byte, so 460.8 bytes a tick by default", gt=0)
+
+    CLASS = "emitter"
+    ACCEPTS = frozenset({"emissions"})
+    EXAMPLE = """
+robots:
+  # What Y1 sends goes out slowly: 38 bytes a tick.
+  Y1: {devices: {team emitter: {device: team_emitter, baud: 9600}}}
+"""
+
+    def facts(self, carrier: Carrier) -> dict[str, Any]:
+        """Return what a program can ask without stepping."""
+        heard_by_referee = {"referee_channels": list(carrier.open_channels)} if carrier.open_channels else {}
+        return {
+            **heard_by_referee,
+            "channel": carrier.own_channel,
+            "range": self.range_m,
+            "baud_rate": self.baud,
+            "max_packet_bytes": carrier.max_packet_bytes,
+            "refused_channels": sorted(
+                {ANY_CHANNEL, *carrier.foreign_channels, *carrier.referee_channels} - {*carrier.open_channels}
+            ),
+        }
+
+    def describe(self, _phrases: Phrases) -> str:
+        """Return what it is."""
+        in_a_tick = f"{counted(self.baud * TICK_S / _BITS_PER_BYTE, 'byte')} in a tick"
+        return f"team radio, sends up to {metres(self.range_m)} far, {self.baud} baud ({in_a_tick})"
 
 
 class Emitter:
@@ -101,59 +136,3 @@ class Emitter:
         self.to_referee.clear()
         self._bytes = self._bytes_to_referee = 0
         self._free_from = 0
-
-
-class TeamRadio:
-    """All emitters to all radio receivers of the same team.
-
-    Receivers of the referee's packets are radios too: one that a program sets to its team's channel hears the team.
-    """
-
-    def __init__(self, emitters: list[Emitter], receivers: list[Receiver], teams: dict[int, str]) -> None:
-        """Connect them.
-
-        Args:
-            emitters: in the order of robots.
-            receivers: in the order of robots.
-            teams: the entrant that drives each robot, by its index.
-        """
-        self._links = [
-            (
-                emitter,
-                [r for r in receivers if r.robot != emitter.robot and teams[r.robot] == teams[emitter.robot]],
-            )
-            for emitter in emitters
-        ]
-
-    def carry(self, tick: int, poses: Poses) -> None:
-        """Bring what arrives at ``tick`` to those who hear it: in robot order, each robot's in the order sent."""
-        for emitter, listeners in self._links:
-            if not emitter.waiting:
-                continue
-            if poses.robots[emitter.robot].parked:
-                emitter.fall_silent()
-                continue
-            arriving = emitter.arriving(tick)
-            if arriving:
-                _spread(emitter, arriving, listeners, poses)
-
-
-def _spread(emitter: Emitter, arriving: list[tuple[int, bytes]], listeners: list[Receiver], poses: Poses) -> None:
-    source = poses.robots[emitter.robot]
-    for receiver in listeners:
-        # Every other receiver is the referee's: whether it listens at all is asked before where it is.
-        if receiver.channel == ANY_CHANNEL:
-            heard = arriving
-        else:
-            heard = [packet for packet in arriving if packet[0] == receiver.channel]
-        pose = poses.robots[receiver.robot]
-        if not heard or not receiver.period_ticks or pose.parked:
-            continue
-        dx, dy, dz = source.x - pose.x, source.y - pose.y, source.z - pose.z
-        square = dx * dx + dy * dy + dz * dz
-        if square > min(emitter.range_m, receiver.range_m) ** 2 or square == 0.0:
-            continue
-        inverse = 1 / math.sqrt(square)
-        direction = pose.to_frame(dx * inverse, dy * inverse, dz * inverse)
-        for _, data in heard:
-            receiver.hear(Packet(receiver.device, data, 1 / square, direction))

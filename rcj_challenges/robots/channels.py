@@ -5,13 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from itertools import chain
 
-from rcj_challenges.scenario.models.robots import Device, SupervisorReceiverDevice
+from rcj_challenges.devices.base import Device
+from rcj_challenges.devices.supervisor_receiver import SupervisorReceiverDevice
 from rcj_challenges.scenario.models.scenario import Scenario
-
-ANY_CHANNEL = -1
-"""What a receiver is set to that hears all channels of its kind (Webots: -1): those of its team and the referee's, or
-the balls'; those of another team stay silent. No emitter may send on all of them: among
-them is the referee's."""
 
 
 def entrant_of(scenario: Scenario) -> dict[str, str]:

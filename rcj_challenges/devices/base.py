@@ -1,0 +1,261 @@
+"""What all devices share: how they are listed, described to programs, and made into sensors.
+
+A device is one file: the model of a kit's entry, its sensor with its noise, what a program is given before it starts,
+what recordings and replay pages keep of its readings, its line on the rule sheet, and its example. Such a file knows
+neither scenario nor MuJoCo, only the protocols here.
+"""
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple, Protocol, Self
+
+from rcj_challenges.devices.poses import RobotPose, Vector
+from rcj_challenges.facts.play import HalfInfo
+from rcj_challenges.facts.traffic import DeviceSpec
+from rcj_challenges.rules.base import Vocabulary, Word
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+Side = Literal["left", "right"]
+"""Of a wheel: left is +y of the robot that looks along +x."""
+
+DEVICES = Vocabulary("device")
+
+
+@dataclass(frozen=True)
+class Carrier:
+    """What a device may have to know of its robot.
+
+    Attributes:
+        size_m: edge of its cube.
+        max_wheel_radps: top speed of its wheels.
+        messages: form of the referee's packets, as in the kit.
+        packet_every_ticks: how often the referee sends one.
+        max_packet_bytes: of the largest radio packet.
+        own_channel: of its team's radio.
+        foreign_channels: those of other teams.
+        referee_channels: those on which the referee speaks to it.
+        open_channels: those on which the referee listens to it.
+    """
+
+    size_m: float
+    max_wheel_radps: float
+    messages: str
+    packet_every_ticks: int
+    max_packet_bytes: int
+    own_channel: int
+    foreign_channels: tuple[int, ...]
+    referee_channels: tuple[int, ...]
+    open_channels: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Fitted:
+    """A device in its place on a robot.
+
+    Attributes:
+        robot: index of the robot in the roster.
+        robot_name: ``Y1``.
+        device: its entry in the scenario.
+        spec: what the program is given of it.
+        carrier: its robot.
+    """
+
+    robot: int
+    robot_name: str
+    device: "Device"
+    spec: DeviceSpec
+    carrier: Carrier
+
+
+class FixedRay(NamedTuple):
+    """A horizontal ray that turns with its robot.
+
+    Attributes:
+        robot_name: whose body it is fixed to.
+        device_name: of the device that it belongs to.
+        bearing_rad: counter-clockwise from the front.
+        offset_m: where it starts, from the centre along the bearing.
+        above_centre_m: how much higher than the centre of the cube.
+    """
+
+    robot_name: str
+    device_name: str
+    bearing_rad: float
+    offset_m: float
+    above_centre_m: float
+
+
+class FixedRays(Protocol):
+    """The fixed rays of all robots, measured together."""
+
+    def measure(self) -> list[tuple[float, ...]]:
+        """Return distance in m, direction (3) and normal of what is met (3) of each ray; the normal of nothing is 0."""
+
+
+class RayFan(Protocol):
+    """Rays from one point, cast together.
+
+    Attributes:
+        origin: [3], in m; to be set before they are cast.
+        directions: [N, 3] unit vectors; likewise.
+    """
+
+    origin: "NDArray[np.float64]"
+    directions: "NDArray[np.float64]"
+
+    def cast(self, count: int) -> "NDArray[np.float64]":
+        """Return how far the first ``count`` rays go, in m; negative where they meet nothing. Overwritten next time."""
+
+
+class Rays(Protocol):
+    """What sensors see of the world."""
+
+    def number_of(self, robot_name: str, device_name: str) -> int:
+        """Return the number of a device's fixed ray among `FixedRays.measure`."""
+
+    def fixed(self, height_m: float) -> FixedRays:
+        """Return the fixed rays, which see what rays at this height see."""
+
+    def fan(self, robot_name: str, height_m: float, max_m: float, rays: int) -> RayFan:
+        """Return a fan of a robot at a height, which does not see that robot."""
+
+    def reaches(self, robot: int, origin: Vector, along: Vector) -> bool:
+        """Return whether a ray first meets this robot, or nothing; it passes through balls."""
+
+
+class Joints(Protocol):
+    """Angles and places of this tick.
+
+    Attributes:
+        state: all of them.
+    """
+
+    state: list[float]
+
+    def wheel_angle_at(self, robot_name: str, side: Side) -> int:
+        """Return where the angle of a wheel stands in `state`; it grows while the robot drives along its +x."""
+
+
+class Wheels(Protocol):
+    """What motors drive."""
+
+    def set_wheel(self, robot: int, side: Side, velocity_radps: float, position_rad: float) -> None:
+        """Command a wheel; positive drives along +x; position ``inf``: by velocity."""
+
+
+@dataclass(frozen=True)
+class SensorContext:
+    """What sensors are made of in one half.
+
+    Attributes:
+        half: for the noise.
+        rays: into the world.
+        joints: refreshed every tick.
+    """
+
+    half: HalfInfo
+    rays: Rays
+    joints: Joints
+
+
+class Phrases(Protocol):
+    """What a device's line on the rule sheet needs of the scenario; the sheet implements it."""
+
+    def balls_with_infrared(self) -> str:
+        """Return which balls send infra-red: ``the ball``, ``all balls``; empty: none."""
+
+
+class Sensor:
+    """One sensor of one robot.
+
+    Attributes:
+        BLANK: what it reads before its first sample.
+        slot, width: where its numbers are among those of its robot.
+        advances: whether `advance` is to be called.
+    """
+
+    __slots__ = ("advances", "slot", "width")
+
+    BLANK: ClassVar[float] = math.nan
+
+    def __init__(self, spec: DeviceSpec) -> None:
+        self.slot = spec.slot
+        self.width = spec.width
+        self.advances = False
+
+    def read(self, tick: int, pose: RobotPose, values: list[float]) -> None:
+        """Write the sample of a tick into its robot's numbers."""
+        raise NotImplementedError
+
+    @classmethod
+    def read_all(cls, sensors: Sequence[Self], tick: int, pose: RobotPose, values: list[float]) -> None:
+        """Take the samples of sensors of this class on one robot: those of many are read in one loop (ADR 10)."""
+        for sensor in sensors:
+            sensor.read(tick, pose, values)
+
+    def advance(self, tick: int, pose: RobotPose) -> None:
+        """Move on by one tick while enabled, also between samples and before them."""
+
+    def set_frequency(self, frequency_hz: float) -> None:
+        """Set how fast it turns, if it does."""
+
+    def clear(self, values: list[float]) -> None:
+        """Forget all samples, in its robot's numbers too."""
+        values[self.slot : self.slot + self.width] = [self.BLANK] * self.width
+
+
+class Device(Word):
+    """An entry of a kit's ``devices``.
+
+    Attributes:
+        CLASS: the class of the object that ``getDevice`` returns, in snake_case.
+        ACCEPTS: the lists of a `Request` in which a program may name it.
+        WIDTH: how many numbers a sample has.
+        RESOLUTION: what replay pages round its numbers to.
+        MAX_SHOWN: how many of its numbers a replay page carries; the rest is skipped evenly.
+        SHOWS_SPEED: whether a replay page also has how fast its number changes.
+        PAGE_FACTS: which facts a replay page needs to draw it.
+    """
+
+    KEY = "device"
+    CLASS: ClassVar[str] = ""
+    ACCEPTS: ClassVar[frozenset[str]] = frozenset()
+    WIDTH: ClassVar[int] = 0
+    RESOLUTION: ClassVar[float] = 1e-3
+    MAX_SHOWN: ClassVar[int] = 1_000_000
+    SHOWS_SPEED: ClassVar[bool] = False
+    PAGE_FACTS: ClassVar[tuple[str, ...]] = ()
+
+    @property
+    def width(self) -> int:
+        """How many numbers a sample has."""
+        return self.WIDTH
+
+    def facts(self, _carrier: Carrier) -> dict[str, Any]:
+        """Return what a program can ask without stepping, JSON-able."""
+        return {}
+
+    def contradictions(self) -> Iterable[tuple[str, str]]:
+        """Return the fields that contradict others, each with what is wrong."""
+        return ()
+
+    def fixed_ray(self, _robot_name: str, _name: str, _carrier: Carrier) -> FixedRay | None:
+        """Return the ray that it has the world carry along."""
+        return None
+
+    @classmethod
+    def make_sensors(cls, fitted: Sequence[Fitted], context: SensorContext) -> "Sequence[Sensor | None]":
+        """Return the sensors of all devices of this kind in a half, in order; None for what is none."""
+        return [one.device.make_sensor(one, context) for one in fitted]
+
+    def make_sensor(self, _fitted: Fitted, _context: SensorContext) -> Sensor | None:
+        """Return the sensor of this device; None if it is none."""
+        return None
+
+    def describe(self, phrases: Phrases) -> str:
+        """Return what it is, with its range and its noise."""
+        raise NotImplementedError

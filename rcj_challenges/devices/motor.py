@@ -1,0 +1,75 @@
+"""The device ``motor``."""
+
+import math
+from collections.abc import Sequence
+from typing import Any, Literal
+
+from rcj_challenges.devices.base import Carrier, Device, Fitted, Phrases, Wheels
+from rcj_challenges.facts.traffic import MotorCommand
+from rcj_challenges.rules.fields import OneOrMinusOne, described
+
+_BY_VELOCITY = math.inf
+"""The position target that means velocity control."""
+
+
+class MotorDevice(Device):
+    """A wheel's motor."""
+
+    device: Literal["motor"]
+    wheel: Literal["left", "right"] = described(..., "the wheel it turns; left is +y of the robot that looks along +x")
+    direction: OneOrMinusOne = described(1, "1: positive velocity drives the robot along its +x; -1: along -x")
+
+    CLASS = "motor"
+    ACCEPTS = frozenset({"motors"})
+    EXAMPLE = """
+robots:
+  Y1:
+    devices:
+      left wheel motor: {device: motor, wheel: left, direction: 1}
+      right wheel motor: {device: motor, wheel: right, direction: 1}
+"""
+
+    def facts(self, carrier: Carrier) -> dict[str, Any]:
+        """Return what a program can ask without stepping."""
+        return {"max_velocity": carrier.max_wheel_radps}
+
+    def describe(self, _phrases: Phrases) -> str:
+        """Return what it is."""
+        way = "forward" if self.direction == 1 else "backward"
+        return f"motor of the {self.wheel} wheel, positive speeds drive {way}"
+
+
+class Motors:
+    """The motors of one robot. A wheel that was never commanded stays braked, as the world left it."""
+
+    def __init__(self, robot: int, fitted: Sequence[Fitted], wheels: Wheels) -> None:
+        """Find the robot's motors among its devices.
+
+        Args:
+            robot: its index.
+            fitted: its devices.
+            wheels: what they drive.
+        """
+        self._robot = robot
+        self._wheels = wheels
+        self._motors = {
+            one.spec.index: (one.device.wheel, one.device.direction, one.carrier.max_wheel_radps)
+            for one in fitted
+            if isinstance(one.device, MotorDevice)
+        }
+
+    def command(self, command: MotorCommand) -> None:
+        """Set a motor: clamped to its top speed; a command that is no number is ignored."""
+        device, velocity, position = command
+        motor = self._motors.get(device)
+        if motor is None or velocity != velocity or position != position:  # noqa: PLR0124 - NaN, at every command
+            return
+        wheel, direction, limit = motor
+        velocity = direction * (velocity if -limit <= velocity <= limit else math.copysign(limit, velocity))
+        target = _BY_VELOCITY if math.isinf(position) else direction * position
+        self._wheels.set_wheel(self._robot, wheel, velocity, target)
+
+    def stop(self) -> None:
+        """Command all wheels velocity 0."""
+        for wheel, _, _ in self._motors.values():
+            self._wheels.set_wheel(self._robot, wheel, 0.0, _BY_VELOCITY)

@@ -1,0 +1,33 @@
+"""The device ``team_receiver``."""
+
+from typing import Any, Literal
+
+from rcj_challenges.devices.base import Carrier, Phrases
+from rcj_challenges.devices.receivers import ReceiverDevice
+from rcj_challenges.rules.fields import Positive, described
+from rcj_challenges.rules.phrasing import metres
+
+
+class TeamReceiverDevice(ReceiverDevice):
+    """The receiver of the own team's radio. Its channel is that of the team."""
+
+    device: Literal["team_receiver"]
+    range_m: Positive = described(10.0, "how far away it hears, in m; of it and the emitter the shorter range counts")
+
+    EXAMPLE = """
+robots:
+  # Y1 hears its mates from half a metre at most.
+  Y1: {devices: {team receiver: {device: team_receiver, range_m: 0.5}}}
+"""
+
+    def facts(self, carrier: Carrier) -> dict[str, Any]:
+        """Return what a program can ask without stepping."""
+        return {
+            "channel": carrier.own_channel,
+            "range": self.range_m,
+            "refused_channels": list(carrier.foreign_channels),
+        }
+
+    def describe(self, _phrases: Phrases) -> str:
+        """Return what it is."""
+        return f"team radio, receives from up to {metres(self.range_m)}"

@@ -1,0 +1,59 @@
+"""The device ``wheel_sensor``."""
+
+from collections.abc import Sequence
+from typing import Literal, Self
+
+from rcj_challenges.devices.base import Device, Fitted, Phrases, Sensor, SensorContext
+from rcj_challenges.devices.poses import RobotPose
+from rcj_challenges.rules.fields import OneOrMinusOne, described
+
+
+class WheelSensorDevice(Device):
+    """The turning angle of a wheel in rad."""
+
+    device: Literal["wheel_sensor"]
+    wheel: Literal["left", "right"] = described(..., "the wheel it measures; left is +y of the robot")
+    direction: OneOrMinusOne = described(1, "1: grows while the robot drives along its +x; -1: falls")
+
+    CLASS = "position_sensor"
+    ACCEPTS = frozenset({"sampling"})
+    WIDTH = 1
+    SHOWS_SPEED = True
+    EXAMPLE = """
+robots:
+  Y1: {devices: {left wheel sensor: {device: wheel_sensor, wheel: left}}}
+"""
+
+    def make_sensor(self, fitted: Fitted, context: SensorContext) -> Sensor:
+        """Return the sensor of this device."""
+        return WheelSensor(self, fitted, context)
+
+    def describe(self, _phrases: Phrases) -> str:
+        """Return what it is."""
+        driving = "forward" if self.direction == 1 else "backward"
+        return f"angle of the {self.wheel} wheel in rad, grows while the robot drives {driving}"
+
+
+class WheelSensor(Sensor):
+    """A wheel's angle in rad since the start of the half.
+
+    Attributes:
+        at: where it stands in `Joints.state`.
+        direction: 1, or -1 to count the other way.
+        joints: refreshed every tick.
+    """
+
+    __slots__ = ("at", "direction", "joints")
+
+    def __init__(self, device: WheelSensorDevice, fitted: Fitted, context: SensorContext) -> None:
+        super().__init__(fitted.spec)
+        self.joints = context.joints
+        self.at = context.joints.wheel_angle_at(fitted.robot_name, device.wheel)
+        self.direction = device.direction
+
+    @classmethod
+    def read_all(cls, sensors: Sequence[Self], _tick: int, _pose: RobotPose, values: list[float]) -> None:
+        """Take the samples of a robot's sensors."""
+        state = sensors[0].joints.state
+        for sensor in sensors:
+            values[sensor.slot] = sensor.direction * state[sensor.at]

@@ -1,0 +1,87 @@
+"""All that one robot senses, but for radio: which of its sensors are due, and their numbers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from rcj_challenges.devices.base import Sensor
+from rcj_challenges.devices.poses import RobotPose
+from rcj_challenges.robots.sampling import Schedule
+
+_ReadAll = Callable[[Sequence[Any], int, RobotPose, list[float]], None]
+
+
+class RobotSensors:
+    """The sensors of one robot.
+
+    Its program is started on its next step as soon as they are read, so this is where a match waits. Those that are
+    due are read class by class (ADR 10).
+
+    Attributes:
+        values: the numbers of all its devices, by slot.
+    """
+
+    def __init__(self, sensors: Mapping[int, Sensor], values: int, pose: RobotPose) -> None:
+        """Fit the sensors of a robot.
+
+        Args:
+            sensors: by index of the device.
+            values: how many numbers its devices have.
+            pose: refreshed every tick.
+        """
+        self.values = [math.nan] * values
+        self._sensors = sensors
+        self._pose = pose
+        self._schedule = Schedule()
+        for sensor in sensors.values():
+            sensor.clear(self.values)
+        self._choose(())
+
+    @property
+    def is_even(self) -> bool:
+        """Whether the same sensors are due at every tick; if not, `choose` is to be called at each."""
+        return self._schedule.even
+
+    def set_period(self, device: int, period_ticks: int, now: int) -> None:
+        """Let a sensor take samples every so many ticks; 0 disables it, and its numbers are gone."""
+        if device not in self._sensors:
+            return
+        self._schedule.set(device, period_ticks, now)
+        if not period_ticks:
+            self._sensors[device].clear(self.values)
+        if self.is_even:
+            self.choose(now)
+
+    def set_frequency(self, device: int, frequency_hz: float) -> None:
+        """Set how fast a sensor turns, if it does."""
+        if device in self._sensors:
+            self._sensors[device].set_frequency(frequency_hz)
+
+    def close(self, now: int) -> None:
+        """Take no more samples; the numbers stay."""
+        for device in tuple(self._schedule.enabled()):
+            self._schedule.set(device, 0, now)
+        self.choose(now)
+
+    def choose(self, tick: int) -> None:
+        """Look up which sensors are due at ``tick``. To be called once per tick at most."""
+        self._choose(self._schedule.due(tick))
+
+    def _choose(self, due: Sequence[int]) -> None:
+        by_class: dict[type[Sensor], list[Sensor]] = {}
+        for device in due:
+            sensor = self._sensors[device]
+            by_class.setdefault(type(sensor), []).append(sensor)
+        self._due: list[tuple[_ReadAll, list[Sensor]]] = [(kind.read_all, some) for kind, some in by_class.items()]
+        enabled = (self._sensors[device] for device in self._schedule.enabled())
+        self._advancing = [sensor for sensor in enabled if sensor.advances]
+
+    def read(self, tick: int) -> None:
+        """Take the samples that are due."""
+        pose, values = self._pose, self.values
+        for sensor in self._advancing:
+            sensor.advance(tick, pose)
+        for read_all, sensors in self._due:
+            read_all(sensors, tick, pose, values)

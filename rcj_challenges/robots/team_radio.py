@@ -1,0 +1,66 @@
+"""Team radio: no occlusion, no other team's channel."""
+
+from __future__ import annotations
+
+import math
+
+from rcj_challenges.devices.receivers import ANY_CHANNEL, Receiver
+from rcj_challenges.devices.team_emitter import Emitter
+from rcj_challenges.facts.traffic import Packet
+from rcj_challenges.world.poses import Poses
+
+
+class TeamRadio:
+    """All emitters to all radio receivers of the same team.
+
+    Receivers of the referee's packets are radios too: one that a program sets to its team's channel hears the team.
+    """
+
+    def __init__(self, emitters: list[Emitter], receivers: list[Receiver], teams: dict[int, str]) -> None:
+        """Connect them.
+
+        Args:
+            emitters: in the order of robots.
+            receivers: in the order of robots.
+            teams: the entrant that drives each robot, by its index.
+        """
+        self._links = [
+            (
+                emitter,
+                [r for r in receivers if r.robot != emitter.robot and teams[r.robot] == teams[emitter.robot]],
+            )
+            for emitter in emitters
+        ]
+
+    def carry(self, tick: int, poses: Poses) -> None:
+        """Bring what arrives at ``tick`` to those who hear it: in robot order, each robot's in the order sent."""
+        for emitter, listeners in self._links:
+            if not emitter.waiting:
+                continue
+            if poses.robots[emitter.robot].parked:
+                emitter.fall_silent()
+                continue
+            arriving = emitter.arriving(tick)
+            if arriving:
+                _spread(emitter, arriving, listeners, poses)
+
+
+def _spread(emitter: Emitter, arriving: list[tuple[int, bytes]], listeners: list[Receiver], poses: Poses) -> None:
+    source = poses.robots[emitter.robot]
+    for receiver in listeners:
+        # Every other receiver is the referee's: whether it listens at all is asked before where it is.
+        if receiver.channel == ANY_CHANNEL:
+            heard = arriving
+        else:
+            heard = [packet for packet in arriving if packet[0] == receiver.channel]
+        pose = poses.robots[receiver.robot]
+        if not heard or not receiver.period_ticks or pose.parked:
+            continue
+        dx, dy, dz = source.x - pose.x, source.y - pose.y, source.z - pose.z
+        square = dx * dx + dy * dy + dz * dz
+        if square > min(emitter.range_m, receiver.range_m) ** 2 or square == 0.0:
+            continue
+        inverse = 1 / math.sqrt(square)
+        direction = pose.to_frame(dx * inverse, dy * inverse, dz * inverse)
+        for _, data in heard:
+            receiver.hear(Packet(receiver.device, data, 1 / square, direction))

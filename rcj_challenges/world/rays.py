@@ -1,0 +1,170 @@
+"""Rays for sensors: what each may see, by the world's groups of geoms. What is parked is out of reach of any ray."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from struct import Struct
+from typing import Any
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from rcj_challenges.devices.base import FixedRay
+from rcj_challenges.devices.poses import NOMINAL_WITHIN_M, Vector
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.world import contact
+from rcj_challenges.world.ground import Ground
+from rcj_challenges.world.tables import one_by_one
+
+_ALL_GROUPS = range(6)
+_FIELDS = (
+    mujoco.mjtRayDataField.mjRAYDATA_DIST,
+    mujoco.mjtRayDataField.mjRAYDATA_DIR,
+    mujoco.mjtRayDataField.mjRAYDATA_NORMAL,
+)
+_RAY = Struct("7d")
+"""Numbers of one rangefinder: distance, direction (3), the surface's normal (3)."""
+_SENSORS_ON = ~int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
+
+
+def add_fixed_rays(spec: mujoco.MjSpec, rays: Iterable[FixedRay]) -> None:
+    """Add rays to a model: a site and a rangefinder each, on the robot's body.
+
+    The sensor stage is switched off in the model, for the rays are wanted once a tick and not in every sub-step; it is
+    switched on while they are measured.
+    """
+    spec.option.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
+    for ray in rays:
+        name = _name(ray.robot_name, ray.device_name)
+        cos, sin = math.cos(ray.bearing_rad), math.sin(ray.bearing_rad)
+        # A rangefinder looks along its site's z axis: a quarter turn about the horizontal normal to the bearing.
+        spec.body(ray.robot_name).add_site(
+            name=name,
+            pos=[ray.offset_m * cos, ray.offset_m * sin, ray.above_centre_m],
+            quat=[math.sqrt(0.5), -sin * math.sqrt(0.5), cos * math.sqrt(0.5), 0],
+            size=[0.001, 0.001, 0.001],
+            rgba=[0, 0, 0, 0],
+        )
+        rangefinder = spec.add_sensor(
+            name=name,
+            type=mujoco.mjtSensor.mjSENS_RANGEFINDER,
+            objtype=mujoco.mjtObj.mjOBJ_SITE,
+            objname=name,
+        )
+        rangefinder.intprm[0] = sum(1 << int(field) for field in _FIELDS)
+
+
+def _name(robot_name: str, device_name: str) -> str:
+    return f"{robot_name}/{device_name}"
+
+
+class WorldRays:
+    """The rays of all sensors of a half."""
+
+    def __init__(self, scenario: Scenario, roster: Roster, ground: Ground) -> None:
+        """Look up which geom belongs to which robot, once."""
+        self._ground = ground
+        self._tallest_m = max((2 * ball.radius_m for ball in scenario.balls.values()), default=0.0)
+        model = ground.model
+        robot_of_body = {int(model.body(name).id): index for index, name in enumerate(roster.entities[: roster.robots])}
+        roots = model.body_rootid[model.geom_bodyid].tolist()
+        self._robot_of_geom = [robot_of_body.get(root, -1) for root in roots]
+        self._groups = _flags((contact.GROUP_FIXTURES, contact.GROUP_CUBES, contact.GROUP_WHEELS))
+        self._origin, self._along = np.zeros(3), np.zeros(3)
+        geom: Any = np.zeros(1, np.int32)
+        # Written and read number by number, which numpy takes longer for.
+        self._origin_numbers, self._along_numbers = one_by_one(self._origin), one_by_one(self._along)
+        self._geom, self._met = geom, memoryview(geom)
+
+    def number_of(self, robot_name: str, device_name: str) -> int:
+        """Return the number of a device's fixed ray."""
+        return int(self._ground.model.sensor(_name(robot_name, device_name)).id)
+
+    def fixed(self, height_m: float) -> _FixedRays:
+        """Return the fixed rays, which see what rays at this height see."""
+        return _FixedRays(self._ground, self._seen_at(height_m))
+
+    def fan(self, robot_name: str, height_m: float, max_m: float, rays: int) -> _Fan:
+        """Return a fan of a robot at a height, which does not see that robot."""
+        return _Fan(self._ground, robot_name, _flags(self._seen_at(height_m)), max_m, rays)
+
+    def reaches(self, robot: int, origin: Vector, along: Vector) -> bool:
+        """Return whether a ray first meets this robot, or nothing; it passes through balls."""
+        source, direction = self._origin_numbers, self._along_numbers
+        source[0], source[1], source[2] = origin
+        direction[0], direction[1], direction[2] = along
+        ground = self._ground
+        mujoco.mj_ray(ground.model, ground.data, self._origin, self._along, self._groups, 1, -1, self._geom)
+        met = self._met[0]
+        return met < 0 or self._robot_of_geom[met] == robot
+
+    def _seen_at(self, height_m: float) -> tuple[int, ...]:
+        """Return the groups of geoms that a horizontal ray at a height meets: fixtures and cubes, never wheels.
+
+        Balls only where one is clearly taller than the ray: the lidar passes half a millimetre over the standard ball,
+        and a hop must not make it appear.
+        """
+        balls = (contact.GROUP_BALLS,) if self._tallest_m > height_m + NOMINAL_WITHIN_M else ()
+        return (contact.GROUP_FIXTURES, contact.GROUP_CUBES, *balls)
+
+
+def _flags(groups: tuple[int, ...]) -> NDArray[np.uint8]:
+    """Return groups as MuJoCo's rays want them: one flag for each of six."""
+    return np.array([group in groups for group in _ALL_GROUPS], dtype=np.uint8)
+
+
+class _FixedRays:
+    """All rangefinders.
+
+    They cannot select groups, but pass through what is fully transparent: for a moment all else is.
+    """
+
+    def __init__(self, ground: Ground, groups: tuple[int, ...]) -> None:
+        self._model, self._data = ground.model, ground.data
+        self._numbers = memoryview(self._data.sensordata).cast("B")
+        self._colours = memoryview(self._model.geom_rgba).cast("B")
+        self._usual = self._colours.tobytes()
+        # The floor too: a robot that has tipped over may look at it.
+        seen = np.isin(self._model.geom_group, [*groups, contact.GROUP_FLOOR])
+        masked = self._model.geom_rgba.copy()
+        masked[:, 3] = np.where(seen, np.maximum(masked[:, 3], np.float32(0.5)), np.float32(0))
+        self._masked = masked.tobytes()
+
+    def measure(self) -> list[tuple[float, ...]]:
+        """Return distance in m, direction (3) and normal of what is met (3) of each ray; the normal of nothing is 0."""
+        option = self._model.opt
+        flags = option.disableflags  # others use them too
+        option.disableflags = flags & _SENSORS_ON
+        self._colours[:] = self._masked
+        mujoco.mj_sensorPos(self._model, self._data)
+        self._colours[:] = self._usual
+        option.disableflags = flags
+        return list(_RAY.iter_unpack(self._numbers))
+
+
+class _Fan:
+    """Rays from one point, cast together."""
+
+    def __init__(
+        self, ground: Ground, robot_name: str, groups: NDArray[np.uint8], max_m: float, rays: int
+    ) -> None:  # fmt: skip
+        self.origin = np.zeros(3)
+        self.directions = np.zeros((rays, 3))
+        self._model, self._data = ground.model, ground.data
+        self._groups = groups
+        self._max_m = max_m
+        self._body = int(self._model.body(robot_name).id)
+        self._geoms = np.zeros(rays, np.int32)
+        self._distances = np.zeros(rays)
+
+    def cast(self, count: int) -> NDArray[np.float64]:
+        """Return how far the first ``count`` rays go, in m; negative where they meet nothing. Overwritten next time."""
+        distances = self._distances[:count]
+        mujoco.mj_multiRay(
+            self._model, self._data, self.origin, self.directions[:count].reshape(-1), self._groups, 1, self._body,
+            self._geoms[:count], distances, None, count, self._max_m,
+        )  # fmt: skip
+        return distances
