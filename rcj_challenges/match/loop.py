@@ -164,7 +164,6 @@ class TickLoop:
 
         due = self._sense_and_release(tick, plays_on=should_continue(stage.referee, output, tick, self._half))
         self._on_tick(snapshot, output, state, stage.world.poses_bytes())
-        stage.world.prepare()  # what does not depend on their answers is done while they think
         self._collect(due)
         if tick % _LOOKED_AFTER_EVERY == 0:
             self._look_after_those_away(tick)

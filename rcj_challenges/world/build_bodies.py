@@ -3,7 +3,7 @@
 A robot is a cube on two wheels that moves in the plane: it cannot tip, lean or climb (ADR 2). Its outline against
 ball, walls and other robots is the cube and both wheels as cylinders. Its grip on the floor is dry friction in three
 directions (along the left wheel, along the right wheel, across both), as tendons with friction loss; their
-coefficients follow the robot's yaw, see `rcj_challenges.world.traction`.
+coefficients follow the robot's yaw, see `rcj_challenges.world.effects.wheel_grip`.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from rcj_challenges.scenario.models.field import Ball, Box, Cylinder
 from rcj_challenges.scenario.models.robots import Chassis
 from rcj_challenges.world import contact
 from rcj_challenges.world.build_field import set_surface
-from rcj_challenges.world.gliding import mean_distance_m
+from rcj_challenges.world.effects.friction import mean_distance_m
 
 WHEEL_BELOW_CUBE_M = 0.0001
 """How much lower the wheels reach than the cube. Source: reference, section 2 (0.0376 and 0.0375 below the centre)."""

@@ -22,7 +22,7 @@ GRAVITY_MPS2 = 9.81
 ON_FLOOR = 1
 AMONG_SOLIDS = 2
 FIXED = 4
-"""Of walls and fixed obstacles. What moves meets them, but for robots that are too far away (`surroundings`)."""
+"""Of walls and fixed obstacles: what moves meets them."""
 
 # --- geom groups: what a ray can select -------------------------------------------------------------------------------
 GROUP_FLOOR = 0

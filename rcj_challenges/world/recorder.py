@@ -34,7 +34,6 @@ class Recorder:
 
     def __init__(self, data: Any, tables: WorldTables, heights_m: tuple[float, ...]) -> None:
         self.poses = b""
-        self._contact = data.contact
         self._qpos = one_by_one(data.qpos)
         self._rows = [b""] * SUBSTEPS_PER_TICK
         balls = tables.ball_range
@@ -55,12 +54,10 @@ class Recorder:
         self._patterns = [b""] * SUBSTEPS_PER_TICK
         self._known: dict[bytes, Touches] = {b"": ()}
 
-    def note(self, substep: int) -> bytes:
-        """Take down a sub-step that has just been made; returns the geoms of its contacts, as they lie in memory."""
+    def note(self, substep: int, pattern: bytes) -> None:
+        """Take down a sub-step that has just been made; ``pattern`` is the geoms of its contacts in memory."""
         self._rows[substep] = self._qpos.tobytes()
-        pattern: bytes = self._contact.geom.tobytes()
         self._patterns[substep] = pattern
-        return pattern
 
     def snapshot(self, tick: int, faults: tuple[Fault, ...]) -> Snapshot:
         """Return the tick whose sub-steps have all been noted."""

@@ -91,3 +91,9 @@ def _thing_of(model: Any, roster: Roster, geom: int) -> int:
     if name.startswith(OBSTACLE):
         return roster.index[name.removeprefix(OBSTACLE)]
     return len(roster.things) - 1
+
+
+def reach_m(model: Any, data: Any, geoms: tuple[int, ...]) -> float:
+    """Return how far a robot's outline is at most from the centre of its cube."""
+    centre = data.geom_xpos[geoms[0]]
+    return float(max(np.linalg.norm(data.geom_xpos[geom] - centre) + model.geom_rbound[geom] for geom in geoms))

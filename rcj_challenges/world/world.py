@@ -9,25 +9,19 @@ from typing import Any
 import mujoco
 import numpy as np
 
-from rcj_challenges.devices.base import FixedRay
+from rcj_challenges.devices.base import FixedRay, Side
 from rcj_challenges.facts.play import Fault, Placement, Snapshot
 from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.starting import start_pose
-from rcj_challenges.world.bouncing import Bouncing
-from rcj_challenges.world.build import build_spec, chassis_of
-from rcj_challenges.world.early import EarlyStep
+from rcj_challenges.world.build import build_spec
+from rcj_challenges.world.effects import make_effects
+from rcj_challenges.world.effects.base import Effect, Scene
 from rcj_challenges.world.errors import PhysicsFault
-from rcj_challenges.world.gliding import Gliding
-from rcj_challenges.world.passing import Passing
-from rcj_challenges.world.poles import Poles
 from rcj_challenges.world.rays import add_fixed_rays
 from rcj_challenges.world.recorder import Recorder
-from rcj_challenges.world.rolling import Rolling
-from rcj_challenges.world.surroundings import Surroundings
 from rcj_challenges.world.tables import WorldTables
-from rcj_challenges.world.traction import Side, Traction
 
 PARKING_X_M = 1000.0
 """Where things are parked: far beyond the reach of any ray or radio (at most 50 m), …"""
@@ -66,22 +60,18 @@ class World:
         self.tables = WorldTables.of(self.model, roster)
         self.parked: list[bool] = [False] * len(roster.entities)
         self._held: frozenset[int] = frozenset()
-        chassis = [chassis_of(scenario, name) for name in roster.entities[: roster.robots]]
         self._names = roster.entities
         self._starts = _start_placements(scenario, roster)
-        self._traction = Traction(self.model, self.data, self.tables, chassis, scenario.field.friction)
-        slow_down = any(ball.slows_mps2 for ball in scenario.balls.values())
-        self._early, self._is_begun = EarlyStep(self.model, self.data), False
-        self._rolling = Rolling(self.data, self.tables, scenario.balls) if slow_down else None
-        self._bouncing = Bouncing(self.model, self.data, self.tables, scenario.balls, scenario.field)
-        passing = Passing(self.model, self.data, self.tables, scenario.balls, scenario.obstacles.values())
-        self._passing = passing or None
-        moved = self.tables.ball_range.stop < len(roster.entities)
-        self._gliding = Gliding(self.model, self.data, self.tables) if moved else None
         mujoco.mj_kinematics(self.model, self.data)
-        self._surroundings = Surroundings(self.model, self.data, self.tables)
-        poles = Poles(self.model, self.data, self.tables, scenario.obstacles, roster.entities)
-        self._poles = poles or None
+        scene = Scene(self.model, self.data, self.tables, scenario, roster)
+        self._wheel_grip, self._effects = make_effects(scene)
+        self._before_substep = [
+            one.before_substep for one in self._effects if type(one).before_substep is not Effect.before_substep
+        ]
+        self._after_substep = [
+            one.after_substep for one in self._effects if type(one).after_substep is not Effect.after_substep
+        ]
+        self._contacts = self.data.contact
         self._ball_rest_m = self._settled_ball_heights()
         heights = tuple(float(self.model.body_pos[body, 2]) for body in self.tables.bodies)
         self._recorder = Recorder(self.data, self.tables, heights)
@@ -93,11 +83,10 @@ class World:
     def reset(self) -> None:
         """Put everything at its start pose without noise, at rest, wheels at angle 0 and braked, nothing parked."""
         mujoco.mj_resetData(self.model, self.data)
-        self._is_begun = False
-        self._traction.forget()
         self.parked[:] = [False] * len(self.parked)
         self._held = frozenset()
-        self._traction.brake_all()
+        for effect in self._effects:
+            effect.reset()
         self.place(self._starts)
 
     def place(self, placements: Sequence[Placement]) -> None:
@@ -106,13 +95,7 @@ class World:
         A ball that is placed with a velocity rolls off with it, without slipping.
         Wheels keep their angles and their commands. A parked entity is far away, with its wheels stopped, until it is
         placed again. An entity that is placed twice stands where the last placement put it.
-
-        Raises:
-            RuntimeError: a part of the next tick is done already (`prepare`).
         """
-        if self._is_begun and placements:
-            message = "nothing can be placed between `World.prepare` and `World.step`"
-            raise RuntimeError(message)
         for placement in placements:
             self._set_down(placement)
         mujoco.mj_kinematics(self.model, self.data)
@@ -126,25 +109,13 @@ class World:
             velocity_radps: positive drives along the body's +x.
             position_rad: ``inf`` for this velocity; else the wheel angle to go to, at this velocity at most, and hold.
         """
-        self._traction.set_wheel(robot, side, velocity_radps, position_rad)
+        self._wheel_grip.set_wheel(robot, side, velocity_radps, position_rad)
 
     def hold_robots(self, held: Collection[int]) -> None:
         """Brake the wheels of these robots until they are let go; all others are. What is commanded acts then."""
         self._held = frozenset(held)
         for robot in range(self.tables.robots):
-            self._traction.set_stopped(robot, stopped=robot in self._held or self.parked[robot])
-
-    def prepare(self) -> None:
-        """Do of the next `step` what does not depend on what robots are commanded until then.
-
-        The same happens as without this, bit by bit. Between this and `step` nothing may be placed.
-        """
-        if self._is_begun or self._traction.steers:
-            return
-        self._traction.prepare()
-        self._before_substep()
-        self._early.begin()
-        self._is_begun = True
+            self._wheel_grip.set_stopped(robot, stopped=robot in self._held or self.parked[robot])
 
     def step(self, tick: int, faults: tuple[Fault, ...] = ()) -> Snapshot:
         """Make the four sub-steps of a tick.
@@ -159,22 +130,15 @@ class World:
         Raises:
             PhysicsFault: MuJoCo warned of an unstable or overfull simulation.
         """
-        model, data, traction, recorder, mj_step = self.model, self.data, self._traction, self._recorder, mujoco.mj_step
-        bouncing, passing = self._bouncing, self._passing
-        is_begun, self._is_begun = self._is_begun, False
-        traction.before_tick()
-        if self._rolling is not None:
-            self._rolling.before_tick()
+        model, data, contacts, recorder, mj_step = self.model, self.data, self._contacts, self._recorder, mujoco.mj_step
         for substep in range(SUBSTEPS_PER_TICK):
-            steers = traction.before_substep()
-            if is_begun and substep == 0 and not steers:
-                self._early.finish(traction.changed, traction.grip_n)
-            else:
-                self._before_substep()
-                mj_step(model, data)
-            if passing is not None:
-                passing.after_substep()
-            bouncing.after_substep(recorder.note(substep))
+            for before_substep in self._before_substep:
+                before_substep(substep)
+            mj_step(model, data)
+            pattern: bytes = contacts.geom.tobytes()
+            for after_substep in self._after_substep:
+                after_substep(pattern)
+            recorder.note(substep, pattern)
         if self._warnings.tobytes() != self._no_warnings:
             raise PhysicsFault(self._what_is_wrong(tick))
         mujoco.mj_kinematics(model, data)
@@ -194,19 +158,11 @@ class World:
         """Return the poses of the latest snapshot as `Recorder.poses` has them: the record's part of it."""
         return self._recorder.poses
 
-    def _before_substep(self) -> None:
-        """Prepare what depends on poses and speeds alone."""
-        self._surroundings.before_substep()
-        if self._gliding is not None:
-            self._gliding.before_substep()
-        if self._poles is not None:
-            self._poles.before_substep()
-
     def _set_down(self, placement: Placement) -> None:
         entity = placement.entity
         self.parked[entity] = placement.parked
         if entity < self.tables.robots:
-            self._traction.set_stopped(entity, stopped=placement.parked or entity in self._held)
+            self._wheel_grip.set_stopped(entity, stopped=placement.parked or entity in self._held)
         x, y, yaw = placement.x_m, placement.y_m, placement.yaw_rad
         if placement.parked:
             x, y, yaw = PARKING_X_M + entity * PARKING_GAP_M, 0.0, 0.0

@@ -395,18 +395,3 @@ def test_what_counts_is_how_long_each_has_computed_that_plays(monkeypatch, stage
     half, set_up, _ = stage(4, B1=(1, 3))
     TickLoop(set_up, half, lambda *_: None, lambda _: None, lambda _: None).play()
     assert told == [dict.fromkeys(range(6), 1.0), dict.fromkeys(range(6), 2.0), dict.fromkeys(range(1, 6), 3.0)]
-
-
-def test_the_match_prepares_the_next_tick_while_programs_think(monkeypatch, stage):
-    half, set_up, notes = stage(3)
-    order = []
-    real = set_up.world.prepare
-
-    def prepare():
-        order.append((len(notes), [one.steps for one in set_up.drivers.values()]))
-        real()
-
-    monkeypatch.setattr(set_up.world, "prepare", prepare)
-    TickLoop(set_up, half, lambda *_: None, lambda _: None, lambda _: None).play()
-    # All have been released, and none of them has been asked for its answer.
-    assert order == [(6, [1] * 6), (12, [2] * 6), (12, [3] * 6)]

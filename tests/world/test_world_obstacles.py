@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from rcj_challenges.world.gliding import mean_distance_m
+from rcj_challenges.world.effects.friction import mean_distance_m
 from tests.world.physics_stage import FULL, Stage
 
 OPEN = {"goals": {}, "corner_cut_m": 0, "width_m": 4.0, "length_m": 4.0}

@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+from rcj_challenges.devices.base import FixedRay
 from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.world.errors import PhysicsFault
 from rcj_challenges.world.world import World
@@ -38,12 +39,9 @@ def test_a_reset_world_plays_the_same_bits_again():
     assert crowded(stage, 300) == first
 
 
-def test_sites_added_by_the_devices_change_nothing():
-    def extend(spec):
-        spec.body("B1").add_site(name="B1/eye", pos=[0.03, 0, 0.02])
-
+def test_rays_fixed_to_a_robot_change_nothing():
     plain, extended = Stage(), Stage()
-    extended.world = World(extended.scenario, extended.roster, extend)
+    extended.world = World(extended.scenario, extended.roster, [FixedRay("B1", "eye", 0.0, 0.03, 0.02)])
     assert extended.world.model.nsite == 1
     assert crowded(extended, 100) == crowded(plain, 100)
 

@@ -10,16 +10,14 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from rcj_challenges.facts.timing import SUBSTEP_S
-from rcj_challenges.scenario.models.field import Ball, FieldModel
 from rcj_challenges.world import contact
-from rcj_challenges.world.recoiling import Recoiling, Vector
-from rcj_challenges.world.tables import WorldTables, one_by_one
+from rcj_challenges.world.effects.base import Effect, Scene
+from rcj_challenges.world.tables import ROBOT_YAW, one_by_one
 
 _SPUN_BY = 5 / 2
 """An impulse at the surface changes the speed of the surface, by turning, so many times as much as the ball's."""
@@ -30,25 +28,67 @@ _EDGES = 4
 _REMEMBERED = 4096
 """How many patterns of touching geoms are remembered. Most sub-steps repeat the pattern of the one before."""
 
-Bounce = tuple[int, int, int, Recoiling | None]
+_HELD = 1e-3
+"""What friction holds still moves a little, as it is not quite rigid: by less than this share of what it could stop."""
+
+Vector = tuple[float, float, float]
+
+
+class _Recoil:
+    """One movable obstacle, in a sub-step in which a single ball touches it: how it answers to another push.
+
+    An obstacle glides and turns in the plane, and each of its three degrees of freedom has dry friction of its own
+    (`friction`). So what it does under the push of one ball, and of nothing else, can be computed exactly.
+    """
+
+    def __init__(self, scene: Scene, entity: int) -> None:
+        """Find the obstacle."""
+        model, data, tables = scene.model, scene.data, scene.tables
+        self._qpos, self._qvel = one_by_one(data.qpos), one_by_one(data.qvel)
+        self._qacc, self._limits_n = one_by_one(data.qacc), one_by_one(model.dof_frictionloss)
+        self._at, self._first = tables.qpos_at[entity], int(tables.dofs[entity][0])
+        # Mass along x and y, moment of inertia about the vertical through its middle.
+        self._inertias: list[float] = model.dof_M0[self._first : self._first + ROBOT_YAW + 1].tolist()
+
+    def speed_mps(self, point: Vector, way: Vector) -> float:
+        """Return how fast the obstacle's surface moves in a direction, at a point of the field."""
+        return sum(self._qvel[self._first + k] * arm for k, arm in enumerate(self._arms(point, way)))
+
+    def yields_per_kg(self, point: Vector, way: Vector) -> float:
+        """Return by how much its surface gives way to an impulse, in m/s for each N·s; not where friction holds it."""
+        given = 0.0
+        for k, arm in enumerate(self._arms(point, way)):
+            inertia = self._inertias[k]
+            if abs(self._qvel[self._first + k]) > _HELD * self._limits_n[self._first + k] * SUBSTEP_S / inertia:
+                given += arm * arm / inertia
+        return given
+
+    def take(self, point: Vector, impulse_ns: Vector) -> None:
+        """Let the ball's impulse in this sub-step have been this one, and friction hold against it."""
+        for k, turned in enumerate(self._arms(point, impulse_ns)):
+            at = self._first + k
+            before = self._qvel[at] - self._qacc[at] * SUBSTEP_S
+            pushed = before + turned / self._inertias[k]
+            stopped = self._limits_n[at] * SUBSTEP_S / self._inertias[k]
+            self._qvel[at] = math.copysign(max(0.0, abs(pushed) - stopped), pushed)
+
+    def _arms(self, point: Vector, way: Vector) -> Vector:
+        """Return what a vector at a point does along x, along y and about the vertical."""
+        x, y = point[0] - self._qpos[self._at], point[1] - self._qpos[self._at + 1]
+        return way[0], way[1], x * way[1] - y * way[0]
+
+
+Bounce = tuple[int, int, int, _Recoil | None]
 """The contact's index, the ball's geom, 1 if the normal points out of the ball, else -1, and what it met if movable."""
 
 
-class Bouncing:
+class Restitution(Effect):
     """Balls at walls and obstacles."""
 
-    def __init__(
-        self, model: Any, data: Any, tables: WorldTables, balls: Mapping[str, Ball], field: FieldModel
-    ) -> None:
-        """Find balls, fixtures and movable obstacles.
-
-        Args:
-            model: compiled.
-            data: MuJoCo's.
-            tables: of the same model.
-            balls: of the scenario, in the order of the roster.
-            field: whose friction and restitution count.
-        """
+    def __init__(self, scene: Scene) -> None:
+        """Find balls, fixtures and movable obstacles."""
+        model, data, tables = scene.model, scene.data, scene.tables
+        balls, field = scene.scenario.balls, scene.scenario.field
         self._data, self._friction = data, min(field.friction, contact.BALL_ON_SOLID_FRICTION)
         self._softness = contact.ball_on_solid(field.restitution)
         self._qpos, self._qvel = one_by_one(data.qpos), one_by_one(data.qvel)
@@ -65,7 +105,7 @@ class Bouncing:
             for entity, ball in zip(tables.ball_range, balls.values(), strict=True)
         }
         self._obstacles = {
-            int(model.body_geomadr[tables.bodies[entity]]): Recoiling(model, data, tables, entity)
+            int(model.body_geomadr[tables.bodies[entity]]): _Recoil(scene, entity)
             for entity in range(tables.ball_range.stop, len(tables.bodies))
         }
         self._known: dict[bytes, tuple[Bounce, ...]] = {b"": ()}
@@ -107,7 +147,7 @@ class Bouncing:
         )
         return self._known[pattern]
 
-    def _mend(self, touch: Any, ball: int, towards: int, obstacle: Recoiling | None) -> None:
+    def _mend(self, touch: Any, ball: int, towards: int, obstacle: _Recoil | None) -> None:
         """Take back what a contact pushed and rubbed too much."""
         row, softness = int(touch.efc_address), self._softness
         edges = slice(row, row + _EDGES)

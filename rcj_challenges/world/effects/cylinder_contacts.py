@@ -8,34 +8,23 @@ near to a pole that the two could touch (ADR 2).
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
-
 import mujoco
 
-from rcj_challenges.scenario.models.field import Cylinder, Obstacle
-from rcj_challenges.world.surroundings import reach_m
-from rcj_challenges.world.tables import WorldTables, one_by_one
+from rcj_challenges.scenario.models.field import Cylinder
+from rcj_challenges.world.effects.base import Effect, Scene
+from rcj_challenges.world.tables import one_by_one, reach_m
 
 _ROUNDING_M = 0.001
 _ONE_POINT = int(mujoco.mjtDisableBit.mjDSBL_MULTICCD)
 
 
-class Poles:
+class CylinderContacts(Effect):
     """All round obstacles, fixed and movable."""
 
-    def __init__(
-        self, model: Any, data: Any, tables: WorldTables, obstacles: Mapping[str, Obstacle], entities: tuple[str, ...]
-    ) -> None:
-        """Find them.
-
-        Args:
-            model: compiled.
-            data: with up-to-date poses of geoms (`mj_kinematics`).
-            tables: of the same model.
-            obstacles: of the scenario.
-            entities: names, in their order.
-        """
+    def __init__(self, scene: Scene) -> None:
+        """Find them."""
+        model, data, tables = scene.model, scene.data, scene.tables
+        obstacles, entities = scene.scenario.obstacles, scene.roster.entities
         self._options, self._qpos = model.opt, one_by_one(data.qpos)
         self._several = int(model.opt.disableflags)
         self._robots = [
@@ -48,11 +37,12 @@ class Poles:
             (tables.qpos_at[entities.index(name)], one.radius_m) for name, one in round_ones.items() if one.movable
         ]
 
-    def __bool__(self) -> bool:
-        """Return whether there are any."""
+    @property
+    def is_needed(self) -> bool:
+        """Whether there are any."""
         return bool(self._fixed or self._movable)
 
-    def before_substep(self) -> None:
+    def before_substep(self, _substep: int) -> None:
         """Say how many points of contact MuJoCo looks for, by where things stand now."""
         self._options.disableflags = self._several | _ONE_POINT if self._any_near() else self._several
 

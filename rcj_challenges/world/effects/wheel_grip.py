@@ -7,16 +7,14 @@ commanded, and dry friction between wheel and floor (the grip tendons of `build_
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 from struct import Struct
-from typing import Any, Literal
 
+from rcj_challenges.devices.base import Side
 from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK, TICK_S
-from rcj_challenges.scenario.models.robots import Chassis
 from rcj_challenges.world import contact
-from rcj_challenges.world.tables import ROBOT_YAW, WorldTables, one_by_one
+from rcj_challenges.world.effects.base import Effect, Scene
+from rcj_challenges.world.tables import ROBOT_YAW, one_by_one
 
-Side = Literal["left", "right"]
 SIDES: dict[Side, int] = {"left": 0, "right": 1}
 
 POSITION_GAIN_PS = 10.0
@@ -75,17 +73,17 @@ class Wheel:
         self.stopped = False
 
 
-class Traction:
+class WheelGrip(Effect):
     """The wheels of all robots. A wheel's index is twice its robot's, plus 1 on the right.
 
     MuJoCo's numbers are read and written one by one, through memory views: next to `mj_step` a handful of them takes
     half as long as one call of numpy (ADR 10).
-
-    Attributes:
-        changed: tendons whose grip was changed since `prepare`; some stand there more than once.
     """
 
-    def __init__(self, model: Any, data: Any, tables: WorldTables, chassis: list[Chassis], friction: float) -> None:
+    def __init__(self, scene: Scene) -> None:
+        model, data, tables, scenario = scene.model, scene.data, scene.tables, scene.scenario
+        names, friction = scene.roster.entities[: scene.roster.robots], scenario.field.friction
+        chassis = [scenario.kits[scenario.robots[name].kit].chassis for name in names]
         self._qpos, self._qvel = one_by_one(data.qpos), one_by_one(data.qvel)
         self._coefficients = one_by_one(model.wrap_prm)
         self._limits_n = one_by_one(model.tendon_frictionloss)
@@ -110,12 +108,7 @@ class Traction:
             for at, turning, (left, right) in self._robots
         ]
         self._turning = [(at + ROBOT_YAW, self._coefficients.itemsize * turning) for at, turning, _ in self._robots]
-        self._all = range(len(self._wheels))
-        self._along_mps = [0.0] * len(self._wheels)
-        self._commanded: list[int] = []
         self._reversed: list[Wheel] = []
-        self._is_ahead = False
-        self.changed: list[int] = []
         # What all its grip stops in this time; on ice it stops nothing.
         self._stops_in_tick_mps = max(friction * contact.GRAVITY_MPS2 * TICK_S, 1e-9)
         self._stops_in_substep_mps = self._stops_in_tick_mps / SUBSTEPS_PER_TICK
@@ -127,8 +120,8 @@ class Traction:
         ]
         self._on_the_way: list[int] = []
 
-    def brake_all(self) -> None:
-        """Hold every wheel where it is: nobody has commanded it yet."""
+    def reset(self) -> None:
+        """Hold every wheel where it is: none has been commanded yet."""
         for index, wheel in enumerate(self._wheels):
             wheel.stopped = False
             self._command(index, 0.0, self._angle(index))
@@ -137,7 +130,7 @@ class Traction:
         """Command a wheel: by velocity (position ``inf``), or to an angle at this velocity at most."""
         index = 2 * robot + SIDES[side]
         wheel = self._wheels[index]
-        if position_rad == wheel.target_rad == math.inf and not wheel.stopped:  # as nearly always: just another speed
+        if position_rad == wheel.target_rad == math.inf and not wheel.stopped:  # nearly always: just another speed
             wheel.commanded_radps = velocity_radps
             self._turn(index, velocity_radps)
         else:
@@ -151,62 +144,27 @@ class Traction:
                 wheel.stopped = stopped
                 self._command(index, wheel.commanded_radps, wheel.target_rad)
 
-    @property
-    def steers(self) -> bool:
-        """Whether a wheel is on its way to an angle: each sub-step begins with setting its speed, or its angle."""
-        return bool(self._on_the_way)
+    def before_substep(self, substep: int) -> None:
+        """Turn the wheels as commanded, and let the grip follow the robots' yaw.
 
-    def grip_n(self, tendon: int) -> float:
-        """Return the grip that a tendon has now."""
-        return self._limits_n[tendon]
-
-    def forget(self) -> None:
-        """Do all of the next tick when it comes, after all: the world has been set back."""
-        self._is_ahead = False
-
-    def prepare(self) -> None:
-        """Do of the next `before_tick` and `before_substep` what can be done before robots are commanded for it."""
-        self._turn_all()
-        self._look_along()
-        self._choose_grip(self._all)
-        self._turn_coefficients()
-        self._is_ahead = True
-        self.changed.clear()
-
-    def before_tick(self) -> None:
-        """Turn the wheels as commanded, with the grip that they have at the robots' present speeds.
-
-        Contacts change a wheel's speed by less than a millionth within the tick.
+        Contacts change a wheel's speed by less than a millionth within the tick, but a collision changes the yaw by up
+        to 0.3 rad.
         """
-        if self._is_ahead:
-            for index in self._commanded:
-                wheel = self._wheels[index]
-                self._qvel[wheel.at] = wheel.turns_radps
-            self._choose_grip(self._commanded)
-        else:
-            self.changed.clear()
-            self._turn_all()
-            self._look_along()
-            self._choose_grip(self._all)
+        if substep == 0:
+            self._begin_tick()
+        if self._on_the_way:
+            self._steer_to_targets()
+        self._turn_coefficients()
+        if self._fast:
+            self._choose_grip_of_fast()
+
+    def _begin_tick(self) -> None:
+        """Turn the wheels with the grip that they have at the robots' present speeds."""
+        self._turn_all()
+        self._choose_grip(self._speeds_along())
         for wheel in self._reversed:
             wheel.just_reversed = False
         self._reversed.clear()
-
-    def before_substep(self) -> bool:
-        """Let the grip follow the robots' yaw: a collision changes it by up to 0.3 rad within a tick.
-
-        Returns whether a wheel is on its way to an angle, and may have been set on it.
-        """
-        steers = self.steers
-        if steers:
-            self._steer_to_targets()
-        if self._is_ahead:
-            self._is_ahead = False
-        else:
-            self._turn_coefficients()
-        if self._fast:
-            self._choose_grip_of_fast()
-        return steers
 
     def _turn_coefficients(self) -> None:
         qpos, coefficients, write, cos = self._qpos, self._coefficients, _TURNING.pack_into, math.cos
@@ -215,21 +173,19 @@ class Traction:
             ahead, aside = cos(yaw), cos(yaw - _QUARTER_TURN_RAD)
             write(coefficients, first_byte, ahead, aside, cos(yaw + _QUARTER_TURN_RAD), ahead, ahead, aside)
 
-    def _look_along(self) -> None:
-        """Find out how fast each wheel's place moves along its robot, by where the robot looked a sub-step ago."""
+    def _speeds_along(self) -> list[float]:
+        """Return how fast each wheel's place moves along its robot, by where the robot looked a sub-step ago."""
         qvel, coefficients = self._qvel, self._coefficients
         along_mps: list[float] = []
         for x_at, y_at, yaw_at, ahead, aside, left_arm_m, right_arm_m in self._ways:
             forward_mps = coefficients[ahead] * qvel[x_at] + coefficients[aside] * qvel[y_at]
             spin = qvel[yaw_at]
             along_mps += forward_mps - left_arm_m * spin, forward_mps - right_arm_m * spin
-        self._along_mps = along_mps
+        return along_mps
 
-    def _choose_grip(self, indices: Iterable[int]) -> None:
+    def _choose_grip(self, all_along_mps: list[float]) -> None:
         """A wheel that pushes its robot on has less grip than one that slows or holds it, see `contact.grip_of`."""
-        wheels, all_along_mps = self._wheels, self._along_mps
-        for index in indices:
-            wheel, along_mps = wheels[index], all_along_mps[index]
+        for wheel, along_mps in zip(self._wheels, all_along_mps, strict=True):
             turns = wheel.turns_radps
             if turns == 0.0:
                 limit_n = wheel.brake_n
@@ -239,11 +195,9 @@ class Traction:
                 limit_n = self._slowing_n(wheel, abs(along_mps))
             if limit_n != wheel.limit_n:
                 wheel.limit_n = self._limits_n[wheel.tendon] = limit_n
-                self.changed.append(wheel.tendon)
-        self._commanded.clear()
 
     def _choose_grip_of_fast(self) -> None:
-        """Choose anew in each sub-step, and let what moves faster than its wheels be braked by them.
+        """Choose again in each sub-step, and let what moves faster than its wheels be braked by them.
 
         Within a tick neither makes more of a difference than 20 ms. But a robot at 0.4 m/s that reversed was back at
         0.4 m/s after two thirds of the time that its grip needs, and one at 1 m/s was later at 0.5 m/s than at rest
@@ -263,7 +217,6 @@ class Traction:
                     limits_n[wheel.tendon] = wheel.brake_n
                 else:
                     limits_n[wheel.tendon] = wheel.drive_n
-                self.changed.append(wheel.tendon)
 
     def _slowing_n(self, wheel: Wheel, along_mps: float) -> float:
         """Return the grip of a wheel against which its robot moves, at this speed.
@@ -296,7 +249,6 @@ class Traction:
                 wheel.just_reversed = True
                 self._reversed.append(wheel)
             wheel.turns_radps = radps
-            self._commanded.append(index)
 
     def _turn_all(self) -> None:
         qvel = self._qvel

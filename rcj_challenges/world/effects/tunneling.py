@@ -8,16 +8,16 @@ a thick wall or a robot some were pushed down into the floor and stuck there (AD
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
 from typing import Any
 
 import mujoco
 import numpy as np
 
 from rcj_challenges.facts.timing import SUBSTEP_S
-from rcj_challenges.scenario.models.field import Ball, Box, Obstacle, Wall
+from rcj_challenges.scenario.models.field import Box, Obstacle, Wall
 from rcj_challenges.world import contact
-from rcj_challenges.world.tables import WorldTables, one_by_one
+from rcj_challenges.world.effects.base import Effect, Scene
+from rcj_challenges.world.tables import one_by_one
 
 _FASTEST_MPS = 4.0
 """Up to here field walls are tested (ADR 2); kicks go up to 3 m/s."""
@@ -28,21 +28,13 @@ _TOUCHES = 0.05
 _SOLIDS = (contact.GROUP_FIXTURES, contact.GROUP_CUBES, contact.GROUP_WHEELS)
 
 
-class Passing:
+class Tunneling(Effect):
     """Balls that can be too deep in something, within a sub-step, to be pushed out where they came from."""
 
-    def __init__(
-        self, model: Any, data: Any, tables: WorldTables, balls: Mapping[str, Ball], obstacles: Iterable[Obstacle]
-    ) -> None:
-        """Find them.
-
-        Args:
-            model: compiled.
-            data: MuJoCo's.
-            tables: of the same model.
-            balls: of the scenario, in the order of the roster.
-            obstacles: of the scenario.
-        """
+    def __init__(self, scene: Scene) -> None:
+        """Find them."""
+        model, data, tables = scene.model, scene.data, scene.tables
+        balls, obstacles = scene.scenario.balls, scene.scenario.obstacles.values()
         self._model, self._data = model, data
         self._qpos, self._qvel = one_by_one(data.qpos), one_by_one(data.qvel)
         thinnest_m = min(map(_thickness_m, obstacles), default=math.inf)
@@ -56,11 +48,12 @@ class Passing:
         self._solids = np.array([group in _SOLIDS for group in range(6)], dtype=np.uint8)
         self._geom, self._normal = np.zeros(1, dtype=np.int32), np.zeros(3)
 
-    def __bool__(self) -> bool:
-        """Return whether there are any."""
+    @property
+    def is_needed(self) -> bool:
+        """Whether there are any."""
         return bool(self._balls)
 
-    def after_substep(self) -> None:
+    def after_substep(self, _pattern: bytes) -> None:
         """Stop what has just gone into or through something."""
         qvel = self._qvel
         for body, at, first, radius_m, stops_m in self._balls:

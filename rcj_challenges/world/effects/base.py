@@ -1,0 +1,54 @@
+"""What all effects share: what they are made of, and when they act."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.world.tables import WorldTables
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A compiled world.
+
+    Attributes:
+        model, data: MuJoCo's, with up-to-date poses of geoms (`mj_kinematics`).
+        tables: of this model.
+        scenario: that it was built from.
+        roster: of this scenario.
+    """
+
+    model: Any
+    data: Any
+    tables: WorldTables
+    scenario: Scenario
+    roster: Roster
+
+
+class Effect:
+    """Something that the physics is to do and MuJoCo does not, or does otherwise. Each hook may be left out."""
+
+    @property
+    def is_needed(self) -> bool:
+        """Whether it may ever do something in this world."""
+        return True
+
+    def reset(self) -> None:
+        """Forget what was commanded: the half begins."""
+
+    def before_substep(self, substep: int) -> None:
+        """Act on the state from which MuJoCo steps.
+
+        Args:
+            substep: 0 to 3 within the tick.
+        """
+
+    def after_substep(self, pattern: bytes) -> None:
+        """Act on the state to which MuJoCo has stepped.
+
+        Args:
+            pattern: the geoms of all contacts, as `data.contact.geom` has them in its memory.
+        """
