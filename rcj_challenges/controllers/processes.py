@@ -19,8 +19,8 @@ from importlib.util import cache_from_source
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.controllers import addresses, bubblewrap, scheduling, scratch, tasks
-from rcj_challenges.controllers.scheduling import Manners
+from rcj_challenges.controllers import addresses, bubblewrap, cpu_policy, scratch, tasks
+from rcj_challenges.controllers.cpu_policy import CpuShare
 from rcj_challenges.controllers.time_budget import ProcessTimes
 
 if sys.platform == "win32":
@@ -148,10 +148,10 @@ class Process:
         """Return for how long it has computed, all its threads together; 0 where only `usage` tells, or nobody."""
         return tasks.computed_s(self._pid_to_look_at())
 
-    def behave(self, manners: Manners) -> None:
-        """Let it behave like that from now on (Linux)."""
+    def share_cpus(self, share: CpuShare) -> None:
+        """Let it share the CPUs with the match like that from now on (Linux)."""
         if not self.has_ended():
-            scheduling.behave(self._pid_to_look_at(), manners)
+            cpu_policy.apply(self._pid_to_look_at(), share)
 
     def say_where_it_is(self, lifeline_fd: int | None) -> None:
         """Let it write its present traceback to its log and end. It may refuse, so `kill` afterwards.

@@ -14,12 +14,12 @@ from typing import Any
 
 from rcj_challenges.controllers import debugging, isolation, processes, scratch
 from rcj_challenges.controllers.assignment import Assignment
+from rcj_challenges.controllers.cpu_policy import CpuShare
 from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.controllers.log import ProgramLog
 from rcj_challenges.controllers.pipes import ChannelClosedError, FrameTooLongError, open_channel
 from rcj_challenges.controllers.private_folders import DiskFullError
 from rcj_challenges.controllers.protocol import Codec, Ended, ProtocolError, hello_frame, most_frame_bytes, one_line
-from rcj_challenges.controllers.scheduling import Manners
 from rcj_challenges.controllers.sharing import Sharing
 from rcj_challenges.controllers.time_budget import MEASURED_AFTER_S, TimeBudget, TimeLimits
 from rcj_challenges.controllers.timed_channel import TimedChannel, WaitBudget, wait_together
@@ -134,10 +134,10 @@ class Program:
             if self._is_suspended and self._process is not None:
                 self._process.resume()
 
-    def behave(self, manners: Manners) -> None:
-        """Let its process share the processors with the match like that from now on."""
+    def share_cpus(self, share: CpuShare) -> None:
+        """Let its process share the CPUs with the match like that from now on."""
         if self._process is not None:
-            self._process.behave(manners)
+            self._process.share_cpus(share)
 
     def computed_s(self) -> float:
         """Return for how long its process has computed; 0 where nobody tells at once."""

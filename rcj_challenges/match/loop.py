@@ -6,10 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
-from rcj_challenges.controllers.scheduling import AS_EVERYBODY, Manners
+from rcj_challenges.controllers.cpu_policy import DEFAULT_SHARE, CpuPolicy, CpuShare
 from rcj_challenges.facts.play import Fault, HalfInfo, RefereeOutput, Snapshot
 from rcj_challenges.facts.traffic import Observation, Request
-from rcj_challenges.match.haste import Haste
 from rcj_challenges.scenario.halves import MOST_LENGTHS
 
 if TYPE_CHECKING:
@@ -29,8 +28,8 @@ class Driver(Protocol):
     def release(self, observation: Observation) -> None:
         """Let its ``step`` return."""
 
-    def behave(self, manners: Manners) -> None:
-        """Let it share the processors with the match like that from now on."""
+    def share_cpus(self, share: CpuShare) -> None:
+        """Let it share the CPUs with the match like that from now on."""
 
     def computed_s(self) -> float:
         """Return for how long it has computed; 0 where nobody tells at once."""
@@ -107,8 +106,8 @@ class TickLoop:
         self._faults: list[Fault] = []
         self._all_held = False
         self._held: frozenset[int] = frozenset()
-        self._haste = Haste(self._computed_s)
-        self._manners = AS_EVERYBODY
+        self._cpu_policy = CpuPolicy(self._computed_s)
+        self._cpu_share = DEFAULT_SHARE
         self.tick = 0
 
     def play(self) -> LoopResult:
@@ -121,7 +120,7 @@ class TickLoop:
         while should_continue(self._stage.referee, output, self.tick, self._half):
             self._before_tick(self.tick + 1)
             output = self._one_tick(self.tick + 1)
-        self._behave(AS_EVERYBODY)  # what they do at the end they all do at once, and the match has nothing to do
+        self._share_cpus(DEFAULT_SHARE)  # what they do at the end they all do at once, and the match has nothing to do
         closing = self._stage.referee.finish()
         # A half that is over cannot be ended once more, the match can.
         ended = closing.ended if closing.ends_match else output.ended
@@ -185,26 +184,26 @@ class TickLoop:
         """Let each robot look around, and release its program if it is due; returns those released."""
         rack, alive = self._stage.rack, self._alive
         due = [robot for robot in rack.specs if self._due.get(robot) == tick] if plays_on else []
-        # The one that is released first finds its processor awake, and so do the others after it.
-        awake = due[0] if due and self._haste.next_is_soon(due[0]) else None
-        self._behave(self._haste.manners)
+        # The one that is released first finds its CPU awake, and so do the others after it.
+        awake = due[0] if due and self._cpu_policy.should_busy_wait(due[0]) else None
+        self._share_cpus(self._cpu_policy.share)
         for robot in rack.specs:
             rack.finish_sensing(robot)
             if robot in due:
                 alive[robot].release(rack.observe(robot, tick, soon=robot == awake))
         return due
 
-    def _behave(self, manners: Manners) -> None:
-        """Let all programs behave like that from now on."""
-        if manners is not self._manners:
-            self._manners = manners
+    def _share_cpus(self, share: CpuShare) -> None:
+        """Let all programs share the CPUs like that from now on."""
+        if share is not self._cpu_share:
+            self._cpu_share = share
             for driver in self._alive.values():
-                driver.behave(manners)
+                driver.share_cpus(share)
 
-    def _let_compute(self) -> None:
-        """Give programs all processors: one that computes for long shares none with the others, which may as well."""
-        self._haste.somebody_computes()
-        self._behave(self._haste.manners)
+    def _give_all_cpus(self) -> None:
+        """Let programs use all CPUs: one of them computes for long."""
+        self._cpu_policy.give_all_cpus()
+        self._share_cpus(self._cpu_policy.share)
 
     def _computed_s(self) -> dict[int, float]:
         """Return for how long each program has computed."""
@@ -222,7 +221,7 @@ class TickLoop:
             taken += 1
         waiting = due[taken:]
         # Sleeping until the last answers, we mostly find the others' answers ready: one sleep instead of six.
-        answers = [alive[robot].collect(self._let_compute) for robot in reversed(waiting)]
+        answers = [alive[robot].collect(self._give_all_cpus) for robot in reversed(waiting)]
         for robot in waiting:
             self._take(robot, answers.pop())
 

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Protocol, Self
 
-from rcj_challenges.controllers.scheduling import Manners
+from rcj_challenges.controllers.cpu_policy import CpuShare
 from rcj_challenges.devices.ball_receiver import BallReceiverDevice
 from rcj_challenges.facts.play import Fault, HalfInfo
 from rcj_challenges.facts.traffic import Observation, Request, RobotSpec
@@ -81,9 +81,9 @@ class _RecordedDriver:
         self._writer.saw(self._number, observation)
         self._driver.release(observation)
 
-    def behave(self, manners: Manners) -> None:
-        """Let it share the processors like that."""
-        self._driver.behave(manners)
+    def share_cpus(self, share: CpuShare) -> None:
+        """Let it share the CPUs like that."""
+        self._driver.share_cpus(share)
 
     def computed_s(self) -> float:
         """Return for how long it has computed."""

@@ -14,10 +14,9 @@ from fake_match import SPEC, FakeMatch, Played, values_at
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.controllers import scheduling
+from rcj_challenges.controllers.cpu_policy import DEFAULT_SHARE, CpuShare, current_cpu
 from rcj_challenges.controllers.processes import PUPIL_FOLDER
 from rcj_challenges.controllers.program import Program
-from rcj_challenges.controllers.scheduling import AS_EVERYBODY, Manners
 from rcj_challenges.facts.play import Fault
 from rcj_challenges.facts.traffic import Observation
 
@@ -162,9 +161,9 @@ TURNS_ON_LINUX = pytest.mark.skipif(sys.platform != "linux", reason="only Linux 
 @TURNS_ON_LINUX
 @pytest.mark.parametrize("sandbox", ["auto", "off"])
 def test_a_program_gives_way_and_takes_its_turn_again(match: FakeMatch, sandbox: str) -> None:
-    here, ours = scheduling.processor_here(), os.sched_getaffinity(0)
+    here, ours = current_cpu(), os.sched_getaffinity(0)
     assert here in ours
-    apart, room, beside = Manners(gives_way=True, leaves=here), Manners(gives_way=True), Manners(False, keeps_to=here)
+    apart, room, beside = CpuShare(is_batch=True, leaves_cpu=here), CpuShare(is_batch=True), CpuShare(keeps_to_cpu=here)
     others = ours - {here} or ours
     # One thread is there before it is told, one begins while it keeps to fewer processors.
     team = match.team(WITH_A_THREAD + READS_ITS_GPS + "    " + WITH_A_THREAD.replace("\n", "\n    "))
@@ -175,15 +174,15 @@ def test_a_program_gives_way_and_takes_its_turn_again(match: FakeMatch, sandbox:
         process = program._process
         assert process is not None
         pid, threads = process._pid_to_look_at(), []
-        for manners, policy, where in (
+        for share, policy, where in (
             (room, os.SCHED_BATCH, ours),
             (apart, os.SCHED_BATCH, others),
-            (AS_EVERYBODY, os.SCHED_OTHER, ours),
+            (DEFAULT_SHARE, os.SCHED_OTHER, ours),
             (beside, os.SCHED_OTHER, {here}),
-            (Manners(gives_way=False, keeps_to=max(ours) + 1), os.SCHED_OTHER, ours),  # none of ours
+            (CpuShare(keeps_to_cpu=max(ours) + 1), os.SCHED_OTHER, ours),  # none of ours
             (apart, os.SCHED_BATCH, others),
         ):
-            program.behave(manners)
+            program.share_cpus(share)
             threads.append([int(thread.name) for thread in Path(f"/proc/{pid}/task").iterdir()])
             assert {os.sched_getscheduler(thread) for thread in threads[-1]} == {policy}
             assert all(os.sched_getaffinity(thread) == where for thread in threads[-1])
@@ -193,7 +192,7 @@ def test_a_program_gives_way_and_takes_its_turn_again(match: FakeMatch, sandbox:
             assert program.computed_s() > computed_s > 0.0
         assert len(threads[0]) < len(threads[-1])
         program.kill()
-        program.behave(room)  # who is gone interrupts nobody
+        program.share_cpus(room)  # who is gone interrupts nobody
         assert program.computed_s() == 0.0
         crew.close()
 
@@ -209,8 +208,8 @@ def test_a_program_is_told_all_along_on_how_many_processors_it_may_be(match: Fak
         program = crew.add(SPEC, team, team.entry_for("Y1", "robot.py"))
         crew.launch()
         program.collect()
-        for manners in (AS_EVERYBODY, Manners(True, leaves=min(ours)), Manners(False, keeps_to=max(ours))):
-            program.behave(manners)
+        for share in (DEFAULT_SHARE, CpuShare(is_batch=True, leaves_cpu=min(ours)), CpuShare(keeps_to_cpu=max(ours))):
+            program.share_cpus(share)
             program.release(Observation(1, values_at(1), []))
             assert not isinstance(program.collect(), Fault)
         crew.close()

@@ -28,7 +28,7 @@ class Away:
     def release(self, observation):
         pass
 
-    def behave(self, manners):
+    def share_cpus(self, share):
         pass
 
     def computed_s(self):

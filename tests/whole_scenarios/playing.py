@@ -61,7 +61,7 @@ class Puppet:
         """Hear what its devices say; there must be a packet or a number for each."""
         assert len(observation.values) == self.spec.values
 
-    def behave(self, manners: object) -> None:
+    def share_cpus(self, share: object) -> None:
         """Interrupt nobody."""
 
     def computed_s(self) -> float:
