@@ -124,7 +124,7 @@ def test_the_example_challenges_come_out_as_they_say_and_every_rule_is_tested(pa
 def test_the_example_challenges_are_drawn_and_every_sentence_stands_in_their_sheets(path):
     loaded = load(path)
     scenario, roster = loaded.scenario, loaded.roster
-    assert all(f">{name}<" in draw_scenario(scenario, roster) for name in (*scenario.robots, *scenario.balls))
+    assert all(f">{name}: " in draw_scenario(scenario, roster) for name in (*scenario.robots, *scenario.balls))
     assert sheet_html(scenario, roster).startswith("<!")
     sheet = sheet_markdown(scenario, roster)
     missing = [rule.says for rule in scenario.rules.values() if rule.says.partition("}")[2].strip() not in sheet]

@@ -95,26 +95,8 @@ def test_offset_from_a_spot_is_a_point():
     ]
 
 
-# --- beside something that moves: numbers in the legend only ---------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    ("at", "more", "expected"),
-    [
-        ("{relative_to: Y1, offset_m: [0.1, 0.05]}", "", ["(0.1, 0.05) from Y1"]),
-        ("{relative_to: Y1, offset_m: [0.1, 0.05]}", ", mirror: {axis: y}", ["(0.1, -0.05) from Y1"]),
-        (
-            "{relative_to: Y1, offset_m: [0.1, 0.05], turns: true}",
-            ", mirror: {axis: y}",
-            ["(0.1, 0.05) from Y1, in its own frame"],
-        ),
-        ("{relative_to: ball}", "", []),  # it stays where it is
-    ],
-)
-def test_place_beside_something_that_moves_is_told_by_its_offset(at, more, expected):
-    assert places(put(at, more)) == expected
-    loaded_one = loaded(put(at, more))
-    assert "<title>put ball" not in draw_scenario(loaded_one.scenario, loaded_one.roster)
+def test_place_beside_something_that_moves_is_not_drawn():
+    assert places(put("{relative_to: Y1, offset_m: [0.1, 0.05]}")) == []
 
 
 # --- layouts ----------------------------------------------------------------------------------------------------------
@@ -203,7 +185,7 @@ def test_places_are_drawn_with_one_number_for_the_same_things():
 
 
 def test_robot_put_at_its_start_is_not_drawn_twice():
-    one = loaded("{action: place, entity: B1, at: {point: [0.3, 0.3]}}")
+    one = loaded("{action: place, entity: B1, at: {point: [0.3, 0.3]}}", trigger="trigger: half_ended")
     picture = draw_scenario(one.scenario, one.roster)
     assert ">B1: (0.3, 0.3)<" in picture
     assert "<title>put B1" not in picture

@@ -1,4 +1,4 @@
-"""What sheet, picture and replay show of spots that rules set."""
+"""What drawing and replay show of spots that rules set."""
 
 import pytest
 
@@ -6,12 +6,9 @@ from rcj_challenges.scenario.load import load_text
 from rcj_challenges.views.drawing import draw_scenario
 from rcj_challenges.views.drawing.areas import placement_areas
 from rcj_challenges.views.replay.things import visible_things
-from tests.views.sheets import HEAD, sentence, sheet
+from tests.views.sheets import HEAD
 
 SPOTS = "spots: {found: {x_m: 0, y_m: 0.2}, lost: {x_m: 0.3, y_m: 0.1}}\ngroups: {both: [found, lost]}\n"
-NOTE = "until then it is where the drawing shows"
-
-
 START, LATER = "{trigger: half_started}", "{trigger: touches, entity: robots, other: ball}"
 
 
@@ -24,63 +21,11 @@ def set_to(what, spot="found"):
     return f"{{action: set_spot, spot: {spot}, to: {what}}}"
 
 
-@pytest.mark.parametrize(
-    ("to", "words"),
-    [
-        ("ball", "the place of the ball is remembered as the spot “found”"),
-        ("Y1", "the place of Y1 is remembered as the spot “found”"),
-        ("lost", "the place of the spot “lost” is remembered as the spot “found”"),
-        ("[0.1, 0]", "(0.1, 0) is remembered as the spot “found”"),
-        ("blue_goal", "the centre of the blue goal is remembered as the spot “found”"),
-    ],
-)
-def test_the_sheet_says_what_is_remembered(to, words):
-    said = sentence(f"triggers: [{{trigger: half_started}}], actions: [{set_to(to)}]", SPOTS)
-    assert said.startswith(f"When a half starts: {words}")
-
-
-@pytest.mark.parametrize(
-    ("mirror", "words"),
-    [
-        ("axis: x", "the place of Y1, mirrored (x becomes -x), is remembered as the spot “found”"),
-        pytest.param("axis: both, when: changed",
-         "the place of Y1, mirrored (x becomes -x and y becomes -y) if the flag “changed” is set, is remembered as "
-         "the spot “found”", id="if a flag is set"),
-    ],
-)  # fmt: skip
-def test_the_sheet_says_that_the_mirror_image_is_remembered(mirror, words):
-    action = set_to("Y1").replace("}", f", mirror: {{{mirror}}}}}")
-    said = sentence(f"triggers: [{{trigger: half_started}}], actions: [{action}]", f"{SPOTS}flags: {{changed: {{}}}}\n")
-    assert said.startswith(f"When a half starts: {words}")
-
-
-def test_of_each_zone_the_sheet_says_its_centre():
-    goals = SPOTS + "groups: {goals: [blue_goal, yellow_goal]}\n"
-    rule = f"for_each: goals, triggers: [{{trigger: enters, entity: ball, zone: each}}], actions: [{set_to('each')}]"
-    goals = goals.replace("groups: {both: [found, lost]}\n", "")
-    assert "its centre is remembered as the spot “found”" in sentence(rule, goals)
-
-
-def test_of_each_the_sheet_says_its_place():
-    rule = f"for_each: robots, triggers: [{{trigger: touches, entity: each, other: ball}}], actions: [{set_to('each')}]"
-    assert "its place is remembered as the spot “found”" in sentence(rule, SPOTS)
-
-
-def test_the_sheet_says_that_rules_set_it_and_where_a_half_begins():
-    one = f"{SPOTS}rules:\n  r: {{triggers: [{LATER}], actions: [{set_to('ball')}]}}\n"
-    assert "Rules set the spot “found” anew in a half; until then it is where the drawing shows it." in sheet(one)
-    two = one.replace("to: ball}]", f"to: ball}}, {set_to('Y1', 'lost')}]")
-    said = "Rules set the spot “found” and the spot “lost” anew in a half; until then they are where the drawing shows them."
-    assert said in sheet(two)
-    assert NOTE not in sheet(SPOTS)
-
-
 def test_the_picture_marks_it_in_the_colour_of_what_rules_put_and_tells_where_it_begins():
     one = loaded(set_to("ball"), trigger=LATER)
     picture = draw_scenario(one.scenario, one.roster)
     assert ">found: 0, 0.2 when a half starts; rules set it<" in picture
     assert ">lost: 0.3, 0.1<" in picture
-    assert "found when a half starts; rules set it</title>" in picture
     orange = [line for line in picture.split("<line")[1:] if 'stroke="#f08c00"' in line]
     assert len(orange) == 2
     assert all("found" in line for line in orange)
@@ -109,15 +54,6 @@ class TestSetAsTheHalfStarts:
     def test_where_chance_hides_it_is_drawn(self):
         one = loaded(set_to("{uniform_in: blue_goal}"))
         assert "<title>put found</title>" in draw_scenario(one.scenario, one.roster)
-
-    def test_the_sheet_says_so_and_that_others_are_where_the_drawing_shows_them(self):
-        at_once, later = set_to("{uniform_in: pitch}"), set_to("Y1", "lost")
-        one = f"{SPOTS}rules:\n  r: {{triggers: [{START}], actions: [{at_once}]}}\n"
-        assert "Rules set the spot “found” as soon as a half starts." in sheet(one)
-        assert NOTE not in sheet(one)
-        both = sheet(f"{one}  s: {{triggers: [{LATER}], actions: [{later}]}}\n")
-        assert "Rules set the spot “found” as soon as a half starts." in both
-        assert "Rules set the spot “lost” anew in a half; until then it is where the drawing shows it." in both
 
     @pytest.mark.parametrize(
         "more",

@@ -1,4 +1,4 @@
-"""Where rules and layouts put things, set spots, or roll balls to: each place once, with what is put there."""
+"""Where rules and layouts put things, set spots or roll balls to, and where everything is once a half has begun."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from itertools import product
 from typing import NamedTuple
 
+from rcj_challenges.facts.play import Pose2
 from rcj_challenges.rules.actions.place import Place
 from rcj_challenges.rules.actions.remove import Remove
 from rcj_challenges.rules.actions.set_spot import SetSpot
@@ -24,25 +25,19 @@ from rcj_challenges.rules.places.start import Start
 from rcj_challenges.rules.places.uniform_in import UniformIn
 from rcj_challenges.rules.values.draw import DrawValue
 from rcj_challenges.rules.values.told import ToldValue
+from rcj_challenges.scenario.beginnings import turns
 from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.other import written_others
 from rcj_challenges.scenario.remembered import fixed_spots
 from rcj_challenges.scenario.roster import Roster, row_of
-from rcj_challenges.views.drawing.shapes import Point, home, point_words
+from rcj_challenges.scenario.starting import start_noise_m, start_pose
+from rcj_challenges.views.drawing.shapes import Point, point_words
 
 Flip = tuple[bool, bool]
 """Whether x becomes -x, and whether y becomes -y."""
 AS_WRITTEN: Flip = (False, False)
-
-
-class Beside(NamedTuple):
-    """A place beside something that moves: it has no place in the drawing, only its numbers in the legend."""
-
-    anchor: str
-    offset_m: Point
-    turns: bool
 
 
 @dataclass(frozen=True)
@@ -50,44 +45,63 @@ class Area:
     """A place that is neither a spot nor a start.
 
     Attributes:
-        at: the name of a zone or a line, all points of which are equally likely, a point, or a place beside something.
+        at: the name of a zone or a line, all points of which are equally likely, or a point.
         noise_m: half width of the noise around it, in x and y.
         flip: how a zone is mirrored. (Lines and points are mirrored themselves.)
-        aim: whether things are not put there, but roll there from where they are put.
+        aim: whether a ball rolls there from where it is put.
     """
 
-    at: str | OnLine | Point | Beside
+    at: str | OnLine | Point
     noise_m: Point = (0.0, 0.0)
     flip: Flip = AS_WRITTEN
     aim: bool = False
 
     def words(self) -> str:
         """Return where it is: ``(0, 0.1)``, ``(-0.3, 0) to (0.3, 0)``, ``in garden``, ``rolls towards (0, 0.1)``."""
-        where = self._where() + (f", ± {self.noise_m[0]:g}, {self.noise_m[1]:g}" if any(self.noise_m) else "")
-        return f"rolls towards {where.removeprefix('in ')}" if self.aim else where
-
-    def _where(self) -> str:
+        noise = f", ± {self.noise_m[0]:g}, {self.noise_m[1]:g}" if any(self.noise_m) else ""
         if isinstance(self.at, str):
-            mirrored = " and ".join(
-                f"{axis} becomes -{axis}" for axis, turns in zip("xy", self.flip, strict=True) if turns
-            )
-            return f"in {self.at}" + (f", mirrored ({mirrored})" if mirrored else "")
-        if isinstance(self.at, OnLine):
-            return " to ".join(map(point_words, self.at.on_line))
-        if isinstance(self.at, Beside):
-            turning = ", in its own frame" if self.at.turns else ""
-            return f"{point_words(self.at.offset_m)} from {self.at.anchor}{turning}"
-        return point_words(self.at)
+            axes = " and ".join(f"{axis} becomes -{axis}" for axis, turns in zip("xy", self.flip, strict=True) if turns)
+            where = f"{'' if self.aim else 'in '}{self.at}{f', mirrored ({axes})' if axes else ''}"
+        else:
+            where = " to ".join(map(point_words, self.at.on_line if isinstance(self.at, OnLine) else (self.at,)))
+        return f"{'rolls towards ' if self.aim else ''}{where}{noise}"
 
 
 def placement_areas(scenario: Scenario, roster: Roster) -> dict[Area, list[str]]:
-    """Return the places where layouts and rules put things or set spots, with the names of these, as written."""
+    """Return the places where rules put things or set spots, with the names of these, as written."""
     found: dict[Area, list[str]] = {}
-    for put in _puts(scenario):
-        for area, names in _areas(scenario, roster, put):
-            everything = found.setdefault(area, [])
-            everything.extend(name for name in names if name not in everything)
+    for rule in scenario.rules.values():
+        for put in _puts(scenario, rule):
+            for area, names in _areas(scenario, roster, put):
+                everything = found.setdefault(area, [])
+                everything.extend(name for name in names if name not in everything)
     return found
+
+
+def first_poses(scenario: Scenario, roster: Roster) -> dict[str, Pose2 | None]:
+    """Return where robots, balls and movable obstacles are when a half has begun; None where that is not certain.
+
+    Without rules that place them they are at their starts. They also may be there if one of several rules that may
+    fire leaves them there.
+    """
+    poses: dict[str, Pose2 | None] = {name: start_pose(scenario, name) for name in roster.entities}
+    possible: dict[str, list[Pose2 | None]] = {}
+    for turn in turns(scenario):
+        rule, placed = scenario.rules[turn.name], dict[str, Pose2 | None]()
+        for action in rule.actions if turn.lives else ():
+            if isinstance(action, Remove):
+                placed |= dict.fromkeys(roster.expand(_names(action.entity, rule)))
+            for placing, mirrors in _placings(scenario, action) if isinstance(action, Place) else ():
+                for name in roster.expand(_names(placing.entity or (), rule)):
+                    placed[name] = _certain_pose(scenario, placing, mirrors, name)
+            if isinstance(action, Place) and isinstance(action.layout, DrawValue):
+                placed = dict.fromkeys(placed)
+        for name, pose in placed.items():
+            if turn.surely:
+                poses[name] = pose
+            else:
+                possible.setdefault(name, []).append(pose)
+    return {name: pose if pose in possible.get(name, [pose]) else None for name, pose in poses.items()}
 
 
 def flipped(point: Point, flip: Flip) -> Point:
@@ -111,7 +125,6 @@ class _Put(NamedTuple):
     noise_m: Point = (0.0, 0.0)
     flip: Flip = AS_WRITTEN
     aim: bool = False
-    rule: Rule | None = None
 
     @property
     def is_marked(self) -> bool:
@@ -119,31 +132,28 @@ class _Put(NamedTuple):
         return self.aim or self.flip != AS_WRITTEN or any(self.noise_m)
 
 
-def _puts(scenario: Scenario) -> Iterator[_Put]:
-    actions = [(rule, action) for rule in scenario.rules.values() for action in rule.actions]
-    for name, layout in scenario.placements.items():
-        mirrors = [
-            action.mirror for _, action in actions if isinstance(action, Place) and name in layouts_of(scenario, action)
-        ]  # empty for a layout that no rule places
-        for placing, mirror in product(layout, mirrors):
-            for flip in _flips(placing.mirror, mirror):
-                yield from _put_and_kick(placing, _names(placing.entity, None), flip, None)
-    for rule, action in actions:
-        if isinstance(action, Place) and action.entity is not None:
-            for flip in _flips(action.mirror):
-                yield from _put_and_kick(action, _names(action.entity, rule), flip, rule)
-        elif isinstance(action, Remove) and action.for_s is not None:
-            yield _Put(_names(action.entity, rule), action.back_at, rule=rule)
+def _puts(scenario: Scenario, rule: Rule) -> Iterator[_Put]:
+    for action in rule.actions:
+        if isinstance(action, Remove) and action.for_s is not None:
+            yield _Put(_names(action.entity, rule), action.back_at)
         elif isinstance(action, SetSpot) and not isinstance(action.to, str | ToldValue):
             at = AtPoint(point=action.to) if isinstance(action.to, tuple) else action.to
-            for flip in _flips(action.mirror):
-                yield _Put((action.spot,), at, flip=flip, rule=rule)
+            yield from (_Put((action.spot,), at, flip=flip) for flip in _flips(action.mirror))
+        elif isinstance(action, Place):
+            for placing, mirrors in _placings(scenario, action):
+                names = _names(placing.entity or (), rule)
+                for flip in _flips(*mirrors):
+                    yield _Put(names, placing.at, placing.noise_m, flip)
+                    if placing.kick is not None:
+                        yield _Put(names, placing.kick.towards, flip=flip, aim=True)
 
 
-def _put_and_kick(placing: Placing | Place, names: tuple[str, ...], flip: Flip, rule: Rule | None) -> Iterator[_Put]:
-    yield _Put(names, placing.at, placing.noise_m, flip, rule=rule)
-    if placing.kick is not None:
-        yield _Put(names, placing.kick.towards, flip=flip, aim=True, rule=rule)
+def _placings(scenario: Scenario, action: Place) -> Iterator[tuple[Placing | Place, tuple[Mirror | None, ...]]]:
+    """Yield what an action puts somewhere, by itself or by its layouts, with the mirrors that apply to it."""
+    if action.entity is not None:
+        yield action, (action.mirror,)
+    for name in layouts_of(scenario, action):
+        yield from ((placing, (placing.mirror, action.mirror)) for placing in scenario.placements[name])
 
 
 def _flips(*mirrors: Mirror | None) -> list[Flip]:
@@ -155,15 +165,36 @@ def _flips(*mirrors: Mirror | None) -> list[Flip]:
     return sorted({(sum(x for x, _ in way) % 2 == 1, sum(y for _, y in way) % 2 == 1) for way in product(*ways)})
 
 
-def _names(names: Names, rule: Rule | None) -> tuple[str, ...]:
+def _certain_pose(
+    scenario: Scenario, placing: Placing | Place, mirrors: tuple[Mirror | None, ...], name: str
+) -> Pose2 | None:
+    """Return the only pose that a placement can give; None if chance or the course of the half decides."""
+    start, spots = start_pose(scenario, name), fixed_spots(scenario)
+    flips = _flips(*mirrors)
+    match placing.at:
+        case "start" | Start():
+            point = start[0], start[1]
+        case AtPoint(point=point):
+            pass
+        case AtSpot(spot=spot) if spot in spots:
+            point = spots[spot].x_m, spots[spot].y_m
+        case _:
+            return None
+    if len(flips) > 1:
+        return None
+    yaw_rad = float(placing.facing) if isinstance(placing.facing, int | float) else start[2]
+    return (*flipped(point, flips[0]), yaw_rad)
+
+
+def _names(names: Names, rule: Rule) -> tuple[str, ...]:
     """Return names as a row, with what a rule goes over for ``each``, and what it finds touched for ``other``."""
-    bound = {} if rule is None else {EACH: (rule.for_each or "",), OTHER: written_others(rule)}
+    bound = {EACH: (rule.for_each or "",), OTHER: written_others(rule)}
     return tuple(one for name in row_of(names) for one in bound.get(name, (name,)))
 
 
 def _areas(scenario: Scenario, roster: Roster, put: _Put) -> Iterator[tuple[Area, tuple[str, ...]]]:
     """Yield the places that a placement may choose from, with what is put there."""
-    names, at, noise_m, flip, aim, rule = put
+    names, at, noise_m, flip, aim = put
     match at:
         case OnLine(on_line=(start, end)):
             yield Area(OnLine(on_line=(flipped(start, flip), flipped(end, flip))), noise_m, aim=aim), names
@@ -172,19 +203,16 @@ def _areas(scenario: Scenario, roster: Roster, put: _Put) -> Iterator[tuple[Area
             yield from ((Area(zone, noise_m, flip, aim), names) for zone in zones)
         case "start" | Start():
             yield from _starts(scenario, roster, put)
-        case RelativeTo(relative_to=anchor) if not all(one in scenario.spots for one in roster.may_be(anchor)):
-            if any(at.offset_m) or anchor not in names:
-                offset_m = at.offset_m if at.turns else flipped(at.offset_m, flip)
-                anchors = " or ".join(_names(anchor, rule))
-                yield Area(Beside(anchors, offset_m, at.turns), noise_m, aim=aim), names
         case _:
-            yield from (
-                (Area(flipped(point, flip), noise_m, aim=aim), names) for point in _points(scenario, roster, put)
-            )
+            points = _points(scenario, roster, put)
+            yield from ((Area(flipped(point, flip), noise_m, aim=aim), names) for point in points)
 
 
 def _points(scenario: Scenario, roster: Roster, put: _Put) -> list[Point]:
-    """Return the points that a placement may choose from, not yet mirrored; without spots as they are drawn anyway."""
+    """Return the points that a placement may choose from, not yet mirrored; without spots as they are drawn anyway.
+
+    A place beside something that moves has no place in the drawing.
+    """
     match put.at:
         case RelativeTo(relative_to=anchor, offset_m=(dx, dy)):
             spots = _spots(scenario, roster, anchor) if put.is_marked or dx or dy else []
@@ -212,10 +240,10 @@ def _points(scenario: Scenario, roster: Roster, put: _Put) -> list[Point]:
 def _starts(scenario: Scenario, roster: Roster, put: _Put) -> Iterator[tuple[Area, tuple[str, ...]]]:
     """Yield the start of each thing; noise of the placement adds to the noise of the start itself."""
     for name in roster.expand(put.names) if put.is_marked else ():
-        if name in scenario.robots or name in scenario.balls or name in scenario.obstacles:
-            own_m = scenario.robots[name].start.noise_m if name in scenario.robots and not put.aim else (0.0, 0.0)
+        if name in roster.things:
+            own_m = (0.0, 0.0) if put.aim else start_noise_m(scenario, name)
             noise_m = (put.noise_m[0] + own_m[0], put.noise_m[1] + own_m[1])
-            yield Area(flipped(home(scenario, name), put.flip), noise_m, aim=put.aim), (name,)
+            yield Area(flipped(start_pose(scenario, name)[:2], put.flip), noise_m, aim=put.aim), (name,)
 
 
 def _spots(scenario: Scenario, roster: Roster, name: str) -> list[Point]:

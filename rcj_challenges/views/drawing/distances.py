@@ -5,12 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from rcj_challenges.rules.actions.count import Count
 from rcj_challenges.rules.conditions.distance import Distance
 from rcj_challenges.rules.conditions.spot_free import SpotFree
 from rcj_challenges.rules.triggers.displaced import Displaced
-from rcj_challenges.rules.values import Bound
-from rcj_challenges.rules.values.counter import CounterValue
 from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.roster import Roster, row_of, written_for
@@ -26,24 +23,21 @@ class MeasuredDistance(NamedTuple):
         name: of the spot, the zone, the gate or the fixed obstacle; empty for a point.
         centre_m: the circle's centre, [x, y] in m; of a spot that rules set, where it is when a half starts. None of a
             zone, a gate and a wall.
-        counter: that rules count, and whose initial value the distance is; empty of what stays as it is.
     """
 
     radius_m: float
     name: str
     centre_m: Point | None = None
-    counter: str = ""
 
     def words(self, unit: str = "") -> str:
-        """Return it for the legend: ``0.2 from hill``, ``0.3 from hill (radius at first; rules count it)``."""
-        counted = f" ({self.counter} at first; rules count it)" if self.counter else ""
-        return f"{self.radius_m:g}{unit} from {self.name or point_words(self.centre_m or (0.0, 0.0))}{counted}"
+        """Return it for the legend: ``0.2 from hill``."""
+        return f"{self.radius_m:g}{unit} from {self.name or point_words(self.centre_m or (0.0, 0.0))}"
 
 
 def measured_distances(scenario: Scenario, roster: Roster) -> list[MeasuredDistance]:
     """Return the distances that rules measure from things that do not move, each once, in the order of the rules.
 
-    Of a counter it is the initial value.
+    Distances that a counter decides are not among them.
     """
     return list(dict.fromkeys(found for rule in scenario.rules.values() for found in _of_rule(rule, scenario, roster)))
 
@@ -51,29 +45,15 @@ def measured_distances(scenario: Scenario, roster: Roster) -> list[MeasuredDista
 def _of_rule(rule: Rule, scenario: Scenario, roster: Roster) -> Iterator[MeasuredDistance]:
     for model, _ in visit(rule):
         if isinstance(model, Distance):
-            bounds = [
-                (radius_m, counter)
-                for bound in (model.at_least, model.at_most, model.equals)
-                for radius_m, counter in _at_first(bound, scenario)
-                if radius_m > 0
-            ]
+            bounds = (model.at_least, model.at_most, model.equals)
+            radii_m = [float(bound) for bound in bounds if isinstance(bound, int | float) and bound > 0]
             for name, centre in _places(model.to, rule, scenario, roster):
-                yield from (MeasuredDistance(radius_m, name, centre, counter) for radius_m, counter in bounds)
+                yield from (MeasuredDistance(radius_m, name, centre) for radius_m in radii_m)
         elif isinstance(model, SpotFree) and model.clearance_m > 0:
             for name, centre in (place for one in row_of(model.spot) for place in _places(one, rule, scenario, roster)):
                 yield MeasuredDistance(model.clearance_m, name, centre)
         elif isinstance(model, Displaced) and not isinstance(model.from_, str) and model.axis == "distance":
             yield MeasuredDistance(model.distance_m, "", model.from_)
-
-
-def _at_first(bound: Bound | None, scenario: Scenario) -> Iterator[tuple[float, str]]:
-    """Yield a bound that is known before the match, and the counter of which it is the initial value, if one counts."""
-    if isinstance(bound, int | float):
-        yield bound, ""
-    elif isinstance(bound, CounterValue) and bound.counter in scenario.counters:
-        actions = (action for rule in scenario.rules.values() for action in rule.actions)
-        changes = any(isinstance(action, Count) and action.counter == bound.counter for action in actions)
-        yield scenario.counters[bound.counter].initial, bound.counter if changes else ""
 
 
 def _places(to: str | Point, rule: Rule, scenario: Scenario, roster: Roster) -> Iterator[tuple[str, Point | None]]:

@@ -13,51 +13,55 @@ from rcj_challenges.views.markup import escaped
 
 MARKER_PX = 18.0
 """Height of a marker."""
+LEGEND_PX = 385.0
+"""Width of the legend beside the field."""
 _DIGIT_PX = 7.0
 _LEADER_FROM_PX = 20.0
 """A marker that stands further than this from its place gets a line that leads there."""
 _RINGS_PX = (20.0, 32.0, 46.0, 62.0, 80.0)
 _DIRECTIONS = 12
-_LEGEND_PX = 420.0
 _LINE_PX = 18.0
-_CHARACTERS = 54
+_CHARACTERS = 48
 """Of a line of the legend: it holds them in wide fonts too."""
-_TITLE_CHARACTERS = 40
+_TITLE_CHARACTERS = 36
 _POINT = re.compile(r"\([-\d.]+, [-\d.]+\)")
 _NO_BREAK = "\N{NO-BREAK SPACE}"
+# Printed on A4, the smallest text is 7 pt high.
 _STYLE = (
     "text{font-family:system-ui,-apple-system,'Segoe UI',sans-serif;fill:#1f2937}"
     ".number{font-size:13px;font-weight:700;fill:#ffffff;text-anchor:middle}.number.dark{fill:#161c24}"
     ".marker rect{stroke:#ffffff}.leader{stroke:#495057}"
-    ".axis{font-size:11px;fill:#6b7280}.title{font-size:17px;font-weight:700}.head{font-size:14px;font-weight:700}"
-    ".entry{font-size:13px}"
+    ".axis{font-size:12px;fill:#4b5563;text-anchor:middle}.title{font-size:17px;font-weight:700}"
+    ".head{font-size:14px;font-weight:700}.entry{font-size:13px}"
 )
 
 
-class Marker(NamedTuple):
-    """A numbered marker.
+class Entry(NamedTuple):
+    """A line of the legend.
 
     Attributes:
-        at_px: the place that it marks.
-        offset_px: from there to where it stands if there is room.
-        number: what is written in it.
-        name: of what it marks.
-        colour: its ground, dark enough for white digits.
+        text: what it says.
+        number: the marker that it explains; empty: none.
+        colour: of that marker.
+        sample: SVG attributes of a small box that shows the line or area that it explains; empty: none.
     """
 
+    text: str
+    number: str = ""
+    colour: str = ""
+    sample: str = ""
+
+
+Section = tuple[str, list[Entry]]
+"""A heading of the legend with its lines."""
+
+
+class _Marker(NamedTuple):
     at_px: Point
     offset_px: Point
     number: str
     name: str
     colour: str
-
-
-class Entry(NamedTuple):
-    """A line of the legend: a text, and the marker that it explains, if there is one."""
-
-    text: str
-    number: str = ""
-    colour: str = ""
 
 
 class Paper:
@@ -74,7 +78,7 @@ class Paper:
         self.width_px = (bounds[2] - bounds[0]) * px_per_m
         self.height_px = (bounds[3] - bounds[1]) * px_per_m
         self._elements: list[str] = []
-        self._markers: list[Marker] = []
+        self._markers: list[_Marker] = []
         self._bodies: list[tuple[Point, float]] = []
         self._leaders_at = 0
         self._numbers = 0
@@ -113,7 +117,7 @@ class Paper:
 
     def text_px(self, x: float, y: float, text: str, css: str) -> None:
         """Write text at a place in pixels."""
-        self._elements.append(f'<text x="{x:.1f}" y="{y:.1f}" class="{css}">{escaped(text)}</text>')
+        self._elements.append(_text(x, y, text, css))
 
     def keep_free(self, centre: Point, radius_m: float) -> None:
         """Let no marker cover a robot or a ball."""
@@ -130,19 +134,20 @@ class Paper:
 
     def mark(self, at: Point, number: str, name: str, colour: str, *, offset_px: Point = (0.0, 0.0)) -> None:
         """Add a marker; where it stands is decided when all are known."""
-        self._markers.append(Marker(self.px(at), offset_px, number, name, colour))
+        self._markers.append(_Marker(self.px(at), offset_px, number, name, colour))
 
-    def svg(self, title: str, sections: Sequence[tuple[str, Sequence[Entry]]]) -> str:
-        """Return the whole picture, with a legend on its right.
+    def svg(self, title: str, sections: Sequence[Section] = ()) -> str:
+        """Return the picture.
 
         Args:
             title: of the picture and the legend.
-            sections: headings of the legend with their entries; sections without entries are left out.
+            sections: of the legend on its right, without those that have no lines; none: the picture has no legend.
         """
-        self._draw_markers()
-        height = max(self.height_px, self._draw_legend(title, sections))
-        width, label = self.width_px + _LEGEND_PX, escaped(f"{title}: field")
-        body = "\n".join(self._elements)
+        elements, width, height = self._with_markers(), self.width_px, self.height_px
+        if sections:
+            lines, below = _legend(title, sections, self.width_px + 8)
+            elements, width, height = elements + lines, width + LEGEND_PX, max(height, below)
+        label, body = escaped(f"{title}: field"), "\n".join(elements)
         return (
             f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {height:.0f}" width="{width:.0f}" '
             f'height="{height:.0f}" role="img" aria-label="{label}">\n'
@@ -154,20 +159,23 @@ class Paper:
         inside = f"<title>{escaped(title)}</title>" if title else ""
         self._elements.append(f"<{tag} {attributes}>{inside}</{tag}>")
 
-    def _draw_markers(self) -> None:
-        """Draw each marker at its place, or at the nearest one around it that is free."""
+    def _with_markers(self) -> list[str]:
+        """Return all elements, with each marker at its place or at the nearest one around it that is free."""
         placed: list[tuple[Point, float]] = []
+        leaders: list[str] = []
         for marker in self._markers:
             half_px = _half_width_px(marker.number)
             candidates = [self._inside(place) for place in _places(marker)]
             x, y = next((at for at in candidates if self._is_free(at, half_px, placed)), candidates[0])
             placed.append(((x, y), half_px))
-            if math.dist((x, y), self._inside(marker.at_px)) > _LEADER_FROM_PX:
-                x2, y2 = self._inside(marker.at_px)
-                leader = f'<line class="leader" x1="{x:.1f}" y1="{y:.1f}" x2="{x2:.1f}" y2="{y2:.1f}"/>'
-                self._elements.insert(self._leaders_at, leader)
-        for marker, ((x, y), _) in zip(self._markers, placed, strict=True):
-            self._draw_marker(x, y, marker.number, marker.colour, marker.name)
+            x2, y2 = self._inside(marker.at_px)
+            if math.dist((x, y), (x2, y2)) > _LEADER_FROM_PX:
+                leaders.append(f'<line class="leader" x1="{x:.1f}" y1="{y:.1f}" x2="{x2:.1f}" y2="{y2:.1f}"/>')
+        markers = [
+            _marker(x, y, marker.number, marker.colour, marker.name)
+            for marker, ((x, y), _) in zip(self._markers, placed, strict=True)
+        ]
+        return self._elements[: self._leaders_at] + leaders + self._elements[self._leaders_at :] + markers
 
     def _is_free(self, at: Point, half_px: float, placed: Sequence[tuple[Point, float]]) -> bool:
         x, y = at
@@ -180,39 +188,47 @@ class Paper:
         x, y = place
         return min(max(x, MARKER_PX), self.width_px - MARKER_PX), min(max(y, MARKER_PX), self.height_px - MARKER_PX)
 
-    def _draw_marker(self, x: float, y: float, number: str, colour: str, name: str) -> None:
-        half_px, height = _half_width_px(number), MARKER_PX
-        self._elements.append(
-            f'<g class="marker"><title>{escaped(name)}</title><rect x="{x - half_px:.1f}" y="{y - height / 2:.1f}" '
-            f'width="{2 * half_px:.1f}" height="{height:.0f}" rx="{height / 2:.0f}" fill="{colour}"/>'
-            f'<text x="{x:.1f}" y="{y + 4.5:.1f}" class="number">{number}</text></g>'
-        )
 
-    def _draw_legend(self, title: str, sections: Sequence[tuple[str, Sequence[Entry]]]) -> float:
-        """Draw the legend; returns its height in pixels."""
-        x, y = self.width_px + 8, 10.0
-        for line in wrap(title, _TITLE_CHARACTERS):
-            y += 1.3 * _LINE_PX
-            self.text_px(x, y, line, "title")
-        for head, entries in sections:
-            if entries:
-                y += 1.6 * _LINE_PX
-                self.text_px(x, y, head, "head")
-            for entry in entries:
-                if entry.number:
-                    self._draw_marker(x + 14, y + _LINE_PX - 4.5, entry.number, entry.colour, "")
-                text = _POINT.sub(lambda point: point[0].replace(" ", _NO_BREAK), entry.text)
-                for line in wrap(text, _CHARACTERS):
-                    y += _LINE_PX
-                    self.text_px(x + 32, y, line.replace(_NO_BREAK, " "), "entry")
-        return y + 2 * _LINE_PX
+def _text(x: float, y: float, text: str, css: str) -> str:
+    return f'<text x="{x:.1f}" y="{y:.1f}" class="{css}">{escaped(text)}</text>'
+
+
+def _marker(x: float, y: float, number: str, colour: str, name: str) -> str:
+    half_px = _half_width_px(number)
+    return (
+        f'<g class="marker"><title>{escaped(name)}</title><rect x="{x - half_px:.1f}" y="{y - MARKER_PX / 2:.1f}" '
+        f'width="{2 * half_px:.1f}" height="{MARKER_PX:.0f}" rx="{MARKER_PX / 2:.0f}" fill="{colour}"/>'
+        f"{_text(x, y + 4.5, number, 'number')}</g>"
+    )
+
+
+def _legend(title: str, sections: Sequence[Section], x: float) -> tuple[list[str], float]:
+    """Return the elements of the legend, and how far down it reaches, in pixels."""
+    y, elements = 10.0, list[str]()
+    for line in wrap(title, _TITLE_CHARACTERS):
+        y += 1.3 * _LINE_PX
+        elements.append(_text(x, y, line, "title"))
+    for head, entries in sections:
+        if entries:
+            y += 1.6 * _LINE_PX
+            elements.append(_text(x, y, head, "head"))
+        for entry in entries:
+            if entry.number:
+                elements.append(_marker(x + 14, y + _LINE_PX - 4.5, entry.number, entry.colour, ""))
+            if entry.sample:
+                elements.append(f'<rect x="{x + 4:.1f}" y="{y + 7:.1f}" width="20" height="11" {entry.sample}/>')
+            text = _POINT.sub(lambda point: point[0].replace(" ", _NO_BREAK), entry.text)
+            for line in wrap(text, _CHARACTERS):
+                y += _LINE_PX
+                elements.append(_text(x + 32, y, line.replace(_NO_BREAK, " "), "entry"))
+    return elements, y + 2 * _LINE_PX
 
 
 def _half_width_px(number: str) -> float:
     return max(MARKER_PX, 6 + _DIGIT_PX * len(number) + 4) / 2
 
 
-def _places(marker: Marker) -> Iterator[Point]:
+def _places(marker: _Marker) -> Iterator[Point]:
     """Yield where a marker may stand, the best place first."""
     (x, y), (dx, dy) = marker.at_px, marker.offset_px
     yield x + dx, y + dy

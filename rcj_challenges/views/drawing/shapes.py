@@ -1,19 +1,16 @@
-"""Zones as polygons that end at the paper, start positions, and points as text."""
+"""Zones as polygons that end at the paper, lines that end at the walls, and points as text."""
 
 from __future__ import annotations
 
 import math
 
-from rcj_challenges.scenario.models.field import FieldModel, Goal, Wall
+from rcj_challenges.scenario.models.field import FieldModel, Goal
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
-from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.starting import start_pose
 
 Point = tuple[float, float]
 Box = tuple[float, float, float, float]
 """Left, bottom, right and top, in m."""
 
-_NOTHING_M2 = 1e-6  # too small to see: a square millimetre
 FORWARD_M = 0.05
 
 
@@ -34,21 +31,14 @@ def shown_outline(zone: Zone, field: FieldModel, paper: Box) -> list[Point]:
     """
     if not _is_open(zone):
         return zone_outline(zone, paper)
+    return floor_outline(zone, field) or zone_outline(zone, _with_goals(field)) or zone_outline(zone, paper)
+
+
+def _with_goals(field: FieldModel) -> Box:
+    """Return the box around the floor and the goals."""
     depth_m = max((goal.depth_m for goal in field.goals.values()), default=0.0)
     w, h = field.width_m / 2, field.length_m / 2 + depth_m
-    return floor_outline(zone, field) or zone_outline(zone, (-w, -h, w, h)) or zone_outline(zone, paper)
-
-
-def inverted_outlines(zone: Zone, field: FieldModel, paper: Box) -> tuple[list[Point], list[Point]]:
-    """Return how an inverted zone is drawn: an outline, and the hole in it.
-
-    The outline is the floor, or the whole paper if all of the floor is in the hole.
-    """
-    floor, hole = floor_of(field), floor_outline(zone, field)
-    if _area_m2(hole) < _area_m2(floor) - _NOTHING_M2:
-        return floor, hole
-    left, bottom, right, top = paper
-    return [(left, bottom), (right, bottom), (right, top), (left, top)], zone_outline(zone, paper)
+    return -w, -h, w, h
 
 
 def floor_of(field: FieldModel) -> list[Point]:
@@ -79,12 +69,6 @@ def _is_open(zone: Zone) -> bool:
     if isinstance(zone, RectZone):
         return None in (zone.x_min_m, zone.x_max_m, zone.y_min_m, zone.y_max_m)
     return isinstance(zone, HalfPlaneZone)
-
-
-def _area_m2(outline: list[Point]) -> float:
-    """Return the area of a polygon (the shoelace formula)."""
-    doubled = sum(outline[k - 1][0] * y - x * outline[k - 1][1] for k, (x, y) in enumerate(outline))
-    return abs(doubled) / 2
 
 
 def _whole_outline(zone: Zone, bounds: Box) -> list[Point]:
@@ -141,6 +125,40 @@ def middle(outline: list[Point], bounds: Box) -> Point:
     return (min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2
 
 
+def corners_of(bounds: Box) -> list[Point]:
+    """Return the corners of a box, clockwise."""
+    left, bottom, right, top = bounds
+    return [(left, top), (right, top), (right, bottom), (left, bottom)]
+
+
+def shown_line(start: Point, end: Point, field: FieldModel) -> tuple[Point, Point] | None:
+    """Return the part of a line inside the walls; None if there is none.
+
+    A line that ends outside is cut at the walls, or where the goals end if none of it is on the floor.
+    """
+    around = _with_goals(field)
+    if all(around[0] <= x <= around[2] and around[1] <= y <= around[3] for x, y in (start, end)):
+        return start, end
+    return _inside(start, end, floor_of(field)) or _inside(start, end, corners_of(around))
+
+
+def _inside(start: Point, end: Point, corners: list[Point]) -> tuple[Point, Point] | None:
+    """Return the part of a line inside a convex polygon, whose corners stand clockwise."""
+    enters, leaves = 0.0, 1.0
+    for k, (x, y) in enumerate(corners):
+        normal = (y - corners[k - 1][1], corners[k - 1][0] - x)
+        depth, end_depth = ((px - x) * normal[0] + (py - y) * normal[1] for px, py in (start, end))
+        if depth < 0 and end_depth < 0:
+            return None
+        if depth < 0:
+            enters = max(enters, depth / (depth - end_depth))
+        elif end_depth < 0:
+            leaves = min(leaves, depth / (depth - end_depth))
+    dx, dy = end[0] - start[0], end[1] - start[1]
+    at = [(start[0] + share * dx, start[1] + share * dy) for share in (enters, leaves)]
+    return (at[0], at[1]) if enters < leaves else None
+
+
 def turned(points: list[Point], at: Point, yaw_rad: float) -> list[Point]:
     """Return points of a body's own frame (x forward) as points of the field."""
     c, s = math.cos(yaw_rad), math.sin(yaw_rad)
@@ -191,17 +209,3 @@ def _range_words(axis: str, low: float | None, high: float | None) -> str:
     if low is None:
         return "" if high is None else f"{axis} < {high:g}"
     return f"{axis} > {low:g}" if high is None else f"{low:g} < {axis} < {high:g}"
-
-
-def home(scenario: Scenario, entity: str) -> Point:
-    """Return where an entity or a fixed obstacle is at the start, in m; of a wall, one of its ends."""
-    obstacle = scenario.obstacles.get(entity)
-    if isinstance(obstacle, Wall):
-        return obstacle.from_m
-    x_m, y_m, _ = start_pose(scenario, entity)
-    return x_m, y_m
-
-
-def home_yaw_rad(scenario: Scenario, entity: str) -> float:
-    """Return how an entity is turned at the start, in rad from +x, counter-clockwise."""
-    return start_pose(scenario, entity)[2]
