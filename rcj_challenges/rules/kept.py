@@ -50,7 +50,7 @@ def asked(phrases: Phrases, condition: _OfKept, kind: str, name: str) -> Subject
     together = of is None and entity is None and kind != "counter" and phrases.owners(kind, name) is not None
     if (of is None and not together) or entity == "each":
         return None
-    return phrases.quantified(of or "any", entity or phrases.keepers(kind, name), negate=condition.negate)
+    return phrases.quantified(of or "any", entity or phrases.keepers(kind, name) or (), negate=condition.negate)
 
 
 def kept(phrases: Phrases, condition: _OfKept, kind: str, name: str) -> str:

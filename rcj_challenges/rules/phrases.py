@@ -46,12 +46,6 @@ class Phrases(Protocol):
     def timer_length_s(self, timer: str) -> float | None:
         """Return the length of a timer; None if a draw or a counter decides it."""
 
-    def stands_fast(self, names: Names) -> bool:
-        """Return whether names stand for nothing but fixed obstacles."""
-
-    def meeting_zones(self, names: Names) -> int:
-        """Return how many zones names stand for if any two of them may meet, else 0."""
-
     def clock_may_stop(self) -> bool:
         """Return whether a phase stops the clock of the half."""
 
@@ -61,14 +55,8 @@ class Phrases(Protocol):
     def quantified(self, of: Any, names: Names, *, negate: bool) -> Subject:
         """Return how many of several must do something: ``none of the robots``; negated, the opposite of it."""
 
-    def of_those_there(self, of: Any, names: Names, *, negate: bool) -> Subject:
-        """Return the same where nothing is asked of what is off the field."""
-
-    def may_be_off(self, names: Any) -> bool:
-        """Return whether a rule takes any of what names stand for off the field; of a point none does."""
-
-    def off_as_a_whole(self, at: Any, measured_from: Any = None) -> Subject | None:
-        """Return what must be off the field for nothing to be measured to it; None: some of it is always on it."""
+    def may_be_off(self) -> bool:
+        """Return whether a rule takes anything off the field."""
 
     def drawn(self, draw: str, written: Scalar) -> str:
         """Return a value of a draw: ``“west”``."""
@@ -79,11 +67,8 @@ class Phrases(Protocol):
     def is_entrant(self, name: str) -> bool:
         """Return whether a name is that of an entrant."""
 
-    def keepers(self, kind: str, name: str) -> str:
-        """Return the group of which each has a counter, flag, timer or sequence of its own."""
-
-    def sequence_step(self, sequence: str, step: str) -> str:
-        """Return a step of a sequence, with what it means if it is the last."""
+    def keepers(self, kind: str, name: str) -> str | None:
+        """Return the names of which each has a counter, flag, timer or sequence of its own; None for a single one."""
 
     def all_but_each(self, counter: str) -> str:
         """Return whose lowest or highest counter a rule reads: ``all others on the field``; without ``each`` of all."""
@@ -104,6 +89,3 @@ class Phrases(Protocol):
 
     def may_be_zone(self, name: str) -> bool:
         """Return whether a name may stand for a zone."""
-
-    def mirrored_layout(self, action: Any) -> str:
-        """Return how all places of a layout are mirrored, and what its kicks are aimed at."""

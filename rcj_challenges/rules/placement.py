@@ -98,5 +98,5 @@ def _rolls(phrases: Phrases, at: At, placement: _Placement) -> str:
 def _room(placement: _Placement) -> str:
     """Return how much room it needs, and what happens if there is none."""
     gap_m = placement.min_clearance_m
-    gap = f", at least {metres(gap_m)} from everything but the walls" if gap_m else ""
+    gap = f", with a gap of at least {metres(gap_m)} between outlines (not to the walls)" if gap_m else ""
     return gap + (", or left where it is if there is no room" if placement.on_failure == "stay" else "")

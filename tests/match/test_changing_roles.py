@@ -79,7 +79,7 @@ def test_statistics_take_different_programs_for_different_robots(played):
 
 
 def test_the_sheet_asks_each_team_for_all_programs(duel):
-    said = "each of them hands in all these programs"
+    said = "each of them hands in the programs of both"
     assert said in sheet_markdown(duel.scenario, duel.roster)
     once = load_text(DUEL.replace("halves: 2", "halves: 1"))
     assert said not in sheet_markdown(once.scenario, once.roster)

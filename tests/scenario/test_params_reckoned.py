@@ -184,7 +184,7 @@ class TestWhatIsSaid:
         assert " more than 0.3 s" in sentence(rule_, "params: {step: 0.1}")
         points = "{action: emit, event: E, payload: {a: {param: step, times: 3}}}"
         assert "(a: 0.3)" in sheet(
-            f"params: {{step: 0.1}}\nrules: {{it: {{triggers: [{{trigger: half_started}}], actions: [{points}]}}}}\n"
+            f"params: {{step: 0.1}}\nrules: {{it: {{triggers: [{{trigger: half_started}}], actions: [{points}, {{action: end}}]}}}}\n"
         )
 
 

@@ -6,6 +6,8 @@ from typing import Any
 
 import pytest
 
+from rcj_challenges.views.drawing.field import Picture
+from rcj_challenges.views.drawing.paper import Paper
 from tests.views.browser_stage import WIDE, Stage, opened_browser
 from tests.views.live_play import MadeUpMatch
 
@@ -20,7 +22,8 @@ def browser_stage() -> Iterator[Stage]:
 @pytest.fixture
 def without_drawing(monkeypatch: pytest.MonkeyPatch) -> None:
     """For tests of what a rule sheet says: its drawing takes ten times as long as all the rest."""
-    monkeypatch.setattr("rcj_challenges.views.sheet.ground.draw_scenario", lambda *_, **__: "<svg></svg>")
+    empty = Picture(Paper((0.0, 0.0, 1.0, 1.0), 1.0), "", [])
+    monkeypatch.setattr("rcj_challenges.views.sheet.page.picture_of", lambda *_: empty)
 
 
 @pytest.fixture

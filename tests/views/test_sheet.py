@@ -1,7 +1,6 @@
-"""The rule sheet says what the referee does."""
+"""What is on the rule sheet, and where."""
 
 import re
-from functools import cache
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -9,54 +8,19 @@ import pytest
 
 from rcj_challenges.scenario.load import load, load_text
 from rcj_challenges.views.sheet import sheet_html, sheet_markdown
+from tests.views.sheets import HEAD, section, sentence, sheet
 
 ROOT = Path(__file__).resolve().parents[2]
-SHIPPED = ("match", "fast_shooter", "pass_the_ball", "precision_lidar")
-RECIPES = sorted((ROOT / "docs" / "recipes").glob("*.yaml"))
-ALL = [
-    *(pytest.param(path, id=path.stem) for path in sorted((ROOT / "scenarios").rglob("*.yaml"))),
-    *(pytest.param(path, id=path.stem) for path in RECIPES),
-]
-
-
-@cache
-def sheet(name: str, *overrides: str) -> str:
-    loaded = load(name, overrides)
-    return sheet_markdown(loaded.scenario, loaded.roster)
-
-
-def test_the_sheet_of_a_challenge_of_2021_says_in_which_order_its_sensors_tell_numbers():
-    text = sheet("precision_lidar").replace("\\", "")
-    assert "position of the robot, told as [y, z, x] as in the worlds of 2021" in text
-    assert "direction of north, told as [left, up, ahead] as in the worlds of 2021" in text
-    assert "its points told as [left, up, ahead] as in the worlds of 2021" in text
-    assert "2021" not in sheet("match").partition("# Robots")[2].partition("\n## ")[0]
-
-
-@pytest.mark.parametrize("name", SHIPPED)
-def test_every_rule_stands_on_the_sheet(name):
-    text = sheet(name).replace("\\", "")
-    for rule in load(name).scenario.rules:
-        assert f"[{rule}]" in text
-
-
-def test_a_changed_limit_changes_the_sheet():
-    assert "over the last 15 s" in sheet("match")
-    assert "over the last 7 s" in sheet("match", "robot_progress_s=7")
-
-
-def test_points_stand_in_the_scoring_table():
-    assert "| yellow | 5 |" in sheet("fast_shooter", "rules.goal.actions[0].points=5")
-
-
-def test_blanks_of_sentences_are_filled():
-    assert "{entity}" not in sheet("match")
+SHIPPED = sorted((ROOT / "scenarios").rglob("*.yaml"))
+IT = "triggers: [{trigger: half_started}]"
+END = "actions: [{action: end}]"
+RULE = f"rules: {{it: {{{IT}, {END}}}}}\n"
 
 
 class _Tags(HTMLParser):
     def __init__(self):
         super().__init__()
-        self.open, self.seen = [], set()
+        self.open, self.seen, self.text = [], set(), ""
 
     def handle_starttag(self, tag, attrs):
         self.seen.add(tag)
@@ -66,197 +30,190 @@ class _Tags(HTMLParser):
     def handle_endtag(self, tag):
         assert self.open.pop() == tag
 
+    def handle_data(self, data):
+        self.text += data
 
-@pytest.mark.parametrize("name", SHIPPED)
-def test_the_page_is_well_formed_and_needs_nothing_from_elsewhere(name):
-    loaded = load(name, ["title='A <b>bold</b> title'"])
-    page = sheet_html(loaded.scenario, loaded.roster)
+
+def read(page: str) -> _Tags:
     tags = _Tags()
     tags.feed(page)
+    return tags
+
+
+# --- the page ---------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
+def test_page_is_well_formed_needs_nothing_from_elsewhere_and_has_the_legend(path):
+    loaded = load(path, ["title='A <b>bold</b> title'"])
+    tags = read(sheet_html(loaded.scenario, loaded.roster))
     assert tags.open == []
     assert not tags.seen & {"script", "link", "img", "iframe", "b"}
+    assert all(f"{name}: " in tags.text for name in (*loaded.scenario.zones, *loaded.scenario.robots))
 
 
-SMALL = """
-schema_version: 1
-id: small
-title: Small
-extends: soccersim_v2
-obstacles: {pin: {shape: cylinder, centre_m: [0.4, 0], radius_m: 0.02, movable: true}}
-groups: {pins: [pin]}
-rules:
-  down:
-    for_each: pins
-    triggers: [{trigger: displaced, entity: each, distance_m: 0.02}]
-    actions: [{action: emit, event: OUT}]
-    says: "{entity} is down."
-  gone:
-    for_each: balls
-    triggers: [{trigger: leaves, entity: each, zone: pitch}]
-    actions: [{action: emit, event: OUT}]
-    says: "{entity} is gone."
-"""
+def test_markdown_has_a_picture_or_what_stands_for_it():
+    loaded = load("match")
+    assert "\n\n![The field](a.svg)\n\n" in sheet_markdown(loaded.scenario, loaded.roster, "![The field](a.svg)")
+    inline = sheet_markdown(loaded.scenario, loaded.roster).partition("<svg")[2].partition("</svg>")[0]
+    assert "\n\n" not in inline
 
 
-def test_a_sentence_names_the_kind_of_thing_that_its_rule_goes_over():
-    loaded = load_text(SMALL)
-    text = sheet_markdown(loaded.scenario, loaded.roster)
-    assert "The obstacle is down." in text
-    assert "The ball is gone." in text
+def test_rows_of_markdown_tables_have_as_many_cells_as_their_heads():
+    loaded = load("match")
+    text = sheet_markdown(loaded.scenario, loaded.roster, "")
+    tables = [block.splitlines() for block in text.split("\n\n") if block.startswith("|")]
+    assert len(tables) > 4
+    for head, *rows in tables:
+        assert {row.replace("\\|", "").count("|") for row in rows} == {head.count("|")}
 
 
-def test_an_event_of_several_rules_is_explained_by_all_of_them():
-    loaded = load_text(SMALL)
-    text = sheet_markdown(loaded.scenario, loaded.roster)
-    assert "| OUT | The obstacle is down. Or: The ball is gone. |" in text
+# --- for people, and the appendix -------------------------------------------------------------------------------------
 
 
-SEVERAL = re.compile(
-    r"(?P<one>(?:[Oo]ne|[Ee]ach|any|none) of (?:the \w+ robots(?:,| and) )*)?the (?:\w+ )?(?:robots|balls|obstacles|spots|zones|circles|areas)(?: “[^”]*”)? "
-    r"(?P<verb>is|has|was|leaves|enters|touches|crosses|moves|tilts|fails)\b"
+def test_players_read_description_scoring_and_what_rules_say_before_the_appendix():
+    loaded = load("match")
+    text = sheet_markdown(loaded.scenario, loaded.roster, "").replace("\\", "")
+    lead, _, appendix = text.partition("\n## Appendix")
+    assert re.findall("^## (.*)$", lead, re.MULTILINE) == ["The match", "Scoring", "Rules", "What to hand in"]
+    assert loaded.scenario.rules["kickoff_blue"].says in section(lead, "Rules")
+    assert "[kickoff_blue]" not in lead
+    assert "[kickoff_blue] When" in appendix
+
+
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
+def test_every_rule_that_has_a_sentence_is_on_the_sheet(path):
+    loaded = load(path)
+    text = sheet_markdown(loaded.scenario, loaded.roster, "").replace("\\", "")
+    assert all(f"[{name}] " in text for name, rule in loaded.scenario.rules.items() if rule.says)
+
+
+def test_rule_with_sheet_false_is_nowhere_on_it():
+    surprise = "actions: [{action: score, entrant: blue, points: 7}, {action: emit, event: SURPRISE}], says: A gift."
+    shown = sheet(f"rules: {{surprise: {{{IT}, {surprise}}}}}\n")
+    assert "[surprise]" in shown
+    assert "| A gift. | blue | 7 |" in shown
+    hidden = sheet(f"rules: {{surprise: {{{IT}, {surprise}, sheet: false}}}}\n")
+    assert not re.search("surprise|gift|7 points", hidden, re.IGNORECASE)
+
+
+def test_rules_that_only_keep_books_are_left_out_unless_they_have_a_sentence():
+    counters = "counters: {laps: {}}\n"
+    count = f"{IT}, actions: [{{action: count, counter: laps}}, {{action: emit, event: E}}]"
+    assert "[it]" not in sheet(f"{counters}rules: {{it: {{{count}}}}}\n")
+    assert "[it]" in sheet(f"{counters}rules: {{it: {{{count}, says: A lap.}}}}\n")
+    assert "[it]" in sheet(RULE)
+
+
+def test_rules_that_say_the_same_say_it_once():
+    text = sheet(f"rules: {{a: {{{IT}, {END}, says: Over.}}, b: {{{IT}, {END}, says: Over.}}}}\n")
+    assert section(text, "Rules") == "- Over."
+
+
+def test_rules_stand_in_the_order_in_which_they_are_judged():
+    text = sheet(f"rules: {{late: {{{IT}, {END}, priority: 1}}, early: {{{IT}, {END}}}}}\n")
+    assert text.index("1. [early]") < text.index("2. [late]")
+
+
+def test_limits_phases_and_exclusions_of_a_rule_stand_with_it():
+    rule = f"cooldown_s: 3, max_executions: 2, phases: [pause], exclusive: x, {IT}, {END}"
+    text = sheet(f"phases: {{pause: {{}}}}\nrules: {{a: {{{rule}}}, b: {{{rule}}}}}\n")
+    assert (
+        "[a] When a half starts: the half ends (at most once in 3 s; at most 2 times a half; in the phase “pause”)."
+        in text
+    )
+    assert "Of [a] and [b] only the first" in text
+
+
+# --- scoring ----------------------------------------------------------------------------------------------------------
+
+
+def test_points_for_two_teams_are_two_rows():
+    scores = "{action: score, entrant: blue, points: 2}, {action: score, entrant: yellow, points: -1}"
+    text = sheet(f"rules: {{it: {{{IT}, actions: [{scores}], says: A start.}}}}\n")
+    assert "| A start. | blue | 2 |" in text
+    assert "| A start. | yellow | -1 |" in text
+
+
+def test_rules_that_give_no_points_are_not_ranked_unless_the_scenario_says_how():
+    assert section(sheet(RULE), "Scoring") == "No rule gives points."
+    assert "Fewer points are better." in sheet(f"{RULE}result: {{rank: [{{score: ascending}}]}}\n")
+
+
+def test_ranking_by_time_says_what_a_team_has_that_does_not_finish():
+    rank = "[{score: descending}, {time: ascending, plus: [{counter: touched, weight: 5}]}]"
+    text = sheet(f"match: {{halves: 1, half_s: 90}}\ncounters: {{touched: {{}}}}\nresult: {{rank: {rank}}}\n{RULE}")
+    assert (
+        "More points are better. If that is equal: a shorter time is better: how long the half lasted until a rule "
+        "ended it, 5 s added for each count of the counter “touched”. Who does not finish has the whole 90 s."
+    ) in text
+
+
+# --- robots, field and programs -----------------------------------------------------------------------------------------
+
+
+def test_devices_of_single_robots_are_rows_of_their_kit():
+    text = sheet(
+        "robots: {Y1: {devices: {eye: {device: sonar, bearing_rad: 0, range_m: 2}}, without: [supervisor receiver]}}\n"
+        + RULE
+    )
+    rows = [line for line in section(text, "Robots").splitlines() if line.startswith(("| eye |", "| supervisor"))]
+    assert [row.split(" | ")[1] for row in rows] == ["B1, B2, B3, Y2, Y3", "Y1"]
+
+
+def test_robots_that_stand_as_obstacles_have_a_body_but_no_devices():
+    idle = ", ".join(f"{name}: {{idle: true}}" for name in ("B1", "B2", "B3", "Y1", "Y2", "Y3"))
+    text = section(sheet(f"robots: {{{idle}}}\nentrants: {{blue: null, yellow: null}}\n{RULE}"), "Robots")
+    assert "Kit v2 (B1, B2, B3, Y1, Y2, Y3): a cube of" in text
+    assert "| device |" not in text
+
+
+def test_numbers_beside_each_other_are_in_one_unit():
+    text = sheet("obstacles: {bin: {shape: box, centre_m: [0.5, 0.2], size_m: [0.05, 0.3]}}\n" + RULE)
+    assert "box, 5 cm along its x and 30 cm along its y" in text
+
+
+def test_params_in_the_description_are_those_that_are_played():
+    text = f"params: {{n: 3}}\ndescription: Collect {{n}} of them.\n{RULE}"
+    loaded = load_text(HEAD + text, ["n=4"])
+    assert "Collect 4 of them." in sheet_markdown(loaded.scenario, loaded.roster)
+
+
+def test_course_lists_what_runs_beside_the_rules():
+    text = sheet(f"""
+phases: {{pause: {{lasts_s: 3, clock: stops, robots: held}}}}
+timers: {{rest: {{lasts_s: 4, per: robots, starts: true}}}}
+counters: {{laps: {{per: robots, initial: 2}}, none: {{}}}}
+draws: {{side: {{values: [west, east, west], not_last: true}}}}
+sequences: {{way: {{entity: ball, steps: [blue_goal, yellow_goal], wrong_step: break}}}}
+{RULE}""")
+    entries = section(text, "Course").splitlines()[2:]
+    assert [entry.partition(";")[0].partition(",")[0] for entry in entries] == [
+        "- The phase “pause” lasts 3 s",
+        "- The timer “rest” lasts 4 s",
+        "- The counter “laps” of each of the robots is 2 when a half starts.",
+        "- Chance decides “side” when a half starts: west (2 of 3) or east (1 of 3)",
+        "- The sequence “way” of the ball: the blue goal",
+    ]
+
+
+def test_name_has_the_article_that_fits():
+    zones = "zones: {hill: {shape: circle, centre_m: [0, 0], radius_m: 0.1}, in_front: {shape: circle, centre_m: [0, 0.3], radius_m: 0.1}}\n"
+    named = {"hill": "the hill", "in_front": "the zone “in front”", "[hill, blue_goal]": "the hill or the blue goal"}
+    for zone, words in named.items():
+        said = sentence(f"triggers: [{{trigger: enters, entity: robots, zone: {zone}}}], {END}", zones)
+        assert said == f"When one of the robots enters {words}: the half ends."
+
+
+SETTING = re.compile(
+    r"\b(?:\d+|n|one|two|three|four|five|six|ten) (?:more )?"
+    r"(?:minutes?|seconds?|half|halves|points?|robots?|balls|gates|circles)\b|\ba point\b|change sides|half-time",
+    re.IGNORECASE,
 )
 
 
-@pytest.mark.parametrize("source", ALL)
-def test_of_several_nothing_is_said_as_if_they_were_one(source):
-    loaded = load(source) if isinstance(source, Path) else load_text(source)
-    text = sheet_markdown(loaded.scenario, loaded.roster).replace("\\", "")
-    assert [found[0] for found in SEVERAL.finditer(text) if found["one"] is None] == []
-    for odd in (" of it ", "everything of", "not (", "-1 point", "1 times", "every 1 tick", " the the ", " a a "):
-        assert odd not in text
-
-
-GROUPS = """
-schema_version: 1
-id: groups
-title: Groups
-extends: soccersim_v2
-balls: {red: {start_m: [0.4, 0]}}
-obstacles: {vase: {shape: cylinder, centre_m: [0.4, 0.1], radius_m: 0.02, movable: true}}
-groups: {wings: [B1, B2], lone: [Y1]}
-counters: {laps: {per: robots}, goals: {}}
-flags: {away: {}}
-placements: {corner: [{entity: [blue, Y3], at: start}, {entity: balls, at: {spot: centre}}]}
-rules:
-  it: RULE
-  other: {triggers: [{trigger: half_ended}], actions: [{action: count, counter: goals}, {action: set_flag, flag: away}]}
-"""
-
-
-def said(rule: str) -> str:
-    """Return the sentence of a rule that is written in YAML on one line."""
-    loaded = load_text(GROUPS.replace("RULE", f"{{{rule}}}"))
-    text = sheet_markdown(loaded.scenario, loaded.roster).replace("\\", "")
-    return next(line for line in text.splitlines() if line.startswith("1. [it]")).removeprefix("1. [it] ")
-
-
-EDGES = {
-    "trigger: touches, entity: robots, other: walls": "one of the robots touches a wall",
-    "trigger: touches, entity: lone, other: obstacles": "Y1 touches the obstacle “vase”",
-    "trigger: touches, entity: [Y1, blue], other: balls": "Y1 or one of the blue robots touches one of the balls",
-    "trigger: touches, entity: blue, other: blue": "one of the blue robots touches another of them",
-    "trigger: touches, entity: wings, other: robots": "one of the wings touches another of the robots",
-    "trigger: touches, entity: Y1, other: robots": "Y1 touches another of the robots",
-    "trigger: touches, entity: robots, other: blue": "one of the robots touches one of the blue robots",
-    "trigger: leaves, entity: ball, zone: in_play": "the ball “ball” leaves the zones “in play”",
-    "trigger: enters, entity: red, zone: penalty_areas": "the ball “red” enters one of the penalty areas",
-    "trigger: stays_in, entity: wings, zone: pitch, limit_s: 3": (
-        "one of the wings has been in the pitch for more than 3 s"
-    ),
-    "trigger: program_fault": "the program of one of the robots fails",
-    "trigger: time_reached, at_s: 1": "the half has lasted 1 s",
-    "trigger: time_reached, at_s: 1, every_s: 5": "the half has lasted 1 s, and again every 5 s until it ends",
-}
-
-
-@pytest.mark.usefixtures("without_drawing")
-@pytest.mark.parametrize(("written", "words"), EDGES.items(), ids=list(EDGES.values()))
-def test_a_trigger_of_a_group_speaks_of_one_of_them(written, words):
-    assert said(f"triggers: [{{{written}}}], actions: [{{action: end}}]") == f"When {words}: the half ends."
-
-
-LEVELS = {
-    "condition: in_zone, entity: wings, of: all, zone: pitch": "all of the wings are in the pitch",
-    "condition: in_zone, entity: wings, of: all, zone: pitch, negate: true": "not all of the wings are in the pitch",
-    "condition: in_zone, entity: wings, zone: pitch, negate: true": "none of the wings is in the pitch",
-    "condition: in_zone, entity: ball, zone: pitch, negate: true": "the ball “ball” is not in the pitch",
-    "condition: in_zone, entity: robots, of: {at_least: 2}, zone: pitch": "at least 2 of the robots are in the pitch",
-    "condition: in_zone, entity: robots, of: {at_least: 2}, zone: pitch, negate: true": (
-        "fewer than 2 of the robots are in the pitch"
-    ),
-    "condition: speed, entity: ball, at_least: 0.1, negate: true": "the ball “ball” moves slower than 0.1 m/s",
-    "condition: distance, entity: ball, to: robots, at_most: 0.1": (
-        "the ball “ball” is at most 0.1 m from the nearest of the robots"
-    ),
-    "condition: flag, flag: away, negate: true": "the flag “away” is not set",
-    "condition: counter, counter: blue, at_least: 2": "the score of blue is at least 2",
-    "condition: last_touch, by: yellow, negate: true": "the last to touch the ball “ball” was not one of the yellow robots",
-    "condition: spot_free, spot: neutral_spots, of: none": "none of the neutral spots is free",
-}
-
-
-@pytest.mark.usefixtures("without_drawing")
-@pytest.mark.parametrize(("written", "words"), LEVELS.items(), ids=list(LEVELS.values()))
-def test_a_condition_of_a_group_says_how_many_of_them(written, words):
-    rule = f"triggers: [{{trigger: half_started}}], conditions: [{{{written}}}], actions: [{{action: end}}]"
-    assert said(rule) == f"When a half starts, provided that {words}: the half ends."
-
-
-DEEDS = {
-    "action: place, entity: robots, at: start": "the robots are put at their starts",
-    "action: place, entity: lone, at: start": "Y1 is put at its start",
-    "action: place, entity: wings, at: {nearest_free: neutral_spots}": (
-        "the wings are each put on that free one of the neutral spots which is nearest to where it is"
-    ),
-    "action: place, layout: corner": "things are put as in “corner”",
-    "action: place, layout: corner, mirror: {axis: both, when: away}": (
-        "things are put as in “corner”, mirrored (x becomes -x and y becomes -y) if the flag “away” is set"
-    ),
-    "action: remove, entity: [Y1, red]": "Y1 and the ball “red” are taken off the field",
-    "action: remove, entity: blue, for_s: 5": (
-        "the blue robots are taken off the field and after 5 s put at their starts"
-    ),
-    "action: count, counter: laps, to: 0": "the counter “laps” of each of the robots is set to 0",
-    "action: count, counter: goals, by: -2": "the counter “goals” falls by 2",
-    "action: score, entrant: blue, points: -1": "blue loses 1 point",
-    "action: score, entrant: blue, points: 2.5": "blue gets 2.5 points",
-}
-
-
-@pytest.mark.usefixtures("without_drawing")
-@pytest.mark.parametrize(("written", "words"), DEEDS.items(), ids=list(DEEDS.values()))
-def test_an_action_on_a_group_speaks_of_all_of_them(written, words):
-    assert said(f"triggers: [{{trigger: half_started}}], actions: [{{{written}}}]") == f"When a half starts: {words}."
-
-
-def test_a_rule_for_each_of_a_group_says_it_and_its():
-    rule = (
-        "for_each: wings, triggers: [{trigger: leaves, entity: each, zone: pitch}, {trigger: program_fault, robot: each}], "
-        "conditions: [{condition: counter, counter: laps, entity: each, at_least: 1}], "
-        "actions: [{action: count, counter: laps, entity: each}, {action: place, entity: each, at: start}]"
-    )
-    assert said(rule) == (
-        "For each of the wings, when it leaves the pitch, or when its program fails, provided that its counter “laps” is "
-        "at least 1: its counter “laps” grows by 1, then it is put at its start."
-    )
-
-
-def test_a_layout_speaks_of_all_that_it_puts():
-    place = "{action: place, layout: corner}"
-    loaded = load_text(GROUPS.replace("RULE", f"{{triggers: [{{trigger: half_started}}], actions: [{place}]}}"))
-    text = sheet_markdown(loaded.scenario, loaded.roster)
-    assert "the blue robots and Y3 are put at their starts; the balls are each put on the spot “centre”." in text
-    assert "“wings”: B1, B2" in text
-
-
-def test_who_is_better_stands_on_the_sheet():
-    assert "a shorter time, with 3 s added for each count of the counter “touched posts”" in sheet(
-        str(ROOT / "scenarios" / "examples" / "slalom.yaml")
-    )
-
-
-def test_the_order_of_a_sequence_stands_on_the_sheet():
-    assert (
-        "quarter 1, then quarter 2, then quarter 3, then quarter 4 and back to the first; after the first step, "
-        "entering one of these which is neither the last reached nor the next breaks it"
-    ) in sheet("pass_the_ball")
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
+def test_no_text_of_a_shipped_scenario_repeats_what_a_setting_says(path):
+    scenario = load(path).scenario
+    texts = [scenario.description, *(rule.says for rule in scenario.rules.values())]
+    assert [found[0] for text in texts for found in SETTING.finditer(text)] == []

@@ -62,15 +62,28 @@ def test_on_a_phone_a_long_name_breaks_rather_than_leaving_the_screen(
     assert page.evaluate("document.documentElement.scrollWidth") <= PHONE["width"]
 
 
-def test_on_a_phone_the_field_fills_the_screen_and_its_key_is_scrolled_to(sheet_of: Callable[..., Any]) -> None:
+def test_on_a_phone_the_field_fills_the_screen_and_its_legend_is_below(sheet_of: Callable[..., Any]) -> None:
     page = sheet_of("match", PHONE)
-    width_of = """() => {
-      const boxes = [...document.querySelectorAll("svg .marker")].map((one) => one.getBoundingClientRect());
-      return Math.max(...boxes.map((box) => box.right)) - Math.min(...boxes.map((box) => box.left));
-    }"""
-    assert page.evaluate(width_of) > 0.8 * PHONE["width"]
+    field, legend = (
+        page.evaluate(f"(() => {{ const box = document.querySelector('{one}').getBoundingClientRect(); "
+                      "return [box.width, box.top, box.bottom]; })()")
+        for one in ("figure > svg", ".legend")
+    )  # fmt: skip
+    assert field[0] > 0.9 * PHONE["width"]
+    assert legend[1] >= field[2]
+    assert page.evaluate("parseFloat(getComputedStyle(document.querySelector('.legend')).fontSize)") >= 12
+
+
+def test_players_need_two_pages_of_paper(sheet_of: Callable[..., Any]) -> None:
+    width, height = 680, 1009  # of A4 inside its margins, in CSS pixels
+    page = sheet_of("match", {"width": width, "height": height})
     page.emulate_media(media="print")
-    assert page.evaluate("document.querySelector('svg').getBoundingClientRect().width") <= PHONE["width"]
+    assert page.evaluate("document.querySelector('.appendix').getBoundingClientRect().top") < 2 * height
+    assert page.evaluate("getComputedStyle(document.querySelector('.appendix')).breakBefore") == "page"
+    # The numbers in the drawing are at least 7 points high: 13 units of its width.
+    assert (
+        page.evaluate("document.querySelector('figure > svg').getBoundingClientRect().width") * 13 / 477 >= 7 * 96 / 72
+    )
 
 
 def test_on_paper_the_head_of_a_table_comes_again_on_each_page(sheet_of: Callable[..., Any]) -> None:

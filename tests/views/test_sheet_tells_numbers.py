@@ -17,7 +17,7 @@ from typing import Annotated, Any, Literal, NamedTuple, Union, get_args, get_ori
 import pytest
 from pydantic import BaseModel, ValidationError
 
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.facts.timing import TICK_MS
 from rcj_challenges.rules.base import Vocabulary
 from rcj_challenges.rules.phrasing import degrees, number, seconds
 from rcj_challenges.scenario.errors import ScenarioError
@@ -89,11 +89,15 @@ rules:
       - {condition: looks, entity: blue, towards: [0.2, 0.3]}
       - {condition: in_zone, entity: blue, zone: west}
       - {condition: held, entity: blue}
+      - {condition: all_of, conditions: [{condition: held, entity: B1}], negate: true}
       - {condition: sequence_at, sequence: way, entity: blue, of: any, step: west}
       - {condition: spot_free, spot: neutral_spots}
       - {condition: told, entity: blue, text: 7}
       - {condition: drawn, draw: tile, equals: 2}
-    actions: [{action: hold, entity: Y1}, {action: release, entity: Y1}]
+    actions:
+      - {action: hold, entity: Y1}
+      - {action: release, entity: Y1}
+      - {action: count, counter: laps, to: {timer: watch, entity: Y1}}
 """
 
 
@@ -254,10 +258,10 @@ def _new_words(leaf: Leaf, changed: Loaded, *, drawn: bool) -> Counter[str]:
 
 
 def _tells(words: Counter[str], value: Any, annotation: Any) -> bool:
-    """Return whether words tell a value: in its unit, in cm, as a diameter in cm, in degrees, in %, of ticks in s."""
+    """Return whether words tell a value: in its unit, in cm, as a diameter in cm, in degrees, in %, of ticks in ms."""
     if isinstance(value, bool | str) or value in _choices(annotation):
         return bool(words)
-    amounts = (value, 100 * value, 200 * value, value * TICK_S)
+    amounts = (value, 100 * value, 200 * value, value * TICK_MS)
     told = {number(abs(amount)) for amount in amounts}
     told |= {degrees(abs(value)).removesuffix("°"), seconds(abs(value)).split()[0]}
     return bool(told & {re.sub(r"^[-±]+|[.°s]+$", "", word) for word in words})

@@ -70,4 +70,5 @@ expect:
             return placement_words(phrases, self.entity, self.at, self)
         layout = self.layout
         which = f"the layout drawn as {quoted(layout.draw)}" if isinstance(layout, DrawValue) else quoted(layout or "")
-        return f"things are put as in {which}{phrases.mirrored_layout(self)}"
+        mirrored = "" if self.mirror is None else f", mirrored {self.mirror.describe(phrases)}"
+        return f"things are put as in {which}{mirrored}"

@@ -102,29 +102,16 @@ expect:
 
     def describe(self, phrases: Phrases) -> str:
         """Return the part of a sentence that follows ``if``."""
-        who = phrases.of_those_there(self.of, self.entity, negate=self.negate)
+        who = phrases.quantified(self.of, self.entity, negate=self.negate)
         point = phrases.point(self.to, self.entity)
         limit = self.only_limit() if who.negated else None
         if limit is None:
             return f"{who.does('is', 'are')} {self.compared(phrases, ' m', f' from {point}')}"
-        # Of what is off the field nothing is measured: then the opposite of it holds.
-        off = self._off(phrases)
+        # Nothing is measured to what is off the field: then the opposite of it holds.
+        off = ", or one of the two is off the field" if phrases.may_be_off() else ""
         if isinstance(limit, int | float):
             return (
                 f"{who.text} is {'less' if self.at_most is None else 'more'} than {number(limit)} m from {point}{off}"
             )
         how = "nearer to" if self.at_most is None else "further from"
         return f"{who.text} is {how} {point} than {amount_words(phrases, limit)} says in m{off}"
-
-    def _off(self, phrases: Phrases) -> str:
-        """Return what need only be off the field for the opposite of a distance to hold."""
-        itself, target = phrases.may_be_off(self.entity), phrases.off_as_a_whole(self.to, self.entity)
-        if target is None:
-            return " or off the field" if itself else ""
-        if not itself:
-            return f", or {target.does('is', 'are')} off the field"
-        return (
-            f", or off the field, or {target.does('is', 'are')}"
-            if target.plural
-            else ", or one of the two is off the field"
-        )

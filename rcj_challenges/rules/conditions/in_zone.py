@@ -56,5 +56,5 @@ expect:
 
     def describe(self, phrases: Phrases) -> str:
         """Return the part of a sentence that follows ``if``."""
-        who = phrases.of_those_there(self.of, self.entity, negate=self.negate)
+        who = phrases.quantified(self.of, self.entity, negate=self.negate)
         return f"{who.does('is', 'are')} in {phrases.any_of(self.zone)}"

@@ -76,6 +76,6 @@ expect:
 
     def describe(self, phrases: Phrases) -> str:
         """Return the part of a sentence that follows ``if``."""
-        who = phrases.of_those_there(self.of, self.entity, negate=self.negate).does("looks", "look")
+        who = phrases.quantified(self.of, self.entity, negate=self.negate).does("looks", "look")
         way = heading(self.heading_rad or 0.0) if self.towards is None else f"towards {phrases.point(self.towards)}"
         return f"{who} {way} (to within {degrees(self.within_rad)})"

@@ -67,7 +67,7 @@ expect:
 
     def describe(self, phrases: Phrases) -> str:
         """Return the part of a sentence that follows ``if``."""
-        who, step = asked(phrases, self, "sequence", self.sequence), phrases.sequence_step(self.sequence, self.step)
+        who, step = asked(phrases, self, "sequence", self.sequence), phrases.thing(self.step)
         if who is not None:
             return f"{who.does('has', 'have')} a sequence {quoted(self.sequence)} that stands at {step}"
         stands = "does not stand" if self.negate else "stands"

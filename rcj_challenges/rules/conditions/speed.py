@@ -68,7 +68,7 @@ expect:
 
     def describe(self, phrases: Phrases) -> str:
         """Return the part of a sentence that follows ``if``."""
-        who = phrases.of_those_there(self.of, self.entity, negate=self.negate)
+        who = phrases.quantified(self.of, self.entity, negate=self.negate)
         limit = self.only_limit() if who.negated else None
         if limit is None:
             return f"{who.does('moves', 'move')} at a speed of {self.compared(phrases, ' m/s')}"
@@ -76,5 +76,5 @@ expect:
         fast = (
             f"{number(limit)} m/s" if isinstance(limit, int | float) else f"{amount_words(phrases, limit)} says in m/s"
         )
-        off = " or is off the field" if phrases.may_be_off(self.entity) else ""
+        off = " or is off the field" if phrases.may_be_off() else ""
         return f"{who.text} moves {how} than {fast}{off}"

@@ -42,10 +42,7 @@ expect:
 
     def describe(self, phrases: Phrases) -> str:
         """Return the part of a sentence that follows ``When``."""
-        entered = f"{phrases.any_of(self.entity)} enters {phrases.any_of(self.zone)}"
-        # Several zones are judged as one: there is no edge between those that meet.
-        several = phrases.meeting_zones(self.zone)
-        return f"{entered} from outside {'both' if several == 2 else 'all of them'}" if several else entered
+        return f"{phrases.any_of(self.entity)} enters {phrases.any_of(self.zone)}"
 
 
 def zone_tracker(to: Binder, entity: int, zone: Names) -> ZoneTracker:

@@ -102,10 +102,7 @@ expect:
     def describe(self, phrases: Phrases) -> str:
         """Return the part of a sentence that follows ``When``."""
         again = f", and again every {seconds(self.every_s)} while they touch" if self.every_s else ""
-        # What stands fast is touched, whichever of the two is written first.
-        is_fixed = phrases.stands_fast(self.entity)
-        one, other = (self.other, self.entity) if is_fixed else (self.entity, self.other)
-        return f"{phrases.any_of(one)} touches {phrases.another_of(other, than=one)}{again}"
+        return f"{phrases.any_of(self.entity)} touches {phrases.another_of(self.other, than=self.entity)}{again}"
 
 
 class TouchTracker(TickTracker):

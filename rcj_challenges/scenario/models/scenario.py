@@ -71,6 +71,7 @@ class Rule(Strict):
     says: str = described("", "the sentence for the sheet, the referee's log and the page; {entity}, {each}, {other}, "
                           "{team}, {measured}, {limit}, {points} and params by name, {goal_points}, are filled in",
                           max_length=500)  # fmt: skip
+    sheet: bool = described(True, "False: the rule is left out of the rule sheet")
 
 
 class Broadcast(Strict):

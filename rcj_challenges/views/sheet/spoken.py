@@ -10,7 +10,7 @@ from rcj_challenges.scenario.blanks import partly_filled
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.other import has_other, others_of, written_others
 from rcj_challenges.scenario.roster import row_of
-from rcj_challenges.views.sheet.nouns import Nouns
+from rcj_challenges.views.sheet.phrasebook import Phrasebook
 
 OPEN = "…"
 """Stands for a number that is known only when the rule fires."""
@@ -30,7 +30,7 @@ _PLURALS = (("ies", "y"), ("es", ""), ("s", ""))
 """With what a group's name may end, and its members' in place of it."""
 
 
-def spoken(nouns: Nouns, rule: Rule) -> str:
+def spoken(nouns: Phrasebook, rule: Rule) -> str:
     """Return what a rule says as a whole sentence; an empty text if it says nothing."""
     words = partly_filled(rule, nouns.scenario.params).strip()
     if not words:
@@ -57,7 +57,7 @@ def spoken(nouns: Nouns, rule: Rule) -> str:
     return f"{words[:1].upper()}{words[1:]}{end}"
 
 
-def _kinds_said(nouns: Nouns, rule: Rule, blank: str) -> tuple[str, ...]:
+def _kinds_said(nouns: Phrasebook, rule: Rule, blank: str) -> tuple[str, ...]:
     """Return the words beside a blank that say of what kind it is: ``gate``, and of a group of doors ``door``."""
     match blank:
         case "{team}":
@@ -96,7 +96,7 @@ def _filled_in(blank: str, known: str, words: str) -> str:
     return words.replace(blank, known)
 
 
-def _first_of_a_group(nouns: Nouns, rule: Rule, words: str) -> str:
+def _first_of_a_group(nouns: Phrasebook, rule: Rule, words: str) -> str:
     """Say of which group one is where a sentence names it first: “one of the red fruits”, later “the ball”.
 
     Two rules of one kind of thing would say the same otherwise. What belongs to it is said to be “the ball's”.
@@ -114,18 +114,18 @@ def _first_of_a_group(nouns: Nouns, rule: Rule, words: str) -> str:
     return f"{_filled_in(first, nouns.any_of(group), before + first)}{after}"
 
 
-def _subject(nouns: Nouns, rule: Rule) -> str:
+def _subject(nouns: Phrasebook, rule: Rule) -> str:
     if _goes_over_entities(nouns, rule):
         return f"the {nouns.kinds_of(rule.for_each or ())}"
     names = _concerned(nouns, rule)
     return nouns.any_of(names) if names else "the one concerned"
 
 
-def _goes_over_entities(nouns: Nouns, rule: Rule) -> bool:
+def _goes_over_entities(nouns: Phrasebook, rule: Rule) -> bool:
     return rule.for_each is not None and nouns.is_on_field(rule.for_each)
 
 
-def _other(nouns: Nouns, rule: Rule) -> str:
+def _other(nouns: Phrasebook, rule: Rule) -> str:
     """Return the one touched: ``the other robot``, ``the robot`` if a ball touches it, ``Y1`` if only that can be.
 
     Where it may be of several kinds, what the rule writes: ``a wall or the ball``.
@@ -141,7 +141,7 @@ def _other(nouns: Nouns, rule: Rule) -> str:
     return f"the {kind}" if kind and kind != touching else f"the other {kind or 'one'}"
 
 
-def _team(nouns: Nouns, rule: Rule) -> str:
+def _team(nouns: Phrasebook, rule: Rule) -> str:
     """Return the team of all that a rule can be about, if it is one and the same."""
     each = nouns.roster.expand(rule.for_each or ())
     # Nobody drives a ball or an obstacle: then it is the team of who came to it.
@@ -156,18 +156,18 @@ def _team(nouns: Nouns, rule: Rule) -> str:
     return _SOME_TEAM if only is None else plain(only)
 
 
-def _limit(nouns: Nouns, rule: Rule) -> str:
+def _limit(nouns: Phrasebook, rule: Rule) -> str:
     limits = {trigger.limit(nouns) for trigger in rule.triggers}
     only = limits.pop() if len(limits) == 1 else None
     return OPEN if only is None else number(round(only, 3))
 
 
-def _measured(nouns: Nouns, rule: Rule) -> str:
+def _measured(nouns: Phrasebook, rule: Rule) -> str:
     """Return what is measured where that is known before: what lasts so long fires when it has lasted so long."""
     return _limit(nouns, rule) if all(trigger.measures_its_limit() for trigger in rule.triggers) else OPEN
 
 
-def _concerned(nouns: Nouns, rule: Rule) -> tuple[str, ...]:
+def _concerned(nouns: Phrasebook, rule: Rule) -> tuple[str, ...]:
     """Return what the triggers of a rule can be about, without repeats."""
     about = (trigger.about(nouns) for trigger in rule.triggers)
     return tuple(dict.fromkeys(name for names in about if names is not None for name in row_of(names)))

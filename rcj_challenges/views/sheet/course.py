@@ -1,0 +1,103 @@
+"""How a match goes, for a rule sheet: halves, phases, timers, draws and sequences."""
+
+from __future__ import annotations
+
+from collections import Counter as Tally
+from collections.abc import Iterator
+
+from rcj_challenges.rules.actions.draw import DrawAction
+from rcj_challenges.rules.phrasing import listed, number, quoted, quoted_measure, seconds
+from rcj_challenges.rules.values import duration_words, value_words
+from rcj_challenges.rules.values.counter import CounterValue
+from rcj_challenges.scenario.followed import followed
+from rcj_challenges.scenario.halves import half_lengths_s
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.models.state import Counter, Draw, Flag, Phase, Sequence, Timer
+from rcj_challenges.views.sheet.document import Block, Items
+from rcj_challenges.views.sheet.phrasebook import Phrasebook
+
+
+def length_words(scenario: Scenario) -> str:
+    """Return how long a match lasts: ``2 halves of 10 min; the teams change sides between halves``, as a sentence."""
+    match, lengths_s = scenario.match, half_lengths_s(scenario.match)
+    halves = "One half" if match.halves == 1 else f"{match.halves} halves"
+    of = seconds(lengths_s[0]) if len(set(lengths_s)) == 1 else listed([seconds(one) for one in lengths_s], "and")
+    swap = "; the teams change sides between halves" if match.swap_sides and match.halves > 1 else ""
+    return f"{halves} of {of}{swap}."
+
+
+def course_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
+    """Yield what happens in a half besides the rules."""
+    yield f"{length_words(scenario)} A half begins in the phase {quoted(scenario.first_phase)}."
+    entries = [
+        *(_phase_words(phrases, name, phase) for name, phase in scenario.phases.items()),
+        *(_timer_words(phrases, name, timer) for name, timer in scenario.timers.items()),
+        *(_kept_words(phrases, "counter", name, one) for name, one in scenario.counters.items()),
+        *(_kept_words(phrases, "flag", name, one) for name, one in scenario.flags.items()),
+        *(_draw_words(phrases, name, draw) for name, draw in scenario.draws.items()),
+        *(_sequence_words(phrases, name, sequence) for name, sequence in scenario.sequences.items()),
+    ]
+    if entries:
+        yield Items(tuple(filter(None, entries)))
+
+
+def _phase_words(phrases: Phrasebook, name: str, phase: Phase) -> str:
+    lasts = "lasts until a rule begins another"
+    if phase.lasts_s:
+        begun = " when it begins" if isinstance(phase.lasts_s, CounterValue) else ""
+        lasts = f"lasts {duration_words(phrases, phase.lasts_s)}{begun}, then {quoted(phase.next)} follows"
+    kickoff = "; meanwhile a kick-off is awaited" if phase.waiting_for_kickoff else ""
+    clock = "goes on" if phase.clock == "runs" else "stands still, timers go on"
+    held = " All robots are held meanwhile." if phase.robots == "held" else ""
+    return f"The phase {quoted(name)} {lasts}; the clock {clock}{kickoff}.{held}"
+
+
+def _timer_words(phrases: Phrasebook, name: str, timer: Timer) -> str:
+    one_for_each = f"; there is one for {phrases.each_of(timer.per)}" if timer.per else ""
+    starts = "; it starts with the half" if timer.starts else ""
+    return f"The timer {quoted(name)} lasts {duration_words(phrases, timer.lasts_s)}{one_for_each}{starts}."
+
+
+def _kept_words(phrases: Phrasebook, kind: str, name: str, one: Counter | Flag) -> str:
+    """Return what a counter or flag is at first, if that is not 0 or unset in each half."""
+    stays = one.keep == "match" and phrases.scenario.match.halves > 1
+    if not one.initial and not stays:
+        return ""
+    initial = ("set" if one.initial else "not set") if isinstance(one, Flag) else number(one.initial)
+    which = quoted_measure(name) if kind == "counter" else quoted(name)
+    owners = phrases.owners(kind, name)
+    of = f" of {phrases.each_of(owners)}" if owners else ""
+    when = "the match starts, and goes on from half to half" if stays else "a half starts"
+    return f"The {kind} {which}{of} is {initial} when {when}."
+
+
+def _draw_words(phrases: Phrasebook, name: str, draw: Draw) -> str:
+    times = Tally(value_words(phrases, entry) for entry in draw.values)
+    if phrases.is_set(name):
+        return f"{quoted_measure(name)} is {listed(list(times), 'or')}, as rules set it."
+    often = len(times) < len(draw.values)
+    values = listed(
+        [f"{word} ({count} of {len(draw.values)})" if often else word for word, count in times.items()], "or"
+    )
+    again = ", never the same twice running" if draw.not_last else ""
+    if draw.not_again is not None:
+        again += f"; in {'a half' if draw.not_again == 'half' else 'the match'} all come before one comes again"
+    keep = "once a match" if draw.keep == "match" else "when a half starts"
+    actions = [action for rule in phrases.scenario.rules.values() for action in rule.actions]
+    by_rules = {action.as_ is None for action in actions if isinstance(action, DrawAction) and action.draw == name}
+    also = "".join(
+        (", and again when a rule says so" if True in by_rules else "", "; rules also set it" * (False in by_rules))
+    )
+    return f"Chance decides {quoted_measure(name)} {keep}{also}: {values}{again}."
+
+
+def _sequence_words(phrases: Phrasebook, name: str, sequence: Sequence) -> str:
+    way = ", then ".join(map(phrases.any_of, sequence.places())) + (" and back to the first" if sequence.cyclic else "")
+    wrong = "breaks it: it begins anew" if sequence.wrong_step == "break" else "changes nothing"
+    owners = phrases.owners("sequence", name)
+    who = phrases.all_of(followed(sequence)).text if owners is None else phrases.each_of(owners)
+    placed = "goes on" if sequence.when_placed == "goes_on" else "begins anew"
+    return (
+        f"The sequence {quoted(name)} of {who}: {way}. A step out of turn {wrong}. It {placed} when a rule puts "
+        f"{'it' if owners else who} somewhere or takes it off the field."
+    )

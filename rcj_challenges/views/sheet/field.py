@@ -1,0 +1,94 @@
+"""The field of a rule sheet: its walls, corners and goals, and what lies and stands on it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from rcj_challenges.rules.phrasing import degrees, listed, metres, metres_alike, plain, quoted
+from rcj_challenges.scenario.models import field as models
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.remembered import remembered_spots
+from rcj_challenges.views.drawing.shapes import point_words
+from rcj_challenges.views.sheet.document import Block, Items, Table
+from rcj_challenges.views.sheet.phrasebook import Phrasebook
+
+
+def field_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
+    """Yield what is known of the field."""
+    field = scenario.field
+    corners = (
+        f"walls at 45° cut {metres(field.corner_cut_m)} off both sides of each corner" if field.corner_cut_m else ""
+    )
+    yield (
+        f"{field.width_m:g} m wide (x) and {field.length_m:g} m long (y) inside its walls, which are "
+        f"{metres(field.wall_height_m)} high; {corners or 'its corners are square'}. The origin is the centre; x grows "
+        f"to the right, y upwards in the drawing. {_surfaces(scenario)}"
+    )
+    yield from _goals(field)
+    if scenario.gates:
+        yield "A gate is crossed forward towards the side to which its short mark in the drawing points."
+    if remembered := remembered_spots(scenario):
+        yield f"Rules move {listed([*map(phrases.thing, remembered)], 'and')} during a half."
+    if scenario.balls:
+        yield "Balls; x and y in m:"
+        balls = tuple(_ball_row(name, ball) for name, ball in scenario.balls.items())
+        yield Table(
+            ("ball", "start", "diameter", "mass", "colour", "sends infra-red", "rolling, it loses"), balls
+        ).without_empty()
+    if scenario.obstacles:
+        yield "Obstacles; the place is where the centre stands at the start of a half, x and y in m:"
+        rows = tuple(_obstacle_row(name, obstacle) for name, obstacle in scenario.obstacles.items())
+        yield Table(("obstacle", "place", "what it is", "height", "colour", "can be moved"), rows).without_empty()
+    if scenario.groups:
+        yield "These names stand for several:"
+        yield Items(tuple(f"{quoted(group)}: {phrases.members(group)}" for group in scenario.groups))
+
+
+def _surfaces(scenario: Scenario) -> str:
+    """Return how the floor holds what drives on it, and how a ball bounces."""
+    field = scenario.field
+    floor = f"The floor's coefficient of friction is {field.friction:g}."
+    if not scenario.balls:
+        return floor
+    return f"{floor} A ball bounces off a wall with {100 * field.restitution:g} % of its speed towards it."
+
+
+def _goals(field: models.FieldModel) -> Iterator[str]:
+    if not field.goals:
+        yield "There are no goals."
+    for name, goal in field.goals.items():
+        wide, deep = metres_alike((goal.width_m, goal.depth_m))
+        yield (
+            f"The goal {quoted(name)} is at the {'+y' if goal.end == 'positive_y' else '-y'} end, {wide} wide and "
+            f"{deep} deep; its walls are {metres(goal.wall_height_m)} high."
+        )
+
+
+def _ball_row(name: str, ball: models.Ball) -> tuple[str, ...]:
+    size, mass = metres(2 * ball.radius_m), f"{ball.mass_kg:g} kg"
+    slows = f"{ball.slows_mps2:g} m/s in each second" if ball.slows_mps2 else ""
+    return plain(name), point_words(ball.start_m), size, mass, _colour(ball), "yes" if ball.emits else "no", slows
+
+
+def _colour(thing: models.Ball | models.Obstacle) -> str:
+    """Return a colour that the scenario chose; a default one distinguishes nothing."""
+    return thing.colour if "colour" in thing.model_fields_set else ""
+
+
+def _obstacle_row(name: str, obstacle: Any) -> tuple[str, ...]:
+    movable = f"yes, its mass is {obstacle.mass_kg:g} kg" if getattr(obstacle, "movable", False) else "no"
+    if isinstance(obstacle, models.Wall):
+        place = f"from {point_words(obstacle.from_m)} to {point_words(obstacle.to_m)}"
+        what = f"wall, {metres(obstacle.thickness_m)} thick"
+    else:
+        place, what = point_words(obstacle.centre_m), _shape(obstacle)
+    return plain(name), place, what, metres(obstacle.height_m), _colour(obstacle), movable
+
+
+def _shape(obstacle: models.Box | models.Cylinder) -> str:
+    if isinstance(obstacle, models.Cylinder):
+        return f"cylinder, radius {metres(obstacle.radius_m)}"
+    x, y = metres_alike(obstacle.size_m)
+    turned = f", turned by {degrees(obstacle.yaw_rad)}" if obstacle.yaw_rad else ""
+    return f"box, {x} along its x and {y} along its y{turned}"

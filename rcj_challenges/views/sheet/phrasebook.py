@@ -1,0 +1,304 @@
+"""How the names of a scenario are written in sentences: one thing, one of several, all of several."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rcj_challenges.rules.actions.remove import Remove
+from rcj_challenges.rules.fields import Names, Scalar
+from rcj_challenges.rules.phrasing import Subject, listed, plain, quoted, quoted_measure
+from rcj_challenges.rules.quantifier import AtLeast
+from rcj_challenges.scenario.catalogue import BOUND, OTHER
+from rcj_challenges.scenario.followed import followed
+from rcj_challenges.scenario.halves import clock_may_stop
+from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.scenario.other import names_other, others_of
+from rcj_challenges.scenario.roster import WALLS, Roster, row_of, written_for
+from rcj_challenges.scenario.set_draws import set_from_the_start
+
+_MEASURED_BY_SEVERAL = "what was measured"
+"""Written where triggers of one rule measure different things."""
+
+_MAX_NAMED = 4
+"""Of a draw that decides among more places than this the list of draws has the names."""
+
+_MAX_LETTERS = 2
+"""A name of so few letters does not stand after an article: `a`, `nw`."""
+
+_GROUPS_OF_ALL = ("robots", "balls", "obstacles")
+_WITHOUT_ARTICLE = frozenset(
+    "a all an any around at behind beside every in inside near off on our out outside over under".split()  # noqa: SIM905
+)
+"""First words of names before which no article fits: ``outside_the_circle``."""
+
+
+class Phrasebook:
+    """Writes the names of a scenario with the articles that belong to them.
+
+    Args:
+        scenario: the scenario; its references have been checked.
+        roster: its roster.
+        rule: the rule that is described, which decides what ``each`` and ``other`` are; None: none.
+        set_draws: what `set_from_the_start` finds, if that is known.
+    """
+
+    def __init__(
+        self, scenario: Scenario, roster: Roster, rule: Rule | None = None, set_draws: frozenset[str] | None = None
+    ) -> None:
+        self.scenario = scenario
+        self.roster = roster
+        self.each = None if rule is None else rule.for_each
+        self._set_draws = set_from_the_start(scenario) if set_draws is None else set_draws
+        measured = {trigger.MEASURED or _MEASURED_BY_SEVERAL for trigger in rule.triggers} if rule is not None else ()
+        self.measured = next(iter(measured)) if len(measured) == 1 else _MEASURED_BY_SEVERAL
+        self.other = self._touched(rule) if rule is not None and names_other(rule, scenario) else "what is touched"
+
+    def within(self, rule: Rule) -> Phrasebook:
+        """Return the phrasebook of one rule."""
+        return Phrasebook(self.scenario, self.roster, rule, self._set_draws)
+
+    # --- names -------------------------------------------------------------------------------------------------------
+
+    def thing(self, name: str) -> str:
+        """Return one thing: ``Y1``, ``the ball``, ``gate 1``, ``the spot “centre”``; ``each`` is ``it``."""
+        if name in ("each", OTHER, WALLS):
+            return {"each": "it", OTHER: self.other}.get(name, "a wall")
+        if name in self.scenario.draws and not _kind(self.scenario, name):
+            return self._place_drawn(name) or self.what_drawn(name)
+        kind, first = _kind(self.scenario, name), name.lower().partition("_")[0]
+        if kind in ("", "robot"):
+            return plain(name)
+        is_bare = kind != "zone" and kind not in name.lower()
+        if is_bare or len(name) <= _MAX_LETTERS or first in _WITHOUT_ARTICLE:
+            return f"the {kind} {quoted(name)}"
+        is_proper = first == "the" or any(character.isdigit() for character in name)
+        return plain(name) if is_proper else f"the {plain(name)}"
+
+    def any_of(self, names: Names) -> str:
+        """Return the one of several that a rule is about: ``one of the robots``, ``Y1 or Y2``."""
+        parts = [f"one of {self._group(one)}" if self._several(one) else self._one(one) for one in row_of(names)]
+        return listed(parts, "or")
+
+    def another_of(self, names: Names, than: Names) -> str:
+        """Return the one of several that another one meets: ``another of them``, if they are the same group."""
+        return "another of them" if names == than and self._several(row_of(names)[0]) else self.any_of(names)
+
+    def all_of(self, names: Names) -> Subject:
+        """Return several together: ``the blue robots and Y3``, which is plural."""
+        parts = [self._group(name) if self._several(name) else self._one(name) for name in row_of(names)]
+        return Subject(listed(parts, "and"), plural=len(parts) > 1 or self._several(row_of(names)[0]))
+
+    def each_of(self, names: str) -> str:
+        """Return the ones that a rule is repeated for: ``each of the robots``; of a group of one its only member."""
+        return f"each of {self._group(names)}" if self._several(names) else self._one(names)
+
+    def quantified(self, of: Any, names: Names, *, negate: bool) -> Subject:
+        """Return how many of several must do something: ``none of the robots``; negated, the opposite of it."""
+        row = row_of(names)
+        if len(row) == 1 and not self._several(row[0]):
+            return Subject(self._one(row[0]), negated=negate != (of == "none"))
+        several = self.all_of(names).text
+        if isinstance(of, AtLeast):
+            return Subject(f"{'fewer than' if negate else 'at least'} {of.at_least} of {several}", plural=True)
+        if of == "all":
+            return Subject(f"{'not all' if negate else 'all'} of {several}", plural=True)
+        return Subject(f"{'any' if (of == 'any') != negate else 'none'} of {several}")
+
+    def point(self, at: Any, measured_from: Any = None) -> str:
+        """Return a named thing or a point ``(x, y)``; of a group the nearest of it is meant.
+
+        Args:
+            at: the thing, the group or the point.
+            measured_from: the names from which the distance is measured; nothing is measured to itself.
+        """
+        if not isinstance(at, str):
+            return f"({at[0] + 0.0:g}, {at[1] + 0.0:g})"  # adding 0 makes no -0
+        if not self._several(at):
+            return self._one(at)
+        own = {one for name in row_of(measured_from or ()) for one in self.meant(name)} & set(self.meant(at))
+        return f"the nearest {'other one ' if own else ''}of {self._group(at)}"
+
+    def owned(self, what: str, names: Names, name: str = "") -> str:
+        """Return what belongs to one of several: ``its program``, ``the timer “rest” of one of the robots``."""
+        thing = f"{what} {quoted(name)}" if name else what
+        return f"its {thing}" if names == "each" else f"the {thing} of {self.any_of(names)}"
+
+    def kinds_of(self, names: Names) -> str:
+        """Return of what kind one of several is: ``robot``, or ``robot or ball``."""
+        kinds = dict.fromkeys(_kind(self.scenario, name) for name in self.roster.expand(names))
+        return listed([kind for kind in kinds if kind], "or")
+
+    def one_kind(self, names: Names) -> str:
+        """Return of what kind things are; an empty text if they are of several, or of none."""
+        kinds = {_kind(self.scenario, name) for name in self.roster.expand(names)}
+        return kinds.pop() if len(kinds) == 1 else ""
+
+    def members(self, group: str) -> str:
+        """Return the members of a group by name."""
+        return ", ".join(map(plain, self.roster.expand(group)))
+
+    def meant(self, at: Any) -> tuple[str, ...]:
+        """Return the names for which a name may stand; none for a point."""
+        return self.roster.may_be(written_for(at, self.each)) if isinstance(at, str) else ()
+
+    def is_on_field(self, name: str) -> bool:
+        """Return whether a name stands for robots, balls or obstacles: zones, gates and empty groups do not."""
+        return any(member in self.roster.things for member in self.roster.expand(name)[:1])
+
+    def is_entrant(self, name: str) -> bool:
+        """Return whether a name is that of an entrant."""
+        return name in self.scenario.entrants
+
+    def may_be_zone(self, name: str) -> bool:
+        """Return whether a name may stand for a zone."""
+        return any(one in self.scenario.zones for one in self.meant(name))
+
+    def is_entity(self, name: str) -> bool:
+        """Return whether a name stands for an entity, and not for a spot or a draw."""
+        members = self.roster.expand(name)
+        return not any(member in self.scenario.spots or member in self.scenario.draws for member in members)
+
+    def balls_with_infrared(self) -> str:
+        """Return which balls send infra-red: ``the ball``, ``all balls``; empty: none."""
+        balls = self.scenario.balls
+        sending = [self.thing(name) for name, ball in balls.items() if ball.emits]
+        if len(sending) == len(balls) > 1:
+            return "all balls"
+        return listed(sending, "and") + (" only" if sending and len(sending) < len(balls) else "")
+
+    def may_be_off(self) -> bool:
+        """Return whether a rule takes anything off the field."""
+        rules = self.scenario.rules.values()
+        return any(isinstance(action, Remove) for rule in rules for action in rule.actions)
+
+    def clock_may_stop(self) -> bool:
+        """Return whether a phase stops the clock of the half."""
+        return clock_may_stop(self.scenario)
+
+    # --- counters, flags, timers and sequences ------------------------------------------------------------------------
+
+    def kept(self, kind: str, name: str, entity: str | None) -> str:
+        """Return a counter, flag, timer or sequence with whose it is: ``the counter “laps” of Y1``, ``its flag “out”``.
+
+        Without an entity, what is kept for each of several is read as one: counters as their sum, flags as any of them.
+        """
+        if kind == "counter" and name in self.scenario.entrants:
+            return f"the score of {plain(name)}"
+        which = quoted_measure(name) if kind == "counter" else quoted(name)
+        if entity is not None:
+            return f"its {kind} {which}" if entity == "each" else f"the {kind} {which} of {self.thing(entity)}"
+        owners = self.owners(kind, name)
+        if owners is None:
+            return f"the {kind} {which}"
+        several = self.all_of(owners).text
+        each = "the sum of the counters {} of {}" if kind == "counter" else f"the {kind} {{}} of any of {{}}"
+        return each.format(which, several)
+
+    def every_kept(self, kind: str, name: str, entity: str | None) -> str:
+        """Return the same for an action, where no entity stands for all of them."""
+        owners = None if entity else self.keepers(kind, name)
+        if owners is None:
+            return self.kept(kind, name, entity)
+        which = quoted_measure(name) if kind == "counter" else quoted(name)
+        return f"the {kind} {which} of {self.each_of(owners)}"
+
+    def keepers(self, kind: str, name: str) -> str | None:
+        """Return the names of which each has a counter, flag, timer or sequence of its own; None for a single one."""
+        one = getattr(self.scenario, f"{kind}s").get(name)
+        return None if one is None or one.per is None else str(one.per)
+
+    def owners(self, kind: str, name: str) -> str | None:
+        """Return the same; None also where they are a single thing."""
+        per = self.keepers(kind, name)
+        return per if per is not None and self._several(per) else None
+
+    def one_of_owners(self, kind: str, name: str) -> str | None:
+        """Return whose of several it is: ``each`` if the rule is for each of its owners, else the group; or None."""
+        per = self.keepers(kind, name)
+        if per is None:
+            return None
+        is_own = self.each is not None and set(self.roster.expand(self.each)) <= set(self.roster.expand(per))
+        return "each" if is_own else per
+
+    def sequence_of(self, sequence: str) -> str:
+        """Return what a sequence follows: an entity, or the group of which each member has one of its own."""
+        return followed(self.scenario.sequences[sequence])
+
+    def timer_of(self, timer: str) -> str | None:
+        """Return the group of entities of which each has a timer of its own; None where it is not kept for such."""
+        per = self.scenario.timers[timer].per
+        return per if per is not None and self.is_on_field(per) else None
+
+    def timer_length_s(self, timer: str) -> float | None:
+        """Return the length of a timer; None if a draw or a counter decides it."""
+        lasts_s = self.scenario.timers[timer].lasts_s
+        return lasts_s if isinstance(lasts_s, int | float) else None
+
+    def all_but_each(self, counter: str) -> str:
+        """Return whose lowest or highest counter is meant: ``all others on the field``; without ``each`` of all."""
+        per = self.scenario.counters[counter].per or ""
+        owners, goes_over = self.roster.expand(per), () if self.each is None else self.roster.expand(self.each)
+        who = self.all_of(per).text if set(owners).isdisjoint(goes_over) else "all others"
+        return f"{who} on the field" if owners[0] in self.roster.entities else who
+
+    # --- draws -------------------------------------------------------------------------------------------------------
+
+    def is_set(self, draw: str) -> bool:
+        """Return whether rules set a draw from the start of each half, so that chance decides nothing."""
+        return draw in self._set_draws
+
+    def what_drawn(self, draw: str) -> str:
+        """Return what a draw decided: ``what was drawn as “target”``, of one that rules set ``what “king” is``."""
+        name = quoted_measure(draw)
+        return f"what {name} is" if self.is_set(draw) else f"what was drawn as {name}"
+
+    def drawn(self, draw: str, written: Scalar) -> str:
+        """Return a value of a draw: ``“west”``; of a name that stands for something in the rule, that: ``it``."""
+        if isinstance(written, str) and written in BOUND and written not in self.scenario.draws[draw].values:
+            return self.thing(written)
+        return quoted(str(written).lower() if isinstance(written, bool) else str(written))
+
+    def draw_values(self, draw: str) -> tuple[Scalar, ...]:
+        """Return the values of a draw."""
+        return self.scenario.draws[draw].values
+
+    # --- what a name stands for in a rule ----------------------------------------------------------------------------
+
+    def _touched(self, rule: Rule) -> str:
+        """Return what ``other`` is in a rule: ``the robot it touches``."""
+        others = others_of(rule, rule.for_each, self.roster)
+        if len(others) == 1:
+            return self.thing(others[0])
+        is_touching = all(getattr(trigger, "entity", None) == "each" for trigger in rule.triggers)
+        thing = f"the {self.one_kind(others)}" if self.one_kind(others) else "what" if is_touching else "what is"
+        return f"{thing} {'it touches' if is_touching else 'touched'}"
+
+    def _place_drawn(self, draw: str) -> str:
+        """Return the place that a draw decides on: ``the gate drawn as “door” (gate 1 or gate 2)``."""
+        among = self.roster.drawn.get(draw, ())
+        kind, drawn = self.one_kind(among), f"{'that is' if self.is_set(draw) else 'drawn as'} {quoted(draw)}"
+        if kind not in ("zone", "gate"):
+            return f"the {kind} {drawn}" if kind else ""
+        named = f" ({listed([self.thing(one) for one in among], 'or')})" if len(among) <= _MAX_NAMED else ""
+        return f"the {kind} {drawn}{named}"
+
+    def _several(self, name: str) -> bool:
+        return len(self.roster.expand(name)) > 1
+
+    def _one(self, name: str) -> str:
+        members = self.roster.expand(name)
+        return self.thing(members[0] if len(members) == 1 else name)
+
+    def _group(self, name: str) -> str:
+        if name in self.scenario.groups:
+            kind, first = self.one_kind(name), name.lower().partition("_")[0]
+            if kind and (not name.endswith("s") or first in _WITHOUT_ARTICLE):
+                return f"the {kind}s {quoted(name)}"
+            return plain(name) if first == "the" else f"the {plain(name)}"
+        return f"the {plain(name)}" if name in _GROUPS_OF_ALL else f"the {plain(name)} robots"
+
+
+def _kind(scenario: Scenario, name: str) -> str:
+    """Return of what kind a thing of the field is; an empty text for anything else."""
+    kinds = ("robot", "ball", "obstacle", "gate", "spot", "zone")
+    return next((kind for kind in kinds if name in getattr(scenario, f"{kind}s")), "")

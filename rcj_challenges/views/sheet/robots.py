@@ -1,0 +1,94 @@
+"""The robots of a rule sheet: who drives them, their kits and devices, and how they talk to each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rcj_challenges.devices.base import Device
+from rcj_challenges.devices.team_emitter import TeamEmitterDevice
+from rcj_challenges.devices.team_receiver import TeamReceiverDevice
+from rcj_challenges.robots.channels import entrant_of, team_channels
+from rcj_challenges.rules.phrasing import heading, listed, metres, metres_alike, plain
+from rcj_challenges.scenario.models import robots as models
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.own_devices import devices_of
+from rcj_challenges.views.drawing.shapes import point_words
+from rcj_challenges.views.sheet.document import Block, Table
+from rcj_challenges.views.sheet.phrasebook import Phrasebook
+
+_RADIO = (TeamEmitterDevice, TeamReceiverDevice)
+
+
+def robot_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
+    """Yield what is known of the robots."""
+    owners = entrant_of(scenario)
+    rows = [
+        (plain(name), plain(robot.colour), _driver(robot, owners.get(name)), robot.kit, _start(robot.start))
+        for name, robot in scenario.robots.items()
+    ]
+    yield Table(("robot", "colour", "program", "kit", "start (x, y in m)"), tuple(rows))
+    if any(any(robot.start.noise_m) for robot in scenario.robots.values()):
+        yield (
+            "Each time a robot is put at its start, chance shifts it by up to ±, all shifts in this range being "
+            "equally likely."
+        )
+    for kit_name, kit in scenario.kits.items():
+        members = [name for name, robot in scenario.robots.items() if robot.kit == kit_name]
+        if members:
+            yield f"Kit {kit_name} ({', '.join(map(plain, members))}): {_body(kit)}"
+        driven = [name for name in members if not scenario.robots[name].idle]
+        if driven:
+            yield (
+                f"Programs for it usually take steps of {kit.control_step_ms} ms; messages are as in version "
+                f"{kit.messages}."
+            )
+            yield Table(("device", "robots", "what it is"), tuple(_device_rows(scenario, driven, phrases)))
+    radios = {
+        f"channel {team_channels(scenario)[name]} for {plain(owners[name])}": None
+        for name in scenario.robots
+        if name in owners and has(scenario, name, *_RADIO)
+    }
+    if radios:
+        yield f"Team radio: {listed(list(radios), 'and')}."
+
+
+def has(scenario: Scenario, robot: str, *kinds: type[Device]) -> bool:
+    """Return whether a robot that a program drives has a device of one of these kinds."""
+    is_idle = scenario.robots[robot].idle
+    return not is_idle and any(isinstance(device, kinds) for device in devices_of(scenario, robot).values())
+
+
+def _device_rows(scenario: Scenario, robots: list[str], phrases: Phrasebook) -> Iterator[tuple[str, str, str]]:
+    """Yield the devices of the robots of a kit: what each of them has under a name, and which of them have it."""
+    carriers: dict[tuple[str, str], list[str]] = {}
+    for robot in robots:
+        for name, device in devices_of(scenario, robot).items():
+            carriers.setdefault((name, device.describe(phrases)), []).append(robot)
+    for (name, words), those in carriers.items():
+        yield name, "all" if those == robots else ", ".join(map(plain, those)), words
+
+
+def _driver(robot: models.Robot, owner: str | None) -> str:
+    if robot.idle:
+        return "none, it stands braked"
+    return "none" if owner is None else f"of {plain(owner)}"
+
+
+def _start(start: models.StartPose) -> str:
+    """Return where a robot starts: ``(0.3, 0.3), ± 7.5 cm in x, facing 90° clockwise from +x``."""
+    wide = zip("xy", metres_alike(start.noise_m), start.noise_m, strict=True)
+    noise = "".join(f", ± {words} in {axis}" for axis, words, wide_m in wide if wide_m)
+    return f"{point_words((start.x_m, start.y_m))}{noise}, facing {heading(start.yaw_rad)}"
+
+
+def _body(kit: models.Kit) -> str:
+    """Return what a robot's body is: what drives, weighs and is in the way."""
+    chassis = kit.chassis
+    apart, radius, width = metres_alike((chassis.wheel_track_m, chassis.wheel_radius_m, chassis.wheel_width_m))
+    shown = " Pictures show its front at the other end." if kit.looks_along == "-x" else ""
+    return (
+        f"a cube of {metres(chassis.size_m)} on two wheels; its mass is {chassis.mass_kg:g} kg, and "
+        f"{chassis.wheel_mass_kg:g} kg that of each wheel. The wheels have a radius of {radius}, are {width} wide and "
+        f"{apart} apart, from centre to centre; they turn at up to {chassis.max_wheel_radps:g} rad/s, which "
+        f"drives it at {chassis.wheel_radius_m * chassis.max_wheel_radps:g} m/s.{shown}"
+    )

@@ -1,0 +1,117 @@
+"""What the rule sheet says of messages is how programs read them."""
+
+import re
+import struct
+
+import pytest
+
+from tests.devices.device_bench import Bench
+from tests.views.sheets import section, sheet
+
+pytestmark = pytest.mark.usefixtures("without_drawing")
+
+RULE = "rules: {it: {triggers: [{trigger: half_started}], actions: [{action: end}]}}\n"
+SECOND = "balls: {second: {start_m: [0.3, 0]}}\n"
+
+
+def received(text: str, preset: str = "soccersim_v2") -> str:
+    return section(sheet(text + RULE, preset), "What programs receive")
+
+
+@pytest.mark.parametrize(
+    ("text", "layout"),
+    [
+        ("", "18d2d?"),
+        ("kits: {legacy_2021: {packet_lists: [Y3]}}\n", "3d2d?"),
+        ("kits: {legacy_2021: {packet_lists: [Y2, B1], packet_has_flag: false}}\n", "6d2d"),
+        ("balls: {ball: null}\nkits: {legacy_2021: {packet_lists: []}}\n", "?"),
+        (SECOND, "18d4d?"),
+    ],
+)
+def test_layout_of_a_packet_of_2021(text, layout):
+    written = received(text, "soccersim_2021")
+    assert f'the {struct.calcsize(layout)} bytes with struct.unpack("{layout}", packet)' in written
+    assert ("True while a kick-off is awaited" in written) == layout.endswith("?")
+    assert "a packet every 64 ms" in written
+
+
+def test_packets_of_2021_are_unpacked_as_the_sheet_says():
+    written = re.search(r'struct\.unpack\("([^"]+)", packet\)', received(SECOND, "soccersim_2021"))
+    bench = Bench("soccersim_2021", {"balls": {"second": {"start_m": [0.3, 0]}}})
+    bench.place("B1", 0.1, 0.2, 0.5)
+    bench.place("second", -0.3, 0.4)
+    bench.enable("Y1", "receiver")
+    bench.sense(ticks=3)
+    numbers = struct.unpack(written[1], bench.heard("Y1", "receiver")[0].data)
+    assert numbers[:3] == pytest.approx((0.2, 0.1, 0.5))
+    assert numbers[20:22] == pytest.approx((0.4, -0.3))
+    assert numbers[-1] is False
+
+
+def test_no_packet_of_2021_ends_like_json_whatever_it_begins_with():
+    # 0.1 + this many steps of the smallest size begins with the byte of "{".
+    x = next(x for x in (0.1 + step * 2**-56 for step in range(1000)) if struct.pack("d", x).startswith(b"{"))
+    for waiting in (False, True):
+        packet = struct.pack("ddd?", x, 0, 0, waiting)
+        assert packet.startswith(b"{")
+        assert not packet.endswith(b"}")
+
+
+def test_only_robots_with_a_receiver_receive_packets():
+    assert "sends B1, B2, B3, Y1 and Y3 a packet" in received("robots: {Y2: {without: [supervisor receiver]}}\n")
+    deaf = ", ".join(f"{name}: {{without: [supervisor receiver]}}" for name in ("B1", "B2", "B3", "Y1", "Y2", "Y3"))
+    written = received(f"robots: {{{deaf}}}\nbroadcast: {{fields: {{now: {{word: time_s}}}}}}\n")
+    assert written == "No robot has a receiver of the referee's packets."
+
+
+@pytest.mark.parametrize(
+    ("preset", "every_ticks", "words"),
+    [
+        ("soccersim_v2", 1, "After it, every 32 ms, one JSON object follows"),
+        ("soccersim_2021", 4, "After it, every 128 ms, one JSON object follows"),
+        ("soccersim_2021", 1, "One JSON object is made every 32 ms; the newest follows the next packet"),
+    ],
+)
+def test_broadcast_comes_when_the_sheet_says(preset, every_ticks, words):
+    assert words in received(f"broadcast: {{every_ticks: {every_ticks}, fields: {{now: {{word: time_s}}}}}}\n", preset)
+
+
+@pytest.mark.parametrize(
+    ("messages", "words"), [("v2.1", 'packet.endswith(b"}") is true'), ("v2.2", "key “waiting_for_kickoff” is")]
+)
+def test_broadcast_is_told_from_the_packet_by_its_end_or_its_key(messages, words):
+    fields = "broadcast: {fields: {now: {word: time_s}}}\n"
+    assert words in received(f"kits: {{v2: {{messages: {messages}}}}}\n{fields}")
+
+
+@pytest.mark.parametrize(
+    ("field", "words"),
+    [
+        ("{draw: side}", ': "west", 2 or true |'),
+        ("{word: phase}", ': "play" or "pause" |'),
+        ("{position_of: ball}", ": [x, y, yaw] in m and rad"),
+        ("3", "| it | 3 |"),
+    ],
+)
+def test_values_that_programs_compare_with_are_written_as_json(field, words):
+    more = "phases: {pause: {}}\ndraws: {side: {values: [west, 2, true]}}\n"
+    assert words in received(f"{more}broadcast: {{fields: {{it: {field}}}}}\n")
+
+
+def test_values_for_some_robots_are_in_a_table_of_their_own():
+    written = received("broadcast: {fields: {a: 1}, only: {Y1: {b: 2}}}\n")
+    assert written.index("| a | 1 |") < written.index("Only for Y1;") < written.index("| b | 2 |")
+
+
+def test_robots_with_an_emitter_can_send_to_the_referee_if_a_rule_listens():
+    rule = "rules: {it: {triggers: [{trigger: tells}], actions: [{action: end}], says: Told.}}\n"
+    title = "What programs can send to the referee"
+    written = section(sheet(rule + "robots: {Y1: {without: [team emitter]}}\n"), title)
+    assert "what B1, B2, B3, Y2 and Y3 send with the team emitter on channel 1: text of up to 200 letters" in written
+    assert section(sheet(RULE), title) == ""
+
+
+def test_events_are_explained_by_all_rules_that_announce_them():
+    rule = "{triggers: [{trigger: half_started}], actions: [{action: emit, event: OUT}], says: %s}"
+    text = sheet(f"rules: {{a: {rule % 'A ball is out.'}, b: {rule % 'A robot is out.'}}}\n")
+    assert "| OUT | A ball is out. Or: A robot is out. |" in text
