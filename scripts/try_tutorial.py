@@ -7,7 +7,8 @@ The commands, files and changes are taken from the page, so that page and progra
 * ``yaml`` or ``python`` below a line that ends with a file name and a colon: the file is written.
 * ``diff`` below such a line: the file is changed.
 
-Prints the seconds of each command, and exits with 1 if one fails or if what the page promises did not come out.
+Prints the seconds of each command, and exits with 1 if one fails, if what the page promises did not come out, or if all
+of it took more than six minutes of processor time (what else the computer does at the same time does not count).
 """
 
 from __future__ import annotations
@@ -101,7 +102,6 @@ def missing_promises(folder: Path) -> list[str]:
 
 def main() -> int:
     """Run the page; returns the exit code."""
-    began = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="rcj-tutorial-") as temporary:
         place = Path(temporary)
         subprocess.run([sys.executable, "-m", "venv", place / "venv"], check=True)
@@ -129,8 +129,10 @@ def main() -> int:
                 print(done.stdout[-2000:], done.stderr[-2000:], sep="\n")
                 return 1
         missing = missing_promises(folder)
-    took_s = time.monotonic() - began
-    print(f"{took_s:6.1f} s  in all, at most {MAX_S} s", *(f"MISSING: {one}" for one in missing), sep="\n")
+    took_s = sum(os.times()[2:4])  # of the commands; 0 where the system does not count it
+    print(f"{took_s:6.1f} s of processor time in all, at most {MAX_S} s")
+    for promise in missing:
+        print(f"MISSING: {promise}")
     return 1 if missing or took_s > MAX_S else 0
 
 
