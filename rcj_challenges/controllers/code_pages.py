@@ -63,6 +63,16 @@ PAGES: dict[str, str] = {
     "archive.trailing": f"There are other data behind the archive.\n\n{_FIX}",
     "archive.truncated": f"The end of the archive is missing.\n\nCopy or upload it again. {_PACK}",
     "archive.two": f"Two archives are in one file.\n\n{_PACK}",
+    "identity.name_missing": "There is no team_name.txt.\n\nAdd it, with the team's name in one line.",
+    "identity.name_empty": "team_name.txt is empty.\n\nWrite the team's name into it.",
+    "identity.name_lines": f"team_name.txt has more than one line; the first is used.\n\nLeave one line. {_FIX}",
+    "identity.name_long": f"The name is longer than 32 letters; the rest is not shown.\n\nChoose a shorter one. {_FIX}",
+    "identity.name_unsafe": f"The name has letters that cannot be printed.\n\nUse printable letters. {_FIX}",
+    "identity.name_quotes": "Quotation marks in team_name.txt are part of the name.",
+    "identity.name_signs": "The name has signs that no file name can have.\n\nThat does no harm.",
+    "identity.name_bom": "team_name.txt begins with a byte order mark.\n\nThat does no harm.",
+    "identity.name_line_ends": "team_name.txt has line ends of another system.\n\nThat does no harm.",
+    "identity.name_utf16": "team_name.txt is saved as UTF-16.\n\nThat does no harm; UTF-8 is more common.",
     "identity.name_document": (
         "team_name.txt is the document of a word processor.\n\nWrite the name with a text editor, as one line of text."
     ),

@@ -10,18 +10,9 @@ PAGES: dict[str, str] = {
     "bad-time": (
         "A moment of a match is not written as a time.\n\nWrite seconds, 113.9, or minutes and seconds, 1:53.9."
     ),
-    "cannot-write": (
-        "The file of a picture or video could not be written.\n\n"
-        "Choose another place with --out FILE; on Windows, close the player that shows the old file."
-    ),
     "empty-clip": (
         "The part of the match that was asked for has no length.\n\n"
         "The time after --from must be before that after --to."
-    ),
-    "missing-extra": (
-        "The command needs a Python package that is installed on demand only.\n\n"
-        'Install what the message names: pip install "rcj-challenges[video]" for pictures and videos of a match, '
-        '"rcj-challenges[png]" for drawings as PNG.'
     ),
     "no-highlights": (
         "The score does not change in the part of the match that was asked for, so it has no highlights.\n\n"

@@ -9,6 +9,7 @@ import pytest
 
 import rcj_challenges
 from rcj_challenges.cli.explain import pages_by_room
+from tests.hostile.archives.cases import ALL
 
 PACKAGE = Path(rcj_challenges.__file__).parent
 CODE = re.compile(r"[a-z][a-z0-9]*((-[a-z0-9]+)+|[.][a-z0-9_]+)")
@@ -106,6 +107,11 @@ def test_every_code_of_a_room_has_a_page(room):
 
 def test_codes_are_found_in_the_sources():
     assert {"disk-full", "store-in-use", "bad-size"} <= codes_of("")
+
+
+def test_every_finding_of_the_hostile_corpus_has_a_page():
+    pages = {code for pages in pages_by_room().values() for code in pages}
+    assert {case.code for case in ALL.values()} - pages == set()
 
 
 def test_no_code_has_two_pages():
