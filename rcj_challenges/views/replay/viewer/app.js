@@ -95,7 +95,9 @@ class App {
     if (!width || !height) return;
     this.view.resize(width, height, this.moving ? this.density : this.sharp);
     this.labels.resize(width, height);
-    this.camera.resize(width, height);
+    const top = stage.getBoundingClientRect().top;
+    const buttons = [...stage.querySelectorAll("[role=toolbar]")].map((bar) => bar.getBoundingClientRect().bottom - top);
+    this.camera.resize(width, height, Math.max(...buttons) - 4);
     this.draw();
   }
 

@@ -5,7 +5,7 @@ const NEAR = 0.02;
 const FAR = 40;
 const LOWEST = 0.04;
 const CAPTION_PX = 64; // two lines of it, on a phone three of smaller letters
-const BUTTONS_PX = 46; // above, those of the cameras
+const BUTTONS_PX = 52; // one row of them
 const MOST_BESIDE = 0.16;
 const LOW_PX = 320; // a phone that lies: the field needs all of the height, captions and buttons may stand before it
 const BESIDE_IF_LOW = 0.07;
@@ -31,12 +31,13 @@ class Camera {
     return this.aspect < 0.95;
   }
 
-  resize(width, height) {
+  /** buttonsPx: how far down from the upper edge buttons stand before the field. */
+  resize(width, height, buttonsPx) {
     const wasUpright = this.upright;
     this.aspect = width / height;
     const most = height < LOW_PX ? BESIDE_IF_LOW : MOST_BESIDE;
     this.below = Math.min(most, CAPTION_PX / height);
-    this.above = Math.min(most, BUTTONS_PX / height);
+    this.above = Math.min(buttonsPx > BUTTONS_PX ? 2 * most : most, buttonsPx / height);
     if (["overview", "top", "side"].includes(this.mode) && (this.fitted || wasUpright !== this.upright)) {
       this.preset(this.mode, false);
     }
