@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator, Sequence
-from contextlib import nullcontext
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -160,9 +159,8 @@ def _closing(told: Sequence[dict[str, Any]], options: JudgeOptions) -> Iterator[
 
 def _judge_one(folder: Path, options: JudgeOptions, scenario: Scenario | None) -> _Judged:
     from rcj_challenges.match.rejudge import differences, recorded, rejudge
-    from rcj_challenges.records.changed import refusing_changes
     from rcj_challenges.records.recorded_scenario import read_scenario, read_unresolved
-    from rcj_challenges.records.referee_log import events_as_lines, read_referee_log
+    from rcj_challenges.records.referee_log import log_of_result, read_referee_log
     from rcj_challenges.records.result import read_result
     from rcj_challenges.records.trajectory import Trajectory
     from rcj_challenges.scenario.dump import dumped
@@ -174,9 +172,9 @@ def _judge_one(folder: Path, options: JudgeOptions, scenario: Scenario | None) -
         if options.overrides:
             scenario = load_recorded(dumped(scenario), read_unresolved(folder), options.overrides).scenario
     trajectory = Trajectory.open(folder)
-    with nullcontext() if options.scenario is not None else refusing_changes(folder, scenario):
-        judgement = rejudge(trajectory, scenario)
-    before = recorded(trajectory, read_referee_log(folder)[0] or events_as_lines(result), result.score)
+    judgement = rejudge(trajectory, scenario)
+    log = read_referee_log(folder)
+    before = recorded(trajectory, log if log.ticks else log_of_result(result), result.score)
     found = differences(before.events, judgement.events)
     alike = len(judgement.events) - sum(one.after is not None for one in found)
     return _Judged(folder, result, before.scores, scenario, judgement, alike, found)

@@ -31,7 +31,7 @@ def rebuild_replay(run: Path | None, out: Path) -> int:
         RecordError: there is no such record, or nothing in it can be shown.
     """
     from rcj_challenges.facts.sanitize import sanitize
-    from rcj_challenges.records.salvage import read_run
+    from rcj_challenges.records.run_record import read_run
     from rcj_challenges.views.replay import write_replay
     from rcj_challenges.views.replay.browse import find_run
 

@@ -40,6 +40,7 @@ class ProgramLog:
 
     Attributes:
         fd: for the program's output; -1 when closed.
+        written_bytes: how much was appended to the log.
     """
 
     def __init__(self, path: Path, most_bytes: int, temporary: Path) -> None:
@@ -64,6 +65,7 @@ class ProgramLog:
         self._output_fd = os.open(name, os.O_RDONLY | _BINARY)  # reads at a place of its own
         if sys.platform != "win32":
             self._output_path.unlink()
+        self.written_bytes = 0
         self._path = path
         self._most_bytes = most_bytes
         self._taken_bytes = 0
@@ -161,6 +163,7 @@ class ProgramLog:
         return os.fstat(self._log_fd).st_size
 
     def _write(self, data: bytes) -> None:
+        self.written_bytes += len(data)
         with contextlib.suppress(OSError):
             os.write(self._log_fd, data)
 

@@ -44,8 +44,7 @@ def is_record(folders: Iterable[str], files: Collection[str]) -> bool:
     Other matches may begin or end while a team is read, so this does not wait for the files that come a little later.
     A folder with a program anywhere in it is none, whatever else is there: that is for the caller to look for.
     """
-    has = set(folders)
-    return "logs" in has and ("trajectory.part" in has or "trajectory.npz" in files)
+    return "logs" in set(folders) and "trajectory.chunks" in files
 
 
 def record_folders(files: Iterable[PurePosixPath], empty: Iterable[PurePosixPath]) -> frozenset[PurePosixPath]:

@@ -282,10 +282,16 @@ class Program:
             scratch.remove(self._folder)
             self._folder = None
 
-    def keep_output(self) -> None:
-        """Put into its log what it has printed until now; otherwise that is done now and then."""
-        if self._log is not None:
-            self._log.take_over()
+    def keep_output(self) -> int:
+        """Put into its log what it has printed until now; otherwise that is done now and then.
+
+        Returns:
+            How many bytes were appended to its log.
+        """
+        if self._log is None:
+            return 0
+        self._log.take_over()
+        return self._log.written_bytes
 
     def new_output(self) -> str:
         """Return what it printed since the last call."""

@@ -13,6 +13,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
+from rcj_challenges.facts.changes import Change
+
 Pose2 = tuple[float, float, float]
 """x in m, y in m, yaw in rad."""
 
@@ -143,8 +145,7 @@ class RefereeOutput:
         robots_held: whether the phase holds all robots: their wheels stand braked from the next tick on, whatever
             programs command.
         held: indices of the robots that rules hold, in the same way; the same object as long as nothing changes.
-        counted: what the counters stand at that the scenario's ``result`` ranks by, by name (kept per entity: by
-            entity), at the start and wherever one of them has changed since; else None.
+        changes: what is different since the output before; of the first one, phase and counters.
     """
 
     events: tuple[Event, ...] = ()
@@ -158,7 +159,7 @@ class RefereeOutput:
     private_broadcasts: dict[int, dict[str, Any]] | None = None
     robots_held: bool = False
     held: frozenset[int] = frozenset()
-    counted: dict[str, Any] | None = None
+    changes: tuple[Change, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,13 +7,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.facts.play import Event, HalfInfo
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.match.carry_over import CarryOver
 from rcj_challenges.match.loop import should_continue
 from rcj_challenges.records.lines import json_line
-from rcj_challenges.records.referee_log import points_in
+from rcj_challenges.records.referee_log import RefereeLog
 from rcj_challenges.records.reflog import event_line, events_of
 from rcj_challenges.records.trajectory import HalfTrack, Trajectory
 from rcj_challenges.referee.engine import Referee
@@ -25,10 +25,23 @@ from rcj_challenges.scenario.seats import by_seat
 Score = int | float
 
 
-class MisfitError(RcjError):
+class MisfitError(DiagnosticError):
     """A record that a scenario cannot judge: others took part in it."""
 
-    CODE = "record-does-not-fit"
+    def __init__(self, scenario: Scenario, what: str, played: Sequence[str], wanted: Sequence[str]) -> None:
+        """Compare who took part.
+
+        Args:
+            scenario: that was to judge.
+            what: must be the same.
+            played: in the match.
+            wanted: by the scenario.
+        """
+        lists = f"the match had {', '.join(played)}, the scenario has {', '.join(wanted)}"
+        differ = lists if set(played) != set(wanted) else f"their order differs: {lists}"
+        message = f"the scenario {scenario.id!r} cannot judge this match: {what} must be the same; {differ}"
+        help_ = "judge it by the scenario that was played, or one like it"
+        super().__init__(Diagnostic("record-does-not-fit", message, help_))
 
 
 @dataclass(frozen=True)
@@ -134,31 +147,30 @@ class Recorded:
 
     Attributes:
         scores: points by team.
-        events: lines of the referee's log, in order.
+        events: as in ``result.json``, in order.
     """
 
     scores: dict[str, Score]
     events: list[dict[str, Any]]
 
 
-def recorded(trajectory: Trajectory, lines: Iterable[dict[str, Any]], scores: Mapping[str, Score]) -> Recorded:
+def recorded(trajectory: Trajectory, log: RefereeLog, scores: Mapping[str, Score]) -> Recorded:
     """Return what is to be compared with a judgement.
 
-    Of a match that was killed, or goes on, poses are written later than what the referee said of them, and points when
-    a half is over: both are taken from the log, up to the last pose.
+    Of a match that was killed, or is still played, poses are written later than the referee's log, and the score when
+    a half is over: events and score are taken from the log, up to the last pose.
 
     Args:
         trajectory: of the match.
-        lines: of the referee's log.
+        log: of the referee.
         scores: by team, from ``result.json``.
     """
-    said = list(lines)
     points = dict(scores)
     if not trajectory.finished:
         halves = {track.info.half: track for track in trajectory.halves}
-        said = [line for line in said if line["half"] in halves and line["tick"] <= halves[line["half"]].ticks]
-        points = points_in(said, scores, lambda half: halves[half].info.teams)
-    return Recorded(points, [line for line in said if line["kind"] == "event"])
+        log = log.up_to({half: track.ticks for half, track in halves.items()})
+        points = log.score(dict.fromkeys(scores, 0), lambda half: halves[half].info.teams)
+    return Recorded(points, log.event_lines())
 
 
 def differences(before: Sequence[Mapping[str, Any]], after: Sequence[Mapping[str, Any]]) -> list[Difference]:
@@ -198,21 +210,11 @@ def _must_fit(trajectory: Trajectory, scenario: Scenario, roster: Roster) -> Non
     seats = set(scenario.entrants)
     there = (trajectory.entities, trajectory.robots, trajectory.balls, trajectory.things)
     if there != (roster.entities, roster.robots, roster.balls, roster.things):
-        raise MisfitError(
-            f"the scenario {scenario.id!r} cannot judge this match: robots, balls and obstacles must be the same, in "
-            f"the same order; {_told(trajectory.things, roster.things)}"
-        )
+        what = "robots, balls and obstacles, in their order,"
+        raise MisfitError(scenario, what, trajectory.things, roster.things)
     played = {seat for track in trajectory.halves for seat in track.info.teams}
     if played and played != seats:
-        raise MisfitError(
-            f"the scenario {scenario.id!r} cannot judge this match: the entrants must be the same; "
-            f"{_told(sorted(played), sorted(seats))}"
-        )
-
-
-def _told(played: Sequence[str], wanted: Sequence[str]) -> str:
-    lists = f"the match had {', '.join(played)}, the scenario has {', '.join(wanted)}"
-    return lists if set(played) != set(wanted) else f"their order differs: {lists}"
+        raise MisfitError(scenario, "the entrants", sorted(played), sorted(seats))
 
 
 def _info(recorded: HalfInfo, scenario: Scenario, carry_over: CarryOver) -> HalfInfo:

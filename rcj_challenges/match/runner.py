@@ -49,7 +49,7 @@ class MatchPlan:
         real_time: True delays the loop to the pace of the clock; it changes nothing else.
         show_output: robots whose output is shown while they play.
         debug: robots whose program has the terminal, without limits.
-        record_sensors: True records what programs saw, set and printed.
+        record_sensors: True records what programs see and set; what they print is recorded in any case.
     """
 
     loaded: Loaded
@@ -183,11 +183,11 @@ class _MatchRunner:
         half = self._half_info(number)
         specs = robot_specs(scenario, roster, fit(scenario, roster))
         crew_plan = CrewPlan(scenario.limits, half.half, plan.seed, record.logs, sandbox=plan.sandbox, debug=plan.debug)
-        recording = SensorRecording(scenario, record, number, specs, on=plan.record_sensors)
+        recording = SensorRecording(scenario, record, number, specs, sensors=plan.record_sensors)
         with recording, Crew(crew_plan) as crew:
             drivers = self._launch(crew, specs, half)
             # While programs start, and not before: loading the physics takes as long as they do.
-            stage = load_stage()(scenario, roster, half, recording.on(drivers))
+            stage = load_stage()(scenario, roster, half, recording.wrap(drivers))
             referee, rack = stage.referee, stage.rack
             later_ticks = sum(ticks_from_s(half_s) for half_s in half_lengths_s(scenario.match)[number:])
             told = (record, self._observer, crew, plan.show_output)
@@ -196,7 +196,7 @@ class _MatchRunner:
             self._observer.half_started(half)
             recording.tell(self._observer, half)
             outcome = TickLoop(stage, half, effects.ticked, self._observer.fault, self._before_tick).play()
-            record.end_half(outcome.closing, referee.scores, outcome.ended)
+            record.end_half(outcome.closing, outcome.ended)
             crew.finish(
                 {
                     roster.entities[robot]: rack.observe(robot, outcome.ticks, over=True)

@@ -1,4 +1,4 @@
-"""Listening in on programs for a sensor recording: between the loop and its drivers, so that neither knows of it."""
+"""Records what programs print, see and set: it stands between the loop and its drivers, which do not know of it."""
 
 from __future__ import annotations
 
@@ -63,18 +63,19 @@ class LogTail:
 class LoggingDriver(Driver, Protocol):
     """A driver with a log: a program."""
 
-    def keep_output(self) -> None:
-        """Put into its log what it has printed until now."""
+    def keep_output(self) -> int:
+        """Put into its log what it has printed until now; returns how many bytes were appended to the log."""
 
 
 class _RecordedDriver:
-    """A driver whose conversation with the match is written down."""
+    """A driver that is recorded."""
 
     def __init__(self, driver: LoggingDriver, number: int, writer: SensorWriter, tail: LogTail) -> None:
         self._driver = driver
         self._number = number
         self._writer = writer
         self._tail = tail
+        self._log_bytes = 0
 
     def release(self, observation: Observation) -> None:
         """Let its ``step`` return."""
@@ -95,17 +96,18 @@ class _RecordedDriver:
 
     def collect(self, if_long: Callable[[], None] | None = None) -> Request | Fault:
         """Wait for its next request, or learn that it failed."""
-        return self._heard(self._driver.collect(if_long))
+        return self._recorded(self._driver.collect(if_long))
 
     def collect_soon(self) -> Request | Fault | None:
         """Return its next request if it is here already."""
         answer = self._driver.collect_soon()
-        return None if answer is None else self._heard(answer)
+        return None if answer is None else self._recorded(answer)
 
-    def _heard(self, answer: Request | Fault) -> Request | Fault:
+    def _recorded(self, answer: Request | Fault) -> Request | Fault:
         # What it printed on this observation was written before its request: lines are not held back.
-        self._driver.keep_output()
-        printed = self._tail.new_text()
+        log_bytes = self._driver.keep_output()
+        printed = self._tail.new_text() if log_bytes != self._log_bytes else ""
+        self._log_bytes = log_bytes
         if isinstance(answer, Fault):
             self._writer.printed(self._number, printed)
         else:
@@ -114,53 +116,48 @@ class _RecordedDriver:
 
 
 class SensorRecording:
-    """The sensor recording of one half while it is played; a context manager.
+    """The recording of one half while it is played; a context manager.
 
-    It only listens: the loop, the programs and the digest are the same with and without it.
+    It only observes: the loop, the programs and the digest are the same with and without it.
     """
 
     def __init__(
-        self, scenario: Scenario, record: RecordWriter, half: int, specs: Mapping[int, RobotSpec], *, on: bool
+        self, scenario: Scenario, record: RecordWriter, half: int, specs: Mapping[int, RobotSpec], *, sensors: bool
     ) -> None:
         """Prepare it, before the programs are launched.
 
         Args:
-            scenario: which devices hear balls, and how many balls there are.
+            scenario: which devices receive balls, and how many balls there are.
             record: of the run.
             half: 1-based.
             specs: of the robots, by index.
-            on: False: nothing is recorded, and drivers are left as they are.
+            sensors: whether all that programs see and set is recorded; what they print always is.
         """
-        self._specs = dict(specs) if on else {}
-        self._tails = {robot: LogTail(record.logs / f"{spec.name}.log") for robot, spec in self._specs.items()}
-        self._robots = _sensed(scenario, self._specs)
-        self._writer = SensorWriter(record.folder, half, self._robots) if on else None
+        self._numbers = {robot: number for number, robot in enumerate(specs)}
+        self._tails = [LogTail(record.logs / f"{spec.name}.log") for spec in specs.values()]
+        self._robots = _sensed(scenario, specs) if sensors else [SensedRobot(spec.name) for spec in specs.values()]
+        self._writer = SensorWriter(record.folder, half, self._robots)
 
-    def on(self, drivers: Mapping[int, LoggingDriver]) -> Mapping[int, Driver]:
-        """Return drivers by robot index that are listened to."""
-        writer = self._writer
-        if writer is None:
-            return drivers
-        numbers = {robot: number for number, robot in enumerate(self._specs)}
+    def wrap(self, drivers: Mapping[int, LoggingDriver]) -> Mapping[int, Driver]:
+        """Return drivers by robot index that are recorded."""
+        numbers = self._numbers
         return {
-            robot: _RecordedDriver(driver, numbers[robot], writer, self._tails[robot])
+            robot: _RecordedDriver(driver, numbers[robot], self._writer, self._tails[numbers[robot]])
             for robot, driver in drivers.items()
         }
 
     def tell(self, observer: Observer, half: HalfInfo) -> None:
-        """Let an observer have what is recorded from now on, if anything is and it wants it."""
-        if self._writer is not None:
-            self._writer.tell(observer.sensing(half, self._robots))
+        """Hand what is recorded from now on to an observer that wants it."""
+        self._writer.tell(observer.sensing(half, self._robots))
 
     def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *_: object) -> None:
-        if self._writer is not None:
-            for number, tail in enumerate(self._tails.values()):
-                self._writer.printed(number, tail.new_text())
-                tail.close()
-            self._writer.close()
+        for number, tail in enumerate(self._tails):
+            self._writer.printed(number, tail.new_text())
+            tail.close()
+        self._writer.close()
 
 
 def _sensed(scenario: Scenario, specs: Mapping[int, RobotSpec]) -> Sequence[SensedRobot]:

@@ -6,41 +6,54 @@ import errno
 from pathlib import Path
 from typing import Self
 
-from rcj_challenges.facts.errors import HostError, RcjError, format_error, is_held
+from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.facts.errors import HostError, format_error, is_held
 from rcj_challenges.facts.sanitize import sanitize
 
 
-class RecordError(RcjError):
-    """A record that is missing, damaged, foreign or newer than this package."""
+class RecordError(DiagnosticError):
+    """A record that is missing, damaged, foreign, or of another version."""
 
-    CODE = "unusable-record"
+    def __init__(self, code: str, message: str, help_: str = "") -> None:
+        """Describe what is wrong.
+
+        Args:
+            code: stable over versions.
+            message: what is wrong, in one line.
+            help_: what to do, in one line.
+        """
+        super().__init__(Diagnostic(code, message, help_))
+
+    @property
+    def message(self) -> str:
+        """What is wrong, for a sentence: without code and help."""
+        return self.diagnostics[0].message
 
 
-class UnwritableError(HostError, RecordError):
-    """A record that cannot be written on this computer, as it is at present."""
-
-    CODE = "cannot-write-record"
+class UnwritableError(RecordError, HostError):
+    """A record that cannot be written on this computer at present."""
 
     @classmethod
     def of(cls, error: OSError, place: Path) -> Self | None:
         """Return what an error means for the record; None if it is not about a file in its place.
 
         Args:
-            error: what the system said, with the file's name.
+            error: of the system, with the file's name.
             place: the record's folder, or the one that it is in.
         """
         if not isinstance(error.filename, str) or not Path(error.filename).is_relative_to(place):
             return None
-        advice = _HELD_ADVICE if is_held(error) else _ADVICE.get(error.errno or 0, "")
-        return cls(f"the record cannot be written: {sanitize(error.filename)}: {format_error(error)}{advice}")
+        help_ = _HELD_HELP if is_held(error) else _HELP.get(error.errno or 0, "")
+        message = f"the record cannot be written: {sanitize(error.filename)}: {format_error(error)}"
+        return cls("cannot-write-record", message, help_)
 
 
-_HELD_ADVICE = "; close the program that may have it open, or give a folder with --out in which you may write"
-_ADVICE = {
+_HELD_HELP = "close the program that may have it open, or give a folder with --out in which you may write"
+_HELP = {
     **dict.fromkeys(
         (getattr(errno, name) for name in ("ENOSPC", "EDQUOT", "EFBIG") if hasattr(errno, name)),
-        "; make room there, or give another folder with --out",
+        "free some space there, or give another folder with --out",
     ),
-    **dict.fromkeys((errno.EACCES, errno.EPERM, errno.EROFS), "; give a folder with --out in which you may write"),
-    errno.ENOENT: "; has somebody moved or deleted it?",
+    **dict.fromkeys((errno.EACCES, errno.EPERM, errno.EROFS), "give a folder with --out in which you may write"),
+    errno.ENOENT: "it may have been moved or deleted: run the command again",
 }

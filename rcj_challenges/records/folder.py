@@ -9,74 +9,100 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
-from rcj_challenges.facts.diagnostics import Diagnostic
 from rcj_challenges.facts.errors import format_error, is_held
 from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.records.errors import RecordError
 
-RECORD_VERSION = 1
+RECORD_VERSION = 2
 """Version of everything in the folder; another one is refused."""
+
+MAX_FILE_BYTES = 256_000_000
+"""Of a file that is read; a log with a firing in each tick of a half of ten minutes has about 5 MB."""
 
 RESULT = "result.json"
 SCENARIO = "scenario.json"
 UNRESOLVED = "scenario.unresolved.json"
 REFLOG = "reflog.jsonl"
 REFEREE_LOG = "referee.jsonl"
-TRAJECTORY = "trajectory.npz"
-TRAJECTORY_PARTS = "trajectory.part"
+TRAJECTORY = "trajectory.chunks"
 LOGS = "logs"
 SENSORS = "sensors"
 REPLAY = "replay.html"
 
-_MOST_RUNS_A_SECOND = 10_000
+_OTHER_FOLDER = "give another folder with --out"
+_MAX_RUNS_A_SECOND = 10_000
 
 _WAIT_FOR_OTHERS_S = 2.0
 """Virus scanners and indexers look into what was just written for a few tenths of a second."""
-_ASK_AGAIN_S = 0.02
+_POLL_INTERVAL_S = 0.02
 
 
-def check_version(record: int, folder: Path) -> None:
+def check_version(record: int, name: str) -> None:
     """Refuse a record of another version.
 
+    Args:
+        record: its version.
+        name: of its folder.
+
     Raises:
-        RecordError: the record is newer than this package, or from no version that there was.
+        RecordError: it is older or newer than what this package reads.
     """
     if record > RECORD_VERSION:
-        raise RecordError(
-            f"{folder.name}: its record has version {record}, this package reads up to {RECORD_VERSION}: "
-            "it needs a newer rcj-challenges"
-        )
+        message = f"{name}: its record has version {record}, this package reads version {RECORD_VERSION}"
+        raise RecordError("record-too-new", message, "read it with a newer rcj-challenges")
     if record < RECORD_VERSION:
-        raise RecordError(f"{folder.name}: its record has version {record}, which no rcj-challenges has written")
+        message = f"{name}: its record has version {record}, this package reads version {RECORD_VERSION} only"
+        raise RecordError("record-too-old", message, "play the match again; its replay.html still opens in a browser")
 
 
-def open_file(path: Path) -> BinaryIO:
+def open_file(path: Path, max_bytes: int = MAX_FILE_BYTES) -> BinaryIO:
     """Open a file of a record for reading.
 
     Records come from strangers: a named pipe in place of a file would block for ever, a device might never end.
 
+    Args:
+        path: of the file.
+        max_bytes: larger files are refused.
+
     Raises:
-        RecordError: it is a pipe or a device.
+        RecordError: it is a pipe or a device, or too large.
         OSError: it is missing, a folder, or cannot be read.
     """
     file = open(path, "rb", opener=_open_without_waiting)  # noqa: SIM115 - returned
-    if stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+    found = os.fstat(file.fileno())
+    if stat.S_ISREG(found.st_mode) and found.st_size <= max_bytes:
         return file
     file.close()
+    if stat.S_ISREG(found.st_mode):
+        size = f"{found.st_size / 1e6:.0f} MB, more than {max_bytes / 1e6:.0f}"
+        message = f"{path.parent.name}: {path.name} has {size}"
+        raise RecordError("record-too-large", message, "no run writes such a file: copy the whole record again")
     message = f"{path.parent.name}: {path.name} is a pipe or a device, not a file"
-    raise RecordError(str(Diagnostic("record-not-a-file", message, "copy the whole record again")))
+    raise RecordError("record-not-a-file", message, "copy the whole record again")
 
 
-def read_file(path: Path) -> bytes:
+def read_file(path: Path, max_bytes: int = MAX_FILE_BYTES) -> bytes:
     """Return the contents of a file of a record.
 
     Raises:
         RecordError, OSError: as for `open_file`.
     """
-    with open_file(path) as file:
-        return file.read()
+    with open_file(path, max_bytes) as file:
+        return file.read(os.fstat(file.fileno()).st_size)  # a number, because it may grow meanwhile
+
+
+def write_all(file: Any, pending: bytearray) -> None:
+    """Write everything, and take from ``pending`` what is written: an unbuffered file may take less than it was given.
+
+    Raises:
+        OSError: it takes no more; with its name. What is left in ``pending`` may be written later: a disk is not full
+            for ever.
+    """
+    with naming(file.name):
+        while pending:
+            del pending[: file.write(pending)]
 
 
 def _open_without_waiting(name: str, flags: int) -> int:
@@ -110,9 +136,8 @@ def make_out_folder(out: Path, what: str = "the record") -> None:
         # Systems differ in what they say of a file, or a link to nowhere, that is the folder or on the way to it.
         other = next((path for path in (out, *out.parents) if os.path.lexists(path) and not path.is_dir()), None)
         why = format_error(error) if other is None else f"{sanitize(other)} is not a folder"
-        raise RecordError(
-            f"cannot make a folder for {what} in {sanitize(out)}: {why}; give another folder with --out"
-        ) from error
+        message = f"cannot make a folder for {what} in {sanitize(out)}: {why}"
+        raise RecordError("cannot-write-record", message, _OTHER_FOLDER) from error
 
 
 def make_run_folder(out: Path, name: str) -> Path:
@@ -123,7 +148,7 @@ def make_run_folder(out: Path, name: str) -> Path:
     """
     try:
         make_out_folder(out)
-        for number in range(1, _MOST_RUNS_A_SECOND):
+        for number in range(1, _MAX_RUNS_A_SECOND):
             folder = out / (name if number == 1 else f"{name}-{number}")
             try:
                 folder.mkdir()
@@ -131,11 +156,10 @@ def make_run_folder(out: Path, name: str) -> Path:
                 continue
             return folder
     except OSError as error:
-        raise RecordError(
-            f"cannot make a folder for the record in {sanitize(out)}: {format_error(error)}; "
-            "give another folder with --out"
-        ) from error
-    raise RecordError(f"cannot make a folder for the record in {out}: there are too many called {name}")
+        message = f"cannot make a folder for the record in {sanitize(out)}: {format_error(error)}"
+        raise RecordError("cannot-write-record", message, _OTHER_FOLDER) from error
+    message = f"cannot make a folder for the record in {sanitize(out)}: there are too many called {name}"
+    raise RecordError("cannot-write-record", message, _OTHER_FOLDER)
 
 
 @contextmanager
@@ -186,7 +210,7 @@ def when_free(do: Callable[[], object]) -> None:
                 raise
         else:
             return
-        time.sleep(_ASK_AGAIN_S)
+        time.sleep(_POLL_INTERVAL_S)
 
 
 @contextmanager

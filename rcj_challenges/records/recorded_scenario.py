@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +9,7 @@ from rcj_challenges.facts.errors import format_error
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import SCENARIO, UNRESOLVED, read_file
 from rcj_challenges.records.lines import parsed
-from rcj_challenges.rules.fields import AS_RECORDED
+from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.models.scenario import Scenario
 
 
@@ -18,19 +17,31 @@ def read_scenario(folder: Path) -> Scenario:
     """Return the scenario as it was played.
 
     Raises:
-        RecordError: it is missing, damaged, or no scenario.
+        RecordError: it is missing, damaged, or not a scenario that could have been played.
     """
+    from rcj_challenges.scenario.load import load_resolved  # noqa: PLC0415 - it brings YAML, which writing does not need
+
     try:
         data = parsed(read_file(folder / SCENARIO))
         if not isinstance(data, dict):
-            raise TypeError("no object")
-        return Scenario.model_validate_json(json.dumps(data), context=AS_RECORDED)
+            raise TypeError("not an object")
+        return load_resolved(data).scenario
     except FileNotFoundError:
-        raise RecordError(f"{folder.name}: {SCENARIO} is missing") from None
+        raise RecordError("record-incomplete", f"{folder.name}: {SCENARIO} is missing", _COPY_AGAIN) from None
     except OSError as error:
-        raise RecordError(f"{folder.name}: {SCENARIO} cannot be read: {format_error(error)}") from error
+        message = f"{folder.name}: {SCENARIO} cannot be read: {format_error(error)}"
+        raise RecordError("record-unreadable", message) from error
+    except ScenarioError as error:
+        first = error.problems[0]
+        what = f"{first.path}: {first.message}" if first.path else first.message
+        message = f"{folder.name}: {SCENARIO} is not as the run wrote it: {what}"
+        raise RecordError("record-damaged", message, _COPY_AGAIN) from error
     except (TypeError, ValueError, RecursionError) as error:
-        raise RecordError(f"{folder.name}: {SCENARIO} is damaged: it is not the scenario of a run") from error
+        message = f"{folder.name}: {SCENARIO} is damaged: it is not the scenario of a run"
+        raise RecordError("record-damaged", message, _COPY_AGAIN) from error
+
+
+_COPY_AGAIN = "copy the whole record again"
 
 
 def read_unresolved(folder: Path) -> dict[str, Any]:

@@ -1,96 +1,245 @@
-"""Reading ``referee.jsonl``: events, firings, phases, who is held and what was counted, as far as it can be read."""
+"""``referee.jsonl``: firings, events and changes, one JSON object a line, each with half and tick."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass, field
+from itertools import groupby
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.facts.amounts import Score, counted, round_score
+from rcj_challenges.facts.amounts import Score, counted
+from rcj_challenges.facts.changes import Change, CountersChange, HeldChange, PhaseChange, ScoreChange
+from rcj_challenges.facts.play import Event, Firing
 from rcj_challenges.records.folder import REFEREE_LOG, read_file
-from rcj_challenges.records.lines import parsed
+from rcj_challenges.records.lines import json_line, number_or_none, parsed
+from rcj_challenges.records.reflog import event_line
 from rcj_challenges.records.result import RunResult
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.seats import teams_by_seat
 
-_PLACE: dict[str, type] = {"half": int, "tick": int}
-_NEEDED: dict[str, dict[str, type]] = {
-    "firing": {"rule": str, "trigger": str, "scored": dict},
-    "event": {"event": str, "payload": dict},
-    "phase": {"phase": str, "waiting_for_kickoff": bool},
-    "held": {"robots": list},
-    "counted": {"counters": dict},
+Entry = Event | Firing | Change
+
+_CHANGES: Mapping[type, str] = {
+    PhaseChange: "phase",
+    ScoreChange: "score",
+    CountersChange: "counted",
+    HeldChange: "held",
 }
-"""What a line of each kind must have, and what that must be."""
+"""The kind of line that each change is written as."""
+
+_MAX_NUMBER = 1e300
+"""Of a measurement or score: Python's integers may be larger than any float."""
 
 
-def read_referee_log(folder: Path) -> tuple[list[dict[str, Any]], int]:
-    """Return the lines that can be read, in order, and how many cannot; a log that is not there has none.
+@dataclass(frozen=True)
+class LoggedTick:
+    """What the log has of one tick, in order.
+
+    Attributes:
+        half: from 1.
+        tick: of the half.
+        events, firings, changes: as in the referee's `RefereeOutput`, the faults of programs among the events.
+    """
+
+    half: int
+    tick: int
+    events: tuple[Event, ...] = ()
+    firings: tuple[Firing, ...] = ()
+    changes: tuple[Change, ...] = ()
+
+
+@dataclass(frozen=True)
+class RefereeLog:
+    """A log, as far as it can be read.
+
+    Attributes:
+        ticks: those with at least one line, in order.
+        damaged_lines: how many lines could not be read.
+    """
+
+    ticks: tuple[LoggedTick, ...] = field(default=())
+    damaged_lines: int = 0
+
+    @property
+    def damage(self) -> str:
+        """How many lines are damaged, in words without a full stop; empty if none is."""
+        damaged = self.damaged_lines
+        lines = f"{counted(damaged, 'line')} of the referee's log {'is' if damaged == 1 else 'are'} damaged"
+        return lines if damaged else ""
+
+    def up_to(self, ticks: Mapping[int, int]) -> RefereeLog:
+        """Return the part up to a tick of each half; of other halves nothing."""
+        kept = tuple(one for one in self.ticks if one.tick <= ticks.get(one.half, -1))
+        return RefereeLog(kept, self.damaged_lines)
+
+    def event_lines(self) -> list[dict[str, Any]]:
+        """Return the events as in ``result.json``."""
+        return [event_line(one.half, event) for one in self.ticks for event in one.events]
+
+    def score(self, first: Mapping[str, Score], teams_in: Callable[[int], Mapping[str, str]]) -> dict[str, Score]:
+        """Return the last score by team.
+
+        ``result.json`` has the score of whole halves: of a match that was killed, or is still played, the log has more.
+
+        Args:
+            first: by team, as the match begins.
+            teams_in: returns, for a half, the teams by seat.
+        """
+        found = ((one.half, change) for one in reversed(self.ticks) for change in one.changes)
+        half, last = next(((half, change) for half, change in found if isinstance(change, ScoreChange)), (0, None))
+        teams = teams_in(half) if last is not None else {}
+        scores = {teams.get(seat, seat): points for seat, points in last.scores.items()} if last is not None else {}
+        return dict(first) | {team: points for team, points in scores.items() if team in first}
+
+
+def log_of_result(result: RunResult) -> RefereeLog:
+    """Return the events of a result as a log, for a record that has lost it."""
+    events = [(one.half, Event(one.tick, one.event, one.payload)) for one in result.events]
+    return RefereeLog(_by_tick([(half, event.tick, event) for half, event in events]))
+
+
+def score_so_far(result: RunResult, scenario: Scenario, log: RefereeLog) -> dict[str, Score]:
+    """Return the points of a run by team, also of one that was killed or is still played."""
+    if result.complete or result.stopped is not None:
+        return dict(result.score)
+    return log.score(result.score, lambda half: teams_by_seat(scenario, half))
+
+
+# --- writing ----------------------------------------------------------------------------------------------------------
+
+
+def log_lines(half: int, events: Iterable[Event], firings: Iterable[Firing], changes: Iterable[Change]) -> bytes:
+    """Return the lines of one tick."""
+    lines = [
+        *(firing_line(half, firing) for firing in firings),
+        *({"kind": "event", **event_line(half, event)} for event in events),
+        *({"half": half, "kind": _CHANGES[type(change)], **asdict(change)} for change in changes),
+    ]
+    return b"".join(map(json_line, lines))
+
+
+def firing_line(half: int, firing: Firing) -> dict[str, Any]:
+    """Return one firing as it stands in the log."""
+    line: dict[str, Any] = {"half": half, "kind": "firing", **asdict(firing)}
+    line["measured"] = number_or_none(firing.measured)
+    line["limit"] = number_or_none(firing.limit)
+    for key in ("other", "place"):
+        if line[key] is None:
+            del line[key]
+    return line
+
+
+# --- reading ----------------------------------------------------------------------------------------------------------
+
+
+def read_referee_log(folder: Path) -> RefereeLog:
+    """Return what can be read of a log; one that is missing is empty.
 
     Raises:
-        RecordError: it is no file.
+        RecordError: it is not a regular file, or too large.
     """
     path = folder / REFEREE_LOG
-    lines: list[dict[str, Any]] = []
-    unreadable = 0
+    entries: list[tuple[int, int, Entry]] = []
+    damaged = 0
     for text in read_file(path).splitlines() if path.exists() else ():
-        line = _line(text)
-        if line is None:
-            unreadable += 1
-        else:
-            lines.append(line)
-    return lines, unreadable
+        try:
+            line = parsed(text)
+            entry = _entry(line)
+            entries.append((_whole(line["half"], 1), entry.tick, entry))
+        except (KeyError, TypeError, ValueError):
+            damaged += 1
+    return RefereeLog(_by_tick(entries), damaged)
 
 
-def damaged_lines(unreadable: int) -> str:
-    """Return in words how many lines of a log are damaged, without a full stop."""
-    return f"{counted(unreadable, 'line')} of the referee's log {'is' if unreadable == 1 else 'are'} damaged"
+def _by_tick(entries: Sequence[tuple[int, int, Entry]]) -> tuple[LoggedTick, ...]:
+    ticks = []
+    for (half, tick), group in groupby(entries, key=lambda one: one[:2]):
+        found = [entry for _, _, entry in group]
+        ticks.append(
+            LoggedTick(
+                half,
+                tick,
+                tuple(one for one in found if isinstance(one, Event)),
+                tuple(one for one in found if isinstance(one, Firing)),
+                tuple(one for one in found if not isinstance(one, Event | Firing)),
+            )
+        )
+    return tuple(ticks)
 
 
-def events_as_lines(result: RunResult) -> list[dict[str, Any]]:
-    """Return the events of a result as lines of the log, for a record that has lost it."""
-    return [{"kind": "event", **event.model_dump()} for event in result.events]
+def _entry(line: Any) -> Entry:
+    """Return what a line holds.
 
-
-def points_in(
-    lines: Iterable[dict[str, Any]], teams: Iterable[str], teams_in: Callable[[int], Mapping[str, str]]
-) -> dict[str, Score]:
-    """Return the points by team that rules gave in these lines.
-
-    ``result.json`` tells points when a half is over: of a match that was killed, or goes on, the log knows more.
-
-    Args:
-        lines: of the log.
-        teams: of the match.
-        teams_in: returns, for a half (1-based), the team that plays at each seat.
+    Raises:
+        KeyError, TypeError, ValueError: it is not a line of a log.
     """
-    points: dict[str, Score] = dict.fromkeys(teams, 0)
-    for line in lines:
-        for seat, scored in () if line.get("suppressed") else line.get("scored", {}).items():
-            team = teams_in(line["half"]).get(seat, seat)
-            if team in points:  # in a damaged log any name may stand
-                points[team] = round_score(points[team] + scored)
-    return points
+    tick = _whole(line["tick"], 0)
+    match line["kind"]:
+        case "event":
+            return Event(tick, _text(line["event"]), _mapping(line["payload"]))
+        case "firing":
+            return Firing(
+                tick=tick,
+                rule=_text(line["rule"]),
+                entity=_text_or_none(line.get("entity")),
+                trigger=_text(line["trigger"]),
+                measured=_number_or_none(line.get("measured")),
+                limit=_number_or_none(line.get("limit")),
+                scored=_points(line["scored"]),
+                suppressed=_text_or_none(line.get("suppressed")),
+                says=_text(line.get("says", "")),
+                other=_text_or_none(line.get("other")),
+                place=_text_or_none(line.get("place")),
+            )
+        case "phase":
+            return PhaseChange(tick, _text(line["phase"]), bool(line["waiting_for_kickoff"]))
+        case "score":
+            return ScoreChange(tick, _points(line["scores"]))
+        case "counted":
+            counters = _mapping(line["counters"])
+            return CountersChange(tick, {name: _counter(value) for name, value in counters.items()})
+        case "held":
+            return HeldChange(tick, tuple(map(_text, line["robots"])))
+    raise ValueError("a line of another kind")
 
 
-def points_so_far(result: RunResult, scenario: Scenario, lines: list[dict[str, Any]]) -> Mapping[str, Score]:
-    """Return the points of a run by team, also of one that was killed or goes on; ``lines`` are those of its log."""
-    if result.complete or result.stopped is not None or not lines:
-        return result.score
-    return points_in(lines, result.score, lambda half: teams_by_seat(scenario, half))
+def _whole(value: Any, least: int) -> int:
+    if type(value) is not int or value < least:
+        raise TypeError("not a whole number")
+    return value
 
 
-def _line(text: bytes) -> dict[str, Any] | None:
-    try:
-        line = parsed(text)
-    except ValueError:
-        return None
-    if not isinstance(line, dict) or not isinstance(line.get("kind"), str):
-        return None
-    needed = _NEEDED.get(line["kind"])
-    if needed is None or not all(isinstance(line.get(key), kind) for key, kind in (_PLACE | needed).items()):
-        return None
-    scored = line.get("scored", {})
-    numbers = all(isinstance(points, int | float) and abs(points) < math.inf for points in scored.values())
-    return line if numbers else None
+def _text(value: Any) -> str:
+    if not isinstance(value, str):
+        raise TypeError("not a text")
+    return value
+
+
+def _text_or_none(value: Any) -> str | None:
+    return None if value is None else _text(value)
+
+
+def _mapping(value: Any) -> dict[str, Any]:
+    if not isinstance(value, dict):
+        raise TypeError("not a mapping")
+    return value
+
+
+def _number_or_none(value: Any) -> float | None:
+    if value is not None and not (isinstance(value, int | float) and abs(value) <= _MAX_NUMBER):
+        raise TypeError("not a number")
+    return value
+
+
+def _counter(value: Any) -> Score | dict[str, Score]:
+    if isinstance(value, dict):
+        return _points(value)
+    if value is None:
+        raise TypeError("not a number")
+    return _number_or_none(value) or 0
+
+
+def _points(value: Any) -> dict[str, Score]:
+    points = {seat: _number_or_none(number) for seat, number in _mapping(value).items()}
+    return {seat: number for seat, number in points.items() if number is not None}

@@ -132,14 +132,9 @@ class RunResult(_Part):
     halves: list[HalfResult] = _described("the halves that are over, and one that was broken off")
     events: list[EventResult] = _described("all events, in order")
     faults: list[FaultResult] = _described("programs that failed, in order")
-    inputs: str = Field(
-        default="",
-        description="SHA-256 of what was played: scenario without defaults, seed, programs; empty in older records",
-    )
-    states: str = Field(
-        default="",
-        description="SHA-256 of what happened: states of all ticks, and events; empty while the run is not complete, "
-        "and in older records",
+    inputs: str = _described("SHA-256 of what was played: scenario without defaults, seed, programs")
+    states: str = _described(
+        "SHA-256 of what happened: states of all ticks, and events; empty while the run is not complete"
     )
     digest: str = _described("SHA-256 over `inputs` and `states`; empty while the run is not complete")
     simulated_s: float = _described("simulated time of all halves in s", ge=0)
@@ -203,18 +198,21 @@ def read_result(folder: Path) -> RunResult:
     try:
         data = parsed(read_file(path))
     except FileNotFoundError:
-        raise RecordError(f"{folder.name}: no record of a run ({RESULT} is missing)") from None
+        message = f"{folder.name}: no record of a run ({RESULT} is missing)"
+        raise RecordError("record-incomplete", message, "give the folder of a record") from None
     except (OSError, ValueError) as error:
-        raise RecordError(f"{folder.name}: {RESULT} cannot be read: {format_error(error)}") from error
+        message = f"{folder.name}: {RESULT} cannot be read: {format_error(error)}"
+        raise RecordError("record-unreadable", message, "copy the whole record again") from error
     record = data.get("record") if isinstance(data, dict) else None
     if type(record) is int:
-        check_version(record, folder)
+        check_version(record, folder.name)
     try:
         return RunResult.model_validate(data)
     except ValidationError as error:
         first = error.errors()[0]
         where = ".".join(map(str, first["loc"])) or "the file"
-        raise RecordError(f"{folder.name}: {RESULT} is damaged: {where}: {first['msg']}") from error
+        message = f"{folder.name}: {RESULT} is damaged: {where}: {first['msg']}"
+        raise RecordError("record-damaged", message, "copy the whole record again") from error
 
 
 _TIME_FAULTS = frozenset({"start_timeout", "step_timeout", "half_timeout"})

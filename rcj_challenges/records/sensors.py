@@ -1,48 +1,44 @@
-"""Sensor recordings: what each program saw, set and printed, tick by tick; made on request (``--record sensors``).
+"""Sensor recordings: what programs printed, and, with ``--record sensors``, what they saw and set, tick by tick.
 
-``sensors/half-1.sensors`` begins with a line of JSON that tells which devices each robot has; chunks follow, each of
-some seconds: ``CHNK``, the length of what follows (little-endian uint32), and a zlib stream. That holds a line of JSON
-(rows for each robot, printed text), then each robot's rows of `row_dtype`, column by column of bytes: bytes of one
-place change little from row to row, so they pack well. Numbers are the float64 that the program got, bit for bit.
+``sensors/half-1.sensors`` is a file of chunks (`chunks`). Its header lists the devices of each robot. The head of a
+chunk has the number of rows of each robot and the printed text; its bytes are each robot's rows of `row_dtype`, column
+by column of bytes: bytes of one place change little from row to row, so they pack well. Numbers are the float64 that
+the program got, bit for bit.
 
-A file is appended to and never changed, so a kill loses the last `TICKS_BETWEEN_WRITES` at most, and no file grows
-beyond `MOST_BYTES_A_HALF`: what comes later is left out, and the recording says from which tick on.
+A kill loses the last `TICKS_PER_CHUNK` at most, and no file grows beyond `MAX_BYTES_A_HALF`: what comes later is left
+out, and the recording says from which tick on.
 """
 
 from __future__ import annotations
 
 import math
 import struct
-import zlib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any, BinaryIO, Protocol
+from typing import Any, Protocol, Self
 
 import numpy as np
 import numpy.typing as npt
 
 from rcj_challenges.devices import device_of_class
 from rcj_challenges.facts.traffic import DeviceSpec, MotorCommand, Observation, RobotSpec
+from rcj_challenges.records.chunks import ChunkWriter, read_chunks
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.folder import RECORD_VERSION, SENSORS, read_file
-from rcj_challenges.records.lines import json_line, parsed
-from rcj_challenges.records.track import write_all
+from rcj_challenges.records.folder import SENSORS
 
-TICKS_BETWEEN_WRITES = 125
+TICKS_PER_CHUNK = 125
 """4 s of the match: longer chunks pack better, shorter ones lose less on a kill."""
 
-MOST_BYTES_A_HALF = 15_000_000
-MOST_LETTERS_A_HALF = 2_000_000
-"""Of printed text; all of it stands in ``logs/``."""
+MAX_BYTES_A_HALF = 15_000_000
+MAX_PRINTED_BYTES = 100_000
+"""Of printed text, of each robot in a half; all of it stands in ``logs/``."""
+MORE_IN_THE_LOG = "… (more in the log)\n"
 
 FLOATS_PER_PACKET = 4
 """Strength (1 / m²), then the direction x, y, z in the robot's frame."""
 
-_MAGIC = b"CHNK"
-_HEAD = struct.Struct("<4sI")
 _ZLIB_LEVEL = 1
-_MOST_CHUNK_BYTES = 100_000_000
 _NO_PACKET = (math.nan,) * FLOATS_PER_PACKET
 
 DAMAGE = (OSError, ValueError, KeyError, TypeError, AttributeError, IndexError, OverflowError, MemoryError)
@@ -57,15 +53,15 @@ class SensedRobot:
 
     Attributes:
         name: ``B1``.
-        devices: all of its devices, as its program knows them.
+        devices: all of its devices, as its program knows them; none if only what it prints is recorded.
         values: how many numbers an observation has.
-        ball_receivers: names of the receivers that hear balls.
+        ball_receivers: names of the receivers for balls.
         packets: how many of the ball's packets an observation is recorded with: the last ones.
     """
 
     name: str
-    devices: tuple[DeviceSpec, ...]
-    values: int
+    devices: tuple[DeviceSpec, ...] = ()
+    values: int = 0
     ball_receivers: tuple[str, ...] = ()
     packets: int = 0
 
@@ -75,8 +71,8 @@ class SensedRobot:
         return tuple(device for device in self.devices if "motors" in device_of_class(device.kind).ACCEPTS)
 
     @classmethod
-    def of(cls, spec: RobotSpec, ball_receivers: Sequence[str], balls: int) -> SensedRobot:
-        """Return what is to be recorded of a robot; ``balls`` is how many of them may be heard at once."""
+    def of(cls, spec: RobotSpec, ball_receivers: Sequence[str], balls: int) -> Self:
+        """Return all that can be recorded of a robot; ``balls`` is how many of them may be received at once."""
         return cls(spec.name, spec.devices, spec.values, tuple(ball_receivers), balls if ball_receivers else 0)
 
 
@@ -98,7 +94,7 @@ def row_dtype(robot: SensedRobot) -> np.dtype[np.void]:
 
 
 class SensorListener(Protocol):
-    """Somebody who is given a recording while it is made. Calls must return at once: the match waits for them."""
+    """Gets a recording while it is made. Calls must return at once: the match waits for them."""
 
     def sensed(self, robot: int, row: bytes) -> None:
         """Take a row of `row_dtype`, as it is recorded.
@@ -113,7 +109,7 @@ class SensorListener(Protocol):
 
 
 class _Rows:
-    """The rows of one robot that are not written yet."""
+    """What is not written yet of one robot."""
 
     def __init__(self, robot: SensedRobot) -> None:
         receivers = {device.index for device in robot.devices if device.name in robot.ball_receivers}
@@ -125,25 +121,27 @@ class _Rows:
         self._pack = struct.Struct(f"<I{floats}d").pack
         self._bytes_per_row = 4 + 8 * floats
         self._values: list[float] = [math.nan] * robot.values
-        self._heard: list[float] = list(_NO_PACKET * robot.packets)
+        self._received: list[float] = list(_NO_PACKET * robot.packets)
         self._rows = bytearray()
+        self.is_sensed = bool(robot.devices)
+        self.printed_bytes_left = MAX_PRINTED_BYTES
         self.tick = 0
 
     def saw(self, observation: Observation) -> None:
         self.tick = observation.tick
         self._values = observation.values
         if self._packets:
-            heard = [packet for packet in observation.packets if packet.device in self._ball_receivers]
-            numbers: list[float] = list(_NO_PACKET * max(0, self._packets - len(heard)))
-            for packet in heard[-self._packets :]:
+            received = [packet for packet in observation.packets if packet.device in self._ball_receivers]
+            numbers: list[float] = list(_NO_PACKET * max(0, self._packets - len(received)))
+            for packet in received[-self._packets :]:
                 numbers += (packet.strength, *packet.direction)
-            self._heard = numbers
+            self._received = numbers
 
     def did(self, motors: Sequence[MotorCommand]) -> bytes:
         for command in motors:
-            held = not math.isinf(command.position_rad)
-            self._motors[self._motor_at[command.device]] = math.nan if held else command.velocity_radps
-        row = self._pack(self.tick, *self._values, *self._heard, *self._motors)
+            holds_angle = not math.isinf(command.position_rad)
+            self._motors[self._motor_at[command.device]] = math.nan if holds_angle else command.velocity_radps
+        row = self._pack(self.tick, *self._values, *self._received, *self._motors)
         self._rows += row
         return row
 
@@ -159,7 +157,7 @@ class SensorWriter:
     """Writes the sensor recording of one half."""
 
     def __init__(self, folder: Path, half: int, robots: Sequence[SensedRobot]) -> None:
-        """Open the file.
+        """Create the file.
 
         Args:
             folder: of the run.
@@ -167,85 +165,65 @@ class SensorWriter:
             robots: those whose programs are recorded; calls name them by their place in this order.
         """
         (folder / SENSORS).mkdir(exist_ok=True)
-        self._file: BinaryIO = _path(folder, half).open("xb", buffering=0)
+        header = {"half": half, "robots": [asdict(robot) for robot in robots]}
+        self._file = ChunkWriter(folder / SENSORS / f"half-{half}.sensors", header, _ZLIB_LEVEL)
         self._rows = [_Rows(robot) for robot in robots]
         self._listeners: tuple[SensorListener, ...] = ()
         self._output: list[tuple[int, int, str]] = []
-        self._letters_left = MOST_LETTERS_A_HALF
-        self._next_write = TICKS_BETWEEN_WRITES
+        self._next_write = TICKS_PER_CHUNK
         self._is_full = False
-        self._size = 0
-        self._append(
-            json_line(
-                {
-                    "record": RECORD_VERSION,
-                    "half": half,
-                    "robots": [asdict(robot) for robot in robots],
-                }
-            )
-        )
 
     def tell(self, listeners: Sequence[SensorListener]) -> None:
-        """Give what is recorded from now on to these too."""
+        """Hand what is recorded from now on to these as well."""
         self._listeners = tuple(listeners)
 
     def saw(self, robot: int, observation: Observation) -> None:
-        """Note what a program is told."""
+        """Record what a program sees."""
         if not self._is_full:
             if observation.tick >= self._next_write:
                 self._write()
-                self._next_write = observation.tick + TICKS_BETWEEN_WRITES
+                self._next_write = observation.tick + TICKS_PER_CHUNK
             self._rows[robot].saw(observation)
 
     def did(self, robot: int, motors: Sequence[MotorCommand], printed: str = "") -> None:
-        """Note what a program set and printed on what it was told last (before the first: at tick 0)."""
+        """Record what a program set and printed on its last observation (before the first: at tick 0)."""
         if not self._is_full:
-            row = self._rows[robot].did(motors)
-            for listener in self._listeners:
-                listener.sensed(robot, row)
+            if self._rows[robot].is_sensed:
+                row = self._rows[robot].did(motors)
+                for listener in self._listeners:
+                    listener.sensed(robot, row)
             self.printed(robot, printed)
 
     def printed(self, robot: int, text: str) -> None:
-        """Note what a program printed since it was told something last."""
-        if text and not self._is_full and self._letters_left > 0:
-            if len(text) > self._letters_left:
-                text = text[: self._letters_left] + "\n… (more in logs)\n"
-            self._letters_left -= len(text)
-            entry = (robot, self._rows[robot].tick, text)
+        """Record what a program printed since its last observation."""
+        rows = self._rows[robot]
+        if text and not self._is_full and rows.printed_bytes_left > 0:
+            size = len(text.encode("utf-8", "replace"))
+            if size > rows.printed_bytes_left:
+                text = text.encode("utf-8", "replace")[: rows.printed_bytes_left].decode("utf-8", "ignore")
+                text += "\n" * (not text.endswith("\n")) + MORE_IN_THE_LOG
+            rows.printed_bytes_left -= size
+            entry = (robot, rows.tick, text)
             self._output.append(entry)
             for listener in self._listeners:
                 listener.printed(entry)
 
     def close(self) -> None:
         """Write what is left and close the file. Can be called again."""
-        if not self._file.closed:
-            self._write()
-            self._file.close()
+        self._write()
+        self._file.close()
 
     def _write(self) -> None:
         parts = [rows.take() for rows in self._rows]
         if not self._is_full and (self._output or any(count for count, _ in parts)):
             head = {"rows": [count for count, _ in parts], "output": self._output}
-            chunk = _chunk(b"".join([json_line(head), *(planes for _, planes in parts)]))
-            if self._size + len(chunk) > MOST_BYTES_A_HALF:
+            chunk = self._file.pack(head, b"".join(planes for _, planes in parts))
+            if self._file.size_bytes + len(chunk) > MAX_BYTES_A_HALF:
                 self._is_full = True
-                ticks = [rows.tick for rows in self._rows]
-                chunk = _chunk(json_line({"rows": [0] * len(parts), "output": [], "full_at": max(ticks, default=0)}))
-            self._append(chunk)
+                full_at = max((rows.tick for rows in self._rows), default=0)
+                chunk = self._file.pack({"rows": [0] * len(parts), "output": [], "full_at": full_at})
+            self._file.append(chunk)
         self._output = []
-
-    def _append(self, data: bytes) -> None:
-        self._size += len(data)
-        write_all(self._file, bytearray(data))
-
-
-def _chunk(data: bytes) -> bytes:
-    packed = zlib.compress(data, _ZLIB_LEVEL)
-    return _HEAD.pack(_MAGIC, len(packed)) + packed
-
-
-def _path(folder: Path, half: int) -> Path:
-    return folder / SENSORS / f"half-{half}.sensors"
 
 
 # --- reading ----------------------------------------------------------------------------------------------------------
@@ -299,88 +277,56 @@ class SensorHalf:
     full_at: int | None = None
     damaged: bool = False
 
-
-@dataclass
-class _Gathering:
-    """What has been read of a file so far."""
-
-    rows: list[list[Array]]
-    output: list[list[tuple[int, str]]]
-    full_at: int | None = None
-    damaged: bool = False
+    @property
+    def has_readings(self) -> bool:
+        """Whether more than printed text was recorded."""
+        return any(track.robot.devices for track in self.robots.values())
 
 
 def read_sensors(folder: Path) -> dict[int, SensorHalf]:
-    """Return the sensor recordings of a run by half; empty if it was played without them.
+    """Return the sensor recordings of a run by half; empty if there are none.
 
     Raises:
-        RecordError: a file is none of ours, or written by a newer version.
+        RecordError: a file is not a sensor recording, or of another version.
     """
     found = {}
     for path in sorted((folder / SENSORS).glob("half-*.sensors")):
         try:
             half = _read(path)
         except DAMAGE as error:
-            raise RecordError(f"{folder.name}: {SENSORS}/{path.name} is no sensor recording: {error}") from error
+            message = f"{folder.name}: {SENSORS}/{path.name} is not a sensor recording: {error}"
+            raise RecordError("record-damaged", message, "copy the whole record again") from error
         found[half.half] = half
     return dict(sorted(found.items()))
 
 
 def _read(path: Path) -> SensorHalf:
-    data = read_file(path)
-    end = data.index(b"\n")
-    head = parsed(data[:end])
-    if head["record"] > RECORD_VERSION:
-        raise RecordError(f"{path.name}: written by a newer version: it needs a newer rcj-challenges")
-    robots = [_robot(robot) for robot in head["robots"]]
-    found = _Gathering([[] for _ in robots], [[] for _ in robots])
+    found = read_chunks(path)
+    robots = [_robot(robot) for robot in found.header["robots"]]
     dtypes = [row_dtype(robot) for robot in robots]
-    for text, planes in _chunks(data, end + 1, found):
-        _gather(text, planes, dtypes, found)
+    rows: list[list[Array]] = [[np.zeros(0, dtype)] for dtype in dtypes]
+    output: list[list[tuple[int, str]]] = [[] for _ in robots]
+    full_at: int | None = None
+    for head, body in found.chunks:
+        at = 0
+        for blocks, count, dtype in zip(rows, head["rows"], dtypes, strict=True):
+            size = count * dtype.itemsize
+            planes = np.frombuffer(body[at : at + size], np.uint8).reshape(dtype.itemsize, count)
+            blocks.append(np.ascontiguousarray(planes.T).view(dtype)[:, 0])
+            at += size
+        for robot, tick, text in head["output"]:
+            output[robot].append((int(tick), str(text)))
+        full_at = int(head["full_at"]) if "full_at" in head else full_at
     tracks = {}
-    for robot, dtype, rows, output in zip(robots, dtypes, found.rows, found.output, strict=True):
-        every = np.concatenate(rows) if rows else np.zeros(0, dtype)
+    for robot, blocks, printed in zip(robots, rows, output, strict=True):
+        every = np.concatenate(blocks)
         tick, values, packets, motors = (
             np.ascontiguousarray(every[name]) for name in ("tick", "values", "packets", "motors")
         )
-        tracks[robot.name] = SensorTrack(robot, tick, values, packets, motors, tuple(output))
-    return SensorHalf(int(head["half"]), tracks, found.full_at, found.damaged)
+        tracks[robot.name] = SensorTrack(robot, tick, values, packets, motors, tuple(printed))
+    return SensorHalf(int(found.header["half"]), tracks, full_at, found.is_cut_off or found.is_damaged)
 
 
 def _robot(data: dict[str, Any]) -> SensedRobot:
     devices = tuple(DeviceSpec(**device) for device in data["devices"])
     return SensedRobot(data["name"], devices, int(data["values"]), tuple(data["ball_receivers"]), int(data["packets"]))
-
-
-def _chunks(data: bytes, at: int, found: _Gathering) -> Iterator[tuple[dict[str, Any], bytes]]:
-    """Yield head and planes of the whole chunks; notes it if the file goes wrong."""
-    while at < len(data):
-        body = memoryview(data)[at + _HEAD.size :]
-        try:
-            magic, size = _HEAD.unpack_from(data, at)
-            if magic != _MAGIC or size > len(body):
-                raise ValueError("no whole chunk")
-            unpacker = zlib.decompressobj()
-            text = unpacker.decompress(body[:size], _MOST_CHUNK_BYTES)
-            if not unpacker.eof:
-                raise ValueError("no whole chunk")
-            end = text.index(b"\n")
-            head = parsed(text[:end])
-        except (struct.error, ValueError, zlib.error):
-            found.damaged = True
-            return
-        yield head, text[end + 1 :]
-        at += _HEAD.size + size
-
-
-def _gather(head: dict[str, Any], planes: bytes, dtypes: Sequence[np.dtype[np.void]], found: _Gathering) -> None:
-    at = 0
-    for rows, count, dtype in zip(found.rows, head["rows"], dtypes, strict=True):
-        size = count * dtype.itemsize
-        block = np.frombuffer(planes[at : at + size], np.uint8).reshape(dtype.itemsize, count)
-        rows.append(np.ascontiguousarray(block.T).view(dtype)[:, 0])
-        at += size
-    for robot, tick, text in head["output"]:
-        found.output[robot].append((int(tick), str(text)))
-    if "full_at" in head:
-        found.full_at = int(head["full_at"])

@@ -5,10 +5,13 @@ from __future__ import annotations
 import json
 import math
 import struct
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 
+from rcj_challenges.facts.amounts import Score, round_score
+from rcj_challenges.facts.changes import ChangeTracker
 from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Pose2, RefereeOutput, Snapshot
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.records.writer import RecordWriter, RunHeader
@@ -113,25 +116,67 @@ def made_up_snapshot(tick: int, robots: int, *, faults: tuple[Fault, ...] = ()) 
     )
 
 
-def made_up_play(robots: int, ticks: int) -> Iterator[tuple[Snapshot, RefereeOutput]]:
-    """Yield tick 0 and on: a goal and a kick-off now and then, a robot held for a time, a fault at tick 300."""
+def made_up_play(
+    robots: int, ticks: int, scores: Mapping[str, Score] | None = None
+) -> Iterator[tuple[Snapshot, RefereeOutput]]:
+    """Yield tick 0 and on: a goal and a kick-off now and then, a robot held for a time, a fault at tick 300.
+
+    Args:
+        robots: of both teams.
+        ticks: of the half.
+        scores: by seat, as the half begins; left out: nothing was scored yet.
+    """
+    return with_changes(_made_up_ticks(robots, ticks), scores or dict.fromkeys(_SEATS, 0))
+
+
+def _made_up_ticks(robots: int, ticks: int) -> Iterator[tuple[Snapshot, RefereeOutput]]:
     for tick in range(ticks + 1):
         fault = Fault("Y1", "crash", tick, 1, "ZeroDivisionError: division by zero", "Traceback …\n  robot.py, 7")
         snapshot = made_up_snapshot(tick, robots, faults=(fault,) if tick == 300 else ())
         yield snapshot, _output(tick, robots)
 
 
+def with_changes(
+    play: Iterable[tuple[Snapshot, RefereeOutput]], scores: Mapping[str, Score]
+) -> Iterator[tuple[Snapshot, RefereeOutput]]:
+    """Yield outputs with the changes that a referee would have found; those that an output has come first.
+
+    Args:
+        play: ticks of a half.
+        scores: by seat, as the half begins; what firings score is added.
+    """
+    tracker, standing = ChangeTracker(scores), dict(scores)
+    for snapshot, output in play:
+        for firing in output.firings:
+            for seat, points in firing.scored.items() if firing.suppressed is None else ():
+                standing[seat] = round_score(standing.get(seat, 0) + points)
+        changes = tracker.update(
+            snapshot.tick,
+            phase=(output.phase, output.waiting_for_kickoff),
+            scores=standing,
+            counters={},
+            held=tuple(f"B{robot + 1}" for robot in sorted(output.held)),
+        )
+        yield snapshot, replace(output, changes=(*output.changes, *changes))
+
+
 def write_made_up_run(
-    out: Path, *, ticks: int = 1500, halves: int = 2, names: tuple[str, str] = ("Hanse", "Alster")
+    out: Path,
+    *,
+    ticks: int = 1500,
+    halves: int = 2,
+    names: tuple[str, str] = ("Hanse", "Alster"),
+    robots_per_team: int = 3,
 ) -> Path:
     """Write the record of a made-up match; returns its folder."""
-    scenario = small_scenario(halves=halves, half_s=ticks * TICK_S)
+    scenario = small_scenario(robots_per_team, halves, ticks * TICK_S)
     header = small_header(scenario, names)
     writer = RecordWriter(out, header)
     robots = len(scenario.robots)
     for half in range(1, halves + 1):
-        writer.begin_half(half_info(scenario, half, ticks, header, writer.result["score"]))
-        for snapshot, output in made_up_play(robots, ticks):
+        info = half_info(scenario, half, ticks, header, writer.result["score"])
+        writer.begin_half(info)
+        for snapshot, output in made_up_play(robots, ticks, info.scores):
             writer.tick(snapshot, output, struct.pack("<d", snapshot.substeps[-1][0][0]))
         writer.end_half(RefereeOutput(events=(Event(ticks, "MATCH_FINISH", {"total_match_time": ticks * TICK_S}),)))
     return writer.finish({"wall_s": 1.0})
@@ -167,7 +212,7 @@ def _output(tick: int, robots: int) -> RefereeOutput:
     return RefereeOutput(phase="goal_pause" if pausing else "play", waiting_for_kickoff=pausing, held=held)
 
 
-@lru_cache(maxsize=8192)  # two thousand ticks: every half, and most made-up matches, are the same anew
+@lru_cache(maxsize=8192)  # two thousand ticks: every half, and most made-up matches, are the same
 def _poses(time_s: float, robots: int) -> tuple[Pose2, ...]:
     circles = [
         (0.25 + 0.05 * robot, 2 * math.pi * robot / robots + 0.15 * time_s * (1 + robot / 10))

@@ -1,49 +1,167 @@
-"""Reading a trajectory: of a run that is finished, still going on, or was killed.
+"""The trajectory: all that the referee saw of a run, written while it is played, so that it can be judged again.
 
-The referee can be run on what `HalfTrack.snapshots` yields: it gives back the very snapshots of the match.
+A file of chunks (`chunks`). Its header names entities and things. A chunk ``{"half": …}`` begins a half with its facts;
+then comes one chunk for each 25 ticks: the number of rows and notes of what is rare (start, placements, faults, radio
+messages to the referee) as JSON, the rows (`row_dtype`), and the pairs of things that touched (uint16). The chunk
+``{"end": true}`` ends the trajectory of a run that closed its record.
 """
 
 from __future__ import annotations
 
-import os
-import tokenize
-import warnings
-import zipfile
-import zlib
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+import struct
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import asdict, dataclass, field
+from itertools import chain
 from pathlib import Path
-from typing import Any, NamedTuple, Self
+from typing import Any, Self
 
 import numpy as np
 import numpy.typing as npt
 
+from rcj_challenges.facts.errors import format_error
 from rcj_challenges.facts.play import Fault, HalfInfo, Placement, Snapshot
+from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK
+from rcj_challenges.records.chunks import ChunkWriter, read_chunks
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.folder import TRAJECTORY, TRAJECTORY_PARTS, check_version, open_file, read_file
-from rcj_challenges.records.lines import parsed
-from rcj_challenges.records.recorded_scenario import read_scenario
+from rcj_challenges.records.folder import TRAJECTORY
 from rcj_challenges.records.result import read_result
-from rcj_challenges.records.track import part_paths, row_dtype
 from rcj_challenges.scenario.roster import Roster
 
-Array = npt.NDArray[Any]
+TICKS_PER_CHUNK = 25
+"""0.8 s of the match: a kill loses less than one second."""
+
+_NOT_PACKED = 0  # poses of a simulation are noise in their lower bits: packing takes 0.2 s a half and saves a third
 _ROWS_AT_ONCE = 512
-DAMAGE = (
-    OSError, EOFError, ValueError, KeyError, TypeError, IndexError, zipfile.BadZipFile, zlib.error,
-    NotImplementedError, AttributeError, OverflowError, MemoryError, SyntaxError, tokenize.TokenError,
-)  # fmt: skip
-"""What numpy, zipfile and json raise on bytes that are not what they should be."""
+_FLOATS_OF_POSES, _FLOATS_BESIDE = 3 * SUBSTEPS_PER_TICK, 2  # of each entity: height and tilt beside its poses
+_NO_TOUCHES = ((),) * SUBSTEPS_PER_TICK
+
+_DAMAGE = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, MemoryError)
+"""What comes of reading chunks whose JSON is not what it should be."""
+
+Array = npt.NDArray[Any]
 
 
-class _MisfitError(ValueError):
-    """Arrays that are read, and are not those of a trajectory."""
+def row_dtype(entities: int) -> np.dtype[np.void]:
+    """Return the layout of one tick, for that many entities."""
+    return np.dtype(
+        [
+            ("substeps", "<f4", (SUBSTEPS_PER_TICK, entities, 3)),
+            ("heights", "<f4", (entities,)),
+            ("uprights", "<f4", (entities,)),
+            ("touch_counts", "<u2", (SUBSTEPS_PER_TICK,)),
+        ]
+    )
 
 
-def _why(error: Exception) -> str:
-    """Return why a trajectory cannot be read, where we or the system say it: what numpy says is for who calls it."""
-    why = str(error) if isinstance(error, _MisfitError) else error.strerror if isinstance(error, OSError) else None
-    return f": {why}" if why else ""
+# --- writing ----------------------------------------------------------------------------------------------------------
+
+
+class TrajectoryWriter:
+    """Appends the halves of a run, tick by tick.
+
+    Attributes:
+        ticks: of the half, that were appended.
+    """
+
+    def __init__(self, folder: Path, scenario_id: str, seed: int, roster: Roster) -> None:
+        """Create the file in the folder of a run.
+
+        Raises:
+            OSError: it cannot be written.
+        """
+        header = {
+            "scenario": scenario_id,
+            "seed": seed,
+            "entities": list(roster.entities),
+            "robots": roster.robots,
+            "balls": roster.balls,
+            "things": list(roster.things),
+        }
+        entities = len(roster.entities)
+        self._row_bytes = row_dtype(entities).itemsize
+        self._pack_poses = struct.Struct(f"<{_FLOATS_OF_POSES * entities}f").pack
+        self._pack_rest = struct.Struct(f"<{_FLOATS_BESIDE * entities}f{SUBSTEPS_PER_TICK}H").pack
+        self._file = ChunkWriter(folder / TRAJECTORY, header, _NOT_PACKED)
+        self._rows = bytearray()
+        self._touches = bytearray()
+        self._notes: list[dict[str, Any]] = []
+        self._is_ended = False
+        self.ticks = 0
+
+    def begin_half(self, half: HalfInfo) -> None:
+        """Begin a half; its tick 0 comes next."""
+        self._flush()
+        self.ticks = 0
+        self._file.append(self._file.pack({"half": asdict(half)}))
+
+    def append(self, snapshot: Snapshot, placements: tuple[Placement, ...], poses: bytes = b"") -> None:
+        """Add one tick; tick 0 is the start, whatever number of sub-steps it has.
+
+        Args:
+            snapshot: what the referee saw.
+            placements: what it put elsewhere.
+            poses: those of the snapshot as they are written; left out: made here, which takes longer than all the rest.
+
+        Raises:
+            ValueError: a tick is missing or comes twice.
+        """
+        tick = snapshot.tick
+        if tick not in (0, self.ticks + 1):
+            raise ValueError(f"tick {tick} after tick {self.ticks}: a record takes every tick once, in order")
+        if not tick or placements or snapshot.faults or snapshot.heard:
+            self._notes.append(_note(snapshot, placements))
+        if tick:
+            self._append_row(snapshot, poses)
+        if tick % TICKS_PER_CHUNK == 0:
+            self._flush()
+
+    def _append_row(self, snapshot: Snapshot, poses: bytes) -> None:
+        touches = snapshot.touches
+        if touches == _NO_TOUCHES:
+            counts = (0, 0, 0, 0)
+        else:
+            counts = tuple(map(len, touches))  # type: ignore[assignment]
+            numbers = [*chain.from_iterable(chain.from_iterable(touches))]
+            self._touches += struct.pack(f"<{len(numbers)}H", *numbers)
+        self._rows += poses or self._pack_poses(*chain.from_iterable(chain.from_iterable(snapshot.substeps)))
+        self._rows += self._pack_rest(*snapshot.heights, *snapshot.uprights, *counts)
+        self.ticks = snapshot.tick
+
+    def close(self) -> None:
+        """End the trajectory. Can be called again, also after an interruption or a full disk."""
+        self._flush()
+        if not self._is_ended:
+            self._is_ended = True
+            self._file.append(self._file.pack({"end": True}))
+        self._file.close()
+
+    def _flush(self) -> None:
+        if self._rows or self._notes:
+            head = {"rows": len(self._rows) // self._row_bytes, "notes": self._notes}
+            chunk = self._file.pack(head, bytes(self._rows + self._touches))
+            self._notes = []
+            self._rows.clear()
+            self._touches.clear()
+            self._file.append(chunk)
+
+
+def _note(snapshot: Snapshot, placements: Iterable[Placement]) -> dict[str, Any]:
+    """Return what is rare in a tick."""
+    note: dict[str, Any] = {"tick": snapshot.tick}
+    faults = [asdict(fault) for fault in snapshot.faults]
+    if not snapshot.tick:
+        note["start"] = {**snapshot._asdict(), "faults": faults}
+        del note["start"]["heard"]  # nothing is sent before the half begins
+    elif faults:
+        note["faults"] = faults
+    if placements:
+        note["placements"] = [[*asdict(placement).values()] for placement in placements]
+    if snapshot.heard:
+        note["told"] = snapshot.heard
+    return note
+
+
+# --- reading ----------------------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -59,9 +177,8 @@ class HalfTrack:
         touch_counts: ``[T, 4]``, how many pairs touched in each sub-step.
         touch_pairs: ``[N, 2]``, pairs of thing indices, one after the other.
         placements: what was put elsewhere after a tick, by tick.
-        faults: programs that failed, by the tick at which the referee heard of it.
-        heard: what robots told the referee by radio, by the tick at which it heard it: (entity, text).
-        poses_are_lost: whether none of its poses is left, and everything stands at its start instead.
+        faults: programs that failed, by the tick in which the referee learned of it.
+        heard: what robots sent to the referee by radio, by the tick in which it arrived: (entity, text).
     """
 
     info: HalfInfo
@@ -74,7 +191,6 @@ class HalfTrack:
     placements: Mapping[int, tuple[Placement, ...]]
     faults: Mapping[int, tuple[Fault, ...]]
     heard: Mapping[int, tuple[tuple[int, str], ...]] = field(default_factory=dict)
-    poses_are_lost: bool = False
 
     @property
     def ticks(self) -> int:
@@ -118,8 +234,9 @@ class Trajectory:
         entities: robots, balls, movable obstacles, in this order.
         robots, balls: how many of the entities are robots; how many are balls.
         things: the entities, then fixed obstacles, then ``walls``: what touches are pairs of.
-        finished: False if the run was killed or still goes on.
+        finished: False if the run was killed or is still played.
         halves: those that were begun.
+        damage: why there is no more than this, in words; empty if there is all that was written.
     """
 
     entities: tuple[str, ...]
@@ -128,6 +245,7 @@ class Trajectory:
     things: tuple[str, ...]
     finished: bool
     halves: tuple[HalfTrack, ...]
+    damage: str = ""
 
     def snapshots(self, half: int) -> Iterator[Snapshot]:
         """Yield the snapshots of a half (1-based) from tick 1 on; its tick 0 is the half's ``start``.
@@ -137,160 +255,125 @@ class Trajectory:
         """
         track = next((track for track in self.halves if track.info.half == half), None)
         if track is None:
-            raise RecordError(f"the record has no half {half}")
+            raise RecordError("record-incomplete", f"the record has no half {half}")
         return track.snapshots()
 
     @classmethod
     def open(cls, folder: Path) -> Self:
-        """Read the trajectory of a run.
+        """Read the trajectory of a run, all of it: what is damaged cannot be judged again.
 
         Raises:
-            RecordError: there is none, it is damaged, foreign, or written by a newer version.
+            RecordError: there is none, or it is damaged, foreign, or of another version.
         """
-        packed = folder / TRAJECTORY
+        trajectory = cls.read(folder)
+        if trajectory.damage:
+            message = f"{folder.name}: {trajectory.damage}"
+            raise RecordError("record-damaged", message, "copy the whole record again")
+        return trajectory
+
+    @classmethod
+    def read(cls, folder: Path) -> Self:
+        """Read the trajectory of a run up to where it is damaged.
+
+        Raises:
+            RecordError: there is none, or it is foreign, or of another version.
+        """
+        result = read_result(folder)
         try:
-            return cls._packed(packed) if packed.exists() else cls._parts(folder)
-        except DAMAGE as error:
-            raise RecordError(f"{folder.name}: the trajectory is damaged or none of ours{_why(error)}") from error
+            found = read_chunks(folder / TRAJECTORY)
+        except FileNotFoundError:
+            raise RecordError("record-incomplete", f"{folder.name}: {TRAJECTORY} is missing") from None
+        except OSError as error:
+            message = f"{folder.name}: {TRAJECTORY} cannot be read: {format_error(error)}"
+            raise RecordError("record-unreadable", message) from error
+        try:
+            header = found.header
+            entities = tuple(map(str, header["entities"]))
+            robots, balls = int(header["robots"]), int(header["balls"])
+            things = tuple(map(str, header["things"]))
+        except _DAMAGE as error:
+            raise RecordError("record-damaged", f"{folder.name}: the header of {TRAJECTORY} is damaged") from error
+        halves, read = _halves(found.chunks, len(entities))
+        finished = read == len(found.chunks) > 0 and "end" in found.chunks[-1][0]
+        damage = ""
+        if found.is_damaged or read < len(found.chunks) or (result.complete and not finished):
+            damage = f"{TRAJECTORY} is damaged"
+        return cls(entities, robots, balls, things, finished, halves, damage)
 
-    @classmethod
-    def _packed(cls, path: Path) -> Self:
-        # Opened here, because numpy leaves a file open that it refuses. It takes a damaged header for an old one.
-        with warnings.catch_warnings(), open_file(path) as file, np.load(file, allow_pickle=False) as arrays:
-            warnings.simplefilter("ignore", UserWarning)
-            if "header" not in arrays:
-                raise _MisfitError(f"{path.name} has no header")
-            header = parsed(arrays["header"].tobytes())
-            check_version(header["record"], path.parent)
-            entities = len(header["entities"])
-            halves = tuple(
-                _half(lambda field, half=half: arrays[f"half{half}_{field}"], entities, half)  # type: ignore[misc]
-                for half in header["halves"]
-            )
-        return cls._made(header, halves, finished=True)
 
-    @classmethod
-    def _parts(cls, folder: Path) -> Self:
-        read_result(folder)  # refuses what is no record
-        parts = folder / TRAJECTORY_PARTS
-        if not parts.is_dir():
-            raise RecordError(f"{folder.name}: the trajectory is missing")
-        roster = Roster.of(read_scenario(folder))
-        halves: list[HalfTrack] = []
-        for half in sorted(int(path.stem.partition("-")[2]) for path in parts.glob("half-*.poses")):
-            fields = read_parts(parts, half, len(roster.entities))
-            if fields["notes"].size:  # else killed before the half's first line was written
-                halves.append(_half(fields.__getitem__, len(roster.entities), half))
-        header = {
-            "entities": roster.entities,
-            "robots": roster.robots,
-            "balls": roster.balls,
-            "things": roster.things,
-        }
-        return cls._made(header, tuple(halves), finished=False)
+def _halves(chunks: Iterable[tuple[dict[str, Any], bytes]], entities: int) -> tuple[tuple[HalfTrack, ...], int]:
+    """Return the halves that chunks hold, up to the first that does not fit, and how many chunks that are."""
+    halves: list[_HalfReader] = []
+    read = 0
+    try:
+        for head, body in chunks:
+            if "half" in head:
+                halves.append(_HalfReader(HalfInfo(**head["half"]), row_dtype(entities)))
+            elif "end" not in head:
+                halves[-1].add(head, body)
+            read += 1
+    except _DAMAGE:
+        pass
+    return tuple(half.track() for half in halves), read
 
-    @classmethod
-    def _made(cls, header: Mapping[str, Any], halves: tuple[HalfTrack, ...], *, finished: bool) -> Self:
-        return cls(
-            entities=tuple(header["entities"]),
-            robots=int(header["robots"]),
-            balls=int(header["balls"]),
-            things=tuple(header["things"]),
-            finished=finished,
-            halves=halves,
+
+class _HalfReader:
+    """Joins the chunks of a half."""
+
+    def __init__(self, info: HalfInfo, dtype: np.dtype[np.void]) -> None:
+        self._info = info
+        self._dtype = dtype
+        self._rows = [np.zeros(0, dtype)]
+        self._pairs = [np.zeros((0, 2), "<u2")]
+        self._notes: dict[str, dict[int, Any]] = {"start": {}, "placements": {}, "faults": {}, "told": {}}
+
+    def add(self, head: Mapping[str, Any], body: bytes) -> None:
+        """Add a chunk.
+
+        Raises:
+            Exception: one of `_DAMAGE`: it does not fit; nothing of it is added.
+        """
+        rows: Array = np.frombuffer(body, self._dtype, head["rows"])
+        pairs: Array = np.frombuffer(body, "<u2", offset=rows.nbytes).reshape(-1, 2)
+        if len(pairs) != int(rows["touch_counts"].sum(dtype=np.int64)):
+            raise ValueError("not as many pairs as there are touches")
+        notes = [(int(note["tick"]), key, parse(note[key])) for note in head["notes"]
+                 for key, parse in _NOTES.items() if key in note]  # fmt: skip
+        for tick, key, found in notes:
+            self._notes[key][tick] = found
+        self._rows.append(rows)
+        self._pairs.append(pairs)
+
+    def track(self) -> HalfTrack:
+        """Return all that was added."""
+        rows = np.concatenate(self._rows)
+        fields = {name: np.ascontiguousarray(rows[name]) for name in self._dtype.names or ()}
+        return HalfTrack(
+            info=self._info,
+            start=self._notes["start"].get(0),
+            **fields,
+            touch_pairs=np.concatenate(self._pairs),
+            placements=self._notes["placements"],
+            faults=self._notes["faults"],
+            heard=self._notes["told"],
         )
 
 
-def read_parts(parts: Path, half: int, entities: int) -> dict[str, Array]:
-    """Return the arrays of a half that was not packed, up to its last whole tick.
-
-    Raises:
-        OSError: a file of it is missing or cannot be read.
-    """
-    poses, touches, notes = part_paths(parts, half)
-    dtype = row_dtype(entities)
-    with open_file(poses) as file:
-        rows = np.fromfile(file, dtype, os.fstat(file.fileno()).st_size // dtype.itemsize)
-    fields = {name: np.ascontiguousarray(rows[name]) for name in dtype.names or ()}
-    pairs = int(fields["touch_counts"].sum(dtype=np.int64))
-    with open_file(touches) as file:
-        things = np.fromfile(file, "<u2", 2 * pairs)
-    fields["touch_pairs"] = things[: len(things) // 2 * 2].reshape(-1, 2)
-    text = read_file(notes)
-    fields["notes"] = np.frombuffer(text[: text.rfind(b"\n") + 1], np.uint8)
-    return fields
-
-
-def _half(field: Callable[[str], Array], entities: int, half: int) -> HalfTrack:
-    """Build a half from its arrays.
-
-    Raises:
-        ValueError: they do not fit each other.
-    """
-    substeps = field("substeps")
-    notes = read_notes(field("notes").tobytes(), len(substeps))
-    track = HalfTrack(
-        notes.info,
-        notes.start,
-        substeps,
-        field("heights"),
-        field("uprights"),
-        field("touch_counts"),
-        field("touch_pairs"),
-        notes.placements,
-        notes.faults,
-        notes.heard,
-    )
-    ticks, dtype = track.ticks, row_dtype(entities)
-    for name in dtype.names or ():
-        found: Array = getattr(track, name)
-        if found.shape != (ticks, *dtype[name].shape) or found.dtype != dtype[name].base:
-            raise _MisfitError(f"{name} of half {half} has the shape {found.shape}")
-    if track.touch_pairs.shape != (int(track.touch_counts.sum(dtype=np.int64)), 2):
-        raise _MisfitError(f"touches of half {half} are not complete")
-    return track
-
-
-class Notes(NamedTuple):
-    """What the lines of notes hold: the half's facts, its start, and by tick what is rare; see `HalfTrack`."""
-
-    info: HalfInfo
-    start: Snapshot | None
-    placements: dict[int, tuple[Placement, ...]]
-    faults: dict[int, tuple[Fault, ...]]
-    heard: dict[int, tuple[tuple[int, str], ...]]
-
-
-def read_notes(text: bytes, ticks: int) -> Notes:
-    """Return what the lines of notes hold.
-
-    A kill may leave notes of ticks whose poses were never written; they are left out.
-    """
-    first, *lines = [parsed(line) for line in text.splitlines()]
-    start: Snapshot | None = None
-    placements: dict[int, tuple[Placement, ...]] = {}
-    faults: dict[int, tuple[Fault, ...]] = {}
-    heard: dict[int, tuple[tuple[int, str], ...]] = {}
-    for line in lines:
-        if line["tick"] > ticks:
-            break
-        if "start" in line:
-            start = _snapshot(line["start"])
-        if "placements" in line:
-            placements[line["tick"]] = tuple(Placement(*placement) for placement in line["placements"])
-        if "faults" in line:
-            faults[line["tick"]] = tuple(Fault(**fault) for fault in line["faults"])
-        if "told" in line:
-            heard[line["tick"]] = tuple((int(entity), str(said)) for entity, said in line["told"])
-    return Notes(HalfInfo(**first["half"]), start, placements, faults, heard)
-
-
-def _snapshot(data: dict[str, Any]) -> Snapshot:
+def _start(data: Mapping[str, Any]) -> Snapshot:
     return Snapshot(
-        tick=data["tick"],
+        tick=0,
         substeps=[[tuple(pose) for pose in substep] for substep in data["substeps"]],
         heights=data["heights"],
         uprights=data["uprights"],
         touches=tuple(tuple((a, b) for a, b in substep) for substep in data["touches"]),
         faults=tuple(Fault(**fault) for fault in data["faults"]),
     )
+
+
+_NOTES: Mapping[str, Callable[[Any], Any]] = {
+    "start": _start,
+    "placements": lambda placed: tuple(Placement(*placement) for placement in placed),
+    "faults": lambda failed: tuple(Fault(**fault) for fault in failed),
+    "told": lambda told: tuple((int(entity), str(text)) for entity, text in told),
+}
+"""How each kind of note is read."""

@@ -10,8 +10,9 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
 
-from rcj_challenges.facts.amounts import Score, round_score
-from rcj_challenges.facts.play import Fault, Firing, HalfInfo, RefereeOutput, Snapshot
+from rcj_challenges.facts.amounts import Score
+from rcj_challenges.facts.changes import Change, ScoreChange
+from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, RefereeOutput, Snapshot
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.records.digest import StatesDigest, inputs_digest, run_digest
 from rcj_challenges.records.folder import (
@@ -21,7 +22,6 @@ from rcj_challenges.records.folder import (
     REFLOG,
     RESULT,
     SCENARIO,
-    TRAJECTORY_PARTS,
     UNRESOLVED,
     folder_name,
     make_run_folder,
@@ -29,13 +29,14 @@ from rcj_challenges.records.folder import (
     replaced,
     timestamp,
     utc_now,
+    write_all,
 )
 from rcj_challenges.records.lines import json_line
 from rcj_challenges.records.logos import logo_path
-from rcj_challenges.records.pack import pack_trajectory
-from rcj_challenges.records.reflog import event_line, events_of, firing_line, reflog_lines
+from rcj_challenges.records.referee_log import log_lines
+from rcj_challenges.records.reflog import event_line, events_of, reflog_lines
 from rcj_challenges.records.result import MemberResult, RunResult, versions
-from rcj_challenges.records.track import TrackWriter, write_all
+from rcj_challenges.records.trajectory import TrajectoryWriter
 from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
@@ -103,33 +104,28 @@ class RecordWriter:
         self._now = now
         self._started = now()
         self._header = header
-        self._roster = Roster.of(header.scenario)
         scenario = dumped(header.scenario)
         self._inputs = inputs_digest(header.scenario, header.seed, header.programs)
         self._states = StatesDigest()
-        self._track: TrackWriter | None = None
         self._half: HalfInfo | None = None
-        self._phase: tuple[str, bool] | None = None
-        self._held: frozenset[int] = frozenset()
         self._events: list[dict[str, Any]] = []
         self._faults: list[dict[str, Any]] = []
         self._halves: list[dict[str, Any]] = []
-        self._begun: list[int] = []
         self._scores: dict[str, Score] = dict.fromkeys(header.team_names, 0)
         self._result: dict[str, Any] | None = None
         self._versions = versions().model_dump()
         self.folder = make_run_folder(out, name or folder_name(self._started, header.scenario.id))
-        # First, and not by way of a neighbour: a folder without a result is no record, wherever a kill comes.
+        # First, and not through a temporary file: wherever a kill comes, only a folder with a result is a record.
         self._begin()
         self.logs = self.folder / LOGS
         self.logs.mkdir()
-        self._parts = self.folder / TRAJECTORY_PARTS
-        self._parts.mkdir()
         self._write(self.folder / SCENARIO, json_line(scenario))
         if header.unresolved:
             self._write(self.folder / UNRESOLVED, json_line(dict(header.unresolved)))
         for team, logo in header.logos.items():
             self._write(logo_path(self.folder, team), logo)
+        roster = Roster.of(header.scenario)
+        self._trajectory = TrajectoryWriter(self.folder, header.scenario.id, header.seed, roster)
         self._reflog = (self.folder / REFLOG).open("xb", buffering=0)
         self._referee_log = (self.folder / REFEREE_LOG).open("xb", buffering=0)
 
@@ -155,10 +151,8 @@ class RecordWriter:
 
     def begin_half(self, half: HalfInfo) -> None:
         """Begin a half; its ticks follow, tick 0 (the start, before physics) first."""
-        self._track = TrackWriter(self._parts, half, len(self._roster.entities))
-        self._begun.append(half.half)
+        self._trajectory.begin_half(half)
         self._half = half
-        self._phase, self._held = None, frozenset()
         self._scores |= {half.teams[seat]: points for seat, points in half.scores.items()}
         self._states.half(half.half)
 
@@ -167,49 +161,33 @@ class RecordWriter:
 
         Args:
             snapshot: what the referee saw.
-            output: what it answered; its placements are carried out after the snapshot.
+            output: its answer; the placements are carried out after the snapshot.
             state: the judged qpos and qvel as little-endian float64.
             poses: those of the snapshot as little-endian float32 ``[sub-step][entity][3]``; left out: made here.
         """
-        track = self._track
-        if track is None:
+        if self._half is None:
             raise ValueError("a tick outside of a half: call begin_half first")
         self._states.state(state)
-        track.append(snapshot, output.placements, poses)
-        if output.firings or output.events or snapshot.faults:
-            self._say(snapshot, output)
-        if (output.phase, output.waiting_for_kickoff) != self._phase:
-            self._phase = (output.phase, output.waiting_for_kickoff)
-            self._note_phase(snapshot.tick, output)
-        if output.held is not self._held:
-            self._note_held(snapshot.tick, output.held)
-        if output.counted is not None:
-            self._note_counted(snapshot.tick, output.counted)
+        self._trajectory.append(snapshot, output.placements, poses)
+        if output.firings or output.events or output.changes or snapshot.faults:
+            self._log(self._half, events_of(snapshot, output), output.firings, output.changes)
+            self._faults += [self._fault(fault, self._half) for fault in snapshot.faults]
 
-    def end_half(
-        self, closing: RefereeOutput, scores: Mapping[str, Score] | None = None, ended: str | None = None
-    ) -> None:
+    def end_half(self, closing: RefereeOutput, ended: str | None = None) -> None:
         """End the half.
 
         Args:
-            closing: what the rules of ``half_ended`` said.
-            scores: points by seat; left out: the sum of what the firings scored.
+            closing: what came of the rules of ``half_ended``.
             ended: the reason of the rule that ended it, or the match with it; None if the time was up.
         """
-        if self._track is None or self._half is None:
+        if self._half is None:
             raise ValueError("no half to end: call begin_half first")
-        half, ticks = self._half, self._track.ticks
-        if closing.firings or closing.events:
-            self._say(Snapshot(ticks, [], [], [], ()), closing)
-        if closing.counted is not None:
-            self._note_counted(ticks, closing.counted)
-        if scores is not None:
-            self._scores |= {half.teams[seat]: points for seat, points in scores.items()}
-        self._close_half(half, self._track, ended, complete=True)
+        self._log(self._half, closing.events, closing.firings, closing.changes)
+        self._close_half(self._half, ended, complete=True)
         self._write_result({})
 
     def finish(self, result: Mapping[str, Any] | None = None) -> Path:
-        """Close the record: the trajectory becomes one file, the result is complete. Returns the folder.
+        """Close the record: the trajectory ends, the result is complete. Returns the folder.
 
         Args:
             result: fields of `RunResult` that only the caller knows (``wall_s``, ``sandbox``, ``marks``, ``score``),
@@ -220,11 +198,11 @@ class RecordWriter:
         fields = {"complete": True} | digests | dict(result or {})
         self._reflog.close()
         self._referee_log.close()
-        if self._track is not None and self._half is not None:
-            self._close_half(self._half, self._track, None, complete=False)
+        if self._half is not None:
+            self._close_half(self._half, None, complete=False)
         if not fields["complete"]:
             self._write_result(fields)  # at once, should there be neither time nor room for the rest
-        pack_trajectory(self.folder, self._trajectory_header(), self._begun)
+        self._trajectory.close()
         self._write_result(fields)
         return self.folder
 
@@ -249,7 +227,7 @@ class RecordWriter:
 
     # --- parts ------------------------------------------------------------------------------------------------------
 
-    def _close_half(self, half: HalfInfo, track: TrackWriter, ended: str | None, *, complete: bool) -> None:
+    def _close_half(self, half: HalfInfo, ended: str | None, *, complete: bool) -> None:
         # An interruption in here closes it a second time.
         if half.half not in [one["half"] for one in self._halves]:
             self._halves.append(
@@ -257,58 +235,26 @@ class RecordWriter:
                     "half": half.half,
                     "sides": dict(half.teams),
                     "score": dict(self._scores),
-                    "ticks": track.ticks,
+                    "ticks": self._trajectory.ticks,
                     "ended": ended,
                     "complete": complete,
                 }
             )
-        track.close()
-        self._track = None
+        self._half = None
 
-    def _say(self, snapshot: Snapshot, output: RefereeOutput) -> None:
-        """Write what happened: to the reflog, the referee's log, the digest and the result to come."""
-        half = self._half
-        assert half is not None  # noqa: S101 - only called within a half
-        events = events_of(snapshot, output)
+    def _log(
+        self, half: HalfInfo, events: Sequence[Event], firings: Sequence[Firing], changes: Sequence[Change]
+    ) -> None:
+        """Write what happened in a tick to the reflog and the referee's log, and keep it for digest and result."""
         if events:
             write_all(self._reflog, bytearray(reflog_lines(events, timestamp(self._now()))))
         for event in events:
             self._states.event(event)
-        lines = [event_line(half.half, event) for event in events]
-        self._events += lines
-        told = [firing_line(half.half, firing) for firing in output.firings]
-        told += [{"kind": "event", **line} for line in lines]
-        write_all(self._referee_log, bytearray(b"".join(map(json_line, told))))
-        self._faults += [self._fault(fault, half) for fault in snapshot.faults]
-        for firing in output.firings:
-            self._add_points(firing, half)
-
-    def _note_phase(self, tick: int, output: RefereeOutput) -> None:
-        half = self._half
-        assert half is not None  # noqa: S101 - only called within a half
-        line = {"half": half.half, "kind": "phase", "tick": tick, "phase": output.phase}
-        write_all(self._referee_log, bytearray(json_line(line | {"waiting_for_kickoff": output.waiting_for_kickoff})))
-
-    def _note_held(self, tick: int, held: frozenset[int]) -> None:
-        """Note which robots rules hold, where that changed."""
-        half, before, self._held = self._half, self._held, held
-        assert half is not None  # noqa: S101 - only called within a half
-        if held != before:
-            robots = [self._roster.entities[robot] for robot in sorted(held)]
-            line = {"half": half.half, "kind": "held", "tick": tick, "robots": robots}
-            write_all(self._referee_log, bytearray(json_line(line)))
-
-    def _note_counted(self, tick: int, counters: Mapping[str, Any]) -> None:
-        half = self._half
-        assert half is not None  # noqa: S101 - only called within a half
-        line = {"half": half.half, "kind": "counted", "tick": tick, "counters": counters}
-        write_all(self._referee_log, bytearray(json_line(line)))
-
-    def _add_points(self, firing: Firing, half: HalfInfo) -> None:
-        if firing.suppressed is None:
-            for seat, points in firing.scored.items():
-                team = half.teams[seat]
-                self._scores[team] = round_score(self._scores[team] + points)
+        self._events += [event_line(half.half, event) for event in events]
+        write_all(self._referee_log, bytearray(log_lines(half.half, events, firings, changes)))
+        for change in changes:
+            if isinstance(change, ScoreChange):
+                self._scores |= {half.teams[seat]: points for seat, points in change.scores.items()}
 
     def _fault(self, fault: Fault, half: HalfInfo) -> dict[str, Any]:
         entrants = self._header.scenario.entrants
@@ -322,17 +268,6 @@ class RecordWriter:
             "detail": fault.detail,
             "traceback": fault.traceback,
             "timed": fault.timed,
-        }
-
-    def _trajectory_header(self) -> dict[str, Any]:
-        roster = self._roster
-        return {
-            "scenario": self._header.scenario.id,
-            "seed": self._header.seed,
-            "entities": list(roster.entities),
-            "robots": roster.robots,
-            "balls": roster.balls,
-            "things": list(roster.things),
         }
 
     def _write_result(self, more: Mapping[str, Any]) -> None:

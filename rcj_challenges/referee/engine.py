@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
+from rcj_challenges.facts.changes import Change, ChangeTracker
 from rcj_challenges.facts.messages import number_in
 from rcj_challenges.facts.play import Event, Fault, HalfInfo, Placement, RefereeOutput, Snapshot
 from rcj_challenges.facts.play import Firing as FiringRecord
@@ -77,12 +78,12 @@ class Referee:
         self._emitted: list[tuple[str, tuple[str, ...]]] = []
         self._events: list[Event] = []
         self._firings: list[FiringRecord] = []
-        self._quiet: dict[str, RefereeOutput] = {}
+        self._quiet: RefereeOutput | None = None
         broadcast = scenario.broadcast
         self._broadcast = None if broadcast is None else Broadcasting(broadcast, self._context)
         self._ranked_by = ranked_counters(scenario)
+        self._change_tracker = ChangeTracker(self._state.scores)
         self.denied: Denied | None = None
-        self._counted: dict[str, Any] | None = None
 
     # --- state for readers --------------------------------------------------------------------------------------------
 
@@ -424,27 +425,25 @@ class Referee:
             private_broadcasts=private,
             robots_held=self._state.held.by_phase,
             held=self._state.held.by_rules,
-            counted=self._newly_counted() if self._ranked_by else None,
+            changes=self._changes(),
         )
 
-    def _newly_counted(self) -> dict[str, Any] | None:
-        """Return the counters that decide the ranking if they have changed; None if not."""
-        counters = self._state.counters
-        now = {name: dict(kept) if isinstance(kept := counters[name], dict) else kept for name in self._ranked_by}
-        if now == self._counted:
-            return None
-        self._counted = now
-        return now
+    def _changes(self) -> tuple[Change, ...]:
+        state = self._state
+        counters, ranked = state.counters, self._ranked_by
+        return self._change_tracker.update(
+            state.tick,
+            phase=(state.phase, self._waiting),
+            scores=state.scores,
+            counters={name: dict(value) if isinstance(value := counters[name], dict) else value for name in ranked},
+            held=tuple(state.roster.entities[robot] for robot in sorted(state.held.by_rules)),
+        )
 
     def _quiet_output(self) -> RefereeOutput:
-        """Return the output of an uneventful tick: one object per phase, shared by all such ticks.
-
-        A new one is made only if rules hold other robots than before.
-        """
-        phase, held = self._state.phase, self._state.held
-        found = self._quiet.get(phase)
-        if found is None or found.held is not held.by_rules:
-            found = self._quiet[phase] = RefereeOutput(
-                phase=phase, waiting_for_kickoff=self._waiting, robots_held=held.by_phase, held=held.by_rules
-            )
-        return found
+        """Return the output of an uneventful tick: one object, until the phase or the held robots change."""
+        quiet, state = self._quiet, self._state
+        if quiet is None or quiet.phase != state.phase or quiet.held is not state.held.by_rules:
+            output = self._output()
+            self._quiet = replace(output, changes=())
+            return output
+        return quiet

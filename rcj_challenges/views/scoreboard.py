@@ -207,7 +207,7 @@ class PlainLines(PrintedLines):
 
     def ticked(self, snapshot: Snapshot, output: RefereeOutput) -> None:
         """Say what happened."""
-        if output.events or output.firings:
+        if output.events or output.firings or output.changes:
             self._comment(output)
 
     def closing(self, output: RefereeOutput, half: HalfInfo) -> None:
@@ -249,7 +249,7 @@ class Scoreboard(NullObserver):
 
     def ticked(self, snapshot: Snapshot, output: RefereeOutput) -> None:
         """Show what happened."""
-        if output.events or output.firings:
+        if output.events or output.firings or output.changes:
             self._comment(output)
 
     def closing(self, output: RefereeOutput, half: HalfInfo) -> None:

@@ -330,7 +330,7 @@ def test_a_record_with_folders_too_deep_to_be_searched_is_an_error(tmp_path: Pat
     record = tmp_path / "team" / "runs"
     record.mkdir(parents=True)
     (record / "logs").mkdir()
-    (record / "trajectory.npz").touch()
+    (record / "trajectory.chunks").touch()
     levels = 1500
     inside = os.open(record, os.O_RDONLY)
     for _ in range(levels):  # longer than a path may be: made step by step

@@ -57,7 +57,7 @@ def started(tmp_path: Path, many: list[str]):
         cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
     )  # fmt: skip
     until = time.monotonic() + 60
-    while len(list(tmp_path.glob("runs/*/trajectory.part/half-1.poses"))) < 2:
+    while sum(log.stat().st_size > 0 for log in tmp_path.glob("runs/*/referee.jsonl")) < 2:
         assert time.monotonic() < until
         assert process.poll() is None
         time.sleep(0.05)

@@ -63,9 +63,8 @@ def test_a_folder_and_its_zip_are_the_same_team(tmp_path: Path, files: dict[str,
     assert (tmp_path / "copy" / from_zip.entry_for("Y2")).read_bytes() == files[from_zip.entry_for("Y2")]
 
 
-@pytest.mark.parametrize("trajectory", ["trajectory.npz", "trajectory.part/half1"])
-def test_records_of_runs_that_lie_in_a_folder_or_zip_are_no_part_of_it(tmp_path: Path, trajectory: str) -> None:
-    record = inside("runs/20210618-001159-match", {"result.json": b"{}", "logs/Y1.log": b"", trajectory: b""})
+def test_records_of_runs_that_lie_in_a_folder_or_zip_are_no_part_of_it(tmp_path: Path) -> None:
+    record = inside("runs/20210618-001159-match", {"result.json": b"{}", "logs/Y1.log": b"", "trajectory.chunks": b""})
     with_record = open_team(folder_of(tmp_path / "played", PRESENT | record), BLUE)
     without = open_team(folder_of(tmp_path / "team", PRESENT), BLUE)
     packed = open_team(zip_of(tmp_path / "team.zip", inside("team", PRESENT | record)), BLUE)
@@ -76,8 +75,8 @@ def test_records_of_runs_that_lie_in_a_folder_or_zip_are_no_part_of_it(tmp_path:
 
 
 def test_the_record_of_a_run_that_was_killed_before_its_first_tick_is_no_part_of_a_zip_either(tmp_path: Path) -> None:
-    """Its folders are there already, and nothing is in them yet."""
-    record = inside("team/runs/20210618-001159-match", {"result.json": b"{}", "logs/": b"", "trajectory.part/": b""})
+    """Its folders are there already, and no log is in them yet."""
+    record = inside("team/runs/20210618-001159-match", {"result.json": b"{}", "logs/": b"", "trajectory.chunks": b""})
     packed = open_team(zip_of(tmp_path / "team.zip", inside("team", PRESENT) | record), BLUE)
     assert packed.digest == open_team(folder_of(tmp_path / "team", PRESENT), BLUE).digest
 
@@ -85,11 +84,10 @@ def test_the_record_of_a_run_that_was_killed_before_its_first_tick_is_no_part_of
 @pytest.mark.parametrize(
     ("beside", "names"),
     [
-        ("rcj_soccer_team_blue", ("trajectory.npz", "plan.json")),
+        ("rcj_soccer_team_blue", ("trajectory.chunks", "plan.json")),
         ("rcj_soccer_team_blue", ("logs/of_us.txt",)),
-        ("rcj_soccer_team_blue", ("trajectory.npz", "logs/a.txt")),
-        ("rcj_soccer_team_blue/data", ("trajectory.npz", "plan.json")),
-        ("rcj_soccer_team_blue/data", ("trajectory.part/1.npz", "plan.json")),
+        ("rcj_soccer_team_blue", ("trajectory.chunks", "logs/a.txt")),
+        ("rcj_soccer_team_blue/data", ("trajectory.chunks", "plan.json")),
         ("rcj_soccer_team_blue/data", ("logs/of_us.txt",)),
     ],
 )
@@ -104,7 +102,7 @@ def test_what_only_looks_like_a_record_stays(tmp_path: Path, beside: str, names:
 
 @pytest.mark.parametrize("around", ["", "team"])
 def test_no_program_is_lost_with_what_lies_around_it_like_a_record(tmp_path: Path, around: str) -> None:
-    files = PRESENT | {"logs/own.txt": b"", "trajectory.npz": b""}
+    files = PRESENT | {"logs/own.txt": b"", "trajectory.chunks": b""}
     for team in (
         folder_of(tmp_path / "folder", inside(around, files) if around else files),
         zip_of(tmp_path / "team.zip", inside(around, files) if around else files),

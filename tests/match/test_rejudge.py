@@ -5,7 +5,11 @@ from types import SimpleNamespace
 
 import pytest
 
+from rcj_challenges.facts.changes import ScoreChange
+from rcj_challenges.facts.play import Event
 from rcj_challenges.match.rejudge import MisfitError, differences, recorded, rejudge
+from rcj_challenges.records.referee_log import LoggedTick, RefereeLog
+from rcj_challenges.records.reflog import event_line
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import load, load_resolved
 
@@ -156,21 +160,22 @@ def test_of_a_match_that_is_not_over_points_are_those_of_the_log_up_to_the_last_
         for half, teams, ticks in ((1, {one: one for one in swapped}, 50), (2, swapped, 30))
     ]
 
-    def line(half, tick, kind="firing", **more):
-        return {"kind": kind, "half": half, "tick": tick, **more}
+    def scored(half, tick, blue):
+        return LoggedTick(half, tick, changes=(ScoreChange(tick, {"blue": blue, "yellow": 0}),))
 
-    lines = [
-        line(1, 50, scored={"blue": 1}),
-        *[line(2, tick, scored={"blue": 0.1}) for tick in (10, 20, 30)],
-        line(2, 30, kind="event", event="GOAL"),
-        line(2, 31, scored={"blue": 5}),
-        line(3, 0, scored={"blue": 5}),
-        line(3, 0, kind="event", event="GOAL"),
-    ]
+    goal = Event(30, "GOAL")
+    log = RefereeLog(
+        (
+            scored(1, 50, 1),
+            LoggedTick(2, 30, (goal,), changes=(ScoreChange(30, {"blue": 0.3, "yellow": 1}),)),
+            scored(2, 31, 5),
+            LoggedTick(3, 0, (Event(0, "GOAL"),), changes=(ScoreChange(0, {"blue": 5, "yellow": 1}),)),
+        )
+    )
     cut_off = SimpleNamespace(finished=False, halves=halves)
-    found = recorded(cut_off, lines, {"blue": 0, "yellow": 0})
+    found = recorded(cut_off, log, {"blue": 0, "yellow": 0})
     assert found.scores == {"blue": 1, "yellow": 0.3}
-    assert found.events == [lines[4]]
-    over = recorded(SimpleNamespace(finished=True, halves=halves), lines, {"blue": 7, "yellow": 0})
+    assert found.events == [event_line(2, goal)]
+    over = recorded(SimpleNamespace(finished=True, halves=halves), log, {"blue": 7, "yellow": 0})
     assert over.scores == {"blue": 7, "yellow": 0}
     assert len(over.events) == 2

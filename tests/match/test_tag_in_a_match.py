@@ -46,8 +46,8 @@ def run(tmp_path_factory):
 
 
 def test_the_log_names_whom_each_has_touched(run):
-    lines, _ = read_referee_log(run.folder)
-    told = [(line["entity"], line["other"], line["says"]) for line in lines if line.get("rule") == "caught"]
+    firings = [firing for one in read_referee_log(run.folder).ticks for firing in one.firings]
+    told = [(firing.entity, firing.other, firing.says) for firing in firings if firing.rule == "caught"]
     assert {("Y1", "B1", "Y1 has come to B1."), ("Y3", "Y2", "Y3 has come to Y2.")} <= set(told)
     payloads = [event["payload"] for event in run.events("CAUGHT")]
     assert [(payload["who"], payload["other"]) for payload in payloads] == [(who, other) for who, other, _ in told]

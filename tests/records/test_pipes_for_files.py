@@ -1,4 +1,4 @@
-"""Records with pipes and devices where files are expected: reading one would block for ever, or never end."""
+"""Records with pipes, devices or huge files: reading one would block for ever, or never end."""
 
 import os
 import shutil
@@ -10,9 +10,9 @@ import pytest
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.referee_log import read_referee_log
 from rcj_challenges.records.result import read_result
-from rcj_challenges.records.salvage import read_run
+from rcj_challenges.records.run_record import read_run
 from rcj_challenges.records.sensors import read_sensors
-from rcj_challenges.records.testing import begun_run, write_made_up_run
+from rcj_challenges.records.testing import write_made_up_run
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no pipes among its files")
 
@@ -32,7 +32,7 @@ def sound(tmp_path_factory: pytest.TempPathFactory) -> Path:
     [
         ("result.json", read_result),
         ("scenario.json", read_run),
-        ("trajectory.npz", read_run),
+        ("trajectory.chunks", read_run),
         ("referee.jsonl", read_referee_log),
         ("sensors/half-1.sensors", read_sensors),
     ],
@@ -41,18 +41,22 @@ def test_pipe_in_place_of_a_file_is_refused(name: str, read, sound: Path, tmp_pa
     folder = Path(shutil.copytree(sound, tmp_path / "run"))
     (folder / name).parent.mkdir(exist_ok=True)
     pipe_in_place_of(folder / name)
-    with pytest.raises(RecordError, match=Path(name).name):
+    with pytest.raises(RecordError) as refused:
         read(folder)
+    assert refused.value.diagnostics[0].code == "record-not-a-file"
+    assert Path(name).name in refused.value.message
 
 
-@pytest.mark.parametrize("end", ["poses", "touches", "notes.jsonl"])
-def test_pipe_in_place_of_a_part_is_refused(end: str, tmp_path: Path) -> None:
-    writer = begun_run(tmp_path, ticks=100)
-    folder = Path(shutil.copytree(writer.folder, tmp_path / "killed"))
-    writer.finish({"complete": False})
-    pipe_in_place_of(folder / "trajectory.part" / f"half-1.{end}")
-    with pytest.raises(RecordError, match=f"half-1.{end}"):
-        read_run(folder)
+@pytest.mark.parametrize(
+    ("name", "read"),
+    [("result.json", read_result), ("referee.jsonl", read_referee_log), ("trajectory.chunks", read_run)],
+)
+def test_file_that_is_larger_than_any_run_makes_is_refused(name: str, read, sound: Path, tmp_path: Path) -> None:
+    folder = Path(shutil.copytree(sound, tmp_path / "run"))
+    os.truncate(folder / name, 600_000_000)  # it takes no room on the disk
+    with pytest.raises(RecordError) as refused:
+        read(folder)
+    assert refused.value.diagnostics[0].code == "record-too-large"
 
 
 def test_link_to_a_device_is_refused(sound: Path, tmp_path: Path) -> None:

@@ -1,15 +1,18 @@
-"""The reflog has the format of the original."""
+"""The reflog has the format of the original; the referee's log is read back as it was written."""
 
 import json
-import struct
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from rcj_challenges.facts.changes import CountersChange, HeldChange, PhaseChange, ScoreChange
 from rcj_challenges.facts.play import Event, Fault, Firing, RefereeOutput
 from rcj_challenges.records.lines import json_line
+from rcj_challenges.records.referee_log import LoggedTick, read_referee_log
 from rcj_challenges.records.reflog import events_of, reflog_lines
 from rcj_challenges.records.testing import half_info, made_up_snapshot, small_header, small_scenario
 from rcj_challenges.records.writer import RecordWriter
@@ -57,25 +60,51 @@ def test_events_are_in_the_file_as_soon_as_they_happen(tmp_path: Path) -> None:
     writer.finish()
 
 
-def test_the_referees_log_tells_what_was_measured_and_every_change_of_phase(tmp_path: Path) -> None:
+def test_what_is_written_to_the_referees_log_is_read_back(tmp_path: Path) -> None:
     scenario = small_scenario(1, 1)
     header = small_header(scenario)
     writer = RecordWriter(tmp_path, header)
     writer.begin_half(half_info(scenario, 1, 10, header))
-    fired = Firing(1, "stuck", "B1", "no_progress", 0.41, 0.5, {}, None, "B1 made no progress.")
-    endless = Firing(1, "far", None, "holds", float("inf"), 1.0, {}, "phase")
-    writer.tick(made_up_snapshot(0, 2), RefereeOutput(), struct.pack("<d", 0))
-    writer.tick(made_up_snapshot(1, 2), RefereeOutput(firings=(fired, endless), phase="pause"), struct.pack("<d", 1))
-    writer.tick(made_up_snapshot(2, 2), RefereeOutput(phase="pause"), struct.pack("<d", 2))
+    fired = Firing(1, "stuck", "B1", "no_progress", 0.41, 0.5, {}, None, "B1 made no progress.", place="gate")
+    endless = Firing(1, "far", None, "holds", float("inf"), 1.0, {"blue": 0.5}, "phase")
+    changes = (
+        PhaseChange(1, "pause", waiting_for_kickoff=True),
+        ScoreChange(1, {"blue": 0.5, "yellow": 0}),
+        CountersChange(1, {"laps": {"B1": 2}, "best_s": 9.5}),
+        HeldChange(1, ("B1",)),
+    )
+    writer.tick(
+        made_up_snapshot(0, 2), RefereeOutput(changes=(PhaseChange(0, "play", waiting_for_kickoff=False),)), b""
+    )
+    event = Event(1, "STUCK", {"robot_name": "B1", "tags": [1, None, "\ud83d"]})
+    writer.tick(made_up_snapshot(1, 2), RefereeOutput(events=(event,), firings=(fired, endless), changes=changes), b"")
     writer.end_half(RefereeOutput())
     writer.finish()
-    lines = [json.loads(line) for line in (writer.folder / "referee.jsonl").read_text("utf-8").splitlines()]
-    assert [(line["kind"], line["tick"]) for line in lines] == [
-        ("phase", 0), ("firing", 1), ("firing", 1), ("phase", 1),
-    ]  # fmt: skip
-    assert lines[1] == {
-        "half": 1, "kind": "firing", "tick": 1, "rule": "stuck", "entity": "B1", "trigger": "no_progress",
-        "measured": 0.41, "limit": 0.5, "scored": {}, "suppressed": None, "says": "B1 made no progress.",
-    }  # fmt: skip
-    assert lines[2]["measured"] is None
-    assert lines[2]["suppressed"] == "phase"
+    log = read_referee_log(writer.folder)
+    assert log.damaged_lines == 0
+    assert [one.tick for one in log.ticks] == [0, 1]
+    assert log.ticks[1] == LoggedTick(1, 1, (event,), (fired, replace(endless, measured=None)), changes)
+    assert log.score({"blue": 0, "yellow": 0}, lambda _: {"blue": "yellow", "yellow": "blue"}) == {
+        "blue": 0,
+        "yellow": 0.5,
+    }
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "{", "[]", '{"kind": "phase"}', '{"half": 0, "tick": 1, "kind": "held", "robots": []}',
+        '{"half": 1, "tick": -1, "kind": "held", "robots": []}', '{"half": 1, "tick": 1, "kind": "held", "robots": [1]}',
+        '{"half": 1, "tick": 1, "kind": "score", "scores": {"blue": NaN}}',
+        '{"half": 1, "tick": 1, "kind": "score", "scores": {"blue": 1' + 400 * "0" + "}}",
+        '{"half": 1, "tick": 1, "kind": "counted", "counters": {"laps": "two"}}',
+        '{"half": 1, "tick": 1, "kind": "event", "event": "GOAL", "payload": []}',
+        '{"half": 1, "tick": 1, "kind": "firing", "rule": "goal", "trigger": "enters", "scored": {"blue": "1"}}',
+        '{"half": 1, "tick": 1, "kind": "another"}',
+    ],
+)  # fmt: skip
+def test_damaged_lines_of_the_referees_log_are_counted_and_left_out(line: str, tmp_path: Path) -> None:
+    sound = '{"half": 1, "tick": 1, "kind": "held", "robots": ["B1"]}'
+    (tmp_path / "referee.jsonl").write_text(f"{sound}\n{line}\n", encoding="utf-8")
+    log = read_referee_log(tmp_path)
+    assert (len(log.ticks), log.damaged_lines) == (1, 1)

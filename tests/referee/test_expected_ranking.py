@@ -3,6 +3,7 @@
 import pytest
 
 from rcj_challenges.expect.runner import run_test
+from rcj_challenges.facts.changes import CountersChange
 from rcj_challenges.scenario.load import load_text
 from tests.scenario.writing import complaints
 
@@ -95,13 +96,12 @@ class TestWhatIsToldOfTheCountersThatRank:
         for tick in range(31):
             if tick:
                 play.play(1)
-            if play.output.counted is not None:
-                told[tick] = play.output.counted
+            told |= {one.tick: one.counters for one in play.output.changes if isinstance(one, CountersChange)}
         assert told == {0: {"laps": self.NO_LAPS, "faults": 0}, 10: {"laps": self.NO_LAPS, "faults": 1}}
-        assert play.finish().counted == {"laps": self.NO_LAPS | {"Y1": 1}, "faults": 1}
+        assert play.finish().changes == (CountersChange(30, {"laps": self.NO_LAPS | {"Y1": 1}, "faults": 1}),)
         assert told[0]["laps"]["Y1"] == 0  # what was told stays as it was
 
     def test_where_the_ranking_asks_no_counter_nothing_is_told(self, stage):
         play = stage("counters: {laps: {}}", "rules: {it: {triggers: [{trigger: half_started}], "
                      "actions: [{action: count, counter: laps}]}}")  # fmt: skip
-        assert play.output.counted is None
+        assert not any(isinstance(one, CountersChange) for one in play.output.changes)

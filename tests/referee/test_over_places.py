@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.records.reflog import firing_line
+from rcj_challenges.records.referee_log import firing_line
 
 GATES = """
 gates:

@@ -4,7 +4,7 @@ import pytest
 
 from rcj_challenges.expect.scripted_match import half_of
 from rcj_challenges.facts.play import Snapshot
-from rcj_challenges.records.reflog import firing_line
+from rcj_challenges.records.referee_log import firing_line
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.scenario.roster import Roster
 

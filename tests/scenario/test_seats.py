@@ -1,14 +1,11 @@
 """Who plays where: blue always defends +y, and scores follow the team."""
 
-import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.expect.scripted_match import half_of
-from rcj_challenges.records.folder import SCENARIO, TRAJECTORY
-from rcj_challenges.records.salvage import read_halves
-from rcj_challenges.records.testing import half_info, small_header, small_scenario, write_made_up_run
+from rcj_challenges.records.testing import half_info, small_header, small_scenario
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.seats import by_seat, by_team, teams_by_seat
 
@@ -37,21 +34,6 @@ def test_a_staged_half_and_a_made_up_record_are_played_in_the_seats_of_the_match
     told = teams_by_seat(scenario, half)
     assert half_of(scenario, half).teams == told
     assert half_info(scenario, half, 10, small_header(scenario)).teams == told
-
-
-@pytest.mark.parametrize("swap_sides", [True, False])
-def test_a_record_that_lost_who_played_where_is_read_in_the_seats_of_the_match(tmp_path, swap_sides):
-    folder = write_made_up_run(tmp_path, ticks=20)
-    text = (folder / SCENARIO).read_text("utf-8")
-    assert '"swap_sides": true' in text
-    (folder / SCENARIO).write_text(
-        text.replace('"swap_sides": true', f'"swap_sides": {str(swap_sides).lower()}'), "utf-8"
-    )
-    with np.load(folder / TRAJECTORY) as kept:
-        np.savez(folder / TRAJECTORY, **{name: kept[name] for name in kept.files if not name.endswith("notes")})
-    scenario = _small(swap_sides=swap_sides)
-    halves, _ = read_halves(folder, scenario, None)
-    assert [half.info.teams for half in halves] == [teams_by_seat(scenario, half) for half in (1, 2)]
 
 
 @given(st.integers(0, 99), st.integers(0, 99), st.integers(1, 4))

@@ -19,7 +19,7 @@ def played(out: Path, blue: str, yellow: str, *overrides: str) -> tuple[list[obj
     seats = tuple(loaded.scenario.entrants.values())
     teams = {"blue": open_team(SAMPLES / blue, *seats), "yellow": open_team(SAMPLES / yellow, *seats)}
     match = play_match(MatchPlan(loaded, teams, {}, seed=3, out=out))
-    return match.result["faults"], (match.folder / "trajectory.npz").read_bytes()
+    return match.result["faults"], (match.folder / "trajectory.chunks").read_bytes()
 
 
 @pytest.mark.parametrize(("blue", "yellow"), [("ball_chaser", "all_sensors"), ("roles_and_radio", "ball_chaser")])

@@ -382,7 +382,7 @@ def test_a_record_that_is_damaged_or_gone_leaves_the_result(season: MadeUpSeason
     damaged.mkdir()
     (damaged / "replay.html").write_bytes(b"\xff<html>cut off")
     (damaged / "stats.json").write_bytes(b"{")
-    (damaged / "trajectory.npz").write_bytes(b"PK")
+    (damaged / "trajectory.chunks").write_bytes(b"PK")
     # What the store knows of a match whose result.json is damaged.
     summary = {
         "score": {"blue": 1, "yellow": 0},

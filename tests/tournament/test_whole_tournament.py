@@ -43,7 +43,7 @@ def test_a_job_of_super_teams_is_played_from_kept_submissions_and_leaves_what_is
     turned = replace(job, seats={"blue": job.seats["blue"][::-1], "yellow": job.seats["yellow"]})
     assert turned.id != job.id, "who drives which robot makes another match"
     assert {"result.json", "logs", "reflog.jsonl"} <= names
-    assert names.isdisjoint({"trajectory.npz", "replay.html"})
+    assert names.isdisjoint({"trajectory.chunks", "replay.html"})
 
 
 @pytest.mark.nightly
@@ -60,10 +60,10 @@ def test_a_tournament_is_played_verified_made_again_and_judged(tmp_path, monkeyp
     records = tmp_path / "data" / "records"
     kept = {path.name for path in next(records.glob("[0-9a-f]*")).iterdir()}
     assert {"replay.html", "result.json"} <= kept
-    assert "trajectory.npz" not in kept
+    assert "trajectory.chunks" not in kept
     assert command("judge", "league.yaml")[0] == 2
     assert command("rerun", "league.yaml")[0] == 0
-    assert all((record / "trajectory.npz").is_file() for record in records.glob("[0-9a-f]*"))
+    assert all((record / "trajectory.chunks").is_file() for record in records.glob("[0-9a-f]*"))
     code, out = command("judge", "league.yaml", "--json")
     assert code == 0
     assert all(one["judged"] == one["recorded"] for one in json.loads(out)["outcomes"].values())

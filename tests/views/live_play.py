@@ -83,7 +83,7 @@ class MadeUpMatch:
             if self._sensors:
                 senses = recording.enter_context(closing(SensorWriter(writer.folder, number, SENSED)))
                 senses.tell(observer.sensing(half, SENSED))
-            for snapshot, output in made_up_play(len(self._scenario.robots), ticks):
+            for snapshot, output in made_up_play(len(self._scenario.robots), ticks, half.scores):
                 if self._stopped.is_set():
                     return False
                 if snapshot.tick:

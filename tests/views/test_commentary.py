@@ -9,6 +9,7 @@ from rich.console import Console
 from rich.text import Text
 
 from rcj_challenges.expect.scripted_match import half_of
+from rcj_challenges.facts.changes import ScoreChange
 from rcj_challenges.facts.play import Event, Firing, RefereeOutput
 from rcj_challenges.match.observers import Progress
 from rcj_challenges.scenario.load import load
@@ -20,6 +21,7 @@ NAMES = {"blue": "Die Kicker", "yellow": "Hanse"}
 GOAL = RefereeOutput(
     (Event(509, "GOAL", {"team_name": "Die Kicker", "score_yellow": 1, "score_blue": 2}),),
     (Firing(509, "goal_in_yellow", None, "enters", scored={"blue": 1}, says="The ball is in the yellow goal."),),
+    changes=(ScoreChange(509, {"blue": 2, "yellow": 1}),),
 )
 KICKOFF = RefereeOutput(
     (Event(0, "KICKOFF", {"robot_name": "Y3", "team_name": "Y"}),),
@@ -58,7 +60,10 @@ def test_an_event_without_a_sentence_is_told_by_its_name(half):
 
 def test_points_without_an_event_are_told_and_lost_ones_with_their_number(half):
     firing = Firing(50, "no_such_rule", None, "enters", scored={"yellow": -3})
-    assert said(RefereeOutput((), (firing,)), half) == [("POINTS  Hanse -2 : 1  (yellow, -3, 0:01.6)", "yellow")]
+    change = ScoreChange(50, {"blue": 1, "yellow": -2})
+    assert said(RefereeOutput((), (firing,), changes=(change,)), half) == [
+        ("POINTS  Hanse -2 : 1  (yellow, -3, 0:01.6)", "yellow")
+    ]
 
 
 def test_a_rule_that_scores_and_emits_two_events_scores_once(half):
@@ -69,7 +74,7 @@ def test_a_rule_that_scores_and_emits_two_events_scores_once(half):
         update={"actions": [*actions, emit.model_copy(update={"event": "APPLAUSE"})]}
     )
     scenario = MATCH.model_copy(update={"rules": MATCH.rules | {"goal_in_yellow": rule}})
-    output = RefereeOutput((*GOAL.events, Event(509, "APPLAUSE")), (firing,))
+    output = replace(GOAL, events=(*GOAL.events, Event(509, "APPLAUSE")), firings=(firing,))
     assert [seat for _, seat in said(output, half, scenario)] == ["blue", ""]
 
 
@@ -77,10 +82,14 @@ def test_points_on_every_tick_are_told_a_few_times_and_all_counted(half):
     commentator = Commentator(MATCH)
     commentator.begin(half)
     paid = [
-        RefereeOutput((), (Firing(tick, "no_such_rule", None, "enters", scored={"blue": 1}),)) for tick in range(100)
+        RefereeOutput(
+            firings=(Firing(tick, "no_such_rule", None, "enters", scored={"blue": 1}),),
+            changes=(ScoreChange(tick, {"blue": 2 + tick, "yellow": 1}),),
+        )
+        for tick in range(100)
     ]
     assert 0 < sum(len(list(commentator.remarks(output))) for output in paid) < 50
-    (goal,) = commentator.remarks(GOAL)
+    (goal,) = commentator.remarks(replace(GOAL, changes=(ScoreChange(509, {"blue": 102, "yellow": 1}),)))
     assert "Die Kicker 102 : 1" in goal.text
 
 

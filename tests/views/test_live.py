@@ -15,6 +15,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from rcj_challenges.facts.changes import ScoreChange
 from rcj_challenges.facts.play import Firing, Placement, RefereeOutput
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.records.testing import (
@@ -469,7 +470,9 @@ def test_what_the_rules_say_after_the_last_tick_counts() -> None:
     observer.half_started(half)
     for tick in range(3):
         observer.ticked(made_up_snapshot(tick, ROBOTS), RefereeOutput())
-    observer.closing(RefereeOutput(firings=(Firing(2, "goal", None, "half_ended", scored={"yellow": 5}),)), half)
+    firing = Firing(2, "goal", None, "half_ended", scored={"yellow": 5})
+    change = ScoreChange(2, {"blue": 0, "yellow": 5})
+    observer.closing(RefereeOutput(firings=(firing,), changes=(change,)), half)
     feed.close()
     last = _messages(_all(feed))[-1]
     assert (last["tick"], last["score"]) == (2, {"blue": 0, "yellow": 5})

@@ -30,7 +30,7 @@ from rcj_challenges.views.live import MAX_SPEED, LiveShow, Pace
 from rcj_challenges.views.live.feed import Feed
 from rcj_challenges.views.live.senses import HalfSenses, packed_steps
 from rcj_challenges.views.live.telling import LiveObserver
-from rcj_challenges.views.replay.sensing import MORE_IN_THE_LOG, MOST_LETTERS, output_block, sensor_block, sensor_facts
+from rcj_challenges.views.replay.sensing import output_block, sensor_block, sensor_facts
 from tests.views.sensing_play import ENDLESS, HOSTILE, SENSED, TURNED, logo, sense
 
 SCENARIO = small_scenario(halves=2, half_s=60.0)
@@ -176,20 +176,6 @@ def test_a_match_without_a_recording_tells_of_no_sensors(tmp_path: Path) -> None
     assert live.tables == {}
     assert "sensors" not in live.order
     assert "printed" not in live.order
-
-
-def test_of_a_program_that_prints_without_end_the_page_gets_as_much_as_the_replay() -> None:
-    half = HalfInfo(1, 1, 10, 1, 0, {}, {}, {}, {})
-    senses = HalfSenses(half, SENSED)
-    letters = MOST_LETTERS // 2
-    for tick in range(12):
-        senses.printed((0, tick, "y" * (letters // 10)))
-    senses.printed((1, 12, "me too\n"))
-    feed = Feed()
-    feed.append(senses.announcement + senses.messages())
-    lines = Told(feed).lines
-    assert sum(len(text) for _, robot, _, text in lines if robot == "B1") == letters + len(MORE_IN_THE_LOG)
-    assert lines[-2:] == [[1, "B1", 9, MORE_IN_THE_LOG], [1, "Y2", 12, "me too\n"]]
 
 
 def test_half_of_a_surrogate_pair_does_not_break_the_feed() -> None:

@@ -4,20 +4,21 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from rcj_challenges.facts.play import Event, Firing, RefereeOutput
-from rcj_challenges.records.testing import half_info, made_up_snapshot, small_header, small_scenario
+from rcj_challenges.facts.play import Event, Firing, RefereeOutput, Snapshot
+from rcj_challenges.records.testing import half_info, made_up_snapshot, small_header, small_scenario, with_changes
 from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.live.feed import Feed
 from rcj_challenges.views.live.pace import MAX_SPEED, Pace
 from rcj_challenges.views.live.telling import LiveObserver
 from rcj_challenges.views.replay import write_replay
-from rcj_challenges.views.replay.story import MOST_UNANNOUNCED
+from rcj_challenges.views.timeline import MAX_UNANNOUNCED
 
 TICKS = 40
 SCORE = {"action": "score", "entrant": "yellow"}
@@ -47,13 +48,18 @@ def _output(tick: int) -> RefereeOutput:
     return RefereeOutput(firings=(_second(tick, 0),)) if tick == 30 else RefereeOutput()
 
 
+def _ticks(output: Callable[[int], RefereeOutput], ticks: int) -> Iterator[tuple[Snapshot, RefereeOutput]]:
+    play = ((made_up_snapshot(tick, 2), output(tick)) for tick in range(ticks + 1))
+    return with_changes(play, {"yellow": 0, "blue": 0})
+
+
 def _page(folder: Path, output: Any = _output, ticks: int = TICKS) -> dict[str, Any]:
     scenario = _scenario()
     header = small_header(scenario)
     writer = RecordWriter(folder, header)
     writer.begin_half(half_info(scenario, 1, ticks, header))
-    for tick in range(ticks + 1):
-        writer.tick(made_up_snapshot(tick, 2), output(tick), b"")
+    for snapshot, judged in _ticks(output, ticks):
+        writer.tick(snapshot, judged, b"")
     writer.end_half(RefereeOutput())
     record = writer.finish({"wall_s": 1.0})
     write_replay(record)
@@ -96,9 +102,9 @@ def test_points_that_are_lost_are_no_goal_and_no_points_at_all_are_neither(tmp_p
 
 
 def test_a_rule_that_pays_all_the_time_does_not_fill_the_page(tmp_path: Path) -> None:
-    ticks = MOST_UNANNOUNCED + 20
+    ticks = MAX_UNANNOUNCED + 20
     facts = _page(tmp_path, lambda tick: RefereeOutput(firings=(_second(tick),)), ticks)
-    assert len(facts["events"]) == MOST_UNANNOUNCED
+    assert len(facts["events"]) == MAX_UNANNOUNCED
     assert facts["halves"][0]["score_changes"][-1] == [ticks, {"yellow": ticks + 1, "blue": 0}]
 
 
@@ -106,8 +112,8 @@ def test_a_live_match_tells_them_too() -> None:
     scenario, feed = _scenario(), Feed()
     observer = LiveObserver(scenario, feed, Pace(MAX_SPEED))
     observer.half_started(half_info(scenario, 1, TICKS, small_header(scenario)))
-    for tick in range(TICKS + 1):
-        observer.ticked(made_up_snapshot(tick, 2), _output(tick))
+    for snapshot, judged in _ticks(_output, TICKS):
+        observer.ticked(snapshot, judged)
     observer.closing(RefereeOutput(), half_info(scenario, 1, TICKS, small_header(scenario)))
     feed.close()
     pieces, at = [], 0

@@ -97,27 +97,3 @@ def test_what_is_no_record_at_all_is_said_so(out: Path) -> None:
         stats("20210618-09", out=out)
     with pytest.raises(RecordError, match="no record"):
         stats("1999", out=out)
-
-
-def test_of_a_run_without_a_pose_points_calls_and_faults_are_counted_and_no_play(tmp_path: Path) -> None:
-    for name in ("20210618-100000-small", "20210618-110000-small"):
-        write_made_up_run(tmp_path, ticks=450, halves=1, names=("Hanse", "Alster")).rename(tmp_path / name)
-    _, whole = stats("20210618-10", "--json", out=tmp_path)
-    (tmp_path / "20210618-110000-small" / "trajectory.npz").write_bytes(b"")
-    code, both = stats("20210618-10", "20210618-11", "--json", out=tmp_path)
-    one, told = json.loads(whole), json.loads(both)
-    assert code == 0
-    assert told["runs"] == ["20210618-100000-small", "20210618-110000-small"]
-    assert told["play_s"] == one["play_s"] > 0
-    of_play = ("possession", "distance_m", "mean_mps", "own_half", "touches")
-    for name, team in one["teams"].items():
-        assert {figure: told["teams"][name][figure] for figure in of_play} == {
-            figure: team[figure] for figure in of_play
-        }
-        assert told["teams"][name]["points"] == 2 * team["points"]
-        assert told["teams"][name]["faults"] == {kind: 2 * count for kind, count in team["faults"].items()}
-    assert one["teams"]["Alster"]["faults"] == {"crash": 1}
-    assert any("20210618-110000-small" in note and "no pose" in note for note in told["notes"])
-    code, alone = stats("20210618-11", out=tmp_path)
-    assert code == 0
-    assert "Y1: program fault: crash 1" in alone

@@ -16,7 +16,7 @@ def test_points_of_a_run_that_was_killed_are_those_of_its_log(tmp_path: Path) ->
     assert (teams["Alster"].points, teams["Hanse"].points) == (2, 0)
     # The log goes on for longer than the poses: like judge and the page, the figures end with these.
     log = killed / "referee.jsonl"
-    (goal, *_) = (line for line in log.read_text("utf-8").splitlines() if '"scored": {"yellow": 1}' in line)
+    (goal, *_) = (line for line in log.read_text("utf-8").splitlines() if '"kind": "score"' in line)
     with log.open("a", encoding="utf-8") as stream:
         stream.write(json.dumps(json.loads(goal) | {"tick": 2 * GOAL_EVERY_TICKS + 60}) + "\n")
         late = {"kind": "event", "half": 1, "tick": 2 * GOAL_EVERY_TICKS + 60, "event": "LATE", "payload": {}}

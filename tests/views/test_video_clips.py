@@ -6,6 +6,7 @@ import pytest
 
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.records.testing import GOAL_EVERY_TICKS, write_made_up_run
+from rcj_challenges.views.timeline import Timeline
 from rcj_challenges.views.video.clips import (
     Clip,
     clips_between,
@@ -86,7 +87,9 @@ def test_highlights_are_six_seconds_before_each_goal_and_one_after(footage):
 
 
 def test_overlapping_highlights_are_joined(footage):
-    changes = {1: [[300, {"blue": 1, "yellow": 0}], [400, {"blue": 1, "yellow": 1}]]}
-    close = replace(footage, story=type(footage.story)(score_changes=changes))
+    half = replace(
+        footage.timeline.halves[1], scores=[(300, {"blue": 1, "yellow": 0}), (400, {"blue": 1, "yellow": 1})]
+    )
+    close = replace(footage, halves=footage.halves[:1], timeline=Timeline({1: half}))
     (only,) = highlights(close, clips_between(close, None, None, None))
     assert (only.from_s, only.to_s) == (pytest.approx(300 * TICK_S - 6), pytest.approx(400 * TICK_S + 1))

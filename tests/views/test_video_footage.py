@@ -50,7 +50,7 @@ def test_placements_at_kick_off_hold_from_the_first_picture_on(tmp_path):
 
 def test_truncated_trajectory_is_shown_as_far_as_it_goes(tmp_path):
     cut = write_made_up_run(tmp_path, ticks=450)
-    path = cut / "trajectory.npz"
+    path = cut / "trajectory.chunks"
     path.write_bytes(path.read_bytes()[: path.stat().st_size * 7 // 10])
     footage = Footage.open(cut)
     assert footage.halves[0].ticks == 450

@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 
+from rcj_challenges.facts.changes import CountersChange
 from rcj_challenges.facts.measures import measure_words, measured_words, number_words
 from rcj_challenges.facts.play import Event, Firing, RefereeOutput
 from rcj_challenges.records.testing import half_info, made_up_snapshot, small_header, small_scenario
@@ -101,7 +102,7 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
         for tick in range(TICKS + 1):
             writer.tick(made_up_snapshot(tick, 2), _output(half, tick), b"")
         closing = {"laps": {"B1": half, "Y1": 1}, "best_s": 30 - half}
-        writer.end_half(RefereeOutput(counted=closing))
+        writer.end_half(RefereeOutput(changes=(CountersChange(TICKS, closing),)))
     values = {"blue": [2, 57], "yellow": [3, 57]}
     places = [{"place": place, "team": team, "values": values[team]} for place, team in ((1, "yellow"), (2, "blue"))]
     folder = writer.finish({"wall_s": 1.0, "ranking": places})
@@ -112,12 +113,13 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def _output(half: int, tick: int) -> RefereeOutput:
     best_s = 99 if half == 1 else 29
     if tick == 0:
-        return RefereeOutput(counted={"laps": {"B1": 0, "Y1": 0}, "best_s": best_s})
+        return RefereeOutput(changes=(CountersChange(tick, {"laps": {"B1": 0, "Y1": 0}, "best_s": best_s}),))
     if tick != 20:
         return RefereeOutput()
     firing = Firing(tick, "goal", "B1", "enters", says="A lap is complete.")
     event = Event(tick, "GOAL", {"lap": half})
-    return RefereeOutput(events=(event,), firings=(firing,), counted={"laps": {"B1": half, "Y1": 0}, "best_s": best_s})
+    change = CountersChange(tick, {"laps": {"B1": half, "Y1": 0}, "best_s": best_s})
+    return RefereeOutput(events=(event,), firings=(firing,), changes=(change,))
 
 
 def _facts(folder: Path) -> dict[str, Any]:
@@ -308,7 +310,8 @@ def test_a_live_match_tells_what_counts_where_it_changes() -> None:
     for tick in range(TICKS + 1):
         observer.ticked(made_up_snapshot(tick, 2), _output(1, tick))
     last = Firing(TICKS, "goal", "Y1", "half_ended")
-    observer.closing(RefereeOutput(firings=(last,), counted={"laps": {"B1": 1, "Y1": 2}, "best_s": 7}), half)
+    change = CountersChange(TICKS, {"laps": {"B1": 1, "Y1": 2}, "best_s": 7})
+    observer.closing(RefereeOutput(firings=(last,), changes=(change,)), half)
     feed.close()
     told = re.findall(rb'"tick":(\d+),"counted":(\{.*?\]\})', b"".join(iter(_reader(feed), None)))
     assert [(int(tick), json.loads(values)) for tick, values in told] == [

@@ -142,9 +142,10 @@ def _sensing(facts: dict[str, Any], record: Path, robots: Collection[tuple[int, 
     for number, half in halves.items():
         own = replace(half, robots={name: track for name, track in half.robots.items() if (number, name) in robots})
         if own.robots:
-            facts["sensors"][str(number)] = sensor_facts(own)
-            blocks[f"sensors-{number}"] = sensor_block(own)
             blocks[f"output-{number}"] = output_block(own)
+            if own.has_readings:
+                facts["sensors"][str(number)] = sensor_facts(own)
+                blocks[f"sensors-{number}"] = sensor_block(own)
     return blocks
 
 

@@ -15,14 +15,7 @@ import numpy.typing as npt
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.records.sensors import SensedRobot, row_dtype
 from rcj_challenges.views.live.feed import said, sensed
-from rcj_challenges.views.replay.sensing import (
-    MORE_IN_THE_LOG,
-    MOST_LETTERS,
-    columns_of,
-    robot_facts,
-    speeds,
-    whole_numbers,
-)
+from rcj_challenges.views.replay.sensing import columns_of, robot_facts, speeds, whole_numbers
 
 Array = npt.NDArray[Any]
 
@@ -43,11 +36,12 @@ class HalfSenses:
         self._rounders = [_Rounder(robot) for robot in robots]
         self._rows: list[deque[bytes]] = [deque() for _ in robots]
         self._printed: deque[tuple[int, int, str]] = deque()
-        self._letters_left = [MOST_LETTERS // len(robots) for _ in robots]
 
     @property
     def announcement(self) -> bytes:
-        """The message that comes before all others of the half: which robots, and what their columns are."""
+        """The message that comes before all readings of the half: which robots, and what their columns are."""
+        if not any(robot.devices for robot in self._robots):
+            return b""  # only what programs print is recorded
         facts = {"robots": [{**robot_facts(robot), "rows": 0} for robot in self._robots]}
         return said({"say": "sensors", "half": self._half, "facts": facts})
 
@@ -69,18 +63,11 @@ class HalfSenses:
         return b"".join([*parts, *self._lines()])
 
     def _lines(self) -> list[bytes]:
-        """Return messages of what was printed; of a robot that has printed as much as a page takes only that."""
+        """Return messages of what was printed."""
         messages, lines, letters = [], [], 0
         for _ in range(len(self._printed)):
             robot, tick, text = self._printed.popleft()
-            left = self._letters_left[robot]
-            if left <= 0:
-                continue
-            self._letters_left[robot] -= len(text)
-            name = self._robots[robot].name
-            lines.append((name, tick, text[:left]))
-            if len(text) >= left:
-                lines.append((name, tick, MORE_IN_THE_LOG))
+            lines.append((self._robots[robot].name, tick, text))
             letters += len(text)
             if letters > _LETTERS_A_MESSAGE:
                 messages.append(self._say(lines))

@@ -1,8 +1,7 @@
-"""From what the match tells its observers to the messages of the feed, in the words of the replay page."""
+"""From the calls of a match to the messages of the feed, in the words of the replay page."""
 
 from __future__ import annotations
 
-import json
 import struct
 import threading
 from collections import deque
@@ -12,27 +11,24 @@ from typing import Any
 
 import numpy as np
 
-from rcj_challenges.facts.amounts import round_score
 from rcj_challenges.facts.play import Fault, HalfInfo, RefereeOutput, Snapshot
 from rcj_challenges.facts.timing import TICK_S, ticks_from_s
 from rcj_challenges.match.observers import NullObserver
-from rcj_challenges.records.lines import json_line
-from rcj_challenges.records.reflog import event_line, events_of, firing_line
+from rcj_challenges.records.reflog import events_of
 from rcj_challenges.records.sensors import SensedRobot, SensorListener
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.live.feed import Feed, poses, said
 from rcj_challenges.views.live.pace import Pace
 from rcj_challenges.views.live.senses import HalfSenses
 from rcj_challenges.views.naming import changes_sides, told_apart
 from rcj_challenges.views.replay.packing import FINEST_M, put_at_start, rounded_poses, units
 from rcj_challenges.views.replay.page import fault_detail
-from rcj_challenges.views.replay.story import Story, Teller
+from rcj_challenges.views.replay.story import EventFacts, half_facts
 from rcj_challenges.views.replay.things import visible_things
-from rcj_challenges.views.standing import Counting
+from rcj_challenges.views.timeline import TimelineBuilder
 
-_MOST_AT_ONCE = 2_000
+_MAX_TICKS_AT_ONCE = 2_000
 _NUMBERS_PER_ENTITY = 5  # x, y, yaw; height; upright
 _Kept = tuple[int, bytes, tuple[Snapshot, RefereeOutput] | None]  # tick, poses, and all of it where something happened
 _SEEN_BEYOND_M = 3.0
@@ -74,9 +70,9 @@ def _unit_m(scenario: Scenario) -> float:
 class LiveObserver(NullObserver):
     """Fills the feed from the calls of a match.
 
-    On a tick it only keeps the poses; `flush`, called from another thread some times a second, makes messages of them.
+    In a tick it only keeps the poses; `flush`, called from another thread some times a second, makes messages of them.
     So the match pays about as much at any speed, and spectators see it in small steps at real time. Snapshots are kept
-    only of ticks on which something happened: holding on to all of them would cost the match its caches.
+    only of ticks in which something happened: holding on to all of them would cost the match its caches.
     """
 
     def __init__(self, scenario: Scenario, feed: Feed, pace: Pace) -> None:
@@ -85,16 +81,8 @@ class LiveObserver(NullObserver):
         self._unit_m = _unit_m(scenario)
         self._half: HalfInfo | None = None
         self._senses: HalfSenses | None = None
-        self._story = Story()
-        self._titles: dict[str, str] = {}
-        self._counting = Counting(scenario)
-        self._teams: dict[int, dict[str, str]] = {}
-        self._scores: dict[str, int | float] = {}
-        self._phase: tuple[str, bool] | None = None
-        self._phase_kept: tuple[str, bool] | None = None
-        self._held: frozenset[int] = frozenset()
-        self._held_kept: frozenset[int] = frozenset()
-        self._names = Roster.of(scenario).entities
+        self._builder = TimelineBuilder(scenario)
+        self._event_facts = EventFacts(scenario, {})
         self._entities = 0
         self._row = struct.Struct("")
         self._waiting: deque[_Kept] = deque()
@@ -102,66 +90,60 @@ class LiveObserver(NullObserver):
         self.before_tick = pace.before_tick  # type: ignore[method-assign]
 
     def ticked(self, snapshot: Snapshot, output: RefereeOutput) -> None:
-        """Keep of it what the next `flush` tells."""
+        """Keep what the next `flush` sends."""
         poses, heights = snapshot.substeps[-1], snapshot.heights
         if len(heights) != self._entities:
             self._entities = len(heights)
             self._row = struct.Struct(f"<{_NUMBERS_PER_ENTITY * self._entities}f")
         row = self._row.pack(*chain.from_iterable(poses), *heights, *snapshot.uprights)
-        phase = output.phase, output.waiting_for_kickoff
         is_news = (
-            output.events or output.firings or output.placements or snapshot.faults
-            or phase != self._phase_kept or output.held is not self._held_kept or not snapshot.tick
+            output.changes or output.events or output.firings or output.placements or snapshot.faults
         )  # fmt: skip
-        self._phase_kept, self._held_kept = phase, output.held
         self._waiting.append((snapshot.tick, row, (snapshot, output) if is_news else None))
 
     def half_started(self, half: HalfInfo) -> None:
-        """Tell of the half; what is left of the one before comes first."""
+        """Announce the half; what is left of the one before comes first."""
         self.flush()
         with self._flushing:
             self._half = half
             self._senses = None
-            self._phase = self._phase_kept = None
-            self._held = self._held_kept = frozenset()
-            self._teams[half.half] = half.teams
+            self._builder.begin_half(half)
             named = {half.teams[seat]: name for seat, name in half.team_names.items() if name}
-            self._titles = told_apart(named, sides_change=changes_sides(self._scenario))
-            self._scores = {half.teams[seat]: points for seat, points in half.scores.items()}
-            self._story.score_changes[half.half] = []
-            self._counting.begin(half)
+            self._event_facts = EventFacts(
+                self._scenario, told_apart(named, sides_change=changes_sides(self._scenario))
+            )
             self._feed.append(said({"say": "half", "facts": self._half_facts(half)}))
 
     def sensing(self, half: HalfInfo, robots: Sequence[SensedRobot]) -> Sequence[SensorListener]:
-        """Tell what is recorded of each robot; from now on, what its program sees, sets and prints."""
+        """Announce what is recorded of each robot; from now on, what its program sees, sets and prints."""
         with self._flushing:
             self._senses = HalfSenses(half, robots)
             self._feed.append(self._senses.announcement)
         return (self._senses,)
 
     def closing(self, output: RefereeOutput, half: HalfInfo) -> None:
-        """Tell what the rules said after the last tick."""
+        """Send what came of the rules after the last tick."""
         self.flush()
         with self._flushing:
-            tick = max((event.tick for event in output.events), default=0)
-            tick = max([tick, *(firing.tick for firing in output.firings)])
-            if output.events or output.firings:
-                self._feed.append(self._news(Snapshot(tick, [], [], [], ()), output, phase=False))
+            reported = (*output.events, *output.firings, *output.changes)
+            if reported:
+                tick = max(one.tick for one in reported)
+                self._feed.append(self._news(Snapshot(tick, [], [], [], ()), output))
 
     def flush(self) -> None:
-        """Make messages of all that waits: poses first, so that no reading is of a moment that nobody knows yet."""
+        """Make messages of all that waits: poses first, so that no reading is of a moment that is not known yet."""
         with self._flushing:
             while self._waiting:
                 batch: list[_Kept] = []
-                while self._waiting and len(batch) < _MOST_AT_ONCE:
+                while self._waiting and len(batch) < _MAX_TICKS_AT_ONCE:
                     batch.append(self._waiting.popleft())
-                self._tell(batch)
+                self._send(batch)
             if self._senses is not None:
                 self._feed.append(self._senses.messages())
 
     # --- messages ---------------------------------------------------------------------------------------------------
 
-    def _tell(self, batch: list[_Kept]) -> None:
+    def _send(self, batch: list[_Kept]) -> None:
         half, entities = self._half, self._entities
         if half is None:
             return
@@ -176,60 +158,34 @@ class LiveObserver(NullObserver):
         news = [self._news(*happened) for _, _, happened in batch if happened is not None]
         self._feed.append(poses(half.half, first, rows) + b"".join(news))
 
-    def _news(self, snapshot: Snapshot, output: RefereeOutput, *, phase: bool = True) -> bytes:
-        """Return what happened on a tick, framed: events, score, phase, who is held, faults, who was put elsewhere."""
+    def _news(self, snapshot: Snapshot, output: RefereeOutput) -> bytes:
+        """Return what happened in a tick, framed: events, changes, faults, what was put elsewhere."""
         half = self._half
         assert half is not None  # noqa: S101 - only called within a half
-        tick = snapshot.tick
-        news: dict[str, Any] = {"say": "news", "half": half.half, "tick": tick}
-        if self._follow_the_score(half, output):
-            self._story.score_changes[half.half].append([tick, dict(self._scores)])
-            news["score"] = dict(self._scores)
-        if output.counted is not None:
-            news["counted"] = self._counting.at(output.counted)
-        if phase and (output.phase, output.waiting_for_kickoff) != self._phase:
-            self._phase = (output.phase, output.waiting_for_kickoff)
-            news["phase"] = self._phase
-        if phase and output.held != self._held:
-            self._held = output.held
-            news["held"] = [self._names[robot] for robot in sorted(output.held)]
-        if output.placements and tick:
+        events = events_of(snapshot, output)
+        added = self._builder.add(events, output.firings, output.changes, snapshot.faults)
+        news: dict[str, Any] = {"say": "news", "half": half.half, "tick": snapshot.tick}
+        if added.score is not None:
+            news["score"] = added.score
+        if added.counted is not None:
+            news["counted"] = added.counted
+        if added.phase is not None:
+            news["phase"] = [added.phase.phase, added.phase.waiting_for_kickoff]
+        if added.held is not None:
+            news["held"] = list(added.held.robots)
+        if output.placements and snapshot.tick:
             news["jumps"] = sorted({placement.entity for placement in output.placements})
         if snapshot.faults:
             news["faults"] = [_fault(fault) for fault in snapshot.faults]
-        news["events"] = self._events(half, snapshot, output)
+        news["events"] = [self._event_facts.event(event, half.teams) for event in added.events]
         return said(news)
-
-    def _events(self, half: HalfInfo, snapshot: Snapshot, output: RefereeOutput) -> list[dict[str, Any]]:
-        events = events_of(snapshot, output)
-        if not events and not any(firing.scored for firing in output.firings):
-            return []
-        firings = [_as_read(firing_line(half.half, firing)) for firing in output.firings if firing.suppressed is None]
-        teller = Teller(self._scenario, self._teams, firings, self._story, self._titles)
-        lines = [_as_read({"kind": "event", **event_line(half.half, event)}) for event in events]
-        told = [teller.event(line, snapshot.faults) for line in lines]
-        return [*told, *teller.unannounced()]
-
-    def _follow_the_score(self, half: HalfInfo, output: RefereeOutput) -> bool:
-        """Add what was scored; returns whether anything was."""
-        scored = [firing for firing in output.firings if firing.suppressed is None and firing.scored]
-        for firing in scored:
-            for seat, points in firing.scored.items():
-                team = half.teams[seat]
-                self._scores[team] = round_score(self._scores[team] + points)
-        return bool(scored)
 
     def _half_facts(self, half: HalfInfo) -> dict[str, Any]:
         return {
             "half": half.half,
             "ticks": 0,
             "planned_ticks": half.ticks,
-            "sides": dict(half.teams),
-            "scores": dict(self._scores),
-            "score_changes": [],
-            "counted": [],
-            "phases": [],
-            "held": [],
+            **half_facts(self._builder.timeline.halves[half.half], half.ticks),
             "jumps": [],
             "faults": [],
         }
@@ -237,9 +193,3 @@ class LiveObserver(NullObserver):
 
 def _fault(fault: Fault) -> dict[str, Any]:
     return {"robot": fault.robot, "tick": fault.tick, "kind": fault.kind, "detail": fault_detail(fault)}
-
-
-def _as_read(line: dict[str, Any]) -> dict[str, Any]:
-    """Return a line of the referee's log as whoever reads it finds it: the same words in live view and replay."""
-    read: dict[str, Any] = json.loads(json_line(line))
-    return read

@@ -14,9 +14,11 @@ from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY, RESULT
 from rcj_challenges.records.recorded_scenario import read_scenario
-from rcj_challenges.records.referee_log import points_so_far, read_referee_log
+from rcj_challenges.records.referee_log import read_referee_log, score_so_far
 from rcj_challenges.records.result import RunResult, read_result
 from rcj_challenges.views.replay.page import write_replay
+
+_RUN = "play one with rcj-challenge run, or name another folder with --out"
 
 
 @dataclass(frozen=True)
@@ -43,11 +45,11 @@ def list_runs(out: Path) -> list[RunRow]:
         RecordError: there is no such folder, or none in it.
     """
     if not _is_folder(out):
-        raise RecordError(f"no folder {sanitize(out)}: no run was recorded there")
+        raise RecordError("no-record", f"no folder {sanitize(out)}: no run was recorded there", _RUN)
     folders = _folders(out)
     if not folders:
-        itself = f"; it is a record itself: rcj-challenge view {sanitize(out)}" if _is_record(out) else ""
-        raise RecordError(f"no run was recorded in {sanitize(out)} yet{itself}")
+        help_ = f"it is a record itself: rcj-challenge view {sanitize(out)}" if _is_record(out) else _RUN
+        raise RecordError("no-record", f"no run was recorded in {sanitize(out)} yet", help_)
     return [_row(folder) for folder in folders]
 
 
@@ -64,7 +66,7 @@ def find_run(run: Path | None, out: Path) -> Path:
     if run is None:
         folders = _folders(out) if _is_folder(out) else []
         if not folders:
-            raise RecordError(f"no run was recorded in {sanitize(out)} yet")
+            raise RecordError("no-record", f"no run was recorded in {sanitize(out)} yet", _RUN)
         return folders[0]
     # Who stands in a record and names another one means no file in here.
     in_it = [run.parent] if len(run.parts) > 1 or os.path.lexists(run) else []
@@ -76,10 +78,10 @@ def find_run(run: Path | None, out: Path) -> Path:
         return fitting[0]
     if fitting:
         names = ", ".join(sorted(folder.name for folder in fitting)[:5])
-        raise RecordError(f"{run.name!r} fits several records: {names}")
-    if _is_folder(run):
-        raise RecordError(f"no record '{sanitize(run)}': there is no {RESULT} in this folder")
-    raise RecordError(f"no record '{sanitize(run)}': give its folder, or its name in {sanitize(out)}")
+        raise RecordError("ambiguous-record", f"{run.name!r} fits several records", f"give one of {names}")
+    help_ = f"give its folder, or its name in {sanitize(out)}"
+    what = f": there is no {RESULT} in this folder" if _is_folder(run) else ""
+    raise RecordError("no-record", f"no record '{sanitize(run)}'{what}", help_)
 
 
 def open_replay(folder: Path) -> tuple[Path, bool]:
@@ -129,7 +131,7 @@ def _row(folder: Path) -> RunRow:
     try:
         result = read_result(folder)
     except RecordError as error:
-        return RunRow(folder, None, str(error))
+        return RunRow(folder, None, error.message)
     return RunRow(folder, result, score=_score(folder, result))
 
 
@@ -138,6 +140,6 @@ def _score(folder: Path, result: RunResult) -> Mapping[str, Score]:
     if result.complete:
         return result.score
     try:
-        return points_so_far(result, read_scenario(folder), read_referee_log(folder)[0])
+        return score_so_far(result, read_scenario(folder), read_referee_log(folder))
     except (RecordError, OSError):
         return result.score

@@ -13,13 +13,12 @@ from typing import Any
 
 from rcj_challenges.facts.play import Fault
 from rcj_challenges.facts.timing import TICK_S
-from rcj_challenges.records.changed import refusing_changes
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY, replaced
 from rcj_challenges.records.logos import MOST_LOGO_BYTES, LogoError, checked_png, logo_path
-from rcj_challenges.records.referee_log import damaged_lines
+from rcj_challenges.records.referee_log import log_of_result, read_referee_log
 from rcj_challenges.records.result import RunResult
-from rcj_challenges.records.salvage import RunRecord, read_run
+from rcj_challenges.records.run_record import RunRecord, read_run
 from rcj_challenges.records.sensors import DAMAGE, read_sensors
 from rcj_challenges.records.trajectory import HalfTrack
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -36,9 +35,10 @@ from rcj_challenges.views.replay.packing import (
     packed,
 )
 from rcj_challenges.views.replay.sensing import output_block, sensor_block, sensor_facts
-from rcj_challenges.views.replay.story import Story, tell
+from rcj_challenges.views.replay.story import EventFacts, half_facts
 from rcj_challenges.views.replay.things import visible_things
 from rcj_challenges.views.scoreboard import ranking_rows
+from rcj_challenges.views.timeline import HalfTimeline, timeline_of
 
 SCRIPTS = (
     "element", "maths", "colours", "recording", "embedded", "mesh", "ground", "bodies", "overlays", "painter", "scene",
@@ -83,9 +83,7 @@ def write_replay(folder: Path) -> Path:
     Raises:
         RecordError: there is nothing in the folder that could be shown.
     """
-    run = read_run(folder)
-    with refusing_changes(folder, run.scenario):
-        text = _text_of(run, folder)
+    text = _text_of(read_run(folder), folder)
     path = folder / REPLAY
     with replaced(path) as file:
         file.write(text.encode())
@@ -93,12 +91,10 @@ def write_replay(folder: Path) -> Path:
 
 
 def _text_of(run: RunRecord, folder: Path) -> str:
-    halves = list(run.halves)
-    story = tell(folder, run.scenario, halves, run.result)
-    unit_m = length_unit(*halves)
-    frames = [frames_of(half, unit_m) for half in halves]
-    facts = _facts(run, frames, story, unit_m)
-    blocks = {half.info.half: packed(moving) for half, moving in zip(halves, frames, strict=True)}
+    unit_m = length_unit(*run.halves)
+    frames = [frames_of(half, unit_m) for half in run.halves]
+    facts = _facts(run, folder, frames, unit_m)
+    blocks = {half.info.half: packed(moving) for half, moving in zip(run.halves, frames, strict=True)}
     more = _sense(facts, folder)
     _give_logos(facts, folder, run.scenario.entrants)
     return page_text(facts, blocks, more)
@@ -110,13 +106,14 @@ def _sense(facts: dict[str, Any], folder: Path) -> dict[str, str]:
     blocks = {}
     try:
         for number, half in read_sensors(folder).items():
-            facts["sensors"][str(number)] = sensor_facts(half)
-            blocks[f"sensors-{number}"] = sensor_block(half)
             blocks[f"output-{number}"] = output_block(half)
+            if half.has_readings:
+                facts["sensors"][str(number)] = sensor_facts(half)
+                blocks[f"sensors-{number}"] = sensor_block(half)
             if half.damaged:
                 facts["problem"] += f" The sensor recording of half {number} is damaged: its beginning is shown."
     except RecordError as error:
-        facts["problem"] += f" {error}"
+        facts["problem"] += f" {error.message}"
     except DAMAGE as error:
         facts["problem"] += f" The sensor recording is damaged and not shown: {type(error).__name__}: {error}"
         facts["sensors"], blocks = {}, {}
@@ -149,8 +146,10 @@ def no_logo(title: str, why: Exception) -> tuple[str, str]:
     return "logo", f"that of {title} is not shown: {why}"
 
 
-def _facts(run: RunRecord, frames: list[Frames], story: Story, unit_m: float) -> dict[str, Any]:
-    result, halves = run.result, run.halves
+def _facts(run: RunRecord, folder: Path, frames: list[Frames], unit_m: float) -> dict[str, Any]:
+    result, halves, log = run.result, run.halves, read_referee_log(folder)
+    timeline = timeline_of(run.scenario, halves, log if log.ticks else log_of_result(result))
+    problems = [*run.problems, *([f"{log.damage} and left out."] if log.damage else [])]
     units = {"x": unit_m, "y": unit_m, "yaw": TURN_RAD, "z": HEIGHT_M, "tilt": TILT_RAD}
     return {
         "tick_s": TICK_S,
@@ -158,27 +157,24 @@ def _facts(run: RunRecord, frames: list[Frames], story: Story, unit_m: float) ->
         "teams": [{"name": team, "title": title} for team, title in titles(run.scenario, result).items()],
         "halves_planned": halves[0].info.halves,
         "channels": [{"name": name, "unit": units[name]} for name in frames[0].columns],
-        "halves": [_half(half, moving, story) for half, moving in zip(halves, frames, strict=True)],
-        "events": story.events,
+        "halves": [
+            _half(half, moving, timeline.halves[half.info.half]) for half, moving in zip(halves, frames, strict=True)
+        ],
+        "events": EventFacts(run.scenario, titles(run.scenario, result)).of_timeline(timeline),
         "places": places(run.scenario, result),
         "about": about_run(result),
-        "problem": _problem(run, story),
+        "problem": " ".join(problems),
     }
 
 
-def _half(half: HalfTrack, frames: Frames, story: Story) -> dict[str, Any]:
+def _half(half: HalfTrack, frames: Frames, timeline: HalfTimeline) -> dict[str, Any]:
     info = half.info
     faults = [fault for faults in half.faults.values() for fault in faults]
     return {
         "half": info.half,
         "ticks": half.ticks,
         "planned_ticks": info.ticks,
-        "sides": info.teams,
-        "scores": {info.teams[seat]: points for seat, points in info.scores.items()},
-        "score_changes": story.score_changes[info.half],
-        "counted": story.counted.get(info.half, []),
-        "phases": story.phases[info.half],
-        "held": story.held[info.half],
+        **half_facts(timeline, half.ticks),
         "jumps": [list(ticks) for ticks in frames.jumps],
         "faults": [
             {"robot": fault.robot, "tick": fault.tick, "kind": fault.kind, "detail": fault_detail(fault)}
@@ -216,14 +212,6 @@ def about_run(result: RunResult) -> list[tuple[str, str]]:
         ("made with", f"rcj-challenges {versions.rcj_challenges}, MuJoCo {versions.mujoco}, {versions.python}"),
     ]
     return [(name, text) for name, text in lines if text]
-
-
-def _problem(run: RunRecord, story: Story) -> str:
-    """Return the sentence of warning above the field, or nothing."""
-    problems = list(run.problems)
-    if story.unreadable:
-        problems.append(f"{damaged_lines(story.unreadable)} and left out.")
-    return " ".join(problems)
 
 
 # --- the file ---------------------------------------------------------------------------------------------------------

@@ -22,10 +22,6 @@ from rcj_challenges.records.sensors import FLOATS_PER_PACKET, SensedRobot, Senso
 
 STRENGTH, DIRECTION, VELOCITY_RADPS = 1e-2, 1e-4, 1e-3
 
-MOST_LETTERS = 1_000_000
-"""Printed text in a page, of all robots of a half; all of it is in the logs."""
-MORE_IN_THE_LOG = "… (more in the log)\n"
-
 NAN, INFINITE, MINUS_INFINITE = -(2**31), 2**31 - 1, -(2**31) + 1
 _LARGEST = 2**31 - 2
 _ZLIB_LEVEL = 6
@@ -68,15 +64,7 @@ def sensor_block(half: SensorHalf) -> str:
 
 def output_block(half: SensorHalf) -> str:
     """Return what programs printed as text: packed JSON, ``[robot, tick, text]`` in order."""
-    entries: list[tuple[str, int, str]] = []
-    for name, track in half.robots.items():
-        left = MOST_LETTERS // len(half.robots)
-        for tick, text in track.output:
-            entries.append((name, tick, text[:left]))
-            left -= len(text)
-            if left <= 0:
-                entries.append((name, tick, MORE_IN_THE_LOG))
-                break
+    entries = [(name, tick, text) for name, track in half.robots.items() for tick, text in track.output]
     data = json.dumps(entries, separators=(",", ":")).encode("ascii")
     return base64.b64encode(zlib.compress(data, _ZLIB_LEVEL)).decode("ascii")
 

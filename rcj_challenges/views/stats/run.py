@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from rcj_challenges.records.changed import refusing_changes
-from rcj_challenges.records.referee_log import damaged_lines, points_so_far, read_referee_log
+from rcj_challenges.records.referee_log import read_referee_log, score_so_far
 from rcj_challenges.records.reflog import PROGRAM_FAULT
-from rcj_challenges.records.salvage import RunRecord, read_run
+from rcj_challenges.records.run_record import RunRecord, read_run
 from rcj_challenges.records.trajectory import HalfTrack
-from rcj_challenges.rules.actions.emit import Emit
-from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.seats import teams_by_seat
 from rcj_challenges.views.naming import titles
@@ -22,8 +18,9 @@ from rcj_challenges.views.stats.ground import attacked_ends, goal_widths, own_en
 from rcj_challenges.views.stats.motion import Motion, motion_of, play_mask
 from rcj_challenges.views.stats.tally import Stats, Tally, TeamTally
 from rcj_challenges.views.stats.touching import Goals, contacts_of, owners, shots_of, touch_ends
+from rcj_challenges.views.timeline import POINTS, TimelineEvent, timeline_of
 
-NO_CALLS = frozenset({"MATCH_START", "MATCH_FINISH", "KICKOFF", PROGRAM_FAULT})
+NO_CALLS = frozenset({"MATCH_START", "MATCH_FINISH", "KICKOFF", PROGRAM_FAULT, POINTS})
 """Events that are no call of the referee; nor is one with which somebody scored."""
 
 
@@ -33,31 +30,26 @@ def run_stats(folder: Path) -> Stats:
     Raises:
         RecordError: there is nothing in the folder that could be counted.
     """
-    run = read_run(folder)
-    with refusing_changes(folder, run.scenario):
-        return _stats_of(run, folder)
-
-
-def _stats_of(run: RunRecord, folder: Path) -> Stats:
-    written, unreadable = read_referee_log(folder)
-    notes = [*run.problems, *([f"{damaged_lines(unreadable)}."] if unreadable else [])]
-    if not written and not unreadable:
+    run, written = read_run(folder), read_referee_log(folder)
+    notes = [*run.problems, *([f"{written.damage}."] if written.damage else [])]
+    if not written.ticks and not written.damage:
         notes.append("The referee's log is missing: no calls are counted, and what awaits a kick-off counts as play.")
-    if any(half.poses_are_lost for half in run.halves):
-        notes.append("As no pose is left, points, faults and calls are counted and no play.")
     stats = Stats(runs=[folder.name], notes=[f"{folder.name}: {note}" for note in notes])
     counting = _Counting(run, stats)
     # Of a run that was killed the log goes on for longer than the poses: the figures end with these.
-    recorded = {half.info.half: half.ticks for half in run.halves}
-    lines = [line for line in written if line["tick"] <= recorded.get(line["half"], -1)]
+    log = written.up_to({half.info.half: half.ticks for half in run.halves})
+    timeline = timeline_of(run.scenario, run.halves, log)
     for half in run.halves:
-        counting.half(half, [line for line in lines if line["half"] == half.info.half])
+        phases = timeline.halves[half.info.half].phases
+        counting.half(half, [(change.tick, change.waiting_for_kickoff) for change in phases])
+    for event in timeline.events:
+        counting.call(event)
     for fault in run.result.faults:
         counting.robot(fault.half, fault.robot).faults[fault.kind] += 1
     names = titles(run.scenario, run.result)
     if names != {team: entrant.name or team for team, entrant in run.result.entrants.items()}:
         stats.notes.append(f"{folder.name}: teams of one name played each other; their seats tell them apart")
-    points = points_so_far(run.result, run.scenario, lines)
+    points = score_so_far(run.result, run.scenario, log)
     for team, entrant in run.result.entrants.items():
         tally = stats.teams.setdefault(names[team], TeamTally())
         tally.points += points.get(team, 0)
@@ -92,16 +84,9 @@ class _Counting:
         robots = self._stats.teams.setdefault(self._names[team], TeamTally()).robots
         return robots.setdefault(self._labels.get((team, name), name), Tally())
 
-    def half(self, half: HalfTrack, lines: list[dict[str, Any]]) -> None:
-        """Add a half: of one whose poses are lost its calls alone, for where it was nobody knows."""
-        self._add_calls(half.info.half, lines)
-        if half.poses_are_lost:
-            for name in self._roster.entities[: self._roster.robots]:
-                self.robot(half.info.half, name)
-            return
-        play = play_mask(
-            half.ticks, [(line["tick"], bool(line["waiting_for_kickoff"])) for line in lines if line["kind"] == "phase"]
-        )
+    def half(self, half: HalfTrack, phases: list[tuple[int, bool]]) -> None:
+        """Add a half; ``phases`` are as of `play_mask`."""
+        play = play_mask(half.ticks, phases)
         self._stats.ticks += half.ticks
         play_ticks = int(play.sum())
         ball_ticks = play_ticks * self._roster.balls
@@ -143,23 +128,14 @@ class _Counting:
                 tally.shots += _in_play([shot.tick for shot in shots if shot.robot == robot], play)
                 tally.on_goal += _in_play([shot.tick for shot in shots if shot.robot == robot and shot.on_goal], play)
 
-    def _add_calls(self, half: int, lines: list[dict[str, Any]]) -> None:
-        firings = [line for line in lines if line["kind"] == "firing" and line.get("suppressed") is None]
-        emitting = _emitting(self._scenario)
-        for line in lines:
-            if line["kind"] != "event" or line["event"] in NO_CALLS:
-                continue
-            causes = [
-                firing
-                for firing in firings
-                if firing["tick"] == line["tick"] and line["event"] in emitting.get(firing["rule"], ())
-            ]
-            if any(firing["scored"] for firing in causes):
-                continue
-            payload = line["payload"] if isinstance(line["payload"], Mapping) else {}
-            named = payload.get("robot_name") or (causes[0].get("entity") if len(causes) == 1 else None)
-            calls = self.robot(half, named).calls if named in self._seat_of else self._stats.calls
-            calls[line["event"]] += 1
+    def call(self, event: TimelineEvent) -> None:
+        """Add an event, if it is a call of the referee."""
+        if event.name in NO_CALLS or event.scored:
+            return
+        named = event.payload.get("robot_name") or (event.cause.entity if event.cause is not None else None)
+        known = isinstance(named, str) and named in self._seat_of
+        calls = self.robot(event.half, str(named)).calls if known else self._stats.calls
+        calls[event.name] += 1
 
 
 def _add_motion(tally: Tally, motion: Motion, play: Any, index: int) -> None:
@@ -173,13 +149,6 @@ def _add_motion(tally: Tally, motion: Motion, play: Any, index: int) -> None:
 def _in_play(ticks: list[int], play: Any) -> int:
     """Return how many of the ticks (from 1) were play."""
     return sum(bool(play[tick - 1]) for tick in ticks)
-
-
-def _emitting(scenario: Scenario) -> dict[str, set[str]]:
-    return {
-        rule: {action.event for action in definition.actions if isinstance(action, Emit)}
-        for rule, definition in scenario.rules.items()
-    }
 
 
 def _labels(run: RunRecord) -> dict[tuple[str, str], str]:

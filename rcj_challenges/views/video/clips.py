@@ -107,7 +107,7 @@ def highlights(footage: Footage, clips: list[Clip]) -> list[Clip]:
     """
     found: list[Clip] = []
     for clip in clips:
-        for tick in dict.fromkeys(tick for tick, _ in footage.story.score_changes.get(clip.half, ())):
+        for tick in dict.fromkeys(tick for tick, _ in footage.timeline.halves[clip.half].scores):
             at_s = s_from_ticks(tick)
             if not clip.from_s <= at_s <= clip.to_s:
                 continue

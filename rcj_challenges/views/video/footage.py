@@ -15,17 +15,17 @@ import numpy.typing as npt
 from rcj_challenges.facts.amounts import Score
 from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.timing import TICK_S, s_from_ticks
-from rcj_challenges.records.changed import refusing_changes
-from rcj_challenges.records.referee_log import damaged_lines
-from rcj_challenges.records.salvage import RunRecord, read_run
+from rcj_challenges.records.referee_log import log_of_result, read_referee_log
+from rcj_challenges.records.run_record import read_run
 from rcj_challenges.records.trajectory import HalfTrack
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.naming import titles
 from rcj_challenges.views.replay.packing import frames_of, length_unit, units
-from rcj_challenges.views.replay.story import Story, tell
+from rcj_challenges.views.replay.story import EventFacts
 from rcj_challenges.views.replay.things import visible_things
 from rcj_challenges.views.standing import counted_line, shows_score
+from rcj_challenges.views.timeline import Timeline, timeline_of
 
 Poses = npt.NDArray[np.float64]
 """``[entity] -> x, y, yaw, z``: metres and radians; NaN for what is not on the field."""
@@ -102,7 +102,8 @@ class Footage:
         scenario, roster: what was played.
         things: what of it is visible, as on the replay page.
         halves: those with at least one tick.
-        story: events and score.
+        timeline: score, phases and counters.
+        events: as on the replay page, in order.
         titles: display name of each team.
         warnings: what is missing or damaged, a sentence each.
     """
@@ -111,7 +112,8 @@ class Footage:
     roster: Roster
     things: Mapping[str, Any]
     halves: tuple[HalfFootage, ...]
-    story: Story
+    timeline: Timeline
+    events: list[dict[str, Any]]
     titles: Mapping[str, str]
     warnings: tuple[str, ...] = ()
 
@@ -122,22 +124,18 @@ class Footage:
         Raises:
             RecordError: there is nothing in the folder that could be shown.
         """
-        run = read_run(folder)
-        with refusing_changes(folder, run.scenario):
-            return cls._of(folder, run)
-
-    @classmethod
-    def _of(cls, folder: Path, run: RunRecord) -> Footage:
-        story = tell(folder, run.scenario, run.halves, run.result)
-        damaged = [f"{damaged_lines(story.unreadable)} and left out."] if story.unreadable else []
+        run, log = read_run(folder), read_referee_log(folder)
+        timeline = timeline_of(run.scenario, run.halves, log if log.ticks else log_of_result(run.result))
+        names = titles(run.scenario, run.result)
         return cls(
             scenario=run.scenario,
             roster=Roster.of(run.scenario),
             things=visible_things(run.scenario),
             halves=tuple(HalfFootage.of(track) for track in run.halves),
-            story=story,
-            titles=titles(run.scenario, run.result),
-            warnings=(*run.problems, *damaged),
+            timeline=timeline,
+            events=EventFacts(run.scenario, names).of_timeline(timeline),
+            titles=names,
+            warnings=(*run.problems, *([f"{log.damage} and left out."] if log.damage else [])),
         )
 
     def half(self, number: int) -> HalfFootage:
@@ -148,7 +146,7 @@ class Footage:
         """Return the points by team at a time of a half."""
         info = half.info
         start = {info.teams[seat]: points for seat, points in info.scores.items()}
-        points = _latest(self.story.score_changes.get(info.half, ()), half.tick_at(t_s), start)
+        points = _latest(self.timeline.halves[info.half].scores, half.tick_at(t_s), start)
         return {team: points.get(team, 0) for team in self.titles}
 
     @property
@@ -158,7 +156,7 @@ class Footage:
 
     def counted(self, half: HalfFootage, t_s: float) -> tuple[str, ...]:
         """Return the counters that the ranking compares at a time of a half, a line for each team."""
-        values = _latest(self.story.counted.get(half.info.half, ()), half.tick_at(t_s), {})
+        values = _latest(self.timeline.halves[half.info.half].counted, half.tick_at(t_s), {})
         lines = {team: counted_line(self.scenario, own) for team, own in values.items()}
         if len(lines) == 1:
             return tuple(lines.values())
@@ -168,10 +166,10 @@ class Footage:
         """Return the newest event within ``for_s`` before a time of a half, one that scored before all others."""
         now = (half.info.half, half.tick_at(t_s))
         first, last = (
-            bisect_right(self.story.events, key, key=lambda event: (event["half"], event["tick"]))
+            bisect_right(self.events, key, key=lambda event: (event["half"], event["tick"]))
             for key in ((now[0], now[1] - for_s / TICK_S), now)
         )
-        recent = self.story.events[first:last]
+        recent = self.events[first:last]
         return next((event for event in reversed(recent) if event["scored"]), recent[-1] if recent else None)
 
     def seat_of(self, half: HalfFootage, team: str) -> dict[str, Any]:

@@ -1,0 +1,134 @@
+"""Append-only files of chunks: trajectories and sensor recordings.
+
+A file begins with a line of JSON. Each chunk that follows is ``CHNK``, the length of the rest (little-endian uint32),
+and a zlib stream of a line of JSON and any bytes. Nothing that is written is changed later: what a kill cuts off is cut
+off at a whole chunk, and the checksum of zlib finds damage.
+"""
+
+from __future__ import annotations
+
+import struct
+import zlib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from rcj_challenges.records.errors import RecordError
+from rcj_challenges.records.folder import RECORD_VERSION, check_version, read_file, write_all
+from rcj_challenges.records.lines import json_line, parsed
+
+MAX_FILE_BYTES = 512_000_000
+"""Of a file that is read, packed and unpacked: seventy times a half of ten minutes."""
+
+_MAGIC = b"CHNK"
+_HEAD = struct.Struct("<4sI")
+
+
+class ChunkWriter:
+    """Writes a file of chunks.
+
+    Attributes:
+        size_bytes: of all that was appended.
+    """
+
+    def __init__(self, path: Path, header: Mapping[str, Any], level: int) -> None:
+        """Create the file.
+
+        Args:
+            path: of the file; it must not exist.
+            header: JSON-able; the record's version is added.
+            level: of zlib's compression; 0: none.
+
+        Raises:
+            OSError: it cannot be written.
+        """
+        self._level = level
+        self._pending = bytearray(json_line({"record": RECORD_VERSION, **header}))
+        self.size_bytes = len(self._pending)
+        self._file = path.open("xb", buffering=0)
+        self._write()
+
+    def append(self, chunk: bytes) -> None:
+        """Append a chunk that was made by `pack`."""
+        self.size_bytes += len(chunk)
+        self._pending += chunk
+        self._write()
+
+    def pack(self, head: Mapping[str, Any], body: bytes = b"") -> bytes:
+        """Return a chunk of a JSON-able head and any bytes."""
+        packed = zlib.compress(json_line(head) + body, self._level)
+        return _HEAD.pack(_MAGIC, len(packed)) + packed
+
+    def close(self) -> None:
+        """Write what is left, and close the file. Can be called again."""
+        if not self._file.closed:
+            self._write()
+            self._file.close()
+
+    def _write(self) -> None:
+        write_all(self._file, self._pending)
+
+
+@dataclass(frozen=True)
+class Chunks:
+    """What can be read of a file of chunks.
+
+    Attributes:
+        header: of the file.
+        chunks: head and bytes of each.
+        is_cut_off: whether the last chunk is not whole, as a kill leaves it.
+        is_damaged: whether something else is wrong behind the last of them.
+    """
+
+    header: dict[str, Any]
+    chunks: tuple[tuple[dict[str, Any], bytes], ...]
+    is_cut_off: bool = False
+    is_damaged: bool = False
+
+
+def read_chunks(path: Path) -> Chunks:
+    """Return what can be read of a file of chunks.
+
+    Raises:
+        RecordError: it is too large, of another version, or not a file of chunks.
+        OSError: it cannot be read.
+    """
+    data = read_file(path, MAX_FILE_BYTES)
+    end = data.find(b"\n") + 1
+    try:
+        header = parsed(data[:end])
+        version = header["record"]
+        if type(version) is not int:
+            raise TypeError("no version")
+    except (KeyError, TypeError, ValueError) as error:
+        message = f"{path.parent.name}: {path.name} is not a file of this package, or damaged"
+        raise RecordError("record-damaged", message, "copy the whole record again") from error
+    check_version(version, path.parent.name)
+    chunks: list[tuple[dict[str, Any], bytes]] = []
+    is_cut_off = is_damaged = False
+    left_bytes = MAX_FILE_BYTES
+    while end < len(data) and not (is_cut_off or is_damaged):
+        magic, size = _HEAD.unpack_from(data, end) if len(data) - end >= _HEAD.size else (_MAGIC, len(data))
+        begin, end = end + _HEAD.size, end + _HEAD.size + size
+        is_damaged = magic != _MAGIC
+        is_cut_off = not is_damaged and end > len(data)
+        chunk = None if is_damaged or is_cut_off else _unpacked(memoryview(data)[begin:end], left_bytes)
+        if chunk is not None:
+            chunks.append(chunk)
+            left_bytes = max(1, left_bytes - len(chunk[1]))  # 0 would be no limit
+        else:
+            is_damaged = not is_cut_off
+    return Chunks(header, tuple(chunks), is_cut_off, is_damaged)
+
+
+def _unpacked(data: memoryview, max_bytes: int) -> tuple[dict[str, Any], bytes] | None:
+    """Return head and bytes of a chunk; None if it is damaged, or larger than it may be."""
+    unpacker = zlib.decompressobj()
+    try:
+        text = unpacker.decompress(data, max_bytes)
+        line = text.find(b"\n") + 1
+        head = parsed(text[:line])
+    except (ValueError, zlib.error):
+        return None
+    return (head, text[line:]) if unpacker.eof and isinstance(head, dict) else None

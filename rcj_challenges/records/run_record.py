@@ -1,0 +1,95 @@
+"""A whole run, as far as it can be read: for those who show or count it.
+
+`Trajectory.open` refuses what is damaged, because a match is judged again by all of it. Here a trajectory counts up to
+the damage, and a sentence says what is missing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.records.errors import RecordError
+from rcj_challenges.records.folder import SCENARIO, TRAJECTORY
+from rcj_challenges.records.recorded_scenario import read_scenario
+from rcj_challenges.records.result import RunResult, read_result
+from rcj_challenges.records.trajectory import HalfTrack, Trajectory
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import Roster
+
+
+@dataclass(frozen=True)
+class RunRecord:
+    """A run, as far as it can be read.
+
+    Attributes:
+        result: ``result.json``.
+        scenario: as it was played.
+        halves: those with at least one tick; at least one.
+        problems: sentences about what is missing or damaged; empty if all is well.
+    """
+
+    result: RunResult
+    scenario: Scenario
+    halves: tuple[HalfTrack, ...]
+    problems: tuple[str, ...]
+
+
+def read_run(folder: Path) -> RunRecord:
+    """Read a run that is finished, still played, was killed, or is damaged.
+
+    Raises:
+        RecordError: there is nothing in the folder that could be shown.
+    """
+    result = read_result(folder)
+    scenario = read_scenario(folder)
+    trajectory = Trajectory.read(folder)
+    if trajectory.entities != Roster.of(scenario).entities:
+        message = f"{folder.name}: {TRAJECTORY} belongs to another scenario than {SCENARIO}"
+        raise RecordError("record-damaged", message, "copy the whole record again")
+    halves = tuple(_fitting(half, scenario, folder) for half in trajectory.halves if half.ticks)
+    if not halves:
+        if trajectory.damage:
+            raise RecordError("record-damaged", f"{folder.name}: {trajectory.damage}", "copy the whole record again")
+        how = "match was over" if result.complete else "run was stopped"
+        raise RecordError("record-empty", f"{folder.name}: the {how} before its first tick: there is nothing to show")
+    problems = []
+    if not result.complete:
+        stopped = "it was interrupted" if result.stopped == KeyboardInterrupt.__name__ else result.stopped
+        why = f" ({stopped})" if stopped else ""
+        problems.append(f"This run was not played to its end{why}: what was recorded is shown, {_extent(halves)}.")
+    if trajectory.damage:
+        ticks = sum(half.ticks for half in halves)
+        problems.append(f"The recorded poses are damaged: {ticks} ticks of them could be read, {_extent(halves)}.")
+    return RunRecord(result, scenario, halves, tuple(problems))
+
+
+def _extent(halves: Iterable[HalfTrack]) -> str:
+    """Return how far a record goes, in words."""
+    return ", ".join(f"{s_from_ticks(half.ticks):.1f} s of half {half.info.half}" for half in halves)
+
+
+def _fitting(half: HalfTrack, scenario: Scenario, folder: Path) -> HalfTrack:
+    """Return a half without notes about things that the scenario does not have.
+
+    Raises:
+        RecordError: it was played by other seats than the scenario has.
+    """
+    entities, info, start = half.substeps.shape[2], half.info, half.start
+    if type(info.half) is not int or set(info.teams) != set(scenario.entrants) or set(info.scores) != set(info.teams):
+        message = f"{folder.name}: half {info.half} was played by other seats than the scenario has"
+        raise RecordError("record-damaged", message, "copy the whole record again")
+    placements = {
+        tick: tuple(placement for placement in placed if 0 <= placement.entity < entities)
+        for tick, placed in half.placements.items()
+        if tick >= 0
+    }
+    if start is not None and not (
+        start.substeps
+        and len(start.heights) == len(start.uprights) == len(start.substeps[-1]) == entities
+        and all(len(pose) == 3 for pose in start.substeps[-1])
+    ):
+        start = None
+    return replace(half, placements=placements, start=start)

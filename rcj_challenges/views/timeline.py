@@ -1,0 +1,241 @@
+"""The timeline of a run, built tick by tick: events with their causes, score, phases, held robots, counters that rank.
+
+The referee's output of a match that is played, and the log of one that was recorded, give the same timeline. Replay
+page, live page, premiere, video, statistics and the commentary in a terminal are made from it.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from rcj_challenges.facts.amounts import Score
+from rcj_challenges.facts.changes import Change, CountersChange, HeldChange, PhaseChange, ScoreChange
+from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo
+from rcj_challenges.records.referee_log import RefereeLog
+from rcj_challenges.records.reflog import PROGRAM_FAULT
+from rcj_challenges.records.trajectory import HalfTrack
+from rcj_challenges.rules.actions.emit import Emit
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.views.standing import Counting, Value
+
+POINTS = "POINTS"
+"""Name of what stands in the timeline for points that a rule gives without an event."""
+
+MAX_UNANNOUNCED = 300
+"""Of points without an event, for each rule and half: a rule that scores in each tick would bury everything else."""
+
+
+@dataclass(frozen=True, slots=True)
+class TimelineEvent:
+    """An event, and why it happened.
+
+    Attributes:
+        half: from 1.
+        tick: when it happened; for a program's failure the tick in which it failed: the referee learns of it in the
+            next one.
+        name: of the event; `POINTS` for points without one.
+        payload: of the event.
+        cause: the firing that emitted it; None for a program's failure, or if the log has lost it.
+        fault: of a program, if this is one.
+        is_first: whether it is the first event of its cause: the score changes once, also by a rule with several.
+        score: by team, after the tick.
+    """
+
+    half: int
+    tick: int
+    name: str
+    payload: Mapping[str, Any]
+    cause: Firing | None
+    fault: Fault | None
+    is_first: bool
+    score: Mapping[str, Score]
+
+    @property
+    def scored(self) -> Mapping[str, Score]:
+        """Points that its cause gave, by seat."""
+        return {} if self.cause is None else self.cause.scored
+
+
+@dataclass(frozen=True, slots=True)
+class TickNews:
+    """What a tick adds to a timeline.
+
+    Attributes:
+        events: in order, points without an event last.
+        phase: of the referee, if it changed.
+        held: robots that rules hold, if that changed.
+        score: by team, if it changed.
+        counted: what the counters that rank count for each team, if one of them changed.
+    """
+
+    events: tuple[TimelineEvent, ...] = ()
+    phase: PhaseChange | None = None
+    held: HeldChange | None = None
+    score: dict[str, Score] | None = None
+    counted: dict[str, list[Value]] | None = None
+
+
+@dataclass
+class HalfTimeline:
+    """One half; each list has a change with its tick, in order.
+
+    Attributes:
+        half: from 1.
+        teams: by seat.
+        first_score: by team, as the half begins.
+        phases: of the referee.
+        held: robots that rules hold.
+        scores: by team.
+        counted: what the counters that rank count for each team.
+    """
+
+    half: int
+    teams: Mapping[str, str]
+    first_score: Mapping[str, Score]
+    phases: list[PhaseChange] = field(default_factory=list)
+    held: list[HeldChange] = field(default_factory=list)
+    scores: list[tuple[int, dict[str, Score]]] = field(default_factory=list)
+    counted: list[tuple[int, dict[str, list[Value]]]] = field(default_factory=list)
+
+
+@dataclass
+class Timeline:
+    """A run.
+
+    Attributes:
+        halves: by number.
+        events: of all halves, in order.
+    """
+
+    halves: dict[int, HalfTimeline] = field(default_factory=dict)
+    events: list[TimelineEvent] = field(default_factory=list)
+
+
+class TimelineBuilder:
+    """Builds a timeline from the referee's output, tick by tick.
+
+    Attributes:
+        timeline: what was added so far.
+    """
+
+    def __init__(self, scenario: Scenario, max_unannounced: int = MAX_UNANNOUNCED) -> None:
+        """Begin a run.
+
+        Args:
+            scenario: what is played.
+            max_unannounced: how often points without an event stand in it, for each rule and half.
+        """
+        self.timeline = Timeline()
+        self._max_unannounced = max_unannounced
+        self._emitted = {
+            name: [action.event for action in rule.actions if isinstance(action, Emit)]
+            for name, rule in scenario.rules.items()
+        }
+        self._counting = Counting(scenario)
+        self._unannounced: Counter[str] = Counter()
+        self._half = HalfTimeline(0, {}, {})
+        self._score: Mapping[str, Score] = {}
+
+    def begin_half(self, half: HalfInfo) -> None:
+        """Begin a half; its ticks follow."""
+        self._score = {half.teams[seat]: points for seat, points in half.scores.items()}
+        self._half = self.timeline.halves[half.half] = HalfTimeline(half.half, half.teams, self._score)
+        self._unannounced.clear()
+        self._counting.begin(half)
+
+    def add(
+        self,
+        events: Iterable[Event],
+        firings: Iterable[Firing],
+        changes: Iterable[Change],
+        faults: Iterable[Fault] = (),
+    ) -> TickNews:
+        """Add a tick, or what follows the last one of a half.
+
+        Args:
+            events: the faults of programs among them.
+            firings: of rules.
+            changes: of the referee's state.
+            faults: of programs.
+
+        Returns:
+            What is new.
+        """
+        news = self._add_changes(changes)
+        ran = [firing for firing in firings if firing.suppressed is None]
+        found = (*self._joined(events, ran, {fault.robot: fault for fault in faults}), *self._points(ran))
+        self.timeline.events += found
+        return replace(news, events=found)
+
+    def _add_changes(self, changes: Iterable[Change]) -> TickNews:
+        half, news = self._half, TickNews()
+        for change in changes:
+            match change:
+                case PhaseChange():
+                    half.phases.append(change)
+                    news = replace(news, phase=change)
+                case HeldChange():
+                    half.held.append(change)
+                    news = replace(news, held=change)
+                case ScoreChange():
+                    score = {half.teams[seat]: points for seat, points in change.scores.items() if seat in half.teams}
+                    self._score = score
+                    half.scores.append((change.tick, score))
+                    news = replace(news, score=score)
+                case CountersChange():
+                    counted = self._counting.at(change.counters)
+                    if counted is not None:
+                        half.counted.append((change.tick, counted))
+                        news = replace(news, counted=counted)
+        return news
+
+    def _joined(
+        self, events: Iterable[Event], firings: Iterable[Firing], faults: Mapping[str, Fault]
+    ) -> Iterator[TimelineEvent]:
+        """Yield events with their causes: an event takes the first firing that emits it and is not taken yet."""
+        waiting: dict[str, list[Firing]] = {}
+        for firing in firings:
+            for name in self._emitted.get(firing.rule, ()):
+                waiting.setdefault(name, []).append(firing)
+        taken: list[Firing] = []
+        for event in events:
+            causes = waiting.get(event.name)
+            cause = causes.pop(0) if causes else None
+            fault = None
+            if cause is None and event.name == PROGRAM_FAULT:
+                fault = faults.get(str(event.payload.get("robot_name")))
+            is_first = not any(cause is one for one in taken)
+            taken += [] if cause is None else [cause]
+            yield self._event(event, cause, fault, is_first=is_first)
+
+    def _points(self, firings: Iterable[Firing]) -> Iterator[TimelineEvent]:
+        """Yield the points that rules give without an event."""
+        for firing in firings:
+            if any(firing.scored.values()) and not self._emitted.get(firing.rule):
+                self._unannounced[firing.rule] += 1
+                if self._unannounced[firing.rule] <= self._max_unannounced:
+                    yield self._event(Event(firing.tick, POINTS), firing, None, is_first=True)
+
+    def _event(self, event: Event, cause: Firing | None, fault: Fault | None, *, is_first: bool) -> TimelineEvent:
+        tick = event.tick if fault is None else fault.tick
+        return TimelineEvent(self._half.half, tick, event.name, event.payload, cause, fault, is_first, self._score)
+
+
+def timeline_of(scenario: Scenario, halves: Iterable[HalfTrack], log: RefereeLog) -> Timeline:
+    """Return the timeline of a recorded run.
+
+    Args:
+        scenario: what was played.
+        halves: those that are shown, in order.
+        log: of the referee; what it has of other halves is left out.
+    """
+    builder = TimelineBuilder(scenario)
+    for half in halves:
+        builder.begin_half(half.info)
+        for one in log.ticks:
+            if one.half == half.info.half:
+                builder.add(one.events, one.firings, one.changes, half.faults.get(one.tick, ()))
+    return builder.timeline
