@@ -37,7 +37,7 @@ def _members(rule: Rule, context: CompileContext) -> tuple[str | None, ...]:
         return (None,)
     # Entity order is that of the roster; zones and gates keep the order of their group.
     index = context.roster.index
-    return tuple(sorted(context.members(rule.for_each, None), key=lambda name: index.get(name, 0)))
+    return tuple(sorted(context.names.members(rule.for_each), key=lambda name: index.get(name, 0)))
 
 
 def _for_others(model: Rule, rule: BoundRule, context: CompileContext) -> list[BoundRule]:

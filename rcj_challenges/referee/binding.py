@@ -1,158 +1,30 @@
-"""Implements the protocols against which words are compiled, for one rule, layout or broadcast."""
+"""Binds the words of a rule to the referee."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
-from random import Random
 from typing import TYPE_CHECKING, TypeVar
 
 from rcj_challenges.facts.timing import ticks_from_s
-from rcj_challenges.geometry.regions import Region
 from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.referee.placement import PlacementJob, compile_placement
 from rcj_challenges.referee.placement_board import PlacementBoard
-from rcj_challenges.referee.random_points import point_sampler
-from rcj_challenges.referee.targets import targets_of
+from rcj_challenges.referee.scope import NameScope
 from rcj_challenges.rules.actions.place import Place
 from rcj_challenges.rules.base import Trigger
-from rcj_challenges.rules.binder import Binder, Scope
+from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import Name, Names, Point, Scalar
 from rcj_challenges.rules.mirror import Mirror
 from rcj_challenges.rules.values import Lasts, duration_s
 from rcj_challenges.scenario.floor import on_floor
-from rcj_challenges.scenario.measured import centre_of, middle_of
-from rcj_challenges.scenario.starting import start_noise_m, start_pose
+from rcj_challenges.scenario.measured import centre_of
 from rcj_challenges.tracking.bound_rules import BoundRule, TriggerBinding
-from rcj_challenges.tracking.gates import GateLine
-from rcj_challenges.tracking.places import Anchor, StartPose
 from rcj_challenges.tracking.sequences import SequenceTracker
-from rcj_challenges.tracking.state import Clock, Number
-from rcj_challenges.tracking.target import Target
+from rcj_challenges.tracking.state import Clock
 from rcj_challenges.tracking.trackers import Tracker
 
 _T = TypeVar("_T", bound=Tracker)
-
-
-class NameScope:
-    """Implements `Scope`: what names stand for in a rule or a layout.
-
-    Args:
-        context: what the compilers of all words share.
-        each: the name that ``each`` stands for; None: it is not known there.
-    """
-
-    def __init__(self, context: CompileContext, each: str | None) -> None:
-        self.state = context.state
-        self.each = each
-        self.contacts = context.contacts
-        self._context = context
-
-    def members(self, names: Names) -> tuple[str, ...]:
-        """Return what names stand for: groups expanded, ``each`` replaced, without repeats, in order."""
-        return self._context.members(names, self.each)
-
-    def whose(self, name: str | None) -> str | None:
-        """Return whose counter, flag, timer or sequence a name stands for; None: all of them, or the only one."""
-        return self._context.whose(name, self.each)
-
-    def start_of(self, entity: int) -> StartPose:
-        """Return where an entity starts."""
-        scenario, name = self._context.scenario, self._context.roster.entities[entity]
-        return StartPose(start_pose(scenario, name), start_noise_m(scenario, name))
-
-    def spot(self, name: str) -> Callable[[], Point]:
-        """Return what reads where a spot is now, or the spot that a draw of this name decided."""
-        context, spots, draws = self._context, self.state.spots, self.state.draws
-        if name in context.scenario.draws and name not in spots:
-            return lambda: spots[context.spot_name(draws[name])]
-        spot = context.spot_name(name)
-        return lambda: spots[spot]
-
-    def spots(self, names: Names) -> Callable[[], tuple[Point, ...]]:
-        """Return what reads where spots are now, in order.
-
-        Raises:
-            ValueError: one of them is no spot.
-        """
-        spots, members = self.state.spots, self.members(names)
-        points = tuple(spots[self._context.spot_name(name)] for name in members)
-        if self._context.remembered.isdisjoint(members):
-            return lambda: points
-        return lambda: tuple(spots[name] for name in members)
-
-    def anchor(self, what: Name | Point) -> Callable[[], Anchor]:
-        """Return what finds the entity, spot or point for which a name stands now; a draw's name, what it decided."""
-        if isinstance(what, tuple):
-            point = Anchor(lambda _board: what)
-            return lambda: point
-        member = self.members(what)[0]
-        among = self._context.roster.drawn.get(member)
-        if among is None:
-            anchor = self._one_anchor(member)
-            return lambda: anchor
-        anchors, draws = {one: self._one_anchor(one) for one in among}, self.state.draws
-        return lambda: anchors[str(draws[member])]
-
-    def _one_anchor(self, name: str) -> Anchor:
-        roster = self._context.roster
-        index = roster.index.get(name, len(roster.entities))
-        if index < len(roster.entities):
-            return Anchor(lambda board: board.poses[index][:2], entity=index)
-        spot, spots = self._context.spot_name(name), self.state.spots
-        return Anchor(lambda _board: spots[spot])
-
-    def random_point(self, zones: Names) -> Callable[[Random], Point]:
-        """Return what draws a point of zones, every one equally likely."""
-        return point_sampler({name: self._context.scenario.zones[name] for name in self.members(zones)})
-
-    def entity(self, name: str) -> int:
-        """Return the index of one entity."""
-        return self._context.entity(name, self.each)
-
-    def thing(self, name: str) -> int:
-        """Return the index of one thing that can be touched."""
-        return self._context.thing(name, self.each)
-
-    def name_of(self, entity: int) -> str:
-        """Return the name of an entity."""
-        return self._context.roster.entities[entity]
-
-    def is_robot(self, name: str) -> bool:
-        """Return whether a name is that of a robot."""
-        return name in self._context.scenario.robots
-
-    def is_present(self, name: str) -> bool:
-        """Return whether something is on the field now; what is no entity always is."""
-        index = self._context.roster.index.get(name, len(self.state.present))
-        return index >= len(self.state.present) or self.state.present[index]
-
-    def pose(self, name: str) -> Callable[[], tuple[float, ...] | None]:
-        """Return what reads where something is: [x, y, yaw], of a spot [x, y]; None while it is off the field."""
-        member, state = self.members(name)[0], self.state
-        among = self._context.roster.drawn.get(member)
-        if among is None:
-            return self._one_pose(member)
-        poses = {one: self._one_pose(one) for one in among}
-        return lambda: poses[str(state.draws[member])]()  # noqa: PLW0108 - which one is known when it is called
-
-    def _one_pose(self, name: str) -> Callable[[], tuple[float, ...] | None]:
-        state, roster = self.state, self._context.roster
-        if name in state.spots:
-            return lambda: state.spots[name]
-        index = self._context.thing(name, None)
-        if index < len(roster.entities):
-            return lambda: state.poses[index] if state.present[index] else None
-        middle = middle_of(self._context.scenario.obstacles[name])
-        return lambda: middle
-
-    def targets(self, named: Name | Point) -> tuple[Target, ...]:
-        """Return what a distance is measured to: what a name stands for, or a point."""
-        return targets_of(named, self._context, self.each)
-
-    def half_length_s(self) -> Number:
-        """Return the length of the half in s."""
-        return self.state.half_length_s()
 
 
 class RuleBinder(NameScope):
@@ -188,33 +60,17 @@ class RuleBinder(NameScope):
 
         What is about a zone or gate comes last: of an event about a robot and a gate, the robot is named.
         """
-        things = self._context.roster.things
+        things = self.roster.things
         name, turn = (None, len(things)) if entity is None else (things[entity], entity)
         return TriggerBinding(self.rule, name, self._trigger, (self.rule.rank, self._position, turn))
 
     # --- names ------------------------------------------------------------------------------------------------------
 
-    def entities(self, names: Names) -> tuple[int, ...]:
-        """Return the indices of entities."""
-        return self._context.entities(names, self.rule.each)
-
-    def things(self, names: Names) -> tuple[int, ...]:
-        """Return the indices of what can be touched: entities, fixed obstacles, walls."""
-        return self._context.things(names, self.rule.each)
-
     def index_of(self, name: str) -> int | None:
         """Return the index of something that can be touched; None for anything else."""
-        return self._context.roster.index.get(name)
+        return self.roster.index.get(name)
 
     # --- what is followed -------------------------------------------------------------------------------------------
-
-    def region(self, names: Names) -> Region:
-        """Return the region of a zone, or of several zones taken as one."""
-        return self._context.region(names, self.rule.each)
-
-    def gate(self, name: str) -> GateLine:
-        """Return a gate."""
-        return self._context.gate(name)
 
     def sequences(self, name: str) -> dict[str | None, SequenceTracker]:
         """Return the trackers of a sequence by whose it is; None for one that is not kept per entity."""
@@ -232,10 +88,6 @@ class RuleBinder(NameScope):
         """Reset a tracker whenever one of the draws among these names decides otherwise."""
         self._context.reset_with_draws(tracker, names)
 
-    def drawn_value(self, value: Scalar) -> Scalar:
-        """Return a value of a draw: ``each`` is a name where the rule is for one."""
-        return self._context.drawn_value(value, self.rule.each)
-
     def locate(self, what: Name | Point) -> Callable[[], Point | None]:
         """Return what finds where a thing, a spot, a zone's centre or a point is; None while it is off the field."""
         if isinstance(what, tuple):
@@ -248,7 +100,7 @@ class RuleBinder(NameScope):
         return lambda: finders[str(draws[name])]()  # noqa: PLW0108 - which one is known when it is called
 
     def _locate_one(self, name: str) -> Callable[[], Point | None]:
-        zone = self._context.scenario.zones.get(name)
+        zone = self.scenario.zones.get(name)
         if zone is not None:
             centre = centre_of(zone)
             return lambda: centre
@@ -279,7 +131,7 @@ class RuleBinder(NameScope):
 
     def wind_up(self, timer: str, clock: Clock, owner: str | None) -> None:
         """Give a clock of a timer its length, as its draw has decided or its counter says by now."""
-        self.state.wind_up(clock, self._context.scenario.timers[timer].lasts_s, owner)
+        self.state.wind_up(clock, self.scenario.timers[timer].lasts_s, owner)
 
     def timers_changed(self) -> None:
         """Reschedule the trackers after a timer was started or stopped."""
@@ -299,13 +151,13 @@ class RuleBinder(NameScope):
         if value is not None:
             self.state.set_draw(draw, value)
         else:
-            self.state.draw_again(draw, self._context.scenario.draws[draw])
+            self.state.draw_again(draw, self.scenario.draws[draw])
         if self.state.draws[draw] != before:
             self._context.has_drawn(draw)
 
     def draw_values(self, draw: str) -> tuple[Scalar, ...]:
         """Return the values of a draw."""
-        return self._context.scenario.draws[draw].values
+        return self.scenario.draws[draw].values
 
     def enter_phase(self, phase: str) -> None:
         """Enter a phase, at once."""
@@ -333,8 +185,8 @@ class RuleBinder(NameScope):
         if specs is None:
             specs = context.layouts[key] = [
                 compile_placement(placing, self, entity, stream, also=mirror)
-                for number, placing in enumerate(context.scenario.placements[layout])
-                for entity in context.entities(placing.entity, each)
+                for number, placing in enumerate(self.scenario.placements[layout])
+                for entity in self.entities(placing.entity)
                 for stream in (f"placement/{layout}/{number}/{self.name_of(entity)}",)
             ]
         return [PlacementJob(spec.entity, spec, self.rule) for spec in specs]
@@ -362,4 +214,4 @@ class RuleBinder(NameScope):
 
 
 if TYPE_CHECKING:
-    _: tuple[type[Scope], type[Binder]] = (NameScope, RuleBinder)
+    _: type[Binder] = RuleBinder

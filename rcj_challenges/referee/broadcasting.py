@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from rcj_challenges.referee.binding import NameScope
 from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.rules.values import Value, compile_value
 from rcj_challenges.scenario.models.scenario import Broadcast
@@ -44,8 +43,7 @@ class Broadcasting:
 
 
 def _readers(fields: Mapping[str, Value], context: CompileContext) -> dict[str, Reader]:
-    scope = NameScope(context, None)
-    return {key: compile_value(value, scope) for key, value in fields.items()}
+    return {key: compile_value(value, context.names) for key, value in fields.items()}
 
 
 def _read(readers: Mapping[str, Reader]) -> Told:

@@ -15,7 +15,6 @@ from rcj_challenges.facts.messages import number_in
 from rcj_challenges.facts.play import Event, Fault, HalfInfo, Placement, RefereeOutput, Snapshot
 from rcj_challenges.facts.play import Firing as FiringRecord
 from rcj_challenges.referee.assembling import assemble
-from rcj_challenges.referee.binding import NameScope
 from rcj_challenges.referee.broadcasting import Broadcasting
 from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.referee.no_room import no_room_sentence
@@ -369,7 +368,7 @@ class Referee:
         for entity, name in enumerate(self._state.roster.entities):
             if start_noise_m(self._state.scenario, name) != (0.0, 0.0) and not self._queue.concerns(entity):
                 placing = Placing(entity=name, at="start")
-                spec = compile_placement(placing, NameScope(self._context, None), entity, f"placement/start/{name}")
+                spec = compile_placement(placing, self._context.names, entity, f"placement/start/{name}")
                 self._queue.ask(PlacementJob(entity, spec, None))
 
     def _carry_out(self) -> tuple[Placement, ...]:

@@ -20,8 +20,8 @@ from rcj_challenges.tracking.bound_rules import BoundRule
 from rcj_challenges.tracking.places import CompiledFacing, CompiledKick, PlaceRequest, PlaceResolver, Point
 
 if TYPE_CHECKING:
-    from rcj_challenges.referee.binding import NameScope
     from rcj_challenges.rules.actions.place import Place
+    from rcj_challenges.rules.binder import Scope
     from rcj_challenges.scenario.models.places import Placing
 
 Velocity = tuple[float, float]
@@ -136,7 +136,7 @@ class PlacementSpec:
 
 
 def compile_placement(
-    model: Placing | Place, to: NameScope, entity: int, stream: str, *, also: Mirror | None = None
+    model: Placing | Place, to: Scope, entity: int, stream: str, *, also: Mirror | None = None
 ) -> PlacementSpec:
     """Return how an entity is placed.
 

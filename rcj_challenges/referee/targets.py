@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from math import sqrt
+from typing import TYPE_CHECKING
 
 from rcj_challenges.geometry.polygons import distance_to_segment_m
-from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.scenario.models.field import Obstacle, Wall
 from rcj_challenges.tracking.target import Target
+
+if TYPE_CHECKING:
+    from rcj_challenges.referee.scope import NameScope
 
 _Point = tuple[float, float]
 
 
-def targets_of(named: str | _Point, context: CompileContext, each: str | None) -> tuple[Target, ...]:
+def targets_of(named: str | _Point, scope: NameScope) -> tuple[Target, ...]:
     """Return what a name stands for, groups expanded, or a point.
 
     Raises:
@@ -22,15 +25,15 @@ def targets_of(named: str | _Point, context: CompileContext, each: str | None) -
     if isinstance(named, tuple):
         return (_standing(lambda: named),)
     found: list[Target] = []
-    for name in context.members(named, each):
-        among = context.roster.drawn.get(name)
-        found += [_target(name, context)] if among is None else [_if_drawn(name, one, context) for one in among]
+    for name in scope.members(named):
+        among = scope.roster.drawn.get(name)
+        found += [_target(name, scope)] if among is None else [_if_drawn(name, one, scope) for one in among]
     return tuple(found)
 
 
-def _if_drawn(draw: str, name: str, context: CompileContext) -> Target:
+def _if_drawn(draw: str, name: str, scope: NameScope) -> Target:
     """Return one of those among which a draw decides: it is nowhere while another one is drawn."""
-    draws, target = context.state.draws, _target(name, context)
+    draws, target = scope.state.draws, _target(name, scope)
     place = target.place
     return Target(
         lambda x_m, y_m: target.away_m(x_m, y_m) if draws[draw] == name else None,
@@ -39,18 +42,18 @@ def _if_drawn(draw: str, name: str, context: CompileContext) -> Target:
     )
 
 
-def _target(name: str, context: CompileContext) -> Target:
-    scenario, state = context.scenario, context.state
-    if name in context.roster.entities:
-        return _entity(context.roster.index[name], context)
+def _target(name: str, scope: NameScope) -> Target:
+    scenario, state = scope.scenario, scope.state
+    if name in scope.roster.entities:
+        return _entity(scope.roster.index[name], scope)
     if name in scenario.zones:
-        return Target(context.zone(name).away_m, None)
+        return Target(scope.zone(name).away_m, None)
     if name in scenario.gates:
-        gate = context.gate(name)
+        gate = scope.gate(name)
         return Target(gate.distance_m, None, gate.anchor)
     if name in scenario.obstacles:
         return _fixed(scenario.obstacles[name])
-    spot = context.spot_name(name)
+    spot = scope.spot_name(name)
     return _standing(lambda: state.spots[spot])
 
 
@@ -63,8 +66,8 @@ def _fixed(obstacle: Obstacle) -> Target:
     return _standing(lambda: centre)
 
 
-def _entity(index: int, context: CompileContext) -> Target:
-    state = context.state
+def _entity(index: int, scope: NameScope) -> Target:
+    state = scope.state
 
     def place() -> _Point | None:
         return state.poses[index][:2] if state.present[index] else None

@@ -1,0 +1,245 @@
+"""Resolves the names of a rule, a layout or the broadcast to indices, regions, places and positions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from random import Random
+from typing import TYPE_CHECKING
+
+from rcj_challenges.geometry.regions import AnyOf, Drawn, Outlined, Region
+from rcj_challenges.referee.random_points import point_sampler
+from rcj_challenges.referee.targets import targets_of
+from rcj_challenges.referee.zones import region_of
+from rcj_challenges.rules.fields import Name, Names, Point, Scalar
+from rcj_challenges.scenario.catalogue import EACH
+from rcj_challenges.scenario.measured import middle_of
+from rcj_challenges.scenario.roster import written_for
+from rcj_challenges.scenario.starting import start_noise_m, start_pose
+from rcj_challenges.tracking.gates import GateLine
+from rcj_challenges.tracking.places import Anchor, StartPose
+from rcj_challenges.tracking.state import Number
+from rcj_challenges.tracking.target import Target
+
+if TYPE_CHECKING:
+    from rcj_challenges.referee.compiling import CompileContext
+    from rcj_challenges.rules.binder import Scope
+
+
+class NameScope:
+    """Implements `Scope`: what names stand for in a rule or a layout.
+
+    Args:
+        context: what the compilers of all words share.
+        each: the name that ``each`` stands for; None: it is not known there.
+    """
+
+    def __init__(self, context: CompileContext, each: str | None) -> None:
+        self.state = context.state
+        self.each = each
+        self.contacts = context.contacts
+        self.scenario = context.scenario
+        self.roster = context.roster
+        self._context = context
+
+    def members(self, names: Names) -> tuple[str, ...]:
+        """Return what names stand for: groups expanded, ``each`` replaced, without repeats, in order."""
+        known = self._context.members.get((names, self.each))
+        if known is None:
+            known = self._context.members[names, self.each] = self.roster.expand(written_for(names, self.each))
+        return known
+
+    def entities(self, names: Names) -> tuple[int, ...]:
+        """Return the indices of entities.
+
+        Raises:
+            ValueError: one of them is no entity.
+        """
+        return tuple(self.entity(name) for name in self.members(names))
+
+    def entity(self, name: str) -> int:
+        """Return the index of one entity; of a group its first member.
+
+        Raises:
+            ValueError: it is no entity.
+        """
+        index = self.thing(name)
+        if index >= len(self.roster.entities):
+            message = f"not an entity: {self.roster.things[index]!r}"
+            raise ValueError(message)
+        return index
+
+    def things(self, names: Names) -> tuple[int, ...]:
+        """Return the indices of what can be touched: entities, fixed obstacles, walls.
+
+        Raises:
+            ValueError: one of them is nothing of this.
+        """
+        return tuple(self.thing(name) for name in self.members(names))
+
+    def thing(self, name: str) -> int:
+        """Return the index of one thing that can be touched; of a group its first member.
+
+        Raises:
+            ValueError: it is no such thing.
+        """
+        member = self.members(name)[0]
+        index = self.roster.index.get(member)
+        if index is None:
+            message = f"not an entity or obstacle: {member!r}"
+            raise ValueError(message)
+        return index
+
+    def whose(self, name: str | None) -> str | None:
+        """Return whose counter, flag, timer or sequence a name stands for; None: all of them, or the only one."""
+        return self.each if name == EACH else name
+
+    def drawn_value(self, value: Scalar) -> Scalar:
+        """Return a value of a draw; ``each`` stands for a name if the rule has ``for_each``."""
+        return self.each if value == EACH and self.each is not None else value
+
+    def region(self, names: Names) -> Region:
+        """Return the region of a zone, or of several zones taken as one.
+
+        Raises:
+            ValueError: one of them is no zone.
+        """
+        return _any_of(tuple(self._zone_or_drawn(name) for name in self.members(names)))
+
+    def _zone_or_drawn(self, name: str) -> Region:
+        among = self.roster.drawn.get(name)
+        if among is None:
+            return self.zone(name)
+        draws, regions = self.state.draws, {zone: self.zone(zone) for zone in among}
+        return Drawn(lambda: regions[str(draws[name])])
+
+    def zone(self, name: str) -> Outlined:
+        """Return the region of one zone.
+
+        Raises:
+            ValueError: there is none of this name.
+        """
+        zone = self.scenario.zones.get(name)
+        if zone is None:
+            message = f"unknown zone {name!r}"
+            raise ValueError(message)
+        return region_of(zone)
+
+    def gate(self, name: str) -> GateLine:
+        """Return a gate.
+
+        Raises:
+            KeyError: there is none of this name.
+        """
+        gate = self.scenario.gates[name]
+        anchor = None if gate.anchor is None else self.entity(gate.anchor)
+        return GateLine(gate.from_m, gate.to_m, anchor, self.state)
+
+    def spot_name(self, name: object) -> str:
+        """Return the name of a spot.
+
+        Raises:
+            ValueError: there is no spot of this name.
+        """
+        if not isinstance(name, str) or name not in self.state.spots:
+            message = f"unknown spot {name!r}"
+            raise ValueError(message)
+        return name
+
+    def start_of(self, entity: int) -> StartPose:
+        """Return where an entity starts."""
+        name = self.roster.entities[entity]
+        return StartPose(start_pose(self.scenario, name), start_noise_m(self.scenario, name))
+
+    def spot(self, name: str) -> Callable[[], Point]:
+        """Return what reads where a spot is now, or the spot that a draw of this name decided."""
+        spots, draws = self.state.spots, self.state.draws
+        if name in self.scenario.draws and name not in spots:
+            return lambda: spots[self.spot_name(draws[name])]
+        spot = self.spot_name(name)
+        return lambda: spots[spot]
+
+    def spots(self, names: Names) -> Callable[[], tuple[Point, ...]]:
+        """Return what reads where spots are now, in order.
+
+        Raises:
+            ValueError: one of them is no spot.
+        """
+        spots, members = self.state.spots, self.members(names)
+        points = tuple(spots[self.spot_name(name)] for name in members)
+        if self._context.remembered.isdisjoint(members):
+            return lambda: points
+        return lambda: tuple(spots[name] for name in members)
+
+    def anchor(self, what: Name | Point) -> Callable[[], Anchor]:
+        """Return what finds the entity, spot or point for which a name stands now; a draw's name, what it decided."""
+        if isinstance(what, tuple):
+            point = Anchor(lambda _board: what)
+            return lambda: point
+        member = self.members(what)[0]
+        among = self.roster.drawn.get(member)
+        if among is None:
+            anchor = self._one_anchor(member)
+            return lambda: anchor
+        anchors, draws = {one: self._one_anchor(one) for one in among}, self.state.draws
+        return lambda: anchors[str(draws[member])]
+
+    def _one_anchor(self, name: str) -> Anchor:
+        roster = self.roster
+        index = roster.index.get(name, len(roster.entities))
+        if index < len(roster.entities):
+            return Anchor(lambda board: board.poses[index][:2], entity=index)
+        spot, spots = self.spot_name(name), self.state.spots
+        return Anchor(lambda _board: spots[spot])
+
+    def random_point(self, zones: Names) -> Callable[[Random], Point]:
+        """Return what draws a point of zones, every one equally likely."""
+        return point_sampler({name: self.scenario.zones[name] for name in self.members(zones)})
+
+    def name_of(self, entity: int) -> str:
+        """Return the name of an entity."""
+        return self.roster.entities[entity]
+
+    def is_robot(self, name: str) -> bool:
+        """Return whether a name is that of a robot."""
+        return name in self.scenario.robots
+
+    def is_present(self, name: str) -> bool:
+        """Return whether something is on the field now; what is no entity always is."""
+        index = self.roster.index.get(name, len(self.state.present))
+        return index >= len(self.state.present) or self.state.present[index]
+
+    def pose(self, name: str) -> Callable[[], tuple[float, ...] | None]:
+        """Return what reads where something is: [x, y, yaw], of a spot [x, y]; None while it is off the field."""
+        member, state = self.members(name)[0], self.state
+        among = self.roster.drawn.get(member)
+        if among is None:
+            return self._one_pose(member)
+        poses = {one: self._one_pose(one) for one in among}
+        return lambda: poses[str(state.draws[member])]()  # noqa: PLW0108 - which one is known when it is called
+
+    def _one_pose(self, name: str) -> Callable[[], tuple[float, ...] | None]:
+        state, roster = self.state, self.roster
+        if name in state.spots:
+            return lambda: state.spots[name]
+        index = self.thing(name)
+        if index < len(roster.entities):
+            return lambda: state.poses[index] if state.present[index] else None
+        middle = middle_of(self.scenario.obstacles[name])
+        return lambda: middle
+
+    def targets(self, named: Name | Point) -> tuple[Target, ...]:
+        """Return what a distance is measured to: what a name stands for, or a point."""
+        return targets_of(named, self)
+
+    def half_length_s(self) -> Number:
+        """Return the length of the half in s."""
+        return self.state.half_length_s()
+
+
+def _any_of(regions: tuple[Region, ...]) -> Region:
+    """Return several regions taken as one."""
+    return regions[0] if len(regions) == 1 else AnyOf(regions)
+
+
+if TYPE_CHECKING:
+    _: type[Scope] = NameScope
