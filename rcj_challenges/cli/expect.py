@@ -5,17 +5,17 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any
 
 from rcj_challenges.cli.stdio import say_json
-from rcj_challenges.cli.validate import say
+from rcj_challenges.cli.validate import flat, say
 from rcj_challenges.expect.runner import TestResult, run_test
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import Loaded, load
-from rcj_challenges.scenario.reading.inherited import TESTS
+from rcj_challenges.scenario.reading.inherited_tests import TESTS
 from rcj_challenges.scenario.tree import file_of
 
 _WALL_DIGITS = 4
@@ -62,7 +62,7 @@ def run_tests(paths: Sequence[str], overrides: Sequence[str], *, as_json: bool =
 
 
 def _unusable(path: str, error: ScenarioError) -> dict[str, Any]:
-    problems = [asdict(problem) for problem in error.problems]
+    problems = [flat(problem) for problem in error.diagnostics]
     return {
         "file": path,
         "title": None,
@@ -99,7 +99,7 @@ def _report(path: str, loaded: Loaded, played: list[_Played]) -> dict[str, Any]:
             }
             for one in played
         ],
-        "left_out": {name: str(problem) for name, problem in loaded.left_out.items()},
+        "left_out": {name: f"{one.where}: {one.message}" for name, one in loaded.left_out.items()},
         "untested_rules": [name for name in loaded.scenario.rules if name not in fired],
     }
 

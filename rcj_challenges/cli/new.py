@@ -12,7 +12,7 @@ from rcj_challenges.cli.stdio import shell_quoted
 from rcj_challenges.facts.errors import RcjError, format_error, room_help
 from rcj_challenges.facts.file_names import is_device_of_windows
 from rcj_challenges.facts.sanitize import sanitize
-from rcj_challenges.scenario.errors import listing, nearest
+from rcj_challenges.scenario.errors import choice_of
 from rcj_challenges.scenario.json_schema import FILE
 from rcj_challenges.scenario.resources import names_in, starters_folder
 
@@ -44,9 +44,7 @@ def new_scenario(name: str, preset: str) -> int:
     """
     known = names_in(starters_folder())
     if preset not in known:
-        near = nearest(preset, known).removeprefix("; ")
-        there = f"{near} There are {listing(known)}".strip()
-        raise StarterError(f"unknown preset '{preset}'", there, code="unknown-preset")
+        raise StarterError(f"unknown preset '{preset}'", choice_of(preset, known), code="unknown-preset")
     file = Path(name if name.endswith((".yaml", ".yml")) else f"{name}.yaml")
     refuse_name("" if file.name in (".yaml", ".yml") else file.name, name)
     short = _identifier(file.stem)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
-from dataclasses import asdict
 from typing import Any
 
 from rcj_challenges.cli.stdio import discard_output, say_json
@@ -54,7 +53,7 @@ def _of_scenario(path: str, overrides: Sequence[str], *, strict: bool, as_json: 
         loaded = load(path, overrides)
     except ScenarioError as error:
         say("" if as_json else str(error), sys.stderr)
-        return {"ok": False, "problems": [asdict(problem) for problem in error.problems]}, error.exit_code
+        return {"ok": False, "problems": [flat(problem) for problem in error.diagnostics]}, error.exit_code
     findings = lint(loaded)
     if not as_json:
         warned = f"; {counted(len(findings), 'warning')}" if findings else ""
@@ -80,7 +79,7 @@ def _of_tournament(path: str, overrides: Sequence[str], *, as_json: bool) -> tup
         loaded = load_tournament(path)
     except DiagnosticError as error:
         say("" if as_json else str(error), sys.stderr)
-        return {"ok": False, "problems": [_flat(one) for one in error.diagnostics]}, error.exit_code
+        return {"ok": False, "problems": [flat(one) for one in error.diagnostics]}, error.exit_code
     stages = Season(loaded).state({}).stages
     counts = (
         counted(len(loaded.entries), "team"),
@@ -92,8 +91,8 @@ def _of_tournament(path: str, overrides: Sequence[str], *, as_json: bool) -> tup
     return {"summary": summary}, 0
 
 
-def _flat(diagnostic: Diagnostic) -> dict[str, Any]:
-    """Return a problem with the keys that those of scenarios have, and its code and help."""
+def flat(diagnostic: Diagnostic) -> dict[str, Any]:
+    """Return a problem as data, with its place."""
     where = diagnostic.where if isinstance(diagnostic.where, InFile) else InFile("")
     place = {"file": where.file, "line": where.line or 0, "column": where.column or 0, "path": where.path}
     return {**place, "message": diagnostic.message, "code": diagnostic.code, "help": diagnostic.help}

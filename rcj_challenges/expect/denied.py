@@ -16,9 +16,9 @@ from rcj_challenges.rules.actions.score import Score
 from rcj_challenges.rules.actions.set_flag import SetFlag
 from rcj_challenges.rules.actions.set_phase import SetPhase
 from rcj_challenges.rules.actions.toggle_flag import ToggleFlag
-from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.messages.written import as_written
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import EACH, OTHER
 from rcj_challenges.tracking.bound_rules import Denied
 
 

@@ -10,7 +10,7 @@ from rcj_challenges.referee.zones import region_of
 from rcj_challenges.rules.actions.emit import Emit
 from rcj_challenges.rules.triggers.enters import Enters
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.roster import Roster, written_for
+from rcj_challenges.scenario.roster import Roster, with_each
 
 
 def put_inside_notes(
@@ -49,7 +49,7 @@ def _inside(
     for trigger in rule.triggers:
         if not isinstance(trigger, Enters):
             continue
-        who, zones = (roster.expand(written_for(names, rule.for_each)) for names in (trigger.entity, trigger.zone))
+        who, zones = (roster.expand(with_each(names, rule.for_each)) for names in (trigger.entity, trigger.zone))
         for tick, put in placements:
             name = roster.entities[put.entity]
             if put.parked or name not in who:

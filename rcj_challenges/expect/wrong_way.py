@@ -13,7 +13,7 @@ from rcj_challenges.rules.triggers.crosses import Crosses
 from rcj_challenges.scenario.followed import followed
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import Sequence
-from rcj_challenges.scenario.roster import Roster, written_for
+from rcj_challenges.scenario.roster import Roster, with_each
 from rcj_challenges.tracking.gates import seen_from
 
 _WAYS = {1: "forward", -1: "backward"}
@@ -66,7 +66,7 @@ class WrongWays:
                             yield _Passage(entity, gate, _WRONG[trigger.direction], unheard)
 
     def _members(self, names: Names, each: str | None) -> tuple[str, ...]:
-        return self._roster.expand(written_for(names, each))
+        return self._roster.expand(with_each(names, each))
 
     def _entities(self, names: Names, each: str | None) -> tuple[int, ...]:
         return tuple(self._roster.index[name] for name in self._members(names, each))

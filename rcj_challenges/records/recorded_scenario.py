@@ -9,7 +9,7 @@ from rcj_challenges.facts.errors import format_error
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import SCENARIO, UNRESOLVED, read_file
 from rcj_challenges.records.lines import parsed
-from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.models.scenario import Scenario
 
 
@@ -32,8 +32,8 @@ def read_scenario(folder: Path) -> Scenario:
         message = f"{folder.name}: {SCENARIO} cannot be read: {format_error(error)}"
         raise RecordError("record-unreadable", message) from error
     except ScenarioError as error:
-        first = error.problems[0]
-        what = f"{first.path}: {first.message}" if first.path else first.message
+        first = error.diagnostics[0]
+        what = f"{place_of(first).path}: {first.message}" if place_of(first).path else first.message
         message = f"{folder.name}: {SCENARIO} is not as the run wrote it: {what}"
         raise RecordError("record-damaged", message, _COPY_AGAIN) from error
     except (TypeError, ValueError, RecursionError) as error:

@@ -12,7 +12,7 @@ from rcj_challenges.referee.binding import RuleBinder
 from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.scenario.blanks import partly_filled
 from rcj_challenges.scenario.models.scenario import Rule
-from rcj_challenges.scenario.other import for_other, names_other, others_of
+from rcj_challenges.scenario.touch_rules import for_other, names_other
 from rcj_challenges.tracking.bound_rules import BoundRule
 
 
@@ -44,7 +44,7 @@ def _for_others(model: Rule, rule: BoundRule, context: CompileContext) -> list[B
     """Return a rule for each thing that ``other`` may stand for; they share one history, and so its limits."""
     if not names_other(model, context.scenario):
         return [rule]
-    return [replace(rule, other=other) for other in others_of(model, rule.each, context.roster)]
+    return [replace(rule, other=other) for other in context.roster.others(model, rule.each)]
 
 
 def _bound_rule(name: str, rule: Rule, each: str | None, context: CompileContext) -> BoundRule:

@@ -11,9 +11,8 @@ from rcj_challenges.referee.random_points import point_sampler
 from rcj_challenges.referee.targets import targets_of
 from rcj_challenges.referee.zones import region_of
 from rcj_challenges.rules.fields import Name, Names, Point, Scalar
-from rcj_challenges.scenario.catalogue import EACH
-from rcj_challenges.scenario.measured import middle_of
-from rcj_challenges.scenario.roster import written_for
+from rcj_challenges.scenario.centres import middle_of
+from rcj_challenges.scenario.roster import EACH, with_each
 from rcj_challenges.scenario.starting import start_noise_m, start_pose
 from rcj_challenges.tracking.gates import GateLine
 from rcj_challenges.tracking.places import Anchor, StartPose
@@ -45,7 +44,7 @@ class NameScope:
         """Return what names stand for: groups expanded, ``each`` replaced, without repeats, in order."""
         known = self._context.members.get((names, self.each))
         if known is None:
-            known = self._context.members[names, self.each] = self.roster.expand(written_for(names, self.each))
+            known = self._context.members[names, self.each] = self.roster.expand(with_each(names, self.each))
         return known
 
     def entities(self, names: Names) -> tuple[int, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from rcj_challenges.geometry.polygons import Point
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.models.state import Draw
 
@@ -53,3 +54,8 @@ def _without_one(values: Sequence[Scalar], value: Scalar) -> Sequence[Scalar]:
     found = list(values)
     found.remove(value)
     return found
+
+
+def places_of(decided: Point | tuple[Point, ...]) -> tuple[Point, ...]:
+    """Return the places that a test decides for a spot, in order: one, or several."""
+    return decided if isinstance(decided[0], tuple) else (decided,)

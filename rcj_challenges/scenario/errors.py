@@ -1,146 +1,99 @@
-"""What is wrong with a scenario: every problem with its file, line, column and path in names."""
+"""What is wrong with a scenario: all of it at once, each with a code, its place in the file, and what to do."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from itertools import islice
-from typing import Self
 
-from rcj_challenges.facts.diagnostics import Diagnostic, InFile
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError, InFile
 from rcj_challenges.facts.likeness import MAX_COMPARED, nearest_name
 
-_SHOWN = 100
-"""More problems than a reader works through; a broken file of 1 MB could bring tens of thousands."""
-
-
 MAX_FOUND = 300
-"""How many problems a search for them collects before it stops: more help nobody, and cost time."""
+"""How many mistakes a search collects before it stops: more help nobody, and cost time."""
 
-_LONGEST = 64
+_MAX_LETTERS = 64
 """How much of a name is shown: as long as one may be."""
 
 
-@dataclass(frozen=True, slots=True)
-class Problem:
-    """One mistake.
+class ScenarioError(DiagnosticError):
+    """A scenario cannot be used; its diagnostics stand in the order of files and positions, each once."""
 
-    Attributes:
-        file: as the reader knows it: the path as given, ``soccersim_v2.yaml`` for a preset, ``--set a=1``.
-        line, column: 1-based; 0 where there is no line (the command line, a file that cannot be read).
-        path: where in names, ``rules.goal.triggers[0] (enters)``; empty for the file as a whole.
-        message: what was found, what is allowed, the nearest match.
-    """
-
-    file: str
-    line: int
-    column: int
-    path: str
-    message: str
-
-    def __str__(self) -> str:
-        where = f"{self.file}:{self.line}:{self.column}" if self.line else self.file
-        return ": ".join(part for part in (where, self.path, self.message) if part)
-
-
-class ScenarioError(RcjError):
-    """A scenario cannot be used; ``str()`` is one line for each problem.
-
-    Attributes:
-        problems: all of them, by file and position, without repeats.
-    """
-
-    def __init__(self, problems: Iterable[Problem]) -> None:
+    def __init__(self, problems: Iterable[Diagnostic]) -> None:
         unique = dict.fromkeys(problems)
-        order = {file: rank for rank, file in enumerate(dict.fromkeys(problem.file for problem in unique))}
-        self.problems = sorted(unique, key=lambda p: (order[p.file], p.line, p.column, p.path, p.message))
-        super().__init__(self._text())
+        ranks = {file: rank for rank, file in enumerate(dict.fromkeys(place_of(one).file for one in unique))}
 
-    def _text(self) -> str:
-        lines = [str(problem) for problem in self.problems[:_SHOWN]]
-        if len(self.problems) > _SHOWN:
-            lines.append(f"… and {len(self.problems) - _SHOWN} more")
-        return "\n".join(lines)
+        def position(one: Diagnostic) -> tuple[int, int, int, str, str]:
+            place = place_of(one)
+            return ranks[place.file], place.line or 0, place.column or 0, place.path, one.message
+
+        super().__init__(*sorted(unique, key=position))
 
 
-class TooLargeError(ScenarioError):
-    """A scenario has more of something than is read; ``str()`` has the form of `Diagnostic`.
-
-    Attributes:
-        diagnostic: what there is too much of.
-    """
-
-    def __init__(self, diagnostic: Diagnostic, problem: Problem) -> None:
-        self.diagnostic = diagnostic
-        super().__init__([problem])
-
-    @classmethod
-    def at(cls, file: str, line: int, column: int, message: str) -> Self:
-        """Return the error at a place; without a line it is about the whole file."""
-        diagnostic = Diagnostic("scenario-too-large", message, _SMALLER, InFile(file, line or None, column or None))
-        return cls(diagnostic, Problem(file, line, column, "", message))
-
-    def _text(self) -> str:
-        return str(self.diagnostic)
+def place_of(problem: Diagnostic) -> InFile:
+    """Return the place of a mistake in a file; an empty one if it has none."""
+    return problem.where if isinstance(problem.where, InFile) else InFile("")
 
 
-_SMALLER = "leave out what the challenge does not need; repeat_for and groups say the same of several things at once"
-
-_CONTRARY = (frozenset({"any", "all", "none"}), frozenset({"min", "most"}), frozenset({"max", "least"}))
-"""Parts of words that turn their meaning over: who writes one does not mean a word with another of them."""
+_OPPOSITES = (frozenset({"any", "all", "none"}), frozenset({"min", "most"}), frozenset({"max", "least"}))
+"""Parts of words that reverse their meaning: a word with one of them is not suggested for a word with another."""
 
 
-def nearest(word: str, known: Iterable[str], likeness: float = 0.6) -> str:
-    """Return ``; did you mean 'x'?`` for the known word that is most like ``word``, or an empty text.
+def nearest(word: str, known: Iterable[str], likeness: float = 0.6) -> str | None:
+    """Return the known word that is most like a misspelt one; None if none is like it.
 
     Args:
         word: as it was written.
         known: the words that there are.
         likeness: how like it a word must be, from 0 to 1.
     """
-    by_folded: dict[str, str] = {}
+    folded: dict[str, str] = {}
     written = set(word.casefold().split("_"))
-    may_turn = [words for words in _CONTRARY if written & words]
     for name in islice(known, MAX_COMPARED):
-        if not may_turn or not _is_contrary(written, name, may_turn):
-            by_folded.setdefault(name.casefold(), name)
-    if word.casefold() in by_folded:  # it differs in upper and lower case, or is known elsewhere
-        return f"; did you mean {by_folded[word.casefold()]!r}?"
-    for folded, name in by_folded.items():
-        if folded.startswith(f"{word.casefold()}_"):  # the unit was forgotten
-            return f"; did you mean {name!r}?"
-    found = nearest_name(word.casefold(), by_folded, likeness)
-    return "" if found is None else f"; did you mean {by_folded[found]!r}?"
+        if not any(written & words and (words - written) & set(name.casefold().split("_")) for words in _OPPOSITES):
+            folded.setdefault(name.casefold(), name)
+    if word.casefold() in folded:
+        return folded[word.casefold()]
+    without_unit = next((name for name in folded if name.startswith(f"{word.casefold()}_")), None)
+    found = without_unit or nearest_name(word.casefold(), folded, likeness)
+    return None if found is None else folded[found]
+
+
+def did_you_mean(word: str, known: Iterable[str], likeness: float = 0.6) -> str:
+    """Return ``did you mean 'x'?``, or an empty text; arguments as for `nearest`."""
+    name = nearest(word, known, likeness)
+    return "" if name is None else f"did you mean '{name}'?"
+
+
+def choice_of(word: str, known: Iterable[str], noun: str = "", likeness: float = 0.6) -> str:
+    """Return which of the known words may be the one that was meant, and all that there are.
+
+    Args:
+        word: as it was written.
+        known: the words that there are.
+        noun: what they name: ``zone``; empty if they are words of the language.
+        likeness: as for `nearest`.
+    """
+    names = list(known)
+    if not names:
+        return f"this scenario has no {noun}" if noun else ""
+    hint = did_you_mean(word, names, likeness)
+    return f"{hint}{' ' if hint else ''}allowed here: {listing(names, 40)}"
 
 
 def in_plain_letters(name: str) -> str:
-    """Return a name as it is compared where case, and a stroke for a blank, make no difference."""
+    """Return a name for comparisons that ignore case, and that ignore whether words are parted by a blank, _ or -."""
     return name.casefold().replace("_", " ").replace("-", " ")
 
 
-def _is_contrary(written: set[str], name: str, may_turn: list[frozenset[str]]) -> bool:
-    meant = set(name.casefold().split("_"))
-    return any(meant & words and not written & meant & words for words in may_turn)
-
-
-def known_text(names: Iterable[str], noun: str) -> str:
-    """Return what there is instead, for the end of a sentence."""
-    known = list(names)
-    if not known:
-        return f"; this scenario has no {noun}"
-    return f"; there is only {known[0]}" if len(known) == 1 else f"; there are {listing(known)}"
-
-
 def cut(text: str) -> str:
-    """Return a name or text without what nobody would read of it; one without a letter in quotes."""
+    """Return a name or text as long as a name may be; one without a letter as quotes."""
     if not text.strip():
         return "''"
-    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 4]}…"
+    return text if len(text) <= _MAX_LETTERS else f"{text[: _MAX_LETTERS - 4]}…"
 
 
 def listing(names: Iterable[str], most: int = 12) -> str:
-    """Return names as a list for a sentence: sorted by the caller, cut after ``most``."""
+    """Return names as a list for a sentence, in their order, cut after ``most``."""
     known = list(names)
     more = f", … ({len(known)} in all)" if len(known) > most else ""
     return ", ".join(known[:most]) + more

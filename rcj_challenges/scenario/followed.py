@@ -6,7 +6,7 @@ from rcj_challenges.rules.triggers.sequence_broken import SequenceBroken
 from rcj_challenges.rules.triggers.sequence_completed import SequenceCompleted
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import Sequence
-from rcj_challenges.scenario.visiting import visit
+from rcj_challenges.scenario.walk import walk
 
 
 def followed(sequence: Sequence) -> str:
@@ -33,5 +33,5 @@ def phases_of(scenario: Scenario, name: str) -> frozenset[str] | None:
 
 def _follows(rule: Rule, name: str) -> bool:
     """Return whether a rule hears or asks a sequence; one that only begins it anew does not follow it."""
-    words = (word for word, _ in visit((rule.triggers, rule.conditions)))
+    words = (word for word, _ in walk((rule.triggers, rule.conditions)))
     return any(getattr(word, "sequence", None) == name for word in words)

@@ -12,7 +12,7 @@ from rcj_challenges.rules.values.draw import DrawValue
 from rcj_challenges.rules.values.told import ToldValue
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.own_devices import devices_of
-from rcj_challenges.scenario.visiting import visit
+from rcj_challenges.scenario.walk import walk
 
 _LISTENING = (Tells, Told, ToldValue)
 
@@ -22,7 +22,7 @@ def referee_listens(scenario: Scenario) -> bool:
 
     If none does, the referee's channels are closed to programs, as in the original.
     """
-    return any(isinstance(model, _LISTENING) for model, _ in visit((scenario.rules, scenario.broadcast)))
+    return any(isinstance(model, _LISTENING) for model, _ in walk((scenario.rules, scenario.broadcast)))
 
 
 def robots_that_speak(scenario: Scenario) -> list[str]:

@@ -1,7 +1,7 @@
 """From a file to a checked scenario: read, extend, override, resolve params, validate, cross-check.
 
-Everything that is wrong is reported at once, as far as it can be told: a file that is no YAML hides what is in it, and
-a section that is malformed hides the references into it.
+All that is wrong is reported at once, as far as it can be known: what is not YAML hides the content of the file, and a
+malformed section hides the references into it.
 """
 
 from __future__ import annotations
@@ -14,18 +14,19 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from rcj_challenges.scenario.checks.table import check
+from rcj_challenges.facts.diagnostics import Diagnostic
+from rcj_challenges.scenario.checks.run import check
 from rcj_challenges.scenario.dump import dumped
-from rcj_challenges.scenario.errors import Problem, ScenarioError
+from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.messages.explain import explain
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.own_devices import fill_in_devices
 from rcj_challenges.scenario.reading.extend import Source, read_chain
 from rcj_challenges.scenario.reading.find import find_scenario
-from rcj_challenges.scenario.reading.inherited import leave_out, unfit_tests
+from rcj_challenges.scenario.reading.inherited_tests import leave_out, unfit_tests
 from rcj_challenges.scenario.reading.merge import Merger, Repeated
 from rcj_challenges.scenario.reading.params import apply_overrides, resolve_params
-from rcj_challenges.scenario.reading.repeating import repeat_rules, told_once
+from rcj_challenges.scenario.reading.repeated_rules import merged, repeat_rules
 from rcj_challenges.scenario.resources import presets_folder
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import RESOLVED, Entries, Mark, Step, check_size, plain
@@ -59,7 +60,7 @@ class Loaded:
     unresolved: dict[str, Any] = field(default_factory=dict, repr=False, compare=False)
     written: Entries | None = field(default=None, repr=False, compare=False)
     bases: tuple[Path, ...] = field(default=(), repr=False, compare=False)
-    left_out: Mapping[str, Problem] = field(default_factory=dict, repr=False, compare=False)
+    left_out: Mapping[str, Diagnostic] = field(default_factory=dict, repr=False, compare=False)
     repeated: Mapping[str, Repeated] = field(default_factory=dict, repr=False, compare=False)
     overridden: AbstractSet[tuple[Step, ...]] = field(default=frozenset(), repr=False, compare=False)
 
@@ -146,21 +147,15 @@ def _param_of(tree: Entries, override: str) -> str | None:
 
 
 def _refuse_params(tree: Entries, overrides: Sequence[str]) -> None:
-    """Refuse overrides of params: nothing would come of them.
+    """Refuse overrides of params: they would have no effect.
 
     Raises:
         ScenarioError: names them.
     """
-    problems = []
-    for override in overrides:
-        param = _param_of(tree, override)
-        if param == "params":
-            told = "values of params stand here already wherever they are used; set them there, "
-        elif param is not None:
-            told = f"{param} is a param, and here its value stands already wherever it is used; set it there, "
-        else:
-            continue
-        problems.append(Mark(f"--set {override}").problem("", f"{told}or name the scenario's file"))
+    help_ = "set the value where it is used, or name the scenario's file"
+    message = "the values of params are filled in already where they are used"
+    params = (override for override in overrides if _param_of(tree, override) is not None)
+    problems = [Mark(f"--set {override}").error("wrong-override", message, help_) for override in params]
     if problems:
         raise ScenarioError(problems)
 
@@ -191,13 +186,15 @@ def _load(source: Source, overrides: Sequence[str], name: str, path: Path | None
     )
 
 
-def _checked_but_inherited_tests(tree: Entries, merger: Merger, bases: set[str]) -> tuple[Scenario, dict[str, Problem]]:
+def _checked_but_inherited_tests(
+    tree: Entries, merger: Merger, bases: set[str]
+) -> tuple[Scenario, dict[str, Diagnostic]]:
     """Return the scenario of a finished tree without the inherited tests that do not fit it, and those.
 
     Raises:
         ScenarioError: all else that is wrong.
     """
-    left_out: dict[str, Problem] = {}
+    left_out: dict[str, Diagnostic] = {}
     while True:
         try:
             return _checked(tree, merger), left_out
@@ -222,11 +219,11 @@ def _checked(tree: Entries, merger: Merger) -> Scenario:
         scenario = Scenario.model_validate(plain(tree))
     except ValidationError as error:
         problems += explain(error, tree, Scenario)
-        # What explains itself as an echo of something else must never leave nothing at all.
-        problems = problems or [tree.mark.problem("", f"not valid: {error.errors()[0]['msg']}")]
-    seen = {(problem.file, problem.line, problem.column) for problem in problems}
-    later = check(scenario, tree, merger.removed)
-    problems += [found for found in later if not found.line or (found.file, found.line, found.column) not in seen]
+        # Errors that only repeat another one are left out, but never all of them.
+        problems = problems or [tree.mark.error("wrong-value", f"not valid: {error.errors()[0]['msg']}")]
+    seen = {(place.file, place.line, place.column) for place in map(place_of, problems)}
+    later = [(place_of(one), one) for one in check(scenario, tree, merger.removed)]
+    problems += [one for at, one in later if at.line is None or (at.file, at.line, at.column) not in seen]
     if problems or scenario is None:
-        raise ScenarioError(told_once(problems, merger.repeated))
+        raise ScenarioError(merged(problems, merger.repeated))
     return scenario

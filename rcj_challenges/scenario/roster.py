@@ -1,34 +1,53 @@
-"""Names to indices, once: which entities and things there are, in which order, and what a group stands for."""
+"""The names of a scenario: what each one names, what a group stands for, and the order in which things are numbered.
+
+The order of members decides random streams, so it is part of what a match is: groups keep the order in which they are
+written, nested ones are put in their place, and each member counts once.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
-from rcj_challenges.rules.fields import Names, Strict
-from rcj_challenges.scenario.catalogue import EACH
-from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.rules.fields import Names, Scalar
+from rcj_challenges.rules.triggers.touches import Touches
+from rcj_challenges.scenario.models.scenario import MAX_GROUPS, MAX_MEMBERS, Rule, Scenario
+from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, node_at
 
 WALLS = "walls"
+ALWAYS = ("robots", "balls", "obstacles", WALLS)
+"""Groups that always exist; each colour of a robot is one too."""
+
+EACH = "each"
+OTHER = "other"
+BOUND = (EACH, OTHER)
+"""Names that a rule has for the entities which its firing is about."""
+
+_KIND_OF_SECTION = {"robots": "robot", "balls": "ball", "zones": "zone", "gates": "gate", "spots": "spot"}
+_NOUN_OF_SECTION = {
+    "entrants": "entrant", "draws": "draw", "counters": "counter", "flags": "flag", "timers": "timer",
+    "sequences": "sequence", "placements": "layout", "phases": "phase", "kits": "kit", "params": "param",
+}  # fmt: skip
 
 
-def row_of(names: Names) -> tuple[str, ...]:
-    """Return names as a row: where several may be written, one need not be in a list."""
+def as_tuple(names: Names) -> tuple[str, ...]:
+    """Return names as a tuple: where several may be written, a single one need not stand in a list."""
     return (names,) if isinstance(names, str) else names
 
 
-def written_for(names: Names, each: str | None) -> tuple[str, ...]:
-    """Return names of a rule as a row, with another name for ``each``.
+def with_each(names: Names, each: str | None) -> tuple[str, ...]:
+    """Return names of a rule as a tuple, with another name for ``each``.
 
     Args:
         names: as they are written.
-        each: for whom the rule is: one, or the whole group of its ``for_each``; None: ``each`` stays.
+        each: one member, or the whole group of the rule's ``for_each``; None: ``each`` stays.
     """
-    return tuple(each if name == EACH and each is not None else name for name in row_of(names))
+    return tuple(each if name == EACH and each is not None else name for name in as_tuple(names))
 
 
 @dataclass(frozen=True)
 class Roster:
-    """The order in which entities and things are numbered everywhere.
+    """The names of one scenario.
 
     Attributes:
         entities: robots, balls, movable obstacles; each kind in the order of the file.
@@ -36,8 +55,12 @@ class Roster:
         things: the entities, then the fixed obstacles, then ``walls``.
         index: name to index in ``things``.
         groups: group to the names of its members, nested groups resolved; the groups that always exist included.
-        drawn: draw to the names among which it decides; of a draw that is called like something on the field that is
-            meant, and not the draw.
+        drawn: draw to the names among which it decides; none for a draw that is called like something on the field,
+            which is meant then.
+        kinds: what each name on the field is: ``robot``, ``ball``, ``obstacle`` (movable), ``fixed obstacle``,
+            ``walls``, ``zone``, ``gate`` or ``spot``.
+        sections: section to the names that it defines.
+        colours: the groups of robots by their colour.
     """
 
     entities: tuple[str, ...]
@@ -47,64 +70,185 @@ class Roster:
     index: dict[str, int]
     groups: dict[str, tuple[str, ...]]
     drawn: dict[str, tuple[str, ...]]
+    kinds: dict[str, str]
+    sections: dict[str, tuple[str, ...]]
+    colours: tuple[str, ...]
 
     @classmethod
     def of(cls, scenario: Scenario) -> Roster:
         """Return the roster of a scenario whose references have been checked."""
-        robots = tuple(scenario.robots)
-        balls = tuple(scenario.balls)
-        movable = tuple(name for name, obstacle in scenario.obstacles.items() if _movable(obstacle))
-        fixed = tuple(name for name in scenario.obstacles if name not in movable)
-        entities = robots + balls + movable
-        things = (*entities, *fixed, WALLS)
-        groups: dict[str, tuple[str, ...]] = {
-            "robots": robots,
-            "balls": balls,
-            "obstacles": tuple(scenario.obstacles),
-            WALLS: (WALLS,),
-        }
-        for name, robot in scenario.robots.items():
-            groups[robot.colour] = (*groups.get(robot.colour, ()), name)
-        for name in scenario.groups:
-            groups[name] = _members(scenario, groups, name, ())
-        on_field = {*things, *groups, *scenario.zones, *scenario.gates, *scenario.spots}
-        return cls(
-            drawn={
-                name: tuple(dict.fromkeys(value for value in draw.values if isinstance(value, str)))
-                for name, draw in scenario.draws.items()
-                if name not in on_field
-            },
-            entities=entities,
-            robots=len(robots),
-            balls=len(balls),
-            things=things,
-            index={name: index for index, name in enumerate(things)},
-            groups=groups,
+        return _roster(
+            {name: tuple(value) for name, value in scenario if isinstance(value, dict)},
+            colours={name: robot.colour for name, robot in scenario.robots.items()},
+            movable={name for name, one in scenario.obstacles.items() if getattr(one, "movable", False)},
+            parts=scenario.groups,
+            values={name: draw.values for name, draw in scenario.draws.items()},
         )
 
-    def expand(self, names: Names) -> tuple[str, ...]:
-        """Return the members that a name, a group or a list of both stands for, without repeats, in order."""
-        return tuple(dict.fromkeys(member for name in row_of(names) for member in self.groups.get(name, (name,))))
+    @classmethod
+    def of_tree(cls, root: Entries) -> Roster:
+        """Return the roster of a scenario in which anything may be wrong; what is malformed counts as absent.
 
-    def may_be(self, names: Names) -> tuple[str, ...]:
-        """Return the same, and for a draw's name all among which it decides: what the names may ever stand for."""
-        expanded = self.expand(names)
-        return tuple(dict.fromkeys(one for name in expanded for one in self.drawn.get(name, (name,))))
+        Unknown names stay in groups; a group that leads back to itself ends there.
+        """
+        sections = {key: tuple(node.entries) for key, node in root.entries.items() if isinstance(node, Entries)}
+        colours = {name: _leaf(root, "robots", name, "colour") for name in sections.get("robots", ())}
+        groups = sections.get("groups", ())
+        return _roster(
+            sections,
+            colours={name: colour for name, colour in colours.items() if isinstance(colour, str)},
+            movable={
+                name for name in sections.get("obstacles", ()) if _leaf(root, "obstacles", name, "movable") is True
+            },
+            parts={name: texts(node_at(root, ("groups", name)))[:MAX_MEMBERS] for name in groups[: MAX_GROUPS + 1]}
+            if len(groups) <= MAX_GROUPS
+            else {},  # refused as too many; nothing more is said about them
+            values={name: texts(node_at(root, ("draws", name, "values"))) for name in sections.get("draws", ())},
+        )
+
+    def names(self, section: str) -> tuple[str, ...]:
+        """Return the names that a section defines."""
+        return self.sections.get(section, ())
+
+    def kind_of(self, name: str) -> str:
+        """Return what a name names, wherever that is defined, as ``robot``, ``group``, ``draw``; else an empty text."""
+        if name in self.kinds:
+            return self.kinds[name]
+        defined = (noun for section, noun in _NOUN_OF_SECTION.items() if name in self.names(section))
+        return next(defined, "group" if name in self.groups else "")
+
+    def of_kinds(self, kinds: frozenset[str]) -> list[str]:
+        """Return the names on the field that are of one of these kinds."""
+        return [name for name, kind in self.kinds.items() if kind in kinds]
+
+    # --- what names stand for -----------------------------------------------------------------------------------------
+
+    def expand(self, names: Names, each: str | None = None) -> tuple[str, ...]:
+        """Return the members that names stand for, without repeats, in order.
+
+        Args:
+            names: a name, a group, or a list of both.
+            each: what ``each`` stands for: one member, or the whole group of the rule; None: it stays.
+        """
+        found = (one for name in with_each(names, each) for one in self.groups.get(name, (name,)))
+        return tuple(dict.fromkeys(found))
+
+    def may_be(self, names: Names, rule: Rule | None = None) -> tuple[str, ...]:
+        """Return all that names may ever stand for: of a draw all among which it decides.
+
+        Args:
+            names: as they are written.
+            rule: the rule in which they stand, for ``each`` and ``other``; None: in none.
+        """
+        found: list[str] = []
+        for name in self.expand(names, rule.for_each if rule is not None else None):
+            if rule is not None and name == OTHER and has_other(rule):
+                found += self.others(rule, rule.for_each)
+            else:
+                found += self.drawn.get(name, (name,))
+        return tuple(dict.fromkeys(found))
+
+    def others(self, rule: Rule, each: str | None) -> tuple[str, ...]:
+        """Return what ``other`` may stand for, in the order of ``things``; nothing touches itself.
+
+        Args:
+            rule: a rule whose triggers are all touches.
+            each: for which member the rule is; the whole group of its ``for_each``: for any of them.
+        """
+        found: set[str] = set()
+        for trigger in rule.triggers:
+            if isinstance(trigger, Touches):
+                found |= touched(self.expand(trigger.entity, each), self.expand(trigger.other, each))
+        return tuple(sorted(found, key=self.index.__getitem__))
 
 
-def _movable(obstacle: Strict) -> bool:
-    return bool(getattr(obstacle, "movable", False))
+def has_other(rule: Rule) -> bool:
+    """Return whether a rule may name ``other``: each of its triggers is a touch."""
+    return all(isinstance(trigger, Touches) for trigger in rule.triggers)
+
+
+def touched(entities: tuple[str, ...], others: tuple[str, ...]) -> set[str]:
+    """Return those of the others that one of the entities may touch."""
+    return {other for other in others if any(entity != other for entity in entities)}
+
+
+def texts(node: Node | None) -> tuple[str, ...]:
+    """Return the texts of a value or of a list, lists inside it included."""
+    if isinstance(node, Leaf):
+        return (node.value,) if isinstance(node.value, str) else ()
+    if isinstance(node, Items):
+        return tuple(text for item in node.items for text in texts(item))
+    return ()
+
+
+def _leaf(root: Entries, *path: str) -> object:
+    found = node_at(root, path)
+    return found.value if isinstance(found, Leaf) else None
+
+
+def _roster(
+    sections: dict[str, tuple[str, ...]],
+    *,
+    colours: Mapping[str, str],
+    movable: set[str],
+    parts: Mapping[str, tuple[str, ...]],
+    values: Mapping[str, tuple[Scalar, ...]],
+) -> Roster:
+    robots, balls, obstacles = (sections.get(section, ()) for section in ("robots", "balls", "obstacles"))
+    entities = (*robots, *balls, *(name for name in obstacles if name in movable))
+    things = (*entities, *(name for name in obstacles if name not in movable), WALLS)
+    kinds: dict[str, str] = {}
+    for section, kind in _KIND_OF_SECTION.items():
+        for name in sections.get(section, ()):
+            kinds.setdefault(name, kind)  # a name that is given twice is an error; the first one counts
+    for name in obstacles:
+        kinds.setdefault(name, "obstacle" if name in movable else "fixed obstacle")
+    kinds[WALLS] = WALLS
+    groups: dict[str, tuple[str, ...]] = {"robots": robots, "balls": balls, "obstacles": obstacles, WALLS: (WALLS,)}
+    for name, colour in colours.items():
+        if colour not in kinds:  # which is an error
+            groups[colour] = (*groups.get(colour, ()), name)
+    by_colour = tuple(name for name in groups if name not in ALWAYS)
+    known: dict[str, tuple[str, ...]] = {}
+    for name in parts:
+        groups[name] = _members(name, parts, groups, known, ())
+    on_field = {
+        *things,
+        *groups,
+        *(name for section in ("zones", "gates", "spots") for name in sections.get(section, ())),
+    }
+    return Roster(
+        entities=entities,
+        robots=len(robots),
+        balls=len(balls),
+        things=things,
+        index={name: index for index, name in enumerate(things)},
+        groups=groups,
+        drawn={
+            name: tuple(dict.fromkeys(value for value in decided if isinstance(value, str)))
+            for name, decided in values.items()
+            if name not in on_field
+        },
+        kinds=kinds,
+        sections=sections,
+        colours=by_colour,
+    )
 
 
 def _members(
-    scenario: Scenario, known: dict[str, tuple[str, ...]], name: str, above: tuple[str, ...]
+    group: str,
+    parts: Mapping[str, tuple[str, ...]],
+    always: Mapping[str, tuple[str, ...]],
+    known: dict[str, tuple[str, ...]],
+    above: tuple[str, ...],
 ) -> tuple[str, ...]:
-    if name in known:
-        return known[name]
-    if name in above:  # a cycle; the checks report it, here it must only end
-        return ()
-    if name not in scenario.groups:
-        return (name,)
-    members = (m for part in scenario.groups[name] for m in _members(scenario, known, part, (*above, name)))
-    known[name] = tuple(dict.fromkeys(members))
-    return known[name]
+    if group in above:
+        return ()  # it leads back to itself: the checks report it, here it only must end
+    if group not in known:
+        found: list[str] = []
+        for part in parts[group]:
+            found += (
+                _members(part, parts, always, known, (*above, group)) if part in parts else always.get(part, (part,))
+            )
+        known[group] = tuple(dict.fromkeys(found))
+    return known[group]

@@ -9,8 +9,8 @@ from rcj_challenges.rules.actions.draw import DrawAction
 from rcj_challenges.rules.triggers.half_started import HalfStarted
 from rcj_challenges.rules.values.draw import DrawnDuration
 from rcj_challenges.scenario.beginnings import starting_each_half
-from rcj_challenges.scenario.catalogue import BOUND
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.scenario.roster import BOUND
 
 
 def set_from_the_start(scenario: Scenario) -> frozenset[str]:

@@ -10,7 +10,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from rcj_challenges.scenario.errors import Problem, TooLargeError, cut
+from rcj_challenges.facts.diagnostics import Diagnostic, InFile
+from rcj_challenges.scenario.errors import ScenarioError, cut
 
 RESOLVED = "resolved scenario"
 """In place of a file: the scenario of a record."""
@@ -28,9 +29,9 @@ class Mark:
     line: int = 0
     column: int = 0
 
-    def problem(self, path: str, message: str) -> Problem:
-        """Return a problem at this place."""
-        return Problem(self.file, self.line, self.column, path, message)
+    def error(self, code: str, message: str, help_: str = "", path: str = "") -> Diagnostic:
+        """Return a mistake at this place; arguments as of `Diagnostic` and `InFile`."""
+        return Diagnostic(code, message, help_, InFile(self.file, self.line or None, self.column or None, path))
 
 
 @dataclass(slots=True)
@@ -96,7 +97,7 @@ def check_amount(node: Items | Entries) -> None:
     """Refuse a list or mapping with more entries than any scenario needs.
 
     Raises:
-        TooLargeError: it has more.
+        ScenarioError: it has more.
     """
     if isinstance(node, Entries) and len(node.entries) > MAX_KEYS:
         raise too_large(node.mark, f"a mapping with more than {MAX_KEYS} entries")
@@ -108,7 +109,7 @@ def check_size(root: Node) -> None:
     """Refuse a finished tree that is larger than any scenario needs: checks and lint would take minutes.
 
     Raises:
-        TooLargeError: it is larger.
+        ScenarioError: it is larger.
     """
     left = [root]
     for count, node in enumerate(left, 1):
@@ -119,9 +120,10 @@ def check_size(root: Node) -> None:
             left += node.entries.values() if isinstance(node, Entries) else node.items
 
 
-def too_large(mark: Mark, what: str) -> TooLargeError:
-    """Return the error at a place."""
-    return TooLargeError.at(mark.file, mark.line, mark.column, what)
+def too_large(mark: Mark, what: str) -> ScenarioError:
+    """Return the error about a file, list or mapping that is too large."""
+    help_ = "leave out what the challenge does not need; repeat_for and groups say the same of several things at once"
+    return ScenarioError([mark.error("scenario-too-large", what, help_)])
 
 
 def plain(node: Node) -> Any:
@@ -205,3 +207,9 @@ def in_names(root: Node, path: Sequence[Step]) -> str:
         if isinstance(kind, Leaf) and isinstance(kind.value, str):
             text += f" ({cut(kind.value)})"
     return text
+
+
+def shown_path(root: Node, path: Path) -> str:
+    """Return a path in names that ends, within a rule, at the trigger, condition or action."""
+    words = [i for i in range(1, len(path)) if isinstance(path[i], int) and path[i - 1] in _KINDS]
+    return in_names(root, path[: words[-1] + 1] if words and path[0] == "rules" else path)

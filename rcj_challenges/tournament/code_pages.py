@@ -3,39 +3,6 @@
 from __future__ import annotations
 
 _TEXT = """
-no-such-file
-There is no file of this name, and no tournament of this name comes with the package.
-Give the path of a tournament file, or the bare name of a shipped one, such as cup.
-
-unreadable-file
-The file exists, but cannot be read.
-Look at its permissions, and whether it is a file.
-
-invalid-yaml
-The file is not strict YAML.
-The place is that of the first letter that does not fit. Indent with spaces, write no key twice, and put texts
-with a colon into quotes.
-
-unknown-key
-A key does not exist here.
-It may be misspelt, or stand one level too deep or too high. The help lists the keys that exist at this place.
-
-missing-key
-A key that has no default is missing.
-Add it; the help says what it is for.
-
-missing-value
-A key has no value.
-Write a value, or remove the key: then its default holds.
-
-wrong-value
-A value is not of the kind that this key takes.
-The help says what it takes.
-
-wrong-name
-The name of a team, a stage, a group or a challenge has other letters than it may have.
-Names consist of Latin letters, digits and _.
-
 unknown-stage
 There is no such kind of stage, or no stage of this name.
 The kinds are round_robin, swiss, knock_out, challenge and super_team. Options such as --premiere take the

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError, InFile
-from rcj_challenges.scenario.errors import nearest
+from rcj_challenges.scenario import errors
 from rcj_challenges.scenario.tree import Mark
 
 
@@ -18,7 +18,7 @@ class TournamentFileError(DiagnosticError):
 
 def did_you_mean(word: str, known: Iterable[str], then: str = "") -> str:
     """Return ``did you mean 'x'?`` for the known word that is most like ``word``, if there is one, and then a text."""
-    return f"{nearest(word, known).removeprefix('; ')} {then}".strip()
+    return f"{errors.did_you_mean(word, known)} {then}".strip()
 
 
 def problem_at(mark: Mark, code: str, message: str, help_: str, path: str = "") -> Diagnostic:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from pydantic import ValidationError
@@ -14,6 +14,7 @@ from rcj_challenges.match.samples import sample_team
 from rcj_challenges.scenario.errors import ScenarioError, listing
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.load import Loaded, load
+from rcj_challenges.scenario.messages.explain import explain
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Scenario
 from rcj_challenges.scenario.reading.yaml_strict import parse_bytes
 from rcj_challenges.scenario.resources import names_in, shipped_scenarios, tournaments_folder
@@ -21,7 +22,6 @@ from rcj_challenges.scenario.tree import Entries, Mark, Node, in_names, mark_of,
 from rcj_challenges.tournament.checks import check
 from rcj_challenges.tournament.entries import TeamEntry, TeamLists
 from rcj_challenges.tournament.errors import TournamentFileError, did_you_mean, problem_at
-from rcj_challenges.tournament.explain import explain
 from rcj_challenges.tournament.models import Challenge, Records, Tournament
 from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo, ScenarioNames, ScenarioUse, scenario_uses
 from rcj_challenges.tournament.season import Team
@@ -83,7 +83,7 @@ def load_tree(tree: Node, path: Path) -> LoadedTournament:
             scenarios[use] = load(use.source, use.overrides)
         except ScenarioError as error:
             mark = mark_of(tree, where)
-            problems += [_of_scenario(mark, in_names(tree, where), one.message, str(one)) for one in error.problems]
+            problems += [_of_scenario(mark, in_names(tree, where), one) for one in error.diagnostics]
     entries = lists.entries()
     has_samples = any(entry.is_sample for entry in entries.values())
     entries = lists.with_challenges(entries, _samples(tournament, folder, scenarios) if has_samples else {})
@@ -127,11 +127,8 @@ def read_tree(path: Path, shown: str) -> Node:
         help_ = "give a file that you may read"
         raise TournamentFileError([problem_at(Mark(shown), "unreadable-file", format_error(error), help_)]) from None
     except ScenarioError as error:
-        marks = [(Mark(one.file, one.line, one.column), one.message.partition("; ")) for one in error.problems]
-        raise TournamentFileError(
-            problem_at(mark, "invalid-yaml", said, help_ or "the file is read as strict YAML: correct this line")
-            for mark, (said, _, help_) in marks
-        ) from None
+        help_ = "the file is read as strict YAML: correct this line"
+        raise TournamentFileError(replace(one, help=one.help or help_) for one in error.diagnostics) from None
 
 
 def _validated(tree: Node) -> tuple[Tournament, Entries]:
@@ -141,7 +138,7 @@ def _validated(tree: Node) -> tuple[Tournament, Entries]:
     try:
         return Tournament.model_validate(plain(tree)), tree
     except ValidationError as error:
-        raise TournamentFileError(explain(error, tree, Tournament)) from None
+        raise TournamentFileError(explain(error, tree, Tournament, are_empty_reported=False)) from None
 
 
 def _samples(
@@ -159,12 +156,14 @@ def _samples(
     return found
 
 
-def _of_scenario(mark: Mark, path: str, message: str, whole: str) -> Diagnostic:
-    if "no such file" in message:
+def _of_scenario(mark: Mark, path: str, problem: Diagnostic) -> Diagnostic:
+    if problem.code == "no-such-file":
         message = "no such file, and no shipped scenario of that name"
         return problem_at(mark, "unknown-scenario", message, f"Shipped are {listing(shipped_scenarios(), 20)}", path)
     help_ = "'rcj-challenge validate SCENARIO' shows all that is wrong with it"
-    return problem_at(mark, "wrong-scenario", f"the scenario cannot be used: {whole}", help_, path)
+    return problem_at(
+        mark, "wrong-scenario", f"the scenario cannot be used: {problem.where}: {problem.message}", help_, path
+    )
 
 
 def _info(scenario: Scenario) -> ScenarioInfo:

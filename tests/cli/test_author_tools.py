@@ -153,7 +153,7 @@ class TestTest:
         wrong = written(("blue_goal", "blue_gaol"), name="wrong.yaml")
         done = call("test", tmp_path / "missing.yaml", wrong, written(name="last.yaml"))
         assert done.exit_code == 2
-        assert "missing.yaml" in done.stderr.splitlines()[0]
+        assert "missing.yaml" in done.stderr.splitlines()[1]
         assert "wrong.yaml:8:" in done.stderr
         assert "ok    a_goal_gives_a_point" in done.stdout
         assert "all 2 passed" in done.stdout

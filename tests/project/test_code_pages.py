@@ -40,25 +40,29 @@ def parameters(node):
 
 @cache
 def takers():
-    """Return, by name, at which place a function or class of the package takes a code."""
+    """Return, by name, at which places functions or classes of the package take a code."""
     found = {}
     for path in sources(""):
         for node in ast.walk(parsed(path)):
             if isinstance(node, (*FUNCTIONS, ast.ClassDef)):
                 taken = parameters(node)
                 if ("code", "str") in taken:
-                    found[node.name] = taken.index(("code", "str"))
+                    found.setdefault(node.name, set()).add(taken.index(("code", "str")))
     return found
 
 
 def given(call):
-    """Return what a call gives as a code; None if it gives none."""
+    """Yield what a call may give as a code."""
     name = getattr(call.func, "id", None) or getattr(call.func, "attr", None)
-    place = takers().get(name)
-    named = next((one.value for one in call.keywords if one.arg == "code"), None)
-    if place is None or named is not None:
-        return named
-    return call.args[place] if place < len(call.args) else None
+    places = takers().get(name, ())
+    yield from (call.args[place] for place in places if place < len(call.args))
+    yield from (one.value for one in call.keywords if one.arg == "code" and places)
+
+
+def defaults(function):
+    """Return the codes that a function takes if none is given."""
+    named = zip(reversed(function.args.args), reversed(function.args.defaults), strict=False)
+    return {code for argument, default in named if argument.arg == "code" for code in texts(default)}
 
 
 def is_code_of_a_class(node):
@@ -88,7 +92,9 @@ def codes_in(node, around=None):
     for inner in ast.iter_child_nodes(node):
         if is_code_of_a_class(inner):
             yield from texts(inner.value)
-        if isinstance(inner, ast.Call) and (code := given(inner)) is not None:
+        if isinstance(inner, FUNCTIONS):
+            yield from defaults(inner)
+        for code in given(inner) if isinstance(inner, ast.Call) else ():
             yield from texts(code)
             if isinstance(code, ast.Name) and around is not None:
                 yield from assigned(code.id, around)

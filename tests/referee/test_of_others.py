@@ -2,6 +2,7 @@
 
 import pytest
 
+from rcj_challenges.facts.diagnostics import InFile
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import load_text
 
@@ -111,15 +112,14 @@ class TestItsChecks:
         )
         with pytest.raises(ScenarioError) as caught:
             load_text(self.HEAD + rule, file="it.yaml")
-        assert str(caught.value) == (
-            "it.yaml:6:118: rules.it.conditions[0] (counter): counter 'laps' is not kept per entity: there "
-            "are no others; give it per: robots, or write {counter: laps}"
-        )
+        (problem,) = caught.value.diagnostics
+        assert problem.code == "not-per-entity"
+        assert problem.where == InFile("it.yaml", 6, 118, "rules.it.conditions[0] (counter)")
 
     def test_a_counter_that_does_not_exist(self):
         rule = (
             "counters: {laps: {per: robots}}\nrules: {it: {for_each: robots, triggers: [{trigger: half_started}], conditions: "
             "[{condition: counter, counter: laps, entity: each, at_most: {highest: lap}}], actions: [{action: end}]}}\n"
         )
-        with pytest.raises(ScenarioError, match="unknown counter 'lap'"):
+        with pytest.raises(ScenarioError, match="unknown-name"):
             load_text(self.HEAD + rule, file="it.yaml")

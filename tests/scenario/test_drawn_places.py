@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rcj_challenges.scenario.lint.registry import lint
-from tests.scenario.writing import complaints, loaded, rule, scenario
+from tests.scenario.writing import complaints, errors, in_short, loaded, rule, scenario
 
 HOT = "draws: {hot: {values: [blue_goal, yellow_goal]}}\n"
 ENTERS = "{trigger: enters, entity: ball, zone: hot}"
@@ -21,39 +21,32 @@ def conditioned(trigger: str, condition: str) -> str:
 
 class TestReferences:
     @pytest.mark.parametrize(
-        ("values", "trigger", "told"),
+        ("values", "trigger", "expected"),
         [
-            ("[blue_goal, centre]", ENTERS, "'centre' is a spot; expected a zone"),
-            ("[blue_goal, penalty_areas]", ENTERS, "'penalty_areas' is a group; name one zone"),
-            ("[blue_gaol, pitch]", ENTERS, "unknown zone 'blue_gaol'; did you mean 'blue_goal'?"),
-            ("[blue_goal, 3]", ENTERS, "expected a zone, found 3"),
+            ("[blue_goal, centre]", ENTERS, ["wrong-kind draws.hot.values[1]"]),
+            ("[blue_goal, penalty_areas]", ENTERS, ["wrong-kind draws.hot.values[1]"]),
+            ("[blue_gaol, pitch]", ENTERS, ["unknown-name draws.hot.values[0] -> blue_goal"]),
+            ("[blue_goal, 3]", ENTERS, ["wrong-value draws.hot.values[1]"]),
             (
                 "[blue_goal, pitch]",
                 "{trigger: crosses, entity: ball, gate: hot}",
-                "'blue_goal' is a zone; expected a gate",
+                ["wrong-kind draws.hot.values[0]", "wrong-kind draws.hot.values[1]"],
             ),
         ],
     )
-    def test_all_values_must_be_what_stands_there(self, values, trigger, told):
-        (first, *_) = complaints(f"draws: {{hot: {{values: {values}}}}}\n" + rule(trigger))
-        assert first.startswith("draws.hot.values[")
-        assert told in first
-        assert "(needed by rules.r.triggers[0]" in first
+    def test_all_values_must_be_of_the_kind_that_is_needed_there(self, values, trigger, expected):
+        found = errors(f"draws: {{hot: {{values: {values}}}}}\n" + rule(trigger))
+        assert [in_short(problem) for problem in found] == expected
+        assert all("(needed by rules.r.triggers[0]" in problem.message for problem in found)
 
-    def test_a_mapping_is_told_how_a_draw_is_named(self):
-        (one,) = complaints(HOT + rule("{trigger: enters, entity: ball, zone: {draw: hot}}"))
-        assert one.endswith(
-            "expected a name or a list of names, found a mapping with draw; where a draw may decide, its name stands alone: hot"
-        )
-
-    def test_among_what_could_stand_there_are_draws_of_such_places_only(self):
+    def test_draws_of_such_places_are_among_what_is_allowed_there(self):
         draws = "draws: {hot: {values: [blue_goal, pitch]}, cold: {values: [centre]}, how: {values: [1, 2]}}\n"
-        (one,) = complaints(draws + rule("{trigger: enters, entity: ball, zone: nowhere}"))
-        assert one.endswith("in_play, penalty_areas, hot")
+        (problem,) = errors(draws + rule("{trigger: enters, entity: ball, zone: nowhere}"))
+        assert problem.help.endswith("in_play, penalty_areas, hot")
 
-    def test_of_two_drawn_zones_no_distance_is_measured(self):
+    def test_between_two_drawn_zones_no_distance_is_measured(self):
         body = HOT + rule(action="{action: score, entrant: blue, points: {distance: [hot, pitch]}}")
-        assert "'blue_goal' is a zone and 'pitch' another" in complaints(body)[0]
+        assert complaints(body) == ["wrong-kind rules.r.actions[0] (score)"]
 
     def test_what_is_called_like_something_on_the_field_is_that(self):
         body = "draws: {pitch: {values: [blue_goal, yellow_goal]}}\n"

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.load import load, load_text
 from rcj_challenges.scenario.resources import names_in, presets_folder, scenarios_folder, teams_folder
 
@@ -22,9 +22,9 @@ IS_FILE = Path.is_file
 def complaint(path):
     with pytest.raises(ScenarioError) as caught:
         load(path)
-    (problem,) = caught.value.problems
-    assert problem.path == "extends"
-    return problem.message
+    (problem,) = caught.value.diagnostics
+    assert place_of(problem).path == "extends"
+    return f"{problem.code}: {problem.message}; {problem.help}"
 
 
 def test_presets_are_found_by_name():
@@ -56,9 +56,7 @@ def test_five_bases_behind_each_other_are_allowed_and_six_are_not(tmp_path):
         write(tmp_path, f"b{number}.yaml", f"extends: b{number + 1}.yaml\n")
     five = write(tmp_path, "five.yaml", "extends: b1.yaml\n")
     assert load(five).scenario.title == "B"
-    assert "too many bases behind each other, at most 5" in complaint(
-        write(tmp_path, "six.yaml", "extends: five.yaml\n")
-    )
+    assert complaint(write(tmp_path, "six.yaml", "extends: five.yaml\n")).startswith("wrong-extends: too many bases")
 
 
 def test_a_circle_is_reported_with_its_way(tmp_path):
@@ -87,9 +85,9 @@ def test_extends_is_one_name(tmp_path, value):
     assert complaint(write(tmp_path, "mine.yaml", f"extends: {value}\n"))
 
 
-def test_a_folder_called_like_a_file_is_no_file(tmp_path):
+def test_folder_called_like_a_file_cannot_be_extended(tmp_path):
     (tmp_path / "base.yaml").mkdir()
-    assert "there is no file 'base.yaml'" in complaint(write(tmp_path, "mine.yaml", "extends: base.yaml\n"))
+    assert complaint(write(tmp_path, "mine.yaml", "extends: base.yaml\n")).startswith("unknown-base: ")
 
 
 def test_upper_and_lower_case_matter_on_every_machine(tmp_path):
@@ -108,31 +106,10 @@ def test_a_misspelt_file_in_another_folder_is_told_with_its_folder(tmp_path):
     assert text.endswith("did you mean 'base/mine.yaml'?")
 
 
-def test_a_path_that_is_right_from_another_folder_is_told_as_it_is_from_here(tmp_path):
-    (tmp_path / "base").mkdir()
-    write(tmp_path, "base/arena.yaml", "title: B\n")
-    (tmp_path / "junior").mkdir()
-    text = complaint(write(tmp_path, "junior/mine.yaml", "extends: base/arena.yaml\n"))
-    assert text.endswith("; from this file's folder it is ../base/arena.yaml")
-    beside = complaint(write(tmp_path, "junior/other.yaml", "extends: ./arena.yaml\n"))
-    assert "from this file's folder" not in beside
-    double = complaint(write(tmp_path, "base/own.yaml", "extends: base/arena.yaml\n"))
-    assert double.endswith("; from this file's folder it is arena.yaml")
-
-
-def test_it_is_told_also_where_the_file_is_named_from_its_own_folder(tmp_path, monkeypatch):
-    for name in ("base", "junior"):
-        (tmp_path / name).mkdir()
-    write(tmp_path, "base/arena.yaml", "title: B\n")
-    write(tmp_path, "junior/mine.yaml", "extends: base/arena.yaml\n")
-    monkeypatch.chdir(tmp_path / "junior")
-    assert complaint(Path("mine.yaml")).endswith("; from this file's folder it is ../base/arena.yaml")
-
-
 @pytest.mark.parametrize("name", ["./" + "b" * 5000, "./" + "b" * 5000 + ".yaml", "x/" * 3000 + "y.yaml"])
 def test_a_name_longer_than_any_file_has_is_refused_as_any_other(tmp_path, name):
     text = complaint(write(tmp_path, "mine.yaml", f"extends: {name}\n"))
-    assert "there is no file" in text or "is not a shipped preset or scenario" in text
+    assert text.partition(":")[0] in ("unknown-base", "wrong-extends")
     assert len(text) < 500
 
 
@@ -140,12 +117,12 @@ def test_a_path_without_its_ending_is_told_the_ending(tmp_path):
     (tmp_path / "base").mkdir()
     write(tmp_path, "base/arena.yaml", "title: B\n")
     text = complaint(write(tmp_path, "mine.yaml", "extends: base/arena\n"))
-    assert text.endswith("to a .yaml file; did you mean 'base/arena.yaml'?")
+    assert text.endswith("did you mean 'base/arena.yaml'?")
     assert "did you mean" not in complaint(write(tmp_path, "other.yaml", "extends: base/arenas\n"))
 
 
 def test_a_text_has_no_folder_for_a_relative_path():
-    with pytest.raises(ScenarioError, match="extend a preset"):
+    with pytest.raises(ScenarioError, match="wrong-extends"):
         load_text("extends: ./base.yaml\n")
 
 
@@ -157,36 +134,32 @@ def test_a_shipped_scenario_is_extended_by_its_name_as_a_preset_is():
 
 
 def test_what_is_not_shipped_is_told_with_what_is():
-    with pytest.raises(
-        ScenarioError, match=r"no preset or scenario 'mach' is shipped; there are .*did you mean 'match'"
-    ):
+    with pytest.raises(ScenarioError, match=r"did you mean 'match'"):
         load_text("extends: mach\n")
     with pytest.raises(ScenarioError, match="did you mean 'fast_shooter'"):
         load_text("extends: fast-shooter\n")
 
 
 def test_a_shipped_scenario_that_is_looked_for_as_a_file_is_told_by_its_name(tmp_path):
-    told = complaint(write(tmp_path, "mine.yaml", "extends: match.yaml\n"))
-    assert told.endswith("the shipped scenario is extended by its name alone: match")
+    assert complaint(write(tmp_path, "mine.yaml", "extends: match.yaml\n")).endswith("by its name alone: match")
 
 
 def test_so_is_a_preset(tmp_path):
-    told = complaint(write(tmp_path, "mine.yaml", "extends: empty_field.yaml\n"))
-    assert told.endswith("the shipped preset is extended by its name alone: empty_field")
+    assert complaint(write(tmp_path, "mine.yaml", "extends: empty_field.yaml\n")).endswith("alone: empty_field")
 
 
 def test_a_broken_base_is_reported_in_the_base(tmp_path):
     write(tmp_path, "base.yaml", "a: [\n")
     with pytest.raises(ScenarioError) as caught:
         load(write(tmp_path, "mine.yaml", "extends: base.yaml\n"))
-    assert Path(caught.value.problems[0].file).name == "base.yaml"
+    assert Path(place_of(caught.value.diagnostics[0]).file).name == "base.yaml"
 
 
 def test_a_newer_format_is_refused_naming_what_is_needed(tmp_path):
-    with pytest.raises(ScenarioError, match="version 7 needs a newer rcj-challenges"):
+    with pytest.raises(ScenarioError, match="newer-version"):
         load(write(tmp_path, "new.yaml", "schema_version: 7\nwhatever: true\n"))
     write(tmp_path, "mine.yaml", "schema_version: 1\nextends: new.yaml\n")
-    with pytest.raises(ScenarioError, match="version 7 needs a newer"):
+    with pytest.raises(ScenarioError, match="newer-version"):
         load(tmp_path / "mine.yaml")
 
 
@@ -221,7 +194,7 @@ def test_every_shipped_scenario_is_found_and_extended_by_its_bare_name(path, tmp
 def test_a_file_of_ones_own_is_not_passed_over_for_a_shipped_example_of_that_name(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     write(tmp_path, "slalom.yaml", "schema_version: 1\nid: own\ntitle: Own\nextends: soccersim_v2\n")
-    with pytest.raises(ScenarioError, match=r"^slalom: .* slalom\.yaml lies here: write slalom\.yaml for that"):
+    with pytest.raises(ScenarioError, match=r"ambiguous-name(.|\n)*help: write slalom\.yaml for that"):
         load("slalom")
     assert load("slalom.yaml").scenario.id == "own"
     monkeypatch.chdir(scenarios_folder() / "examples")
@@ -241,10 +214,7 @@ def test_a_shipped_example_is_found_where_nobody_may_look_for_a_file(tmp_path, m
 def test_a_file_of_ones_own_is_not_passed_over_by_extends_either(name, tmp_path):
     write(tmp_path, f"{name}.yaml", "schema_version: 1\nid: own\ntitle: Own\nextends: soccersim_v2\n")
     harder = "schema_version: 1\nid: harder\ntitle: Harder\nextends: %s\nexpect: {inherited: null}\n"
-    with pytest.raises(
-        ScenarioError,
-        match=rf"a shipped scenario has this name, and {name}\.yaml lies beside .*harder\.yaml: write {name}\.yaml",
-    ):
+    with pytest.raises(ScenarioError, match=rf"ambiguous-name(.|\n)*help: write {name}\.yaml"):
         load(write(tmp_path, "harder.yaml", harder % name))
     assert load(write(tmp_path, "harder.yaml", harder % f"{name}.yaml")).path == tmp_path / "harder.yaml"
 
@@ -252,9 +222,9 @@ def test_a_file_of_ones_own_is_not_passed_over_by_extends_either(name, tmp_path)
 def test_a_file_of_ones_own_may_end_with_yml_too(tmp_path, monkeypatch):
     write(tmp_path, "slalom.yml", "schema_version: 1\nid: own\ntitle: Own\nextends: soccersim_v2\n")
     monkeypatch.chdir(tmp_path)
-    with pytest.raises(ScenarioError, match=r"slalom\.yml lies here: write slalom\.yml for that"):
+    with pytest.raises(ScenarioError, match=r"help: write slalom\.yml for that"):
         load("slalom")
-    with pytest.raises(ScenarioError, match=r"slalom\.yml lies beside .*harder\.yaml: write slalom\.yml for that"):
+    with pytest.raises(ScenarioError, match=r"help: write slalom\.yml for that"):
         load(write(tmp_path, "harder.yaml", "schema_version: 1\nid: harder\ntitle: Harder\nextends: slalom\n"))
     own = "schema_version: 1\nid: own\ntitle: Own\nextends: slalom\nexpect: {inherited: null}\n"
     assert load(write(tmp_path, "slalom.yml", own)).scenario.id == "own"
@@ -266,13 +236,13 @@ def test_a_file_may_extend_the_shipped_one_of_its_own_name(tmp_path):
 
 
 def test_of_an_unknown_name_all_that_is_shipped_is_told():
-    with pytest.raises(ScenarioError, match=r"examples hot_spot, keeper.*; variants fast_.*; did you mean 'slalom'\?"):
+    with pytest.raises(ScenarioError, match=r"did you mean 'slalom'\?.* examples hot_spot, keeper.*; variants fast_"):
         load("slalon")
 
 
 @pytest.mark.parametrize("name", ["x" * 5000, "/".join(["x" * 200] * 30), f"{'x' * 5000}.yaml"])
 def test_a_name_that_no_system_takes_is_no_file(name):
-    with pytest.raises(ScenarioError, match="no such file"):
+    with pytest.raises(ScenarioError, match="no-such-file"):
         load(name)
 
 
@@ -280,8 +250,8 @@ def test_a_name_that_no_system_takes_is_no_file(name):
 def test_a_file_beside_it_is_told_where_its_name_alone_was_written(tmp_path, ending):
     write(tmp_path, f"arena{ending}", "schema_version: 1\nid: b\ntitle: B\nextends: soccersim_v2\n")
     text = complaint(write(tmp_path, "mine.yaml", "extends: arena\n"))
-    assert text.startswith("no preset or scenario 'arena' is shipped; ")
-    assert text.endswith(f"mine.yaml: write arena{ending}")
+    assert text.startswith("unknown-base: ")
+    assert text.endswith(f"write arena{ending}, which lies beside it")
     assert load(write(tmp_path, "told.yaml", f"extends: arena{ending}\n")).scenario.id == "b"
     assert "lies" not in complaint(write(tmp_path, "own.yaml", "extends: own\n"))
 
@@ -291,9 +261,3 @@ def test_the_other_ending_is_told_as_well(tmp_path):
     write(tmp_path, "base/arena.yml", "title: B\n")
     text = complaint(write(tmp_path, "mine.yaml", "extends: base/arena\n"))
     assert text.endswith("did you mean 'base/arena.yml'?")
-
-
-def test_its_own_path_is_not_told_as_that_of_its_base(tmp_path):
-    (tmp_path / "junior").mkdir()
-    text = complaint(write(tmp_path, "junior/mine.yaml", "extends: junior/mine.yaml\n"))
-    assert "from this file's folder" not in text

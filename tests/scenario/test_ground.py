@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from rcj_challenges.geometry.polygons import is_simple
 from rcj_challenges.scenario.models.robots import Chassis
 from rcj_challenges.scenario.outlines import disc, extent, overlap, rectangle, robot_outline
-from tests.scenario.writing import complaints, loaded, rule
+from tests.scenario.writing import complaints, errors, loaded, rule
 
 ROBOT = Chassis()
 
@@ -119,8 +119,7 @@ def test_a_robot_may_stand_anywhere_on_the_field_and_in_the_goals(pose):
     ],
 )
 def test_a_robot_in_a_wall_or_outside_is_refused(pose):
-    (line,) = complaints(robot_b1(*pose))
-    assert line.startswith("robots.B1.start: 'B1' stands outside the field or in a wall")
+    assert complaints(robot_b1(*pose)) == ["outside-field robots.B1.start"]
 
 
 @pytest.mark.parametrize("place", ["[0.628, 0.3]", "[-0.1, 0.728]", "[0, 0.8]", "[0.17, 0.75]"])
@@ -130,31 +129,27 @@ def test_a_ball_may_lie_anywhere_on_the_field_and_in_the_goals(place):
 
 @pytest.mark.parametrize("place", ["[0.63, 0.1]", "[0.3, 0.73]", "[0, 0.84]", "[0.19, 0.75]", "[0.62, 0.72]", "[0, 3]"])
 def test_a_ball_in_a_wall_is_refused(place):
-    (line,) = complaints(f"balls: {{ball: {{start_m: {place}}}}}\n")
-    assert line.startswith("balls.ball.start_m: 'ball' stands outside the field or in a wall")
+    assert complaints(f"balls: {{ball: {{start_m: {place}}}}}\n") == ["outside-field balls.ball.start_m"]
 
 
 def obstacle(text):
     return f"obstacles: {{post: {{{text}}}}}\n"
 
 
-APART = "move one of them; who is to come there later is put there by a rule"
-
-
 def test_a_fixed_obstacle_may_reach_into_the_walls_but_not_into_robots():
     assert loaded(obstacle("shape: wall, from_m: [-0.65, 0.1], to_m: [-0.4, 0.1]"))
     assert loaded(obstacle("shape: box, centre_m: [0.65, 0], size_m: [0.1, 0.1]"))
     assert complaints(obstacle("shape: wall, from_m: [-0.65, 0.3], to_m: [-0.3, 0.3]")) == [
-        f"obstacles.post: 'post' overlaps 'B2' at the start; {APART}"
+        "overlapping-bodies obstacles.post"
     ]
 
 
 def test_a_movable_obstacle_must_stand_free():
-    assert complaints(obstacle("shape: box, centre_m: [0.65, 0], size_m: [0.1, 0.1], movable: true"))[0].startswith(
-        "obstacles.post: 'post' stands outside the field or in a wall"
-    )
+    assert complaints(obstacle("shape: box, centre_m: [0.65, 0], size_m: [0.1, 0.1], movable: true")) == [
+        "outside-field obstacles.post"
+    ]
     assert complaints(obstacle("shape: box, centre_m: [0.1, 0], size_m: [0.17, 0.02], movable: true")) == [
-        f"obstacles.post: 'post' overlaps 'ball' at the start; {APART}"
+        "overlapping-bodies obstacles.post"
     ]
 
 
@@ -166,52 +161,41 @@ def test_a_turned_box_covers_other_ground():
 
 @pytest.mark.parametrize("end", ["[0, 0]", "[0, 1.0e-200]"])
 def test_a_wall_of_no_length_overlaps_nothing_and_is_told_once(end):
-    (complaint,) = complaints(obstacle(f"shape: wall, from_m: [0, 0], to_m: {end}"))  # where the ball lies
-    assert "both ends are at one point" in complaint
+    body = obstacle(f"shape: wall, from_m: [0, 0], to_m: {end}")  # where the ball lies
+    assert complaints(body) == ["empty-shape obstacles.post.to_m"]
 
 
 def test_all_overlaps_are_reported():
     body = "balls: {a: {start_m: [0, 0.1]}, b: {start_m: [0.01, 0.1]}, c: {start_m: [0.02, 0.1]}}\n"
-    assert sorted(complaints(body)) == [
-        f"balls.b.start_m: 'b' overlaps 'a' at the start; {APART}",
-        f"balls.c.start_m: 'c' overlaps 'a', 'b' at the start; {APART}",
-    ]
+    assert sorted(complaints(body)) == ["overlapping-bodies balls.b.start_m", "overlapping-bodies balls.c.start_m"]
+    assert any("'a', 'b'" in problem.message for problem in errors(body))
 
 
 def test_sixty_bodies_in_one_place_have_a_line_each():
     rows = "".join(f"  ball_{i}: {{start_m: [{0.0001 * i}, -0.1]}}\n" for i in range(60))
-    found = complaints("balls:\n  ball: null\n" + rows)
+    found = errors("balls:\n  ball: null\n" + rows)
+    assert {problem.code for problem in found} == {"overlapping-bodies"}
     assert len(found) == 59
-    assert found[-1] == (
-        "balls.ball_59.start_m: 'ball_59' overlaps 'ball_0', 'ball_1', 'ball_2', 'ball_3', … (59 in all) at the start; "
-        f"{APART}"
-    )
+    assert "'ball_0', 'ball_1', 'ball_2', 'ball_3', … (59 in all)" in found[-1].message
 
 
 # --- shapes -----------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
-    ("zone", "says"),
+    ("zone", "expected"),
     [
-        ("shape: rect, x_min_m: 0.1, x_max_m: 0.1", "zones.z.x_min_m: x_min_m 0.1 is not smaller than x_max_m 0.1"),
-        ("shape: rect, y_min_m: 1, y_max_m: 0", "zones.z.y_min_m: y_min_m 1 is not smaller than y_max_m 0"),
-        ("shape: rect", "zones.z: a rect needs at least one of"),
-        (
-            "shape: polygon, points_m: [[0, 0], [1, 0], [2, 0]]",
-            "zones.z.points_m: the outline crosses or touches itself",
-        ),
-        (
-            "shape: polygon, points_m: [[0, 0], [1, 0]]",
-            "zones.z.points_m: must have at least 3 entries, found a list of 2",
-        ),
-        ("shape: half_plane, through_m: [0, 0], normal: [0, 0]", "zones.z.normal: [0, 0] has no direction"),
-        ("shape: circle, centre_m: [0, 0], radius_m: 0", "zones.z.radius_m: must be greater than 0, found 0"),
+        ("shape: rect, x_min_m: 0.1, x_max_m: 0.1", "empty-shape zones.z.x_min_m"),
+        ("shape: rect, y_min_m: 1, y_max_m: 0", "empty-shape zones.z.y_min_m"),
+        ("shape: rect", "missing-key zones.z"),
+        ("shape: polygon, points_m: [[0, 0], [1, 0], [2, 0]]", "empty-shape zones.z.points_m"),
+        ("shape: polygon, points_m: [[0, 0], [1, 0]]", "wrong-value zones.z.points_m"),
+        ("shape: half_plane, through_m: [0, 0], normal: [0, 0]", "empty-shape zones.z.normal"),
+        ("shape: circle, centre_m: [0, 0], radius_m: 0", "wrong-value zones.z.radius_m"),
     ],
 )
-def test_a_zone_has_an_inside(zone, says):
-    (line,) = complaints(f"zones: {{z: {{{zone}}}}}\n")
-    assert line.startswith(says)
+def test_a_zone_has_an_inside(zone, expected):
+    assert complaints(f"zones: {{z: {{{zone}}}}}\n") == [expected]
 
 
 @pytest.mark.parametrize(
@@ -230,28 +214,29 @@ def test_a_random_point_needs_a_bounded_zone(zone, bounded):
     if bounded:
         assert loaded(body)
     else:
-        (line,) = complaints(body)
-        assert line.startswith("rules.r.actions[0] (place): zone 'z' has no end in some direction")
+        assert complaints(body) == ["unbounded-zone rules.r.actions[0] (place)"]
 
 
 def test_of_several_zones_each_must_be_bounded_for_a_random_point():
     zones = "zones: {a: {shape: circle, centre_m: [0, 0], radius_m: 0.1}, z: {shape: rect, x_min_m: 0}}\n"
     groups = "groups: {both: [a, z]}\n"
-    (line,) = complaints(zones + groups + rule(action="{action: place, entity: ball, at: {uniform_in: both}}"))
-    assert line.startswith("rules.r.actions[0] (place): zone 'z' has no end in some direction")
+    body = zones + groups + rule(action="{action: place, entity: ball, at: {uniform_in: both}}")
+    assert complaints(body) == ["unbounded-zone rules.r.actions[0] (place)"]
 
 
 @pytest.mark.parametrize(
-    ("text", "says"),
+    ("text", "expected"),
     [
-        ("field: {corner_cut_m: 0.65}\n", "field.corner_cut_m"),
-        ("field: {goals: {blue_goal: {width_m: 1.19}}}\n", "field.goals.blue_goal.width_m: 1.19 is wider"),
-        ("field: {goals: {blue_goal: {end: negative_y}}}\n", "field.goals."),
-        ("gates: {g: {from_m: [1, 1], to_m: [1, 1]}}\n", "gates.g.to_m"),
-        ("obstacles: {w: {shape: wall, from_m: [0.5, 0], to_m: [0.5, 0]}}\n", "obstacles.w.to_m"),
-        ("obstacles: {w: {shape: box, centre_m: [0.5, 0], size_m: [0.1, -0.1]}}\n", "obstacles.w.size_m"),
+        ("field: {corner_cut_m: 0.65}\n", "no-room field.corner_cut_m"),
+        ("field: {goals: {blue_goal: {width_m: 1.19}}}\n", "no-room field.goals.blue_goal.width_m"),
+        ("field: {goals: {blue_goal: {end: negative_y}}}\n", "no-room field.goals.yellow_goal.end"),
+        ("gates: {g: {from_m: [1, 1], to_m: [1, 1]}}\n", "empty-shape gates.g.to_m"),
+        ("obstacles: {w: {shape: wall, from_m: [0.5, 0], to_m: [0.5, 0]}}\n", "empty-shape obstacles.w.to_m"),
+        (
+            "obstacles: {w: {shape: box, centre_m: [0.5, 0], size_m: [0.1, -0.1]}}\n",
+            "out-of-range obstacles.w.size_m[1]",
+        ),
     ],
 )
-def test_field_gates_and_obstacles_have_extent(text, says):
-    (line,) = complaints(text)
-    assert line.startswith(says)
+def test_field_gates_and_obstacles_have_extent(text, expected):
+    assert complaints(text) == [expected]

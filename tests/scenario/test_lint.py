@@ -359,7 +359,7 @@ def test_check_reports_the_mistake_and_only_that(code, mistake, sound):
 
 def test_misspelt_event_names_the_nearest_one():
     (found,) = lint_of(rules=TOLD + rule("b", "{trigger: event, event: STARTET}"))
-    assert "did you mean 'STARTED'?" in found.message
+    assert "did you mean 'STARTED'?" in found.help
 
 
 def test_rules_of_one_repeated_rule_are_reported_once():

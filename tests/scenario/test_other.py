@@ -4,7 +4,7 @@ import pytest
 
 from rcj_challenges.rules.refs import Ref, refs_of
 from rcj_challenges.scenario.lint.registry import lint
-from rcj_challenges.scenario.other import with_other
+from rcj_challenges.scenario.touch_rules import with_other
 from tests.scenario.test_cross_references import WORLD
 from tests.scenario.writing import kinds, loaded, problems_of
 from tests.whole_scenarios.models import all_models
@@ -18,7 +18,7 @@ def refers(action="{action: end}", condition="", touched="robots", trigger="", f
         f"rules:\n  r:\n    for_each: {for_each}\n    triggers: [{TOUCH % touched}{trigger}]\n"
         f"    conditions: [{condition}]\n    actions: [{action}]\n"
     )
-    return [problem.message for problem in problems_of(loaded, WORLD + body)]
+    return [problem.code for problem in problems_of(loaded, WORLD + body)]
 
 
 @pytest.mark.parametrize(
@@ -60,20 +60,18 @@ def test_it_may_be_a_ball_that_is_kicked_or_an_obstacle_that_moves():
 
 
 @pytest.mark.parametrize(
-    ("action", "touched", "message"),
+    ("action", "touched", "code"),
     [
-        ("remove, entity: other", "post", "'other' stands for 'post', a fixed obstacle; expected an entity, which can move: with movable: true it is one"),
-        ("remove, entity: other", "[blue, walls]", "'other' stands for 'walls', the walls; expected an entity"),
-        ("count, counter: blue_pushes, entity: other", "robots",
-         "counter 'blue_pushes' is kept per blue, and 'Y1' is not among them"),
-        ("score, entrant: other", "[ball, blue]", "'other' stands for 'ball', a ball, which no entrant drives"),
-        ("place, entity: other, at: start, kick: {towards: start, speed_mps: 1}", "yellow",
-         "only balls roll: 'Y1' is a robot"),
-        ("place, entity: ball, at: {spot: other}", "robots", "'other' cannot stand here; name a spot"),
+        ("remove, entity: other", "post", "wrong-kind"),
+        ("remove, entity: other", "[blue, walls]", "wrong-kind"),
+        ("count, counter: blue_pushes, entity: other", "robots", "wrong-kind"),
+        ("score, entrant: other", "[ball, blue]", "wrong-kind"),
+        ("place, entity: other, at: start, kick: {towards: start, speed_mps: 1}", "yellow", "wrong-kind"),
+        ("place, entity: ball, at: {spot: other}", "robots", "unbound-name"),
     ],
-)  # fmt: skip
-def test_what_may_be_touched_must_be_of_the_kind_that_is_needed(action, touched, message):
-    assert refers(f"{{action: {action}}}", "", touched) == [message]
+)
+def test_what_may_be_touched_must_be_of_the_kind_that_is_needed(action, touched, code):
+    assert refers(f"{{action: {action}}}", "", touched) == [code]
 
 
 def test_who_touches_is_not_the_other_one():
@@ -86,22 +84,18 @@ def test_who_touches_is_not_the_other_one():
     assert problems_of(loaded, world % (inside % "robots"))
 
 
-ONLY_TOUCHES = "'other' is known only in a rule whose triggers are all touches; give what else sets it off its own rule"
-
-
 def test_a_rule_with_another_trigger_does_not_know_it():
     for part in ({"action": "{action: remove, entity: other}"}, {"action": "{action: score, entrant: other}"},
                  {"condition": "{condition: in_zone, entity: other, zone: pitch}"}):  # fmt: skip
         assert refers(**part) == []
-        assert refers(trigger=", {trigger: half_started}", **part) == [ONLY_TOUCHES]
+        assert refers(trigger=", {trigger: half_started}", **part) == ["unbound-name"]
 
 
 def test_nobody_knows_it_outside_of_rules():
-    assert [p.message for p in problems_of(loaded, "broadcast: {fields: {at: {position_of: other}}}\n")] == [
-        ONLY_TOUCHES
-    ]
+    broadcast = "broadcast: {fields: {at: {position_of: other}}}\n"
+    assert [problem.code for problem in problems_of(loaded, broadcast)] == ["unbound-name"]
     layout = "placements: {all: [{entity: ball, at: {relative_to: other}}]}\n"
-    assert [p.message for p in problems_of(loaded, layout)] == [ONLY_TOUCHES]
+    assert [problem.code for problem in problems_of(loaded, layout)] == ["unbound-name"]
 
 
 def test_an_entrant_may_be_called_so_and_is_meant_then():

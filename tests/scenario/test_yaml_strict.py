@@ -8,7 +8,8 @@ import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rcj_challenges.scenario.errors import ScenarioError, TooLargeError
+from rcj_challenges.facts.diagnostics import InFile
+from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES, MAX_DEPTH, parse_bytes, parse_text
 from rcj_challenges.scenario.tree import Entries, Leaf, Mark, child, plain
 from tests.scenario.writing import problems_of
@@ -23,7 +24,7 @@ def value(text):
 def complaints(text):
     with pytest.raises(ScenarioError) as caught:
         parse_text(text, "f.yaml")
-    return [str(problem) for problem in caught.value.problems]
+    return [f"{place_of(one).line}:{place_of(one).column} {one.code}" for one in caught.value.diagnostics]
 
 
 @pytest.mark.parametrize(
@@ -69,12 +70,12 @@ def test_quoted_scalars_are_always_text():
 
 @pytest.mark.parametrize("text", [".inf", "-.Inf", "+.INF", ".nan", ".NaN", "1e999", "-1e400"])
 def test_a_number_that_is_not_finite_is_refused(text):
-    assert complaints(f"key: {text}")[0].startswith(f"f.yaml:1:6: {text} is not a finite number")
+    assert complaints(f"key: {text}") == ["1:6 invalid-yaml"]
 
 
 @pytest.mark.parametrize("text", ["9223372036854775808", "1" * 5000, "0x" + "f" * 17])
 def test_a_whole_number_over_64_bits_is_refused(text):
-    assert "too large a number" in complaints(f"key: {text}")[0]
+    assert complaints(f"key: {text}") == ["1:6 invalid-yaml"]
 
 
 def test_every_key_and_value_keeps_its_line_and_column():
@@ -94,20 +95,20 @@ def test_columns_count_characters_not_bytes():
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("a: 1\nb: 2\na: 3", "f.yaml:3:1: key 'a' is already given in line 1; only one of them can count"),
-        ('{a: 1, "a": 2}', "f.yaml:1:8: key 'a' is already given in line 1; only one of them can count"),
-        ("a: !x 1", "f.yaml:1:4: tag '!x': tags are not allowed; the value alone says what it is"),
-        ("a: &x 1", "f.yaml:1:4: anchor '&x': anchors are not allowed; write the value out"),
-        ("1: a", "f.yaml:1:1: key 1 is not text; write it in quotes"),
-        ("true: a", "f.yaml:1:1: key true is not text; write it in quotes"),
-        ("? [a]\n: b", "f.yaml:1:3: a list or mapping cannot be a key; keys are text"),
-        ("? \n: b", "f.yaml:1:2: a key is missing before ':'"),
-        ("a: 1\n---\nb: 2", "f.yaml:2:1: a second document: a file holds one scenario"),
-        ("%TAG ! tag:x,2000:\n---\na: 1", "f.yaml:1:1: directives (%YAML, %TAG) are not allowed; the file is read as YAML 1.2"),
-        ("", "f.yaml:1:1: the file is empty"),
-        ("# nothing\n", "f.yaml:1:1: the file is empty"),
+        ("a: 1\nb: 2\na: 3", "3:1 duplicate-key"),
+        ('{a: 1, "a": 2}', "1:8 duplicate-key"),
+        ("a: !x 1", "1:4 invalid-yaml"),
+        ("a: &x 1", "1:4 invalid-yaml"),
+        ("1: a", "1:1 invalid-yaml"),
+        ("true: a", "1:1 invalid-yaml"),
+        ("? [a]\n: b", "1:3 invalid-yaml"),
+        ("? \n: b", "1:2 invalid-yaml"),
+        ("a: 1\n---\nb: 2", "2:1 invalid-yaml"),
+        ("%TAG ! tag:x,2000:\n---\na: 1", "1:1 invalid-yaml"),
+        ("", "1:1 empty-file"),
+        ("# nothing\n", "1:1 empty-file"),
     ],
-)  # fmt: skip
+)
 def test_what_strict_yaml_refuses(text, expected):
     assert complaints(text) == [expected]
 
@@ -124,16 +125,14 @@ def test_aliases_are_refused_before_anything_is_built_from_them():
     bomb = "a: &a [x, x]\n" + "".join(f"k{i}: &k{i} [*a, *a, *a, *a, *a, *a, *a, *a]\n" for i in range(1000))
     found = complaints(bomb)
     assert len(found) == 3
-    assert found[-1] == "f.yaml:2:10: alias '*a': aliases are not allowed; write the value out"
+    assert found[-1] == "2:10 invalid-yaml"
 
 
 def test_nesting_has_a_limit():
     inside = MAX_DEPTH - 1
     assert parse_text("a: " + "[" * inside + "]" * inside, "f")
-    assert complaints("a: " + "[" * MAX_DEPTH + "]" * MAX_DEPTH) == [
-        f"f.yaml:1:{MAX_DEPTH + 3}: nested deeper than {MAX_DEPTH} levels"
-    ]
-    assert "nested deeper" in complaints("\n".join(" " * i + "a:" for i in range(500)))[0]
+    assert complaints("a: " + "[" * MAX_DEPTH + "]" * MAX_DEPTH) == [f"1:{MAX_DEPTH + 3} invalid-yaml"]
+    assert len(complaints("\n".join(" " * i + "a:" for i in range(500)))) == 1
 
 
 @pytest.mark.parametrize("parser", BOTH_PARSERS)
@@ -142,11 +141,11 @@ def test_a_limit_of_the_parser_s_own_is_told_in_the_same_words(parser):
     for opening in ("[", "{a: "):
         with pytest.raises(ScenarioError) as raised:
             parse_text(opening * 100_000, "f", parser)
-        assert [problem.message for problem in raised.value.problems] == [f"nested deeper than {MAX_DEPTH} levels"]
+        assert [one.message for one in raised.value.diagnostics] == [f"nested deeper than {MAX_DEPTH} levels"]
 
 
 def test_size_has_a_limit():
-    with pytest.raises(TooLargeError):
+    with pytest.raises(ScenarioError, match="scenario-too-large"):
         parse_bytes(b"# " + b"x" * MAX_BYTES, "f.yaml")
 
 
@@ -160,8 +159,9 @@ def test_windows_files_read_the_same():
 def test_a_file_in_another_encoding_is_named_with_the_place():
     with pytest.raises(ScenarioError) as caught:
         parse_bytes("a: 1\nb: für\n".encode("latin-1"), "f.yaml")
-    assert str(caught.value) == "f.yaml:2:5: not UTF-8: byte 0xfc; save the file as UTF-8"
-    with pytest.raises(ScenarioError, match="not UTF-8"):
+    (problem,) = caught.value.diagnostics
+    assert (problem.code, problem.where) == ("not-utf8", InFile("f.yaml", 2, 5))
+    with pytest.raises(ScenarioError, match="not-utf8"):
         parse_bytes("a: 1".encode("utf-16"), "f.yaml")
 
 
@@ -169,7 +169,7 @@ def test_a_file_in_another_encoding_is_named_with_the_place():
     ("text", "place"), [("a: \x07", "1:4"), ("a: 1\nb: \x00", "2:4"), ("a: 1\r\nb: '\ufffe'", "2:5")]
 )
 def test_control_characters_are_refused(text, place):
-    assert complaints(text)[0].startswith(f"f.yaml:{place}: character U+")
+    assert complaints(text) == [f"{place} invalid-yaml"]
 
 
 # --- properties -------------------------------------------------------------------------------------------------------
@@ -190,8 +190,8 @@ JSON_LIKE = st.recursive(
 @given(st.text(max_size=80) | NASTY)
 def test_any_text_is_either_read_or_refused_with_a_place(text):
     for problem in problems_of(parse_text, text, "f.yaml"):
-        assert problem.line >= 1
-        assert problem.column >= 1
+        assert place_of(problem).line >= 1
+        assert place_of(problem).column >= 1
         assert problem.message
 
 
@@ -228,7 +228,7 @@ def outcome(text, loader):
     try:
         return parse_text(text, "f", loader)
     except ScenarioError as error:
-        return error.problems
+        return error.diagnostics
 
 
 @pytest.mark.skipif(len(BOTH_PARSERS) == 1, reason="PyYAML was built without libyaml here")

@@ -1,13 +1,16 @@
 """Small scenarios for the tests of this folder."""
 
+import re
+
 import pytest
 
-from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import load_text
 
 HEAD = "schema_version: 1\nid: a\ntitle: A\nextends: soccersim_v2\n"
 HEAD_LINES = HEAD.count("\n")
+SUGGESTED = re.compile(r"did you mean '([^']+)'")
 
 
 def loaded(body, overrides=(), head=HEAD):
@@ -19,30 +22,42 @@ def scenario(body, overrides=(), head=HEAD):
     return loaded(body, overrides, head).scenario
 
 
-def complaints(body, overrides=(), head=HEAD):
-    """Return what is said about it: each problem as path and message, without its place."""
+def problems_of(call, *arguments):
+    """Return what a call refuses, or nothing if it refuses nothing; anything but a `ScenarioError` is a defect."""
+    try:
+        call(*arguments)
+    except ScenarioError as error:
+        return list(error.diagnostics)
+    return []
+
+
+def errors(body, overrides=(), head=HEAD):
+    """Return the errors of a scenario that is refused."""
     with pytest.raises(ScenarioError) as caught:
         loaded(body, overrides, head)
-    return [": ".join(part for part in (p.path, p.message) if part) for p in caught.value.problems]
+    return list(caught.value.diagnostics)
+
+
+def in_short(problem):
+    """Return an error without its place in the file: ``unknown-name rules.r.triggers[0] (enters) -> blue_goal``."""
+    suggested = SUGGESTED.search(problem.help)
+    arrow = f"-> {suggested[1]}" if suggested else ""
+    return " ".join(filter(None, (problem.code, place_of(problem).path, arrow)))
+
+
+def complaints(body, overrides=(), head=HEAD):
+    """Return the errors of a scenario that is refused, each `in_short`."""
+    return [in_short(problem) for problem in errors(body, overrides, head)]
 
 
 def findings(body):
-    """Return what lint says about it, with its place."""
+    """Return the warnings about a scenario, as they are printed."""
     return [str(one) for one in lint(loaded(body))]
 
 
 def kinds(body):
-    """Return the kinds of what lint finds."""
+    """Return the codes of the warnings about a scenario."""
     return {one.code for one in lint(loaded(body))}
-
-
-def problems_of(call, *arguments):
-    """Return what a call refuses, or an empty list if it refuses nothing; anything but a `ScenarioError` is a defect."""
-    try:
-        call(*arguments)
-    except ScenarioError as error:
-        return error.problems
-    return []
 
 
 def rule(trigger="{trigger: half_started}", action="{action: end}", rest=""):

@@ -55,7 +55,7 @@ def test_a_small_file_has_sensible_defaults(tmp_path):
         (HEAD + TEAMS + "stage:\n  league: {stage: round_robin}\n", [("unknown-key", "")]),
         ("tournament_version: 2\n" + HEAD.partition("\n")[2] + TEAMS + LEAGUE, [("wrong-value", "tournament_version")]),
         ("tournament_version: 1\nseed: 1\n" + TEAMS + LEAGUE, [("missing-key", "")]),
-        (HEAD + TEAMS + "stages: {league: {stage: round_robbin}}\n", [("unknown-stage", "stages.league")]),
+        (HEAD + TEAMS + "stages: {league: {stage: round_robbin}}\n", [("unknown-word", "stages.league")]),
         (HEAD + TEAMS + "stages: {league: {legs: 2}}\n", [("missing-key", "stages.league")]),
         (HEAD + TEAMS + "stages: {league: {stage: round_robin, leg: 2}}\n", [("unknown-key", "stages.league")]),
         (HEAD + TEAMS + "stages: {league: {stage: round_robin, legs: 3}}\n", [("wrong-value", "stages.league.legs")]),
@@ -255,7 +255,7 @@ def test_a_file_that_does_not_exist_is_refused_with_the_shipped_ones():
 
 @pytest.mark.parametrize(
     ("text", "code"),
-    [("tournament_version: 1\ntitle: [\n", "invalid-yaml"), ("- 1\n", "wrong-value"), ("", "invalid-yaml")],
+    [("tournament_version: 1\ntitle: [\n", "invalid-yaml"), ("- 1\n", "wrong-value"), ("", "empty-file")],
 )
 def test_a_file_that_is_no_mapping_in_yaml_is_refused(text, code, tmp_path):
     (tmp_path / "t.yaml").write_text(text, encoding="utf-8")

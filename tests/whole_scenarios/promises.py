@@ -18,7 +18,8 @@ from xml.etree import ElementTree as ET
 import jsonschema
 
 from rcj_challenges.expect.runner import run_test
-from rcj_challenges.scenario.errors import Problem, ScenarioError
+from rcj_challenges.facts.diagnostics import Diagnostic
+from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.floor import floor_parts
 from rcj_challenges.scenario.floor_shapes import zone_has_floor
 from rcj_challenges.scenario.json_schema import scenario_schema
@@ -121,21 +122,21 @@ def look_at(text: str) -> Loaded | None:
 def check_refusal(text: str, error: ScenarioError) -> None:
     """Look at the messages with which a text was refused."""
     lines = len(re.split("\r\n|\r|\n|\x85|\u2028|\u2029", text)) + 1
-    if not error.problems:
+    if not error.diagnostics:
         raise BrokenPromiseError("refused without a word", text)
-    for problem in error.problems:
+    for problem in error.diagnostics:
         wrong = _wrong_with(problem, lines)
         if wrong:
             raise BrokenPromiseError(f"{wrong}: {problem}", text)
 
 
-def _wrong_with(problem: Problem, lines: int) -> str:
-    message = problem.message
-    meant = _MEANT.search(message)
+def _wrong_with(problem: Diagnostic, lines: int) -> str:
+    message, place = problem.message, place_of(problem)
+    meant = _MEANT.search(f"{message}; {problem.help}")
     expected = re.search(r"expected (.+?), found (.+)$", message)
     wrongs = {
-        "a line that is not in the file": problem.file == FILE and not 1 <= problem.line <= lines,
-        "a column that is none": problem.line and problem.column < 1,
+        "a line that is not in the file": place.file == FILE and not 1 <= (place.line or 0) <= lines,
+        "a column that is none": place.line and (place.column or 0) < 1,
         "no readable message": not message.strip()
         or message != message.strip()
         or "\n" in message

@@ -10,7 +10,7 @@ from typing import Any
 import yaml
 
 from rcj_challenges.devices import AnyDevice
-from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.load import Loaded, load_text
 from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.robots import Chassis
@@ -61,7 +61,7 @@ def without_what_is_refused(
         except ScenarioError as error:
             if refused is not None:
                 refused.append((text, error))
-            paths = {problem.path for problem in error.problems}
+            paths = {place_of(problem).path for problem in error.diagnostics}
             taken = [_take_out(data, path) for path in sorted(paths, key=_last_first, reverse=True)]
             if not any(taken):
                 return None

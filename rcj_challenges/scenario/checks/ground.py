@@ -17,10 +17,10 @@ from rcj_challenges.scenario.outlines import TOUCHING_M, Part, disc, extent, obs
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.starting import start_pose
 from rcj_challenges.scenario.tree import Path
-from rcj_challenges.scenario.visiting import Found, visit
+from rcj_challenges.scenario.walk import Issue, walk
 
 
-def check_ground(scenario: Scenario) -> Iterator[Found]:
+def check_ground(scenario: Scenario) -> Iterator[Issue]:
     """Yield what cannot be on the floor."""
     yield from _shapes(scenario)
     yield from _goals(scenario.field)
@@ -30,40 +30,42 @@ def check_ground(scenario: Scenario) -> Iterator[Found]:
 # --- shapes -----------------------------------------------------------------------------------------------------------
 
 
-def _shapes(scenario: Scenario) -> Iterator[Found]:
+def _shapes(scenario: Scenario) -> Iterator[Issue]:
     for name, zone in scenario.zones.items():
         yield from _zone(zone, ("zones", name))
     for name, gate in scenario.gates.items():
         if gate.from_m == gate.to_m:
-            yield Found(("gates", name, "to_m"), "both posts are at one point; a gate is a segment")
+            yield Issue("empty-shape", ("gates", name, "to_m"), "both posts are at one point")
     for name, obstacle in scenario.obstacles.items():
         if _is_a_point(obstacle):
-            yield Found(("obstacles", name, "to_m"), "both ends are at one point; a wall is a segment")
+            yield Issue("empty-shape", ("obstacles", name, "to_m"), "both ends are at one point")
     roster = Roster.of(scenario)
-    for model, path in visit(scenario):
+    for model, path in walk(scenario):
         for name in roster.expand(model.uniform_in) if isinstance(model, UniformIn) else ():
             if name in scenario.zones and not _is_bounded(scenario.zones[name]):
-                message = f"zone '{name}' has no end in some direction; a random point needs a bounded zone"
-                yield Found((*path, "uniform_in"), message)
+                message = f"zone '{name}' has no end in some direction"
+                yield Issue("unbounded-zone", (*path, "uniform_in"), message, "a random point needs a bounded zone")
 
 
-def _zone(zone: Zone, path: Path) -> Iterator[Found]:
+def _zone(zone: Zone, path: Path) -> Iterator[Issue]:
     match zone:
         case RectZone():
             for axis in "xy":
                 low, high = getattr(zone, f"{axis}_min_m"), getattr(zone, f"{axis}_max_m")
                 if low is not None and high is not None and low >= high:
-                    message = f"{axis}_min_m {low:g} is not smaller than {axis}_max_m {high:g}; the zone would be empty"
-                    yield Found((*path, f"{axis}_min_m"), message)
+                    message = f"{axis}_min_m {low:g} is not smaller than {axis}_max_m {high:g}"
+                    yield Issue("empty-shape", (*path, f"{axis}_min_m"), message)
             if (zone.x_min_m, zone.x_max_m, zone.y_min_m, zone.y_max_m) == (None,) * 4:
-                yield Found(path, "a rect needs at least one of x_min_m, x_max_m, y_min_m, y_max_m")
+                yield Issue("missing-key", path, "a rect needs at least one of x_min_m, x_max_m, y_min_m, y_max_m")
         case PolygonZone():
             if not is_simple(zone.points_m):
-                message = "the outline crosses or touches itself, or has no area; give its corners in order"
-                yield Found((*path, "points_m"), message)
+                message = "the outline crosses or touches itself, or has no area"
+                yield Issue("empty-shape", (*path, "points_m"), message, "give its corners in order")
         case HalfPlaneZone():
             if zone.normal == (0.0, 0.0):
-                yield Found((*path, "normal"), "[0, 0] has no direction; the normal points into the zone")
+                yield Issue(
+                    "empty-shape", (*path, "normal"), "[0, 0] has no direction", "the normal points into the zone"
+                )
         case CircleZone():
             pass
 
@@ -82,10 +84,10 @@ def _is_bounded(zone: Zone) -> bool:
 # --- field and goals --------------------------------------------------------------------------------------------------
 
 
-def _goals(field: FieldModel) -> Iterator[Found]:
+def _goals(field: FieldModel) -> Iterator[Issue]:
     if 2 * field.corner_cut_m >= min(field.width_m, field.length_m):
         message = f"corners cut by {field.corner_cut_m:g} leave nothing of a wall"
-        yield Found(("field", "corner_cut_m"), message)
+        yield Issue("no-room", ("field", "corner_cut_m"), message)
         return
     room = field.width_m - 2 * field.corner_cut_m
     taken: dict[str, str] = {}
@@ -93,9 +95,9 @@ def _goals(field: FieldModel) -> Iterator[Found]:
         path: Path = ("field", "goals", name)
         if goal.width_m > room + TOUCHING_M:
             message = f"{goal.width_m:g} is wider than the end wall between its corners, {room:g}"
-            yield Found((*path, "width_m"), message)
+            yield Issue("no-room", (*path, "width_m"), message)
         if goal.end in taken:
-            yield Found((*path, "end"), f"'{taken[goal.end]}' stands at this end already")
+            yield Issue("no-room", (*path, "end"), f"'{taken[goal.end]}' stands at this end already")
         taken.setdefault(goal.end, name)
 
 
@@ -175,7 +177,7 @@ class Body:
     fixed: bool = False
 
 
-def _bodies(scenario: Scenario) -> Iterator[Found]:
+def _bodies(scenario: Scenario) -> Iterator[Issue]:
     bodies = [*_robots(scenario), *_balls(scenario), *obstacle_bodies(scenario)]
     floor = Floor(scenario.field)
     for body in bodies:
@@ -183,17 +185,17 @@ def _bodies(scenario: Scenario) -> Iterator[Found]:
             x_0, x_1, y_0, y_1 = extent(body.parts)
             message = (
                 f"'{body.name}' stands outside the field or in a wall: it covers x {x_0:.3f} to {x_1:.3f}, "
-                f"y {y_0:.3f} to {y_1:.3f}; the walls are at x = ±{floor.half_x:g}, y = ±{floor.half_y:g}"
+                f"y {y_0:.3f} to {y_1:.3f}"
             )
-            yield Found(body.path, message)
+            help_ = f"the walls are at x = ±{floor.half_x:g}, y = ±{floor.half_y:g}"
+            yield Issue("outside-field", body.path, message, help_)
     yield from _overlaps(bodies)
 
 
-_APART = "move one of them; who is to come there later is put there by a rule"
-_MOST_NAMED = 4
+_MAX_NAMED = 4
 
 
-def _overlaps(bodies: list[Body]) -> Iterator[Found]:
+def _overlaps(bodies: list[Body]) -> Iterator[Issue]:
     """Yield each body that overlaps others which stand before it in the file."""
     order = {body.name: rank for rank, body in enumerate(bodies)}
     met: dict[str, list[Body]] = {}
@@ -203,9 +205,10 @@ def _overlaps(bodies: list[Body]) -> Iterator[Found]:
     for second in bodies:
         firsts = sorted(met.get(second.name, ()), key=lambda one: order[one.name])
         if firsts:
-            names = listing((f"'{first.name}'" for first in firsts), _MOST_NAMED)
-            message = f"'{second.name}' overlaps {names} at the start; {_APART}"
-            yield Found(second.path, message, other=firsts[0].path)
+            names = listing((f"'{first.name}'" for first in firsts), _MAX_NAMED)
+            help_ = "move one of them; what comes there later is put there by a rule"
+            message = f"'{second.name}' overlaps {names} at the start"
+            yield Issue("overlapping-bodies", second.path, message, help_, other=firsts[0].path)
 
 
 def _overlapping(bodies: list[Body]) -> Iterator[tuple[Body, Body]]:

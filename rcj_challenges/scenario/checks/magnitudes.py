@@ -15,7 +15,7 @@ from rcj_challenges.scenario.models.field import Ball, Box, Cylinder, FieldModel
 from rcj_challenges.scenario.models.robots import Chassis
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.tree import Path
-from rcj_challenges.scenario.visiting import Found, visit
+from rcj_challenges.scenario.walk import Issue, walk
 
 MAX_NOISE_M = 5.0
 """Half of the largest field: from anywhere on it a place may be noised to anywhere else."""
@@ -52,15 +52,15 @@ _BY_NAME: dict[str, _Range] = {
 }
 
 
-def check_magnitudes(scenario: Scenario) -> Iterator[Found]:
+def check_magnitudes(scenario: Scenario) -> Iterator[Issue]:
     """Yield the lengths, coordinates, angles, durations, noises and masses that are too large or too small."""
-    for model, path in visit(scenario):
+    for model, path in walk(scenario):
         for name, key, (least, most, unit) in _bounded(type(model)):
             numbers = _numbers(getattr(model, name), (*path, key))
             wrong = next(((number, at) for number, at in numbers if not least <= number <= most), None)
             if wrong is not None:  # the first of a point or a list tells enough
                 bound = f"at least {least:g}" if wrong[0] < least else f"at most {most:g}"
-                yield Found(wrong[1], f"{key} must be {bound}{unit}, found {wrong[0]:g}")
+                yield Issue("out-of-range", wrong[1], f"{key} must be {bound}{unit}, found {wrong[0]:g}")
 
 
 @cache

@@ -1,41 +1,32 @@
-"""Names of what was removed from a base: where that was, for messages to who still uses them."""
+"""What to do about a place that names something which was removed from a base."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import NamedTuple
 
 from rcj_challenges.scenario.tree import Entries, Mark, Path, mark_of
 
 
-class Removal(NamedTuple):
-    """Where a name was removed that something else still has.
-
-    Attributes:
-        told: the words for it.
-        is_by_base: whether a base has removed it, and the scenario's own file names it, for whose author it never was.
-    """
-
-    told: str
-    is_by_base: bool
-
-
-def removal_of(
-    name: str, sections: Iterable[str], removed: Mapping[Path, Mark], mark: Mark, root: Entries
-) -> Removal | None:
-    """Return where an entry was removed; None: there was none.
+def of_removed(name: str, sections: Iterable[str], path: Path, root: Entries, removed: Mapping[Path, Mark]) -> str:
+    """Return what to do about a place that names something removed from a base; empty: it was not removed.
 
     Args:
-        name: of the entry.
-        sections: in any of which it may have been.
+        name: what is named.
+        sections: in which it may have been.
+        path: the place.
+        root: the finished tree.
         removed: where entries of a base were removed.
-        mark: where it is still named.
-        root: the whole scenario.
     """
     at = next((removed[section, name] for section in sections if (section, name) in removed), None)
     if at is None:
-        return None
-    where = f"{at.file}:{at.line}" if at.line else at.file
-    # What the command line takes away has no line, and was there.
-    is_by_base = bool(at.line) and at.file != mark.file == mark_of(root, ("id",)).file
-    return Removal(f"it was removed in {where}", is_by_base)
+        return ""
+    where = f"it was removed in {at.file}{f':{at.line}' if at.line else ''}; "
+    if mark_of(root, path, at_key=True).file == mark_of(root, ("id",)).file:
+        return f"{where}name another one, or take this line out"
+    if path[-1] == name and not any(isinstance(step, int) for step in path):
+        return f"{where}write '{name}: null' under {'.'.join(map(str, path[:-1]))} too"
+    # Mappings are merged and lists are not.
+    whole = path[: next((i for i, step in enumerate(path) if isinstance(step, int)), len(path))]
+    is_named = path[0] not in ("kits", "robots", "entrants", "match", "result", "broadcast") and len(path) > 1
+    instead = f", or '{path[1]}: null' under {path[0]}" if is_named else ""
+    return f"{where}write {'.'.join(map(str, whole))} without it{instead}"

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
 
+from rcj_challenges.facts.diagnostics import Diagnostic
 from rcj_challenges.rules.actions.place import Place
 from rcj_challenges.rules.actions.remove import Remove
 from rcj_challenges.rules.actions.set_phase import SetPhase
@@ -15,14 +16,12 @@ from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.refs import Ref, Reference, ref_of
 from rcj_challenges.rules.values.counter import CounterValue
 from rcj_challenges.rules.values.draw import DrawnDuration, DrawValue
-from rcj_challenges.scenario.errors import Problem
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.other import meant_in
 from rcj_challenges.scenario.reading.merge import Repeated
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import Entries, Path, file_of
-from rcj_challenges.scenario.visiting import visit
+from rcj_challenges.scenario.walk import walk
 
 
 class Use(NamedTuple):
@@ -55,7 +54,7 @@ class LintContext:
     scenario: Scenario
     roster: Roster
     tree: Entries
-    left_out: Mapping[str, Problem] = field(default_factory=dict)
+    left_out: Mapping[str, Diagnostic] = field(default_factory=dict)
     repeated: Mapping[str, Repeated] = field(default_factory=dict)
     overridden: AbstractSet[Path] = frozenset()
 
@@ -74,7 +73,7 @@ class LintContext:
     @cached_property
     def models(self) -> list[tuple[Strict, Path]]:
         """All models of the scenario with their paths."""
-        return list(visit(self.scenario))
+        return list(walk(self.scenario))
 
     @cached_property
     def uses(self) -> list[Use]:
@@ -125,7 +124,7 @@ class LintContext:
 
     def members(self, names: str | tuple[str, ...], rule: Rule) -> frozenset[str]:
         """Return what names in a rule may stand for: of ``each``, ``other`` and draws all that they may ever be."""
-        return meant_in(names, rule, self.roster)
+        return frozenset(self.roster.may_be(names, rule))
 
     def moved(self, rule: Rule) -> frozenset[str]:
         """Return the entities that a rule may place or remove."""

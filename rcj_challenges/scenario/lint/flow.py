@@ -14,13 +14,13 @@ from rcj_challenges.rules.triggers.half_started import HalfStarted
 from rcj_challenges.rules.triggers.phase_entered import PhaseEntered
 from rcj_challenges.rules.triggers.sequence_broken import SequenceBroken
 from rcj_challenges.rules.values.word import WordValue
-from rcj_challenges.scenario.catalogue import EACH
-from rcj_challenges.scenario.errors import listing, nearest
+from rcj_challenges.scenario.errors import did_you_mean, listing
 from rcj_challenges.scenario.lint.base import LintRule, Suspicion
 from rcj_challenges.scenario.lint.context import LintContext, is_active_in
 from rcj_challenges.scenario.models.scenario import Expectation, RankByCounter, RankByScore, RankByTime, Rule
+from rcj_challenges.scenario.roster import EACH
 from rcj_challenges.scenario.tree import Path, node_at
-from rcj_challenges.scenario.visiting import visit
+from rcj_challenges.scenario.walk import walk
 
 
 class PhaseNeverEntered(LintRule):
@@ -81,8 +81,8 @@ class EventNeverEmitted(LintRule):
     """A rule or a test waits for an event that no rule emits: mostly a misspelt name."""
 
     code = "event-never-emitted"
-    message = "event '{event}' is never emitted{hint}"
-    help = "correct its name, or emit it in a rule that can fire"
+    message = "event '{event}' is never emitted"
+    help = "{hint}correct its name, or emit it in a rule that can fire"
 
     _DEFAULT_IGNORED = frozenset(Expectation.model_fields["ignore"].default)
 
@@ -91,7 +91,8 @@ class EventNeverEmitted(LintRule):
         emitted = {action.event: None for _, rule in ctx.reachable_rules() for action in _emits(rule)}
         for path, event in (*self._awaited(ctx), *self._in_tests(ctx)):
             if event not in emitted:
-                yield self.at(path, event=event, hint=nearest(event, emitted))
+                hint = did_you_mean(event, emitted)
+                yield self.at(path, event=event, hint=f"{hint} Else " if hint else "")
 
     def _awaited(self, ctx: LintContext) -> Iterator[tuple[Path, str]]:
         for model, path in ctx.models:
@@ -316,7 +317,7 @@ _WORDS_OF_EACH = frozenset({"robot_name", "entity_name", "each_name", "team_name
 
 def _names_each(part: object) -> bool:
     """Return whether a rule, or a part of one, names ``each`` or prints its name."""
-    for model, _ in visit(part):
+    for model, _ in walk(part):
         if isinstance(model, WordValue) and model.word in _WORDS_OF_EACH and model.of is None:
             return True
         for field in type(model).model_fields:

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from rcj_challenges.facts.diagnostics import Diagnostic, InFile
-from rcj_challenges.scenario.checks.crossrefs import shown_path
-from rcj_challenges.scenario.errors import Problem
+from dataclasses import replace
+
+from rcj_challenges.facts.diagnostics import Diagnostic
+from rcj_challenges.scenario.errors import place_of
 from rcj_challenges.scenario.lint import flow, placing, state, values
 from rcj_challenges.scenario.lint.base import LintRule
 from rcj_challenges.scenario.lint.context import LintContext
 from rcj_challenges.scenario.load import Loaded
-from rcj_challenges.scenario.reading.repeating import alike
-from rcj_challenges.scenario.tree import Leaf, mark_of, node_at
+from rcj_challenges.scenario.reading.repeated_rules import merged
+from rcj_challenges.scenario.tree import Leaf, mark_of, node_at, shown_path
 
 LINT_RULES: tuple[LintRule, ...] = (
     flow.PhaseNeverEntered(),
@@ -55,27 +56,19 @@ def lint(loaded: Loaded) -> list[Diagnostic]:
     """
     ctx = LintContext.of(loaded)
     tree = ctx.tree
-    found: list[tuple[Problem, str, str]] = []
+    found: list[Diagnostic] = []
     for rule in LINT_RULES:
         for suspicion in rule.check(ctx):
             mark = mark_of(tree, suspicion.path, at_key=suspicion.at_key)
             leaf = node_at(tree, suspicion.path)
             note = f" ({leaf.note})" if isinstance(leaf, Leaf) and leaf.note else ""
-            problem = mark.problem(shown_path(tree, suspicion.path), suspicion.message + note)
-            found.append((problem, suspicion.code, suspicion.help))
-    # What holds for several rules that came of one repeated rule is reported once, of that one.
-    problems = alike((problem for problem, _, _ in found), loaded.repeated)
-    unique = {(problem, code, help_) for problem, (_, code, help_) in zip(problems, found, strict=True)}
-    own = tree.mark.file
-    return [
-        Diagnostic(code, problem.message, help_, _place(problem), "warning")
-        for problem, code, help_ in sorted(unique, key=lambda one: _order(one[0], own) + one[1:])
-    ]
+            path = shown_path(tree, suspicion.path)
+            one = mark.error(suspicion.code, suspicion.message + note, suspicion.help, path)
+            found.append(replace(one, severity="warning"))
+    # What holds for several rules that came from one repeated rule is reported once, of that one.
+    return sorted(merged(found, loaded.repeated), key=lambda one: _order(one, tree.mark.file))
 
 
-def _order(problem: Problem, own_file: str) -> tuple[bool, str, int, int, str]:
-    return problem.file != own_file, problem.file, problem.line, problem.column, problem.path
-
-
-def _place(problem: Problem) -> InFile:
-    return InFile(problem.file, problem.line or None, problem.column or None, problem.path)
+def _order(warning: Diagnostic, own_file: str) -> tuple[bool, str, int, int, str, str]:
+    place = place_of(warning)
+    return place.file != own_file, place.file, place.line or 0, place.column or 0, place.path, warning.code

@@ -16,6 +16,7 @@ from rcj_challenges.rules.actions.timer import TimerAction
 from rcj_challenges.rules.actions.toggle_flag import ToggleFlag
 from rcj_challenges.rules.refs import SectionRef
 from rcj_challenges.scenario.blanks import BLANKS, in_braces
+from rcj_challenges.scenario.errors import place_of
 from rcj_challenges.scenario.lint.base import LintRule, Suspicion
 from rcj_challenges.scenario.lint.context import LintContext, Use
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe
@@ -168,7 +169,8 @@ class InheritedTestLeftOut(LintRule):
         """Yield one warning for all of them."""
         if ctx.left_out:
             first = next(iter(ctx.left_out.values()))
-            reason = f"{first.file}:{first.line}: {first.message}"
+            place = place_of(first)
+            reason = f"{place.file}:{place.line}: {first.message}"
             yield self.at((), count=len(ctx.left_out), names=", ".join(ctx.left_out), reason=reason)
 
 

@@ -25,7 +25,7 @@ from rcj_challenges.rules.triggers.no_progress import NoProgress
 from rcj_challenges.rules.triggers.stays_in import StaysIn
 from rcj_challenges.rules.triggers.time_reached import TimeReached
 from rcj_challenges.scenario.blanks import BLANKS, in_braces
-from rcj_challenges.scenario.errors import listing, nearest
+from rcj_challenges.scenario.errors import choice_of
 from rcj_challenges.scenario.halves import MOST_LENGTHS, clock_may_stop, longest_half_s
 from rcj_challenges.scenario.lint.base import LintRule, Suspicion
 from rcj_challenges.scenario.lint.context import LintContext, is_active_in, longest_s
@@ -162,8 +162,8 @@ class UnknownPlaceholder(LintRule):
     """``{…}`` in ``says`` or in the description that is no blank and no param: it is printed as it stands."""
 
     code = "unknown-placeholder"
-    message = "'{{{blank}}}' is not filled in{hint}"
-    help = "known here: {known}"
+    message = "'{{{blank}}}' is not filled in"
+    help = "{known}"
 
     def check(self, ctx: LintContext) -> Iterator[Suspicion]:
         """Yield unknown blanks of sentences, and names in the description that are no param."""
@@ -180,7 +180,7 @@ class UnknownPlaceholder(LintRule):
 
     def _unknown(self, path: Path, blank: str, known: tuple[str, ...]) -> Suspicion:
         # A blank of a stranger's file may hold braces of its own only as text, so the texts are filled in by hand.
-        return self.at(path, blank=blank, hint=nearest(blank.strip(), known), known=listing(known, 20))
+        return self.at(path, blank=blank, known=choice_of(blank.strip(), known))
 
 
 class PlaceholderNeverFilled(LintRule):

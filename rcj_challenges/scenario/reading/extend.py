@@ -7,11 +7,11 @@ import re
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass
-from pathlib import Path, PurePath, PurePosixPath
+from pathlib import Path, PurePosixPath
 from typing import Any
 
 from rcj_challenges import __version__
-from rcj_challenges.scenario.errors import Problem, ScenarioError, listing, nearest
+from rcj_challenges.scenario.errors import ScenarioError, choice_of, did_you_mean, nearest
 from rcj_challenges.scenario.models.scenario import SCHEMA_VERSION
 from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES, parse_bytes, parse_text, refuse_size
 from rcj_challenges.scenario.resources import (
@@ -55,9 +55,10 @@ class Source:
                 data = file.read(MAX_BYTES + 1)
                 size = max(len(data), os.fstat(file.fileno()).st_size)
         except OSError as error:
-            raise ScenarioError([Problem(shown, 0, 0, "", f"cannot be read: {error.strerror or error}")]) from None
+            message = f"cannot be read: {error.strerror or error}"
+            raise ScenarioError([Mark(shown).error("unreadable-file", message)]) from None
         refuse_size(size, shown)
-        return cls(_mapping(parse_bytes(data, shown), shown), shown, path)
+        return cls(_mapping(parse_bytes(data, shown)), shown, path)
 
     @classmethod
     def of_text(cls, text: str, shown: str) -> Source:
@@ -66,20 +67,20 @@ class Source:
         Raises:
             ScenarioError: it is not strict YAML.
         """
-        return cls(_mapping(parse_text(text, shown), shown), shown)
+        return cls(_mapping(parse_text(text, shown)), shown)
 
     @classmethod
     def of_data(cls, data: Mapping[str, Any], shown: str) -> Source:
         """Wrap plain data; everything in it stands at the same place: the data as a whole."""
-        return cls(_mapping(_wrapped(data, Mark(shown)), shown), shown)
+        return cls(_mapping(_wrapped(data, Mark(shown))), shown)
 
 
-def _mapping(node: Node, shown: str) -> Entries:
+def _mapping(node: Node) -> Entries:
     if isinstance(node, Entries):
         return node
     found = "a list" if isinstance(node, Items) else "nothing" if node.value is None else "a single value"
-    message = f"a scenario is a mapping of sections (schema_version, id, title, …), found {found}"
-    raise ScenarioError([Problem(shown, node.mark.line, node.mark.column, "", message)])
+    help_ = "a scenario is a mapping of sections: schema_version, id, title, …"
+    raise ScenarioError([node.mark.error("wrong-value", f"expected a mapping, found {found}", help_)])
 
 
 def _wrapped(data: Any, mark: Mark) -> Node:
@@ -103,12 +104,10 @@ def read_chain(source: Source) -> list[Source]:
     while (leaf := chain[-1].tree.entries.get("extends")) is not None:
         mark = leaf.mark
         if not isinstance(leaf, Leaf) or not isinstance(leaf.value, str):
-            raise _refused(
-                mark, "expected the name of a preset or shipped scenario, or a relative path to a .yaml file"
-            )
+            raise _refused(mark, "expected a text", _FORMS)
         if len(chain) > MAX_CHAIN:
             files = " → ".join(part.shown for part in chain)
-            raise _refused(mark, f"too many bases behind each other, at most {MAX_CHAIN} are allowed: {files}")
+            raise _refused(mark, f"too many bases behind each other: {files}", f"at most {MAX_CHAIN} are read")
         base = _base(leaf.value, chain[-1], mark)
         known = [part.path.resolve() for part in chain if part.path is not None]
         if base.path is not None and base.path.resolve() in known:
@@ -119,19 +118,20 @@ def read_chain(source: Source) -> list[Source]:
     return chain[::-1]
 
 
+_FORMS = "write the name of a shipped preset or scenario, or a relative path with / to a .yaml file"
+
+
 def _refuse_newer(source: Source) -> None:
     """Refuse a file of a later format before anything else in it is called wrong."""
     version = source.tree.entries.get("schema_version")
     if isinstance(version, Leaf) and isinstance(version.value, int) and version.value > SCHEMA_VERSION:
-        message = (
-            f"version {version.value} needs a newer rcj-challenges; this is {__version__}, "
-            f"which reads version {SCHEMA_VERSION}: pip install --upgrade rcj-challenges"
-        )
-        raise ScenarioError([version.mark.problem("schema_version", message)])
+        message = f"version {version.value} needs a newer rcj-challenges; {__version__} reads version {SCHEMA_VERSION}"
+        help_ = "pip install --upgrade rcj-challenges"
+        raise ScenarioError([version.mark.error("newer-version", message, help_, "schema_version")])
 
 
-def _refused(mark: Mark, message: str) -> ScenarioError:
-    return ScenarioError([mark.problem("extends", message)])
+def _refused(mark: Mark, message: str, help_: str = "", code: str = "wrong-extends") -> ScenarioError:
+    return ScenarioError([mark.error(code, message, help_, "extends")])
 
 
 def _shipped(name: str, user: Source, mark: Mark) -> Source:
@@ -140,19 +140,18 @@ def _shipped(name: str, user: Source, mark: Mark) -> Source:
     shipped = {**shipped_scenarios(), **presets}
     if name in shipped:
         own = own_of_that_name(shipped[name], user.path.parent) if user.path is not None else None
-        # A file of the name that it extends is not meant by it.
+        # A file of the name that it extends does not extend itself.
         if own is not None and user.path is not None and not own.samefile(user.path):
-            message = f"a shipped scenario has this name, and {own.name} lies beside {user.shown}: write {own.name} "
-            raise _refused(mark, f"{message}for that, or give one of them another name")
-        # Whoever extends the match may call that file match.yaml: then messages must tell the two from each other.
+            message = f"a shipped scenario has this name, and {own.name} lies beside {user.shown}"
+            raise _refused(mark, message, f"write {own.name} for that, or give it another name", "ambiguous-name")
+        # A file that extends the match may be called match.yaml: messages must tell the two from each other.
         shown = f"{name}.yaml" if PurePosixPath(user.shown).name != f"{name}.yaml" else f"shipped {name}.yaml"
         return Source.of_file(shipped[name], shown)
-    usual = [*names_in(scenarios_folder()), *presets]
-    known = f"there are {listing(usual)}{nearest(name.replace('-', '_'), shipped)}"
+    message = f"no preset or scenario '{name[:64]}' is shipped"
     own_file = _with_ending(name, user)
-    if own_file:
-        known = f"{own_file} lies beside {user.shown}: write {own_file}"
-    raise _refused(mark, f"no preset or scenario '{name[:64]}' is shipped; {known}")
+    hint = did_you_mean(name.replace("-", "_"), shipped)
+    known = f"{hint}{' ' if hint else ''}{choice_of('', [*names_in(scenarios_folder()), *presets])}"
+    raise _refused(mark, message, f"write {own_file}, which lies beside it" if own_file else known, "unknown-base")
 
 
 def _is_file(path: Path) -> bool:
@@ -180,27 +179,6 @@ def _with_ending(name: str, user: Source) -> str:
     return ""
 
 
-def _alike(path: Path, beside: list[str], written: PurePosixPath) -> str:
-    """Return which file of the same folder may be meant, as it is written from the user's folder; empty: none."""
-    hint = nearest(path.name, beside)
-    near = next((found for found in beside if hint == nearest(found, [found])), None)
-    return f"; did you mean {written.with_name(near).as_posix()!r}?" if near else hint
-
-
-_FOLDERS_ABOVE = 3
-"""So far up a path is tried that may have been written as seen from another folder."""
-
-
-def _from_elsewhere(parts: tuple[str, ...], own: Path) -> str:
-    """Return how a path is written from a file's folder that is right from one above it; empty: it is from none."""
-    folder = own.parent
-    above = (place.joinpath(*parts) for place in list(folder.absolute().parents)[:_FOLDERS_ABOVE])
-    found = next((path for path in above if _is_file(path)), None)
-    if found is None or found.samefile(own):
-        return ""
-    return f"; from this file's folder it is {PurePath(os.path.relpath(found, folder)).as_posix()}"
-
-
 def _base(name: str, user: Source, mark: Mark) -> Source:
     if _BARE_NAME.fullmatch(name):
         return _shipped(name, user, mark)
@@ -208,22 +186,21 @@ def _base(name: str, user: Source, mark: Mark) -> Source:
     # Checked as text on every platform alike: what Windows takes for absolute must not pass on Linux either.
     is_foreign = name.startswith(("/", "~")) or re.search(r"[\\:\x00-\x1f]", name)
     if is_foreign or not name.endswith((".yaml", ".yml")):
-        wanted = "a shipped preset or scenario, or a relative path with / to a .yaml file"
         whole = "" if is_foreign else _with_ending(name, user)
-        raise _refused(mark, f"'{name[:120]}' is not {wanted}" + (f"; did you mean '{whole[:120]}'?" if whole else ""))
+        help_ = f"did you mean '{whole[:120]}'?" if whole else _FORMS
+        raise _refused(mark, f"'{name[:120]}' is not a relative path to a .yaml file", help_)
     if user.path is None:
-        raise _refused(mark, "a text has no folder for a relative path; extend a preset or a shipped scenario")
+        raise _refused(mark, "a text has no folder for a relative path", "extend a preset or a shipped scenario")
     if ".." in parts[len([part for part in parts if part == ".."]) :]:
         raise _refused(mark, f"'{name[:120]}': '..' may stand at the beginning only")
     path = user.path.parent.joinpath(*parts)
     beside = _scenarios_in(path.parent)
     # Compared with the folder's listing: a name in other case works on some machines only.
     if path.name not in beside or not _is_file(path):
-        hint = _alike(path, [found for found in beside if path.parent / found != user.path], PurePosixPath(*parts))
-        for kind, names in (("scenario", shipped_scenarios()), ("preset", names_in(presets_folder()))):
-            if path.stem in names:
-                hint = f"; the shipped {kind} is extended by its name alone: {path.stem}"
-        hint = hint or _from_elsewhere(parts, user.path)
-        raise _refused(mark, f"there is no file '{name[:120]}' beside {user.shown}{hint}")
+        near = nearest(path.name, [found for found in beside if path.parent / found != user.path])
+        is_shipped = path.stem in {*shipped_scenarios(), *names_in(presets_folder())}
+        help_ = f"did you mean '{PurePosixPath(*parts).with_name(near).as_posix()}'?" if near else ""
+        help_ = f"what is shipped is extended by its name alone: {path.stem}" if is_shipped else help_
+        raise _refused(mark, f"there is no file '{name[:120]}' beside {user.shown}", help_, "unknown-base")
     shown = PurePosixPath(user.shown.replace("\\", "/")).parent / PurePosixPath(*parts)
     return Source.of_file(path, os.path.normpath(shown).replace("\\", "/"))

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path, PureWindowsPath
 
-from rcj_challenges.scenario.errors import Problem, ScenarioError, listing, nearest
+from rcj_challenges.scenario.errors import ScenarioError, listing, nearest
 from rcj_challenges.scenario.resources import names_in, own_of_that_name, scenarios_folder, shipped_scenarios
+from rcj_challenges.scenario.tree import Mark
 
 
 def find_scenario(source: str | Path) -> Path:
-    """Return the file that ``source`` means: a path, or the bare name of a shipped scenario.
+    """Return the file that ``source`` stands for: a path, or the bare name of a shipped scenario.
 
     Raises:
         ScenarioError: there is no such file, with the names of the shipped ones; or the name of an example or a
@@ -26,24 +26,27 @@ def find_scenario(source: str | Path) -> Path:
         exists = False
     shipped = shipped_scenarios()
     if str(source) in shipped:
-        return _not_one_of_yours(shipped[str(source)])
+        return _unless_own(shipped[str(source)])
+    mark = Mark(str(source)[:200])
     if exists:
-        raise ScenarioError([Problem(str(source), 0, 0, "", "this is no file; expected a scenario in YAML")])
-    if kept_back := _why_kept_back(path):
-        raise ScenarioError([Problem(str(source)[:200], 0, 0, "", f"cannot be read: {kept_back}")])
+        raise ScenarioError([mark.error("unreadable-file", "this is not a file", "give a scenario in YAML")])
+    if reason := _why_unreadable(path):
+        raise ScenarioError([mark.error("unreadable-file", f"cannot be read: {reason}")])
     stem = PureWindowsPath(source).stem  # documents may have been read on Windows: both kinds of slashes count
     own = _own_files(path.parent)
-    hints = [_own_alike(stem, own), nearest(stem, shipped)]
-    # A name alone means a shipped one, unless a file is called just so.
-    hint = next(filter(None, hints if path.parent != Path() or stem in own else reversed(hints)), "")
-    more = "; ".join(f"{kind} {listing(names_in(scenarios_folder() / kind))}" for kind in ("examples", "variants"))
-    known = f"{listing(names_in(scenarios_folder()))}; {more}"
-    message = f"no such file, and no shipped scenario of that name; shipped are {known}{hint}"
-    raise ScenarioError([Problem(str(source)[:200], 0, 0, "", message)])
+    own_name = nearest(stem, own)
+    hints = [own[own_name].as_posix() if own_name is not None else None, nearest(stem, shipped)]
+    # A name alone stands for a shipped one, unless a file is called just so.
+    hint = next(filter(None, hints if path.parent != Path() or stem in own else reversed(hints)), None)
+    folders = {kind: listing(names_in(scenarios_folder() / kind)) for kind in ("", "examples", "variants")}
+    known = "; ".join(f"{kind} {names}".strip() for kind, names in folders.items())
+    message = "no such file, and no shipped scenario of that name"
+    help_ = f"did you mean '{hint}'? " if hint else ""
+    raise ScenarioError([mark.error("no-such-file", message, f"{help_}shipped are {known}")])
 
 
-def _why_kept_back(path: Path) -> str:
-    """Return why nobody tells whether there is such a file: the folder may be another user's. Empty: it is told."""
+def _why_unreadable(path: Path) -> str:
+    """Return why it is not known whether there is such a file: the folder may be another user's. Empty: it is known."""
     try:
         path.stat()
     except PermissionError as error:
@@ -60,20 +63,14 @@ def _own_files(folder: Path) -> dict[str, Path]:
     return {}
 
 
-def _own_alike(stem: str, own: Mapping[str, Path]) -> str:
-    """Return which file of the author's may be meant, as it is written; empty: none."""
-    hint = nearest(stem, own)
-    near = next((name for name in own if hint == nearest(name, [name])), None)
-    return f"; did you mean '{own[near].as_posix()}'?" if near is not None else ""
+def _unless_own(shipped: Path) -> Path:
+    """Return the file of a shipped scenario, unless one of the same name in the current folder may be meant.
 
-
-def _not_one_of_yours(shipped: Path) -> Path:
-    """Return the file of a shipped scenario, unless it may be one of the current folder that is meant.
-
-    Who makes a challenge of a shipped name, as the guide does, and leaves out ``.yaml``, must not be shown another one.
+    An author who makes a challenge of a shipped name, and leaves out ``.yaml``, must not be shown another one.
     """
     own = own_of_that_name(shipped, Path())
     if own is None:
         return shipped
-    message = f"a shipped scenario has this name, and {own} lies here: write {own} for that, or go to another folder"
-    raise ScenarioError([Problem(shipped.stem, 0, 0, "", message)])
+    message = f"a shipped scenario has this name, and {own} lies here"
+    help_ = f"write {own} for that, or go to another folder"
+    raise ScenarioError([Mark(shipped.stem).error("ambiguous-name", message, help_)])

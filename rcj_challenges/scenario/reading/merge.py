@@ -13,8 +13,9 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from rcj_challenges.scenario.errors import Problem, cut, listing, nearest
-from rcj_challenges.scenario.reading.inherited import ALL_INHERITED, TESTS
+from rcj_challenges.facts.diagnostics import Diagnostic
+from rcj_challenges.scenario.errors import choice_of
+from rcj_challenges.scenario.reading.inherited_tests import ALL_INHERITED, TESTS
 from rcj_challenges.scenario.shape import (
     Shape,
     bare,
@@ -59,7 +60,7 @@ class Merger:
         repeated: where each rule comes from that is one of a repeated one.
     """
 
-    problems: list[Problem] = field(default_factory=list)
+    problems: list[Diagnostic] = field(default_factory=list)
     removed: dict[Path, Mark] = field(default_factory=dict)
     overridden: set[Path] = field(default_factory=set)
     repeated: dict[str, Repeated] = field(default_factory=dict)
@@ -119,8 +120,10 @@ class Merger:
                 if not isinstance(item, Leaf):
                     node.items[index] = self.adopt(item, step_into(shape, node, index), (*path, index))
                 elif item.value is None:
-                    what = "an empty list entry" if item.empty else "null stands for nothing here"
-                    self._add(item.mark, (*path, index), f"{what}; write a value, or leave the entry out")
+                    message = "an empty list entry" if item.empty else "null has no meaning here"
+                    self._add(
+                        "missing-value", item.mark, (*path, index), message, "write a value, or leave the entry out"
+                    )
         return node
 
     def _same_kind(self, before: Entries, node: Entries, shape: Shape) -> bool:
@@ -131,35 +134,40 @@ class Merger:
 
     def _null(self, base: Entries, key: str, node: Leaf, key_mark: Mark, shape: Shape, path: Path) -> None:
         if node.empty:
-            remedy = _of_empty(key, base, key_mark, shape) or "write one, or leave the line out"
-            if key in base.entries and is_named(chosen(shape, base)):
-                remedy = f"write one, leave the line out, or take away what the base has by '{key}: null'"
-            self._add(key_mark, (*path, key), f"an empty value; {remedy}")
+            help_ = "write one, or leave the line out"
+            if ":" in key:
+                help_ = "a blank comes after the ':'"
+            elif key == "colour":
+                help_ = "what begins with # is a comment, unless it is in quotes: '#ff8800'"
+            elif key in base.entries and is_named(chosen(shape, base)):
+                help_ += f"; '{key}: null' takes away what the base has"
+            self._add("missing-value", key_mark, (*path, key), "an empty value", help_)
             base.put(key, node, key_mark)  # it stays, so that it is not called missing too
         elif path == (TESTS,) and key == ALL_INHERITED:
             pass  # they are gone already
         elif not is_named(chosen(shape, base)):
-            instead = _instead_of_null(base.entries.get(key), step_into(shape, base, key))
+            help_ = _instead_of_null(base.entries.get(key), step_into(shape, base, key))
             if (*path, key) == (TESTS,):
-                instead = f"{{{ALL_INHERITED}: null}} removes all tests of the base"
-            self._add(node.mark, (*path, key), f"null removes named entries of the base only; {instead}")
+                help_ = f"{{{ALL_INHERITED}: null}} removes all tests of the base"
+            self._add("wrong-null", node.mark, (*path, key), "null removes named entries of the base only", help_)
             base.put(key, node, key_mark)
         elif key not in base.entries:
-            known = f"; there are {listing(base.entries)}" if base.entries else ""
+            help_ = choice_of(key, base.entries) if base.entries else "leave the line out"
             if path[:1] == ("robots",) and path[2:] == ("devices",):
-                known += f"; a device of the robot's kit is taken away by 'without: [{key}]'"
-            hint = (of_repeated(key, base) if path == ("rules",) else "") or nearest(key, base.entries)
-            self._add(node.mark, (*path, key), f"nothing to remove: the base has no '{key}'{known}{hint}")
+                help_ = f"a device of the robot's kit is taken away by 'without: [{key}]'"
+            help_ = (of_repeated(key, base) if path == ("rules",) else "") or help_
+            message = f"nothing to remove: the base has no '{key}'"
+            self._add("wrong-null", node.mark, (*path, key), message, help_)
         else:
             base.drop(key)
             self.removed[(*path, key)] = node.mark
 
-    def _add(self, mark: Mark, path: Path, message: str) -> None:
-        self.problems.append(mark.problem(in_names(Entries({}, mark), path), message))
+    def _add(self, code: str, mark: Mark, path: Path, message: str, help_: str) -> None:
+        self.problems.append(mark.error(code, message, help_, in_names(Entries({}, mark), path)))
 
 
 def of_repeated(name: str, rules: Entries) -> str:
-    """Return where a rule is changed or removed that comes of a repeated one; empty if none is called so."""
+    """Return where a rule is changed or removed that comes from a repeated one; empty if none is called so."""
     for rule, node in rules.entries.items():
         rows = node.entries.get("repeat_for") if isinstance(node, Entries) else None
         if not isinstance(rows, Entries | Items) or not name.startswith(f"{rule}_"):
@@ -167,7 +175,7 @@ def of_repeated(name: str, rules: Entries) -> str:
         row = name.removeprefix(f"{rule}_")
         listed = [one.value for one in rows.items if isinstance(one, Leaf)] if isinstance(rows, Items) else rows.entries
         if row in listed:
-            return f"; it comes of the repeated rule '{rule}': change that one, or '{row}' in its repeat_for"
+            return f"it comes from the repeated rule '{rule}': change that one, or '{row}' in its repeat_for"
     return ""
 
 
@@ -180,44 +188,6 @@ def _instead_of_null(before: Node | None, shape: Shape) -> str:
     nulls = [f"{name}: null" for name in before.entries]
     more = ", …" if len(nulls) > _SHOWN else ""
     return f"for none write it for each of them: {{{', '.join(nulls[:_SHOWN])}{more}}}"
-
-
-def _of_empty(key: str, base: Entries, key_mark: Mark, shape: Shape) -> str:
-    """Return what to do about a key without a value that is no key at all; empty: the value was forgotten."""
-    word, colon, value = key.partition(":")
-    if colon:
-        return f"a blank comes after the ':', {cut(word)}: {cut(value)}"
-    if key == "colour":
-        return "what begins with # is a comment, unless it is in quotes: '#ff8800'"
-    inner = step_into(shape, base, key)
-    named = is_named(chosen(shape, base))
-    if inner is not None and not (named and is_list(inner)):
-        return _SUFFICES if named and _needs_nothing(inner) else ""
-    before = list(base.entries.items())[-1:]
-    return _as_list(*before[0], key, key_mark) if before else _as_param(key, base, key_mark, shape, inner)
-
-
-def _as_list(name: str, node: Node, key: str, key_mark: Mark) -> str:
-    """Return how several values are written of which all but the first stand as keys; empty: it is not so."""
-    if not isinstance(node, Leaf) or not isinstance(node.value, str) or node.mark.line != key_mark.line:
-        return ""
-    return f"several values stand in brackets, {name}: [{cut(node.value)}, {cut(key)}], and a text with a ',' in quotes"
-
-
-def _as_param(key: str, base: Entries, key_mark: Mark, shape: Shape, inner: Shape) -> str:
-    """Return how the value of a param is written where ``{NAME}`` stands alone; empty: something else stands there."""
-    in_braces = base.mark.line == key_mark.line and base.mark.column < key_mark.column
-    is_meant = in_braces and key.isidentifier() and inner is None and shape is not None and may_be_scalar(shape)
-    return f"where a param is meant, write {{param: {key}}}" if is_meant else ""
-
-
-_SUFFICES = "write {}, which suffices, or leave the line out"
-
-
-def _needs_nothing(shape: Shape) -> bool:
-    """Return whether a mapping may stand here in which nothing is given."""
-    kind: Any = bare(shape).kind
-    return is_model(kind) and not any(one.is_required() for one in kind.model_fields.values())
 
 
 def make_way(base: Entries, written: AbstractSet[str], shape: Shape) -> None:

@@ -1,6 +1,6 @@
 """Params and overrides: ``{param: NAME}`` for any single value, ``--set PATH=VALUE`` from the command line.
 
-What stands beside a param's name, ``times`` and ``plus``, is reckoned in `reckoning`.
+What stands beside a param's name, ``times`` and ``plus``, is computed in `param_value`.
 """
 
 from __future__ import annotations
@@ -10,11 +10,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import get_origin
 
-from rcj_challenges.scenario.errors import Problem, ScenarioError, cut, known_text, listing, nearest
+from rcj_challenges.facts.diagnostics import Diagnostic
+from rcj_challenges.scenario.errors import ScenarioError, choice_of, cut, listing
 from rcj_challenges.scenario.messages.wording import found_text
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.reading.merge import Merger, is_param, make_way, of_repeated
-from rcj_challenges.scenario.reading.reckoning import KEYS, reckoned, written_out
+from rcj_challenges.scenario.reading.param_value import KEYS, param_value
 from rcj_challenges.scenario.reading.yaml_strict import parse_value
 from rcj_challenges.scenario.shape import (
     Shape,
@@ -31,11 +32,21 @@ from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path,
 
 THIS = "this"
 """What the name of a row is called within a repeated rule."""
+_WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _STEPS = re.compile(r"(?:^|\.)([^.\[\]]+)|\[(\d+)\]")
 
 
 class _RefusedError(Exception):
-    """An override that leads nowhere; the text says why."""
+    """An override that leads nowhere.
+
+    Attributes:
+        message, help: as of `Diagnostic`.
+    """
+
+    def __init__(self, message: str, help_: str = "") -> None:
+        super().__init__(message)
+        self.message = message
+        self.help = help_
 
 
 def apply_overrides(root: Entries, overrides: Sequence[str], merger: Merger) -> None:
@@ -45,14 +56,14 @@ def apply_overrides(root: Entries, overrides: Sequence[str], merger: Merger) -> 
         path_text, equals, value_text = override.partition("=")
         try:
             if not equals or not path_text.strip() or not value_text.strip():
-                raise _RefusedError("expected PATH=VALUE: a param's name, or a path such as match.half_s=60")
+                raise _RefusedError("expected PATH=VALUE", "PATH is a param's name, or a path such as match.half_s")
             value = parse_value(value_text, shown)
             _point_to_option(value, Mark(shown))
             _set(root, _steps(path_text.strip(), root), value, Mark(shown), merger)
         except _RefusedError as refused:
-            merger.problems.append(Mark(shown).problem("", str(refused)))
+            merger.problems.append(Mark(shown).error("wrong-override", refused.message, refused.help))
         except ScenarioError as error:
-            merger.problems += [Problem(shown, 0, 0, "", problem.message) for problem in error.problems]
+            merger.problems += [Mark(shown).error(one.code, one.message, one.help) for one in error.diagnostics]
 
 
 def _point_to_option(node: Node, mark: Mark) -> None:
@@ -74,21 +85,19 @@ def _steps(text: str, root: Entries) -> Path:
         end = match.end()
         path.append(int(match[2]) if match[1] is None else match[1])
     if end != len(text) or len(path) > 30:
-        raise _RefusedError(
-            f"'{text}' is no path; write names with dots and list entries with [0]: rules.goal.actions[0]"
-        )
+        help_ = "write names with dots and list entries with [0]: rules.goal.actions[0]"
+        raise _RefusedError(f"'{text}' is not a path", help_)
     params = root.entries.get("params")
     if len(path) == 1 and isinstance(params, Entries) and path[0] in params.entries:
         return ("params", path[0])
     if path[0] == "extends":
-        raise _RefusedError(
-            "what a scenario extends is read before anything is set; write extends: in a file, with what you change"
-        )
+        message = "what a scenario extends is read before anything is set"
+        raise _RefusedError(message, "write a file with extends: and what you change")
     if len(path) == 1 and path[0] not in fields(Scenario):
         names = [*(params.entries if isinstance(params, Entries) else ()), *fields(Scenario)]
         exact = next((dotted for dotted in _dotted() if dotted.rpartition(".")[2] == path[0]), None)
-        hint = f"; did you mean '{exact}'?" if exact else nearest(str(path[0]), names)
-        raise _RefusedError(f"unknown param or section '{path[0]}'{hint}")
+        help_ = f"did you mean '{exact}'?" if exact else choice_of(str(path[0]), names)
+        raise _RefusedError(f"unknown param or section '{path[0]}'", help_)
     return tuple(path)
 
 
@@ -120,7 +129,7 @@ def _opened(node: Node, step: Step, shape: Shape, inner: Shape, mark: Mark, here
     """Return a new mapping for a section that the file leaves at its defaults; refuse everything else."""
     _check_step(node, step, shape, here)
     if is_named(chosen(shape, node)) or not isinstance(node, Entries) or not isinstance(step, str):
-        raise _RefusedError(_unknown_name(node, step, here))
+        raise _unknown_name(node, step, here)
     if not any(is_model(bare(member).kind) or is_named(member) for member in members(inner)):
         raise _RefusedError(f"{here + '.' if here else ''}{step} is a single value, nothing is inside it")
     fresh = Entries({}, mark)
@@ -132,14 +141,14 @@ def _put(node: Node, step: Step, value: Node, mark: Mark, shape: Shape, path: Pa
     _check_step(node, step, shape, here)
     if isinstance(node, Items) and isinstance(step, int):
         if isinstance(value, Leaf) and value.value is None:
-            raise _RefusedError(f"null removes named entries only; set the whole list {here}")
+            raise _RefusedError("null removes named entries only", f"set the whole list {here}")
         node.items[step] = merger.adopt(value, step_into(shape, node, step), path)
         return
     if not isinstance(node, Entries) or not isinstance(step, str):  # pragma: no cover - _check_step refused it
         return
     # A new name may bring a whole entry; a single value under a new name is a typing mistake.
     if is_named(chosen(shape, node)) and step not in node.entries and isinstance(value, Leaf):
-        raise _RefusedError(_unknown_name(node, step, here))
+        raise _unknown_name(node, step, here)
     make_way(node, {step}, shape)
     merger.merge_entry(node, step, value, mark, shape, path[:-1])
 
@@ -149,22 +158,21 @@ def _check_step(node: Node, step: Step, shape: Shape, here: str) -> None:
         raise _RefusedError(f"{here} is a single value, nothing is inside it")
     if isinstance(node, Items):
         if not isinstance(step, int) or step >= len(node.items):
-            last = len(node.items) - 1
-            raise _RefusedError(f"{here} is a list: its entries are [0] to [{last}], not '{step}'")
+            help_ = f"its entries are [0] to [{len(node.items) - 1}]"
+            raise _RefusedError(f"{here} is a list and has no '{step}'", help_)
         return
     if not isinstance(step, str):
-        raise _RefusedError(f"{here} is no list; there are {listing(node.entries)}")
+        raise _RefusedError(f"{here} is not a list", f"it has {listing(node.entries)}")
     kind = bare(chosen(shape, node)).kind
     if is_model(kind) and step not in fields(kind):
         known = fields(kind)
-        where = here or "a scenario"
-        raise _RefusedError(f"{where} has no '{step}'; it has {listing(known, 40)}{nearest(step, known)}")
+        raise _RefusedError(f"{here or 'a scenario'} has no '{step}'", choice_of(step, known))
 
 
-def _unknown_name(node: Node, step: Step, here: str) -> str:
+def _unknown_name(node: Node, step: Step, here: str) -> _RefusedError:
     names = node.entries if isinstance(node, Entries) else {}
     repeated = of_repeated(str(step), node) if isinstance(node, Entries) and here == "rules" else ""
-    return f"{here} has no '{step}'; there are {listing(names) or 'none'}{repeated or nearest(str(step), names)}"
+    return _RefusedError(f"{here} has no '{step}'", repeated or choice_of(str(step), names))
 
 
 def resolve_params(root: Entries, merger: Merger) -> None:
@@ -194,7 +202,7 @@ class Resolver:
 
     root: Entries
     params: Mapping[str, Node]
-    problems: list[Problem]
+    problems: list[Diagnostic]
     row: Mapping[str, Leaf | Items] | None = None
 
     def resolved(self, node: Node, shape: Shape, path: Path) -> Node:
@@ -229,11 +237,12 @@ class Resolver:
         if not isinstance(value, Leaf) or (self.row is not None and value.value is None):
             # A value that is no scalar, and one that a row lacks, is reported where it is defined.
             if value is None:
-                self._add(path, use.mark, f"unknown param '{cut(name)}'{self._hint(name)}")
+                self._add("unknown-param", path, use.mark, f"unknown param '{cut(name)}'", self._hint(name))
             return Leaf(None, use.mark, note="unknown param")
-        leaf, refused = reckoned(node, name, value)
-        for refusal in refused:
-            self._add((*path, refusal.key) if refusal.key else path, refusal.mark, refusal.message)
+        leaf, refused = param_value(node, name, value)
+        for one in refused:
+            at = (*path, one.key) if one.key else path
+            self._add("wrong-param-use", at, one.mark, one.message, one.help)
         if self.row is not None and name in self.row:
             leaf.param = value.param
         return leaf
@@ -241,21 +250,22 @@ class Resolver:
     def _listed(self, node: Entries, name: str, value: Items, path: Path) -> Leaf | Items:
         mark = node.entries["param"].mark
         if len(node.entries) > 1:
-            self._add(path, mark, f"param '{name}' is {found_text(value)}; nothing stands beside it")
+            message = f"param '{name}' is {found_text(value)}"
+            self._add("wrong-param-use", path, mark, message, "nothing can stand beside it")
             return Leaf(None, mark, note="unknown param")
         leaves = (item for item in value.items if isinstance(item, Leaf))
         return Items([Leaf(one.value, mark, note=f"param '{name}'", param=one.param) for one in leaves], mark)
 
     def _hint(self, name: str) -> str:
-        known = [*(self.row or ()), *self.params]
         if name == THIS and self.row is None:
-            return (
-                "; 'this' is known only in a rule with repeat_for: there it is the name for which the rule is written"
-            )
-        return written_out(name, known) or nearest(name, known) or known_text(known, "param")
+            return "'this' can only be used in a rule with repeat_for"
+        known = [*(self.row or ()), *self.params]
+        if word := next((word for word in _WORD.findall(name) if word in known and word != name), None):
+            return f"a formula is written {{param: {word}, times: 2, plus: 1}}"
+        return choice_of(name, known, "param")
 
-    def _add(self, path: Path, mark: Mark, message: str) -> None:
-        self.problems.append(mark.problem(in_names(self.root, path), message))
+    def _add(self, code: str, path: Path, mark: Mark, message: str, help_: str = "") -> None:
+        self.problems.append(mark.error(code, message, help_, in_names(self.root, path)))
 
 
 def _name(node: Entries) -> str:

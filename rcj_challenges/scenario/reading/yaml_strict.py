@@ -16,7 +16,8 @@ from typing import Any
 
 import yaml
 
-from rcj_challenges.scenario.errors import Problem, ScenarioError, TooLargeError
+from rcj_challenges.facts.diagnostics import Diagnostic
+from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.tree import MAX_VALUES, Entries, Items, Leaf, Mark, Node, check_amount, too_large
 
 MAX_BYTES = 1_000_000
@@ -86,7 +87,11 @@ def parse_bytes(data: bytes, file: str) -> Node:
         line = before.count(b"\n") + 1
         column = len(before.rpartition(b"\n")[2].decode("utf-8", "replace")) + 1
         raise ScenarioError(
-            [Problem(file, line, column, "", f"not UTF-8: byte 0x{data[error.start]:02x}; save the file as UTF-8")]
+            [
+                Mark(file, line, column).error(
+                    "not-utf8", f"not UTF-8: byte 0x{data[error.start]:02x}", "save the file as UTF-8"
+                )
+            ]
         ) from None
     return parse_text(text, file)
 
@@ -109,21 +114,22 @@ def parse_text(text: str, file: str, loader: Any = None) -> Node:
         before = text[: bad.start()].replace("\r\n", "\n").replace("\r", "\n")
         line, column = before.count("\n") + 1, len(before.rpartition("\n")[2]) + 1
         message = f"character U+{ord(bad.group()):04X} is not allowed in YAML"
-        raise ScenarioError([Problem(file, line, column, "", message)])
+        raise ScenarioError([Mark(file, line, column).error("invalid-yaml", message)])
     builder = _Builder(file)
     try:
         for event in yaml.parse(text, Loader=loader or _LOADER):
             builder.take(event)
     except yaml.MarkedYAMLError as error:
-        builder.problems.append(_syntax_problem(error, file))
+        builder.problems.append(_syntax_error(error, file))
     except yaml.YAMLError as error:
-        builder.problems.append(Problem(file, 1, 1, "", f"not valid YAML: {' '.join(str(error).split())}"))
+        message = f"not valid YAML: {' '.join(str(error).split())}"
+        builder.problems.append(Mark(file, 1, 1).error("invalid-yaml", message))
     except _HopelessError:
         pass
     if builder.problems:
         raise ScenarioError(builder.problems)
     if builder.root is None:
-        raise ScenarioError([Problem(file, 1, 1, "", "the file is empty")])
+        raise ScenarioError([Mark(file, 1, 1).error("empty-file", "the file is empty")])
     return builder.root
 
 
@@ -141,37 +147,21 @@ def refuse_size(size: int, file: str) -> None:
     """Refuse a file or text of too many bytes.
 
     Raises:
-        TooLargeError: it is larger than `MAX_BYTES`.
+        ScenarioError: it is larger than `MAX_BYTES`.
     """
     if size > MAX_BYTES:
-        raise TooLargeError.at(file, 0, 0, f"the scenario has {size} bytes; at most {MAX_BYTES} are read")
+        raise too_large(Mark(file), f"the scenario has {size} bytes; at most {MAX_BYTES} are read")
 
 
-def _syntax_problem(error: yaml.MarkedYAMLError, file: str) -> Problem:
+def _syntax_error(error: yaml.MarkedYAMLError, file: str) -> Diagnostic:
     mark = error.problem_mark or error.context_mark
-    said = " ".join(str(part) for part in (error.context, error.problem) if part) or "not valid YAML"
-    hint = next((f" ({text})" for found, text in _HINTS if found in said), "")
-    line, column = (mark.line + 1, mark.column + 1) if mark is not None else (1, 1)
+    message = " ".join(str(part) for part in (error.context, error.problem) if part) or "not valid YAML"
+    help_ = next((text for found, text in _HINTS if found in message), "")
+    at = Mark(file, mark.line + 1, mark.column + 1) if mark is not None else Mark(file, 1, 1)
     # libyaml reads ahead as far as a key may be long, and from 0.2.6 on it has a limit of its own.
-    if "maximum nesting depth" in said:
-        return Problem(file, line, column, "", f"nested deeper than {MAX_DEPTH} levels")
-    return Problem(file, line, column, "", f"not valid YAML: {said}{hint}")
-
-
-def _of_a_number(node: Items | Entries, value: object, mark: Mark) -> str:
-    """Return what to do about a number where a key is expected, behind another number: a decimal comma, or a list."""
-    before = list(node.entries.values())[-1] if isinstance(node, Entries) and node.entries else None
-    if not isinstance(before, Leaf) or before.mark.line != mark.line:
-        return ""
-    numbers = [one for one in (before.value, value) if isinstance(one, int | float) and not isinstance(one, bool)]
-    if len(numbers) < 2:
-        return ""
-    point = (
-        f"a decimal number is written with a point, {before.value}.{value}, and " if isinstance(numbers[0], int) else ""
-    )
-    return (
-        f"{value} stands where a key is expected: {point}several numbers stand in brackets, [{before.value}, {value}]"
-    )
+    if "maximum nesting depth" in message:
+        return at.error("invalid-yaml", f"nested deeper than {MAX_DEPTH} levels")
+    return at.error("invalid-yaml", f"not valid YAML: {message}", help_)
 
 
 class _HopelessError(Exception):
@@ -194,7 +184,7 @@ class _Builder:
 
     file: str
     root: Node | None = None
-    problems: list[Problem] = field(default_factory=list)
+    problems: list[Diagnostic] = field(default_factory=list)
     stack: list[_Open] = field(default_factory=list)
     documents: int = 0
     values: int = 0
@@ -204,7 +194,7 @@ class _Builder:
         if isinstance(event, yaml.DocumentStartEvent):
             self._document(event, mark)
         elif isinstance(event, yaml.AliasEvent):
-            self._refuse(mark, f"alias '*{event.anchor}': aliases are not allowed; write the value out")
+            self._refuse(mark, f"alias '*{event.anchor}': aliases are not allowed", "write the value out")
             raise _HopelessError
         elif isinstance(event, yaml.NodeEvent):
             self._node(event, mark)
@@ -215,27 +205,27 @@ class _Builder:
         start = event.start_mark
         return Mark(self.file, start.line + 1, start.column + 1) if start is not None else Mark(self.file, 1, 1)
 
-    def _refuse(self, mark: Mark, message: str) -> None:
-        self.problems.append(mark.problem("", message))
+    def _refuse(self, mark: Mark, message: str, help_: str = "", code: str = "invalid-yaml") -> None:
+        self.problems.append(mark.error(code, message, help_))
 
     def _document(self, event: yaml.DocumentStartEvent, mark: Mark) -> None:
         self.documents += 1
         if self.documents > 1:
-            self._refuse(mark, "a second document: a file holds one scenario")
+            self._refuse(mark, "a second document", "a file holds one scenario")
             raise _HopelessError
         if event.tags or (event.version is not None and tuple(event.version) != (1, 2)):
-            self._refuse(mark, "directives (%YAML, %TAG) are not allowed; the file is read as YAML 1.2")
+            self._refuse(mark, "directives (%YAML, %TAG) are not allowed", "the file is read as YAML 1.2")
 
     def _node(self, event: Any, mark: Mark) -> None:
         if event.anchor is not None:
-            self._refuse(mark, f"anchor '&{event.anchor}': anchors are not allowed; write the value out")
+            self._refuse(mark, f"anchor '&{event.anchor}': anchors are not allowed", "write the value out")
         if event.tag is not None:
-            self._refuse(mark, f"tag '{event.tag}': tags are not allowed; the value alone says what it is")
+            self._refuse(mark, f"tag '{event.tag}': tags are not allowed", "the value alone says what it is")
         if isinstance(event, yaml.ScalarEvent):
             self._scalar(event, mark)
             return
         if self._wants_key():
-            self._refuse(mark, "a list or mapping cannot be a key; keys are text")
+            self._refuse(mark, "a list or mapping cannot be a key", "keys are text")
             raise _HopelessError
         if len(self.stack) >= MAX_DEPTH:
             self._refuse(mark, f"nested deeper than {MAX_DEPTH} levels")
@@ -246,7 +236,7 @@ class _Builder:
 
     def _scalar(self, event: yaml.ScalarEvent, mark: Mark) -> None:
         if _SURROGATE.search(event.value):  # PyYAML's own parser lets escapes of half a character pass
-            self._refuse(mark, "an escape stands for half a character; write the character itself")
+            self._refuse(mark, "an escape stands for half a character", "write the character itself")
         # Only plain scalars may be anything but text. (libyaml says "", PyYAML's own parser None.)
         is_plain = not event.style
         value = event.value if not is_plain else self._resolve(event.value, mark)
@@ -263,11 +253,13 @@ class _Builder:
         top.key_mark = mark
         top.skipped = True
         if not isinstance(value, str):
-            what = f"key {written} is not text; write it in quotes" if written else "a key is missing before ':'"
-            self._refuse(mark, _of_a_number(top.node, value, mark) or what)
+            message = f"key {written} is not text" if written else "a key is missing before ':'"
+            is_number = isinstance(value, int | float) and not isinstance(value, bool)
+            help_ = "several numbers stand in brackets, [0.3, 0.2], and decimals are written with a point"
+            self._refuse(mark, message, help_ if is_number else "keys are text; write it in quotes if it is one")
         elif isinstance(top.node, Entries) and value in top.node.entries:
             first = top.node.key_marks[value]
-            self._refuse(mark, f"key '{value}' is already given in line {first.line}; only one of them can count")
+            self._refuse(mark, f"key '{value}' is already given in line {first.line}", "take one out", "duplicate-key")
         else:
             top.key = value
             top.skipped = False
@@ -301,7 +293,7 @@ class _Builder:
                 return number
         elif not _NOT_FINITE.fullmatch(text):
             return text
-        self._refuse(mark, f"{text[:40]} is not a finite number; numbers here are finite (in quotes it would be text)")
+        self._refuse(mark, f"{text[:40]} is not a finite number", "in quotes it is a text")
         return 0
 
     def _integer(self, text: str, mark: Mark) -> int:
@@ -310,5 +302,5 @@ class _Builder:
             number = int(text, base)
             if -INT_LIMIT <= number < INT_LIMIT:
                 return number
-        self._refuse(mark, f"{text[:24]}… is too large a number; whole numbers have at most 64 bits")
+        self._refuse(mark, f"{text[:24]}… is too large", "whole numbers have at most 64 bits")
         return 0

@@ -26,13 +26,12 @@ from rcj_challenges.rules.places.uniform_in import UniformIn
 from rcj_challenges.rules.values.draw import DrawValue
 from rcj_challenges.rules.values.told import ToldValue
 from rcj_challenges.scenario.beginnings import turns
-from rcj_challenges.scenario.catalogue import EACH, OTHER
 from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.other import written_others
 from rcj_challenges.scenario.remembered import fixed_spots
-from rcj_challenges.scenario.roster import Roster, row_of
+from rcj_challenges.scenario.roster import EACH, OTHER, Roster, as_tuple
 from rcj_challenges.scenario.starting import start_noise_m, start_pose
+from rcj_challenges.scenario.touch_rules import written_others
 from rcj_challenges.views.drawing.shapes import Point, point_words
 
 Flip = tuple[bool, bool]
@@ -189,7 +188,7 @@ def _certain_pose(
 def _names(names: Names, rule: Rule) -> tuple[str, ...]:
     """Return names as a row, with what a rule goes over for ``each``, and what it finds touched for ``other``."""
     bound = {EACH: (rule.for_each or "",), OTHER: written_others(rule)}
-    return tuple(one for name in row_of(names) for one in bound.get(name, (name,)))
+    return tuple(one for name in as_tuple(names) for one in bound.get(name, (name,)))
 
 
 def _areas(scenario: Scenario, roster: Roster, put: _Put) -> Iterator[tuple[Area, tuple[str, ...]]]:

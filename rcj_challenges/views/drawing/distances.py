@@ -10,8 +10,8 @@ from rcj_challenges.rules.conditions.spot_free import SpotFree
 from rcj_challenges.rules.triggers.displaced import Displaced
 from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.roster import Roster, row_of, written_for
-from rcj_challenges.scenario.visiting import visit
+from rcj_challenges.scenario.roster import Roster, as_tuple, with_each
+from rcj_challenges.scenario.walk import walk
 from rcj_challenges.views.drawing.shapes import Point, point_words
 
 
@@ -43,14 +43,16 @@ def measured_distances(scenario: Scenario, roster: Roster) -> list[MeasuredDista
 
 
 def _of_rule(rule: Rule, scenario: Scenario, roster: Roster) -> Iterator[MeasuredDistance]:
-    for model, _ in visit(rule):
+    for model, _ in walk(rule):
         if isinstance(model, Distance):
             bounds = (model.at_least, model.at_most, model.equals)
             radii_m = [float(bound) for bound in bounds if isinstance(bound, int | float) and bound > 0]
             for name, centre in _places(model.to, rule, scenario, roster):
                 yield from (MeasuredDistance(radius_m, name, centre) for radius_m in radii_m)
         elif isinstance(model, SpotFree) and model.clearance_m > 0:
-            for name, centre in (place for one in row_of(model.spot) for place in _places(one, rule, scenario, roster)):
+            for name, centre in (
+                place for one in as_tuple(model.spot) for place in _places(one, rule, scenario, roster)
+            ):
                 yield MeasuredDistance(model.clearance_m, name, centre)
         elif isinstance(model, Displaced) and not isinstance(model.from_, str) and model.axis == "distance":
             yield MeasuredDistance(model.distance_m, "", model.from_)
@@ -61,7 +63,7 @@ def _places(to: str | Point, rule: Rule, scenario: Scenario, roster: Roster) -> 
     if not isinstance(to, str):
         yield "", to
         return
-    for name in roster.may_be(written_for(to, rule.for_each)):
+    for name in roster.may_be(with_each(to, rule.for_each)):
         if name in scenario.spots:
             spot = scenario.spots[name]
             yield name, (spot.x_m, spot.y_m)

@@ -11,7 +11,7 @@ from rcj_challenges.scenario.models.places import Gate
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.remembered import fixed_spots
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.visiting import visit
+from rcj_challenges.scenario.walk import walk
 from rcj_challenges.views.palette import shown_colour
 from rcj_challenges.views.standing import counted_names, shows_score
 
@@ -68,7 +68,7 @@ def _used_gates(scenario: Scenario, roster: Roster) -> set[str]:
     """Return the gates by which rules judge: a spectator must see them to understand what happens."""
     named = {
         name
-        for model, _ in visit((scenario.rules, scenario.sequences))
+        for model, _ in walk((scenario.rules, scenario.sequences))
         for field in type(model).model_fields
         for name in _texts(getattr(model, field))
         if name in scenario.gates or name in scenario.groups

@@ -8,13 +8,12 @@ from rcj_challenges.rules.actions.remove import Remove
 from rcj_challenges.rules.fields import Names, Scalar
 from rcj_challenges.rules.phrasing import Subject, listed, plain, quoted, quoted_measure
 from rcj_challenges.rules.quantifier import AtLeast
-from rcj_challenges.scenario.catalogue import BOUND, OTHER
 from rcj_challenges.scenario.followed import followed
 from rcj_challenges.scenario.halves import clock_may_stop
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.other import names_other, others_of
-from rcj_challenges.scenario.roster import WALLS, Roster, row_of, written_for
+from rcj_challenges.scenario.roster import BOUND, OTHER, WALLS, Roster, as_tuple, with_each
 from rcj_challenges.scenario.set_draws import set_from_the_start
+from rcj_challenges.scenario.touch_rules import names_other
 
 _MEASURED_BY_SEVERAL = "what was measured"
 """Written where triggers of one rule measure different things."""
@@ -76,17 +75,17 @@ class Phrasebook:
 
     def any_of(self, names: Names) -> str:
         """Return the one of several that a rule is about: ``one of the robots``, ``Y1 or Y2``."""
-        parts = [f"one of {self._group(one)}" if self._several(one) else self._one(one) for one in row_of(names)]
+        parts = [f"one of {self._group(one)}" if self._several(one) else self._one(one) for one in as_tuple(names)]
         return listed(parts, "or")
 
     def another_of(self, names: Names, than: Names) -> str:
         """Return the one of several that another one meets: ``another of them``, if they are the same group."""
-        return "another of them" if names == than and self._several(row_of(names)[0]) else self.any_of(names)
+        return "another of them" if names == than and self._several(as_tuple(names)[0]) else self.any_of(names)
 
     def all_of(self, names: Names) -> Subject:
         """Return several together: ``the blue robots and Y3``, which is plural."""
-        parts = [self._group(name) if self._several(name) else self._one(name) for name in row_of(names)]
-        return Subject(listed(parts, "and"), plural=len(parts) > 1 or self._several(row_of(names)[0]))
+        parts = [self._group(name) if self._several(name) else self._one(name) for name in as_tuple(names)]
+        return Subject(listed(parts, "and"), plural=len(parts) > 1 or self._several(as_tuple(names)[0]))
 
     def each_of(self, names: str) -> str:
         """Return the ones that a rule is repeated for: ``each of the robots``; of a group of one its only member."""
@@ -94,7 +93,7 @@ class Phrasebook:
 
     def quantified(self, of: Any, names: Names, *, negate: bool) -> Subject:
         """Return how many of several must do something: ``none of the robots``; negated, the opposite of it."""
-        row = row_of(names)
+        row = as_tuple(names)
         if len(row) == 1 and not self._several(row[0]):
             return Subject(self._one(row[0]), negated=negate != (of == "none"))
         several = self.all_of(names).text
@@ -115,7 +114,7 @@ class Phrasebook:
             return f"({at[0] + 0.0:g}, {at[1] + 0.0:g})"  # adding 0 makes no -0
         if not self._several(at):
             return self._one(at)
-        own = {one for name in row_of(measured_from or ()) for one in self.meant(name)} & set(self.meant(at))
+        own = {one for name in as_tuple(measured_from or ()) for one in self.meant(name)} & set(self.meant(at))
         return f"the nearest {'other one ' if own else ''}of {self._group(at)}"
 
     def owned(self, what: str, names: Names, name: str = "") -> str:
@@ -139,7 +138,7 @@ class Phrasebook:
 
     def meant(self, at: Any) -> tuple[str, ...]:
         """Return the names for which a name may stand; none for a point."""
-        return self.roster.may_be(written_for(at, self.each)) if isinstance(at, str) else ()
+        return self.roster.may_be(with_each(at, self.each)) if isinstance(at, str) else ()
 
     def is_on_field(self, name: str) -> bool:
         """Return whether a name stands for robots, balls or obstacles: zones, gates and empty groups do not."""
@@ -266,7 +265,7 @@ class Phrasebook:
 
     def _touched(self, rule: Rule) -> str:
         """Return what ``other`` is in a rule: ``the robot it touches``."""
-        others = others_of(rule, rule.for_each, self.roster)
+        others = self.roster.others(rule, rule.for_each)
         if len(others) == 1:
             return self.thing(others[0])
         is_touching = all(getattr(trigger, "entity", None) == "each" for trigger in rule.triggers)

@@ -29,7 +29,7 @@ from rcj_challenges.rules.values.last_touch import LastTouchValue
 from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import Sequence
-from rcj_challenges.scenario.visiting import visit
+from rcj_challenges.scenario.walk import walk
 from rcj_challenges.views.sheet.document import Block, Items
 from rcj_challenges.views.sheet.phrasebook import Phrasebook
 
@@ -117,7 +117,7 @@ def _general(scenario: Scenario, rules: Mapping[str, Rule]) -> Iterator[str]:
             "for later, and what must last for a time is measured anew."
         )
     parts = (*rules.values(), scenario.placements, scenario.broadcast, scenario.sequences)
-    models = [model for model, _ in visit(parts)]
+    models = [model for model, _ in walk(parts)]
     if any(isinstance(model, Sequence) or (isinstance(model, Word) and model.ASKS_WHERE) for model in models):
         yield (
             "A robot, a ball or an obstacle is where its centre is: that counts for zones and gates, and distances are "

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 from rcj_challenges.rules.phrasing import number, plain
 from rcj_challenges.scenario.blanks import partly_filled
 from rcj_challenges.scenario.models.scenario import Rule
-from rcj_challenges.scenario.other import has_other, others_of, written_others
-from rcj_challenges.scenario.roster import row_of
+from rcj_challenges.scenario.roster import as_tuple, has_other
+from rcj_challenges.scenario.touch_rules import written_others
 from rcj_challenges.views.sheet.phrasebook import Phrasebook
 
 OPEN = "…"
@@ -63,7 +63,7 @@ def _kinds_said(nouns: Phrasebook, rule: Rule, blank: str) -> tuple[str, ...]:
         case "{team}":
             return ("team",)
         case "{other}":
-            return (nouns.one_kind(others_of(rule, rule.for_each, nouns.roster)),)
+            return (nouns.one_kind(nouns.roster.others(rule, rule.for_each)),)
         case "{entity}" if not _goes_over_entities(nouns, rule):
             return (nouns.one_kind(_concerned(nouns, rule)),)
     group = rule.for_each or ""
@@ -130,7 +130,7 @@ def _other(nouns: Phrasebook, rule: Rule) -> str:
 
     Where it may be of several kinds, what the rule writes: ``a wall or the ball``.
     """
-    others = others_of(rule, rule.for_each, nouns.roster) if has_other(rule) else ()
+    others = nouns.roster.others(rule, rule.for_each) if has_other(rule) else ()
     if len(others) == 1:
         return nouns.thing(others[0])
     kind = nouns.one_kind(others)
@@ -170,4 +170,4 @@ def _measured(nouns: Phrasebook, rule: Rule) -> str:
 def _concerned(nouns: Phrasebook, rule: Rule) -> tuple[str, ...]:
     """Return what the triggers of a rule can be about, without repeats."""
     about = (trigger.about(nouns) for trigger in rule.triggers)
-    return tuple(dict.fromkeys(name for names in about if names is not None for name in row_of(names)))
+    return tuple(dict.fromkeys(name for names in about if names is not None for name in as_tuple(names)))

@@ -10,7 +10,7 @@ from rcj_challenges.rules.triggers.enters import Enters
 from rcj_challenges.scenario.models.field import FieldModel
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.roster import Roster, written_for
+from rcj_challenges.scenario.roster import Roster, with_each
 
 _AT_THE_END = 0.9
 """A zone is at an end of the field if its middle is beyond this share of the way from the centre to the end line."""
@@ -68,7 +68,7 @@ def _ends_entered(rule: Rule, scenario: Scenario, roster: Roster) -> set[int]:
 
 
 def _members(names: Names, rule: Rule, roster: Roster) -> tuple[str, ...]:
-    return roster.may_be(written_for(names, rule.for_each))
+    return roster.may_be(with_each(names, rule.for_each))
 
 
 def _middle_y(zone: Zone, field: FieldModel) -> float:

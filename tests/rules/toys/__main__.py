@@ -44,7 +44,7 @@ def report(word: type[Word], name: str) -> dict[str, object]:
         load_text(Example("", (), word.EXAMPLE.replace(name, f"{name}x")).whole)
         refused = []
     except ScenarioError as error:
-        refused = [problem.path for problem in error.problems]
+        refused = [one.where.path for one in error.diagnostics]
     return {
         "differences": run_test(loaded, test).differences,
         "refused": refused,

@@ -1,14 +1,15 @@
 """Tests that a scenario inherits from what it extends, and that do not fit it any more.
 
-Whoever plays the match with two robots a side, or for three minutes, changes a line or two. The base's tests of what is
-gone are then no mistakes of theirs: they are left out, and lint says which.
+A scenario that plays the match with two robots a side, or for three minutes, changes a line or two. The base's tests of
+what it removed are not mistakes of its author: they are left out, and lint says which.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
 
-from rcj_challenges.scenario.errors import Problem, ScenarioError
+from rcj_challenges.facts.diagnostics import Diagnostic
+from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.tree import Entries, Items, Mark, Node
 
 TESTS = "expect"
@@ -16,7 +17,7 @@ ALL_INHERITED = "inherited"
 """With ``null``, in place of a test's name: all tests of the base."""
 
 
-def unfit_tests(error: ScenarioError, tree: Entries, bases: Collection[str]) -> dict[str, Problem]:
+def unfit_tests(error: ScenarioError, tree: Entries, bases: Collection[str]) -> dict[str, Diagnostic]:
     """Return the tests in which something is wrong, and that stand as a whole in what the scenario extends.
 
     Args:
@@ -30,9 +31,9 @@ def unfit_tests(error: ScenarioError, tree: Entries, bases: Collection[str]) -> 
     tests = tree.entries.get(TESTS)
     if not isinstance(tests, Entries):
         return {}
-    found: dict[str, Problem] = {}
-    for problem in error.problems:
-        section, _, rest = problem.path.partition(".")
+    found: dict[str, Diagnostic] = {}
+    for problem in error.diagnostics:
+        section, _, rest = place_of(problem).path.partition(".")
         name = rest.partition(".")[0].partition("[")[0]
         if section == TESTS and name in tests.entries and name not in found:
             marks = [tests.key_marks[name], *_marks(tests.entries[name])]

@@ -1,4 +1,4 @@
-"""Rules that are written once and meant several times: ``repeat_for: [yellow, blue]``.
+"""Rules that are written once and exist several times: ``repeat_for: [yellow, blue]``.
 
 Works on the merged tree, before params are resolved: the rule is replaced, in its place in the order, by one for each
 row. Whatever comes later knows those rules only, and that each value in them stands where the author wrote it.
@@ -11,10 +11,11 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
+from rcj_challenges.facts.diagnostics import Diagnostic
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.blanks import BLANKS, filled, in_braces
-from rcj_challenges.scenario.errors import Problem, listing, nearest
-from rcj_challenges.scenario.messages.wording import found_text, no_name
+from rcj_challenges.scenario.errors import listing, nearest, place_of
+from rcj_challenges.scenario.messages.wording import NAME_RULE, found_text, quoted
 from rcj_challenges.scenario.models.scenario import MAX_ROWS, Rule
 from rcj_challenges.scenario.reading.merge import Merger, Repeated, is_param
 from rcj_challenges.scenario.reading.params import THIS, Resolver, params_of
@@ -22,8 +23,8 @@ from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path,
 
 RULES, REPEAT_FOR = "rules", "repeat_for"
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
-_LONGEST = 64
-_MOST_VALUES = 20_000
+_MAX_LETTERS = 64
+_MAX_VALUES = 20_000
 """How many single values all that is repeated may come to: a file of 1 MB that repeats nothing has about as many."""
 _FORMS = "a list of names, [yellow, blue], or a mapping of values by name, {yellow: {zone: blue_goal}, …}"
 
@@ -56,7 +57,7 @@ def repeat_rules(root: Entries, merger: Merger) -> None:
         return
     fresh = Entries({}, rules.mark)
     root.entries[RULES] = fresh
-    left = _MOST_VALUES
+    left = _MAX_VALUES
     taken = {name: rules.key_marks[name] for name, rule in rules.entries.items() if not _is_repeated(rule)}
     for name, rule in rules.entries.items():
         if not isinstance(rule, Entries) or not _is_repeated(rule):
@@ -66,8 +67,8 @@ def repeat_rules(root: Entries, merger: Merger) -> None:
         rule.drop(REPEAT_FOR)
         left -= sum(_count(rule, row.values) for row in rows)
         if left < 0:
-            message = f"too much is repeated: written out it would be more than {_MOST_VALUES} single values"
-            merger.problems.append(rules.key_marks[name].problem(f"{RULES}.{name}", message))
+            message = f"too much is repeated: written out it would be more than {_MAX_VALUES} single values"
+            merger.problems.append(rules.key_marks[name].error("scenario-too-large", message, "", f"{RULES}.{name}"))
             rows = []
         blanks = tuple(_blanks_in(rule))
         used = {*_params_in(rule), *blanks}
@@ -77,7 +78,7 @@ def repeat_rules(root: Entries, merger: Merger) -> None:
             merger.repeated[_joined(name, row)] = Repeated(name, tuple(row.values), unused, filled_in)
             fresh.put(_joined(name, row), copied(rule), rules.key_marks[name])
             _fill(root, _joined(name, row), row.values, merger)
-        if not rows:  # what is wrong with them is told; what else is wrong in the rule can be told as well
+        if not rows:  # what is wrong with them is reported; what else is wrong in the rule can be reported too
             fresh.put(name, rule, rules.key_marks[name])
             known = params_of(root)
             unknown = (one for one in _params_in(rule) if one not in known)
@@ -159,7 +160,7 @@ def _spoken(value: Leaf | Items) -> Scalar | list[Scalar] | None:
 class _Reader:
     """Reads the rows of one rule."""
 
-    def __init__(self, root: Entries, rule: str, problems: list[Problem]) -> None:
+    def __init__(self, root: Entries, rule: str, problems: list[Diagnostic]) -> None:
         self.root = root
         self.rule = rule
         self.problems = problems
@@ -173,17 +174,17 @@ class _Reader:
             taken: where the names of rules stand; those of the rows are added.
         """
         if is_param(node):
-            self._add((), node.mark, f"no param can stand here; expected {_FORMS}")
+            self._add((), node.mark, "a param cannot stand here", f"write {_FORMS}")
             return []
         if isinstance(node, Leaf):
             if node.value is not None:  # else it has been reported as an empty value, or as a null
-                self._add((), node.mark, f"expected {_FORMS}, found {found_text(node)}")
+                self._add((), node.mark, f"expected names, found {found_text(node)}", f"write {_FORMS}")
             return []
         rows = list(self._listed(node) if isinstance(node, Items) else self._by_name(node))
         count = len(node.items if isinstance(node, Items) else node.entries)
         if not 1 <= count <= MAX_ROWS:
             amount = f"at most {MAX_ROWS} names" if count else "at least one name"
-            self._add((), node.mark, f"must have {amount}, found {found_text(node)}; expected {_FORMS}")
+            self._add((), node.mark, f"must have {amount}, found {found_text(node)}", f"write {_FORMS}")
             return []
         self._hidden(rows)
         self._same_keys(rows)
@@ -218,9 +219,9 @@ class _Reader:
                 self._add((name,), inner.mark, message)
 
     def _is_name(self, name: str, at: Path, mark: Mark) -> bool:
-        if _NAME.fullmatch(name) and len(name) <= _LONGEST:
+        if _NAME.fullmatch(name) and len(name) <= _MAX_LETTERS:
             return True
-        self._add(at, mark, no_name(name))
+        self._add(at, mark, f"{quoted(name)} is not a name", f"write {NAME_RULE}")
         return False
 
     def _hidden(self, rows: list[_Row]) -> None:
@@ -228,41 +229,41 @@ class _Reader:
         params = self.root.entries.get("params")
         where = params.key_marks if isinstance(params, Entries) else {}
         if THIS in self.params:
-            message = "in a rule with repeat_for 'this' is the name for which it is repeated; call the param otherwise"
-            self.problems.append(where[THIS].problem(f"params.{THIS}", message))
-        told: set[str] = set()
+            message = "in a rule with repeat_for 'this' is the name for which it is repeated"
+            self.problems.append(
+                where[THIS].error("name-taken", message, "give the param another name", f"params.{THIS}")
+            )
+        reported: set[str] = set()
         for row in rows:
             for key in row.written:
                 mark = row.key_marks[key]
                 if key == THIS:
-                    self._add((row.step, key), mark, f"'this' is '{row.name}' itself; choose another key")
-                elif self._is_name(key, (row.step, key), mark) and key in self.params and key not in told:
-                    told.add(key)
-                    message = f"'{key}' is a param of the scenario already{_line(where[key], mark)}; choose another key"
-                    self._add((row.step, key), mark, message)
+                    self._add((row.step, key), mark, f"'this' is '{row.name}' itself", "choose another key")
+                elif self._is_name(key, (row.step, key), mark) and key in self.params and key not in reported:
+                    reported.add(key)
+                    message = f"'{key}' is a param of the scenario already{_line(where[key], mark)}"
+                    self._add((row.step, key), mark, message, "choose another key")
 
     def _same_keys(self, rows: list[_Row]) -> None:
-        """Tell which names have other keys than most of them; the first decides where as many have one as the other."""
+        """Report names that have other keys than most; if as many have one set of keys as another, the first counts."""
         if not rows:
             return
         ((usual, _),) = Counter(frozenset(row.written) for row in rows).most_common(1)
         like = next(row for row in rows if row.written.keys() == usual)
+        help_ = f"all names need the same keys: {listing(like.written) or 'none'}"
         for row in rows:
-            strangers = [key for key in row.written if key not in like.written]
             missing = [key for key in like.written if key not in row.written]
-            for key in strangers:
-                hint = nearest(key, missing)
-                misspelt = [known for known in missing if repr(known) in hint]
-                missing = [known for known in missing if known not in misspelt]
-                there = f"it has {listing(like.written)}" if like.written else "it has none"
-                message = f"'{key}' is missing for '{like.name}'; {there}; all names need the same keys{hint}"
-                self._add((row.step, key), row.key_marks[key], message)
+            for key in (key for key in row.written if key not in like.written):
+                near = nearest(key, missing)
+                missing = [one for one in missing if one != near]
+                hint = f"did you mean '{near}'? " if near else ""
+                self._add((row.step, key), row.key_marks[key], f"'{like.name}' has no '{key}'", f"{hint}{help_}")
             for key in missing:
                 message = f"'{key}' is missing, which '{like.name}' has{_line(like.key_marks[key], row.mark)}"
-                self._add((row.step,), row.mark, f"{message}; all names need the same keys")
+                self._add((row.step,), row.mark, message, help_)
 
     def _read(self, row: _Row, keys: Iterable[str]) -> None:
-        # What a name lacks is told; its uses are not wrong as well.
+        # What a name lacks is reported once, not again wherever it is used.
         row.values = {THIS: Leaf(row.name, row.mark), **{key: Leaf(None, row.mark) for key in keys if key != THIS}}
         for key, node in row.written.items():
             if key != THIS:
@@ -289,16 +290,15 @@ class _Reader:
         known = taken.setdefault(name, row.mark)
         if known is not row.mark:
             line = _line(known, row.mark)
-            self._add(
-                (row.step,), row.mark, f"the rule for it is called '{name}', as another rule is{line}; rename one"
-            )
+            message = f"the rule for it is called '{name}', as another rule is{line}"
+            self._add((row.step,), row.mark, message, "rename one")
         return known is row.mark
 
     def _path(self, at: Path) -> Path:
         return (RULES, self.rule, REPEAT_FOR, *at)
 
-    def _add(self, at: Path, mark: Mark, message: str) -> None:
-        self.problems.append(mark.problem(in_names(self.root, self._path(at)), message))
+    def _add(self, at: Path, mark: Mark, message: str, help_: str = "") -> None:
+        self.problems.append(mark.error("wrong-repeat", message, help_, in_names(self.root, self._path(at))))
 
 
 def _line(other: Mark, here: Mark) -> str:
@@ -307,16 +307,11 @@ def _line(other: Mark, here: Mark) -> str:
     return f" (line {other.line})" if other.file == here.file else f" ({other.file}:{other.line})"
 
 
-# --- what is told of a repeated rule ---------------------------------------------------------------------------------
+# --- errors and warnings about repeated rules -------------------------------------------------------------------------
 
 
-def told_once(problems: Iterable[Problem], repeated: Mapping[str, Repeated]) -> list[Problem]:
-    """Return problems in which what is wrong for several rules that came of one is said of that one, once."""
-    return list(dict.fromkeys(alike(problems, repeated)))
-
-
-def alike(problems: Iterable[Problem], repeated: Mapping[str, Repeated]) -> list[Problem]:
-    """Return problems in their order, those alike that say the same of several rules that came of one.
+def merged(problems: Iterable[Diagnostic], repeated: Mapping[str, Repeated]) -> list[Diagnostic]:
+    """Return problems in their order; the same one of several rules that came from one is reported once, of that one.
 
     Args:
         problems: each at its place, with the path of the rule that it is about.
@@ -324,33 +319,35 @@ def alike(problems: Iterable[Problem], repeated: Mapping[str, Repeated]) -> list
     """
     found = list(problems)
     of_written = [_of_written(problem, repeated) for problem in found]
-    about: dict[Problem, dict[str, str]] = {}
+    about: dict[Diagnostic, dict[str, str]] = {}
     for problem, written in zip(found, of_written, strict=True):
-        about.setdefault(written, {})[problem.path] = _rule_of(problem)
-    return [
+        about.setdefault(written, {})[place_of(problem).path] = _rule_of(problem)
+    alike = (
         _about_some(written, about[written].values(), repeated) if len(about[written]) > 1 else problem
         for problem, written in zip(found, of_written, strict=True)
-    ]  # fmt: skip
+    )
+    return list(dict.fromkeys(alike))
 
 
-def _about_some(written: Problem, names: Iterable[str], repeated: Mapping[str, Repeated]) -> Problem:
+def _about_some(written: Diagnostic, names: Iterable[str], repeated: Mapping[str, Repeated]) -> Diagnostic:
     """Return a problem of a written rule with the names of those of its rules that have it, unless all have."""
     of_all = {name for name, one in repeated.items() if one.rule == _rule_of(written)}
-    told = "" if of_all <= set(names) else f" ({listing(dict.fromkeys(names))})"
-    return replace(written, message=written.message + told)
+    which = "" if of_all <= set(names) else f" ({listing(dict.fromkeys(names))})"
+    return replace(written, message=written.message + which)
 
 
-def _rule_of(problem: Problem) -> str:
+def _rule_of(problem: Diagnostic) -> str:
     """Return the name of the rule that a problem is about."""
-    return re.split(r"[.\[]", problem.path.partition(".")[2], maxsplit=1)[0]
+    return re.split(r"[.\[]", place_of(problem).path.partition(".")[2], maxsplit=1)[0]
 
 
-def _of_written(problem: Problem, repeated: Mapping[str, Repeated]) -> Problem:
+def _of_written(problem: Diagnostic, repeated: Mapping[str, Repeated]) -> Diagnostic:
     """Return a problem as if the rule that the author wrote had it."""
-    section, _, rest = problem.path.partition(".")
-    name = _rule_of(problem)
+    place, name = place_of(problem), _rule_of(problem)
+    section, _, rest = place.path.partition(".")
     if section != RULES or name not in repeated:
         return problem
     rule = repeated[name].rule
-    message = re.sub(rf"\b{re.escape(name)}\b", rule, problem.message)
-    return replace(problem, path=f"{RULES}.{rule}{rest[len(name) :]}", message=message)
+    message, help_ = (re.sub(rf"\b{re.escape(name)}\b", rule, text) for text in (problem.message, problem.help))
+    where = replace(place, path=f"{RULES}.{rule}{rest[len(name) :]}")
+    return replace(problem, message=message, help=help_, where=where)

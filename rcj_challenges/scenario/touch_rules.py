@@ -1,39 +1,29 @@
-"""The other one in a touch: whom ``other`` may stand for in a rule, and the rule as it reads for one of them.
-
-A rule that names ``other`` exists once for each that may be touched. So whoever compiles, checks or draws such a rule
-needs to know no more than names.
-"""
+"""Rules that name ``other``, what was touched: such a rule exists once for each thing that may be touched."""
 
 from __future__ import annotations
 
 from typing import Any
 
 from rcj_challenges.rules.actions.score import Score
-from rcj_challenges.rules.fields import Names, Strict
+from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.refs import Ref, has_drawn_value, ref_of
 from rcj_challenges.rules.triggers.touches import Touches
 from rcj_challenges.rules.values.word import WordValue
 from rcj_challenges.scenario.blanks import in_braces
-from rcj_challenges.scenario.catalogue import OTHER
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.roster import Roster, written_for
-from rcj_challenges.scenario.visiting import visit
-
-
-def has_other(rule: Rule) -> bool:
-    """Return whether ``other`` is known in a rule: each of its triggers is a touch."""
-    return all(isinstance(trigger, Touches) for trigger in rule.triggers)
+from rcj_challenges.scenario.roster import OTHER, has_other, with_each
+from rcj_challenges.scenario.walk import walk
 
 
 def names_other(rule: Rule, scenario: Scenario) -> bool:
-    """Return whether ``other`` is known in a rule, and the rule asks about it, acts on it or tells of it."""
+    """Return whether a rule of touches asks about what was touched, acts on it or names it in a text."""
     if not has_other(rule):
         return False
-    parts = (model for model, _ in visit((rule.conditions, rule.actions)))
-    return OTHER in in_braces(rule.says) or any(_tells(model, scenario) for model in parts)
+    parts = (model for model, _ in walk((rule.conditions, rule.actions)))
+    return OTHER in in_braces(rule.says) or any(_names_it(model, scenario) for model in parts)
 
 
-def _tells(model: Strict, scenario: Scenario) -> bool:
+def _names_it(model: Strict, scenario: Scenario) -> bool:
     if isinstance(model, WordValue):
         return model.word == "other_name"
     if isinstance(model, Score):
@@ -41,47 +31,10 @@ def _tells(model: Strict, scenario: Scenario) -> bool:
     return with_other(model, "") is not model
 
 
-def others_of(rule: Rule, each: str | None, roster: Roster) -> tuple[str, ...]:
-    """Return whom ``other`` may stand for, in the order of the roster: things, the walls last; nothing touches itself.
-
-    Args:
-        rule: a rule that knows ``other``.
-        each: for whom the rule is; the whole group of its ``for_each``: for any of them.
-        roster: the roster.
-    """
-    found: set[str] = set()
-    for trigger in rule.triggers:
-        if isinstance(trigger, Touches):
-            entities = roster.expand(written_for(trigger.entity, each))
-            found.update(
-                other
-                for other in roster.expand(written_for(trigger.other, each))
-                if any(entity != other for entity in entities)
-            )
-    return tuple(sorted(found, key=roster.index.__getitem__))
-
-
-def meant_in(names: Names, rule: Rule | None, roster: Roster) -> frozenset[str]:
-    """Return what names in a rule may stand for; ``each``, ``other`` and draws are any that they may ever be.
-
-    Args:
-        names: as they are written.
-        rule: in which they are; None: in a layout.
-        roster: the roster.
-    """
-    found: set[str] = set()
-    for name in written_for(names, rule.for_each if rule is not None else None):
-        if rule is not None and name == OTHER and has_other(rule):
-            found.update(others_of(rule, rule.for_each, roster))
-        else:
-            found.update(roster.may_be(name))
-    return frozenset(found)
-
-
 def written_others(rule: Rule) -> tuple[str, ...]:
     """Return the names behind ``other`` as the rule's triggers write them: groups as groups."""
     touches = (trigger for trigger in rule.triggers if isinstance(trigger, Touches))
-    return tuple(dict.fromkeys(name for trigger in touches for name in written_for(trigger.other, rule.for_each)))
+    return tuple(dict.fromkeys(name for trigger in touches for name in with_each(trigger.other, rule.for_each)))
 
 
 def for_other(rule: Rule, other: str) -> Rule:

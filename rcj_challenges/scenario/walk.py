@@ -1,4 +1,4 @@
-"""Going through all parts of a scenario's models with the path of each."""
+"""Walks through all models of a scenario with the path of each."""
 
 from __future__ import annotations
 
@@ -10,23 +10,27 @@ from rcj_challenges.rules.fields import Strict
 from rcj_challenges.scenario.tree import Path
 
 
-class Found(NamedTuple):
-    """A mistake found in the models.
+class Issue(NamedTuple):
+    """Something wrong in a scenario, before its position in the file is looked up.
 
     Attributes:
+        code: as of `Diagnostic`.
         path: where it is.
         message: what is wrong.
+        help: what to do.
         at_key: whether it is the key that is wrong.
         other: another place that has part in it: reported there if only that one stands in the author's own file.
     """
 
+    code: str
     path: Path
     message: str
+    help: str = ""
     at_key: bool = False
     other: Path = ()
 
 
-def visit(value: Any, path: Path = ()) -> Iterator[tuple[Strict, Path]]:
+def walk(value: Any, path: Path = ()) -> Iterator[tuple[Strict, Path]]:
     """Return every model in a value, itself included, with its path as the file writes it."""
     found: list[tuple[Strict, Path]] = []
     _gather(value, path, found)

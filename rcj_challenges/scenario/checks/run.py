@@ -1,0 +1,67 @@
+"""All checks of a scenario beyond its form: names, places, times, contradictions. One visible order."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rcj_challenges.facts.diagnostics import Diagnostic
+from rcj_challenges.scenario.checks.consistency import check_consistency
+from rcj_challenges.scenario.checks.ground import check_ground
+from rcj_challenges.scenario.checks.magnitudes import check_magnitudes
+from rcj_challenges.scenario.checks.naming import check_naming
+from rcj_challenges.scenario.checks.references import check_references
+from rcj_challenges.scenario.errors import MAX_FOUND
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.tree import RESOLVED, Entries, Leaf, Mark, Node, Path, mark_of, node_at, shown_path
+from rcj_challenges.scenario.walk import Issue
+
+
+def check(scenario: Scenario | None, tree: Entries, removed: Mapping[Path, Mark]) -> list[Diagnostic]:
+    """Return what is wrong with a scenario whose parts may each be well formed.
+
+    Args:
+        scenario: the models; None if the tree has not the form of a scenario: then only names are checked.
+        tree: the finished tree.
+        removed: where entries of a base were removed.
+    """
+    roster = Roster.of_tree(tree)
+    issues = [*check_naming(tree, roster, removed), *check_references(tree, roster, removed)][: 2 * MAX_FOUND]
+    if scenario is not None:
+        # What is out of all measure comes first and alone: it may be the cause of anything else.
+        issues += tuple(check_magnitudes(scenario)) or (
+            *check_ground(scenario),
+            *check_consistency(
+                scenario,
+                is_half_set=_is_set(tree, "half_s") or _is_set(tree, "halves"),
+                is_length_set=_is_set(tree, "half_s") and mark_of(tree, ("match", "half_s")).file != RESOLVED,
+            ),
+        )
+    return [_located(issue, tree) for issue in issues if not _may_follow_from_unknown(node_at(tree, issue.path))]
+
+
+def _is_set(tree: Entries, key: str) -> bool:
+    """Return whether length or number of halves is set on the command line, also by a param, or read from a record.
+
+    A half that was shortened in this way is no reason to rewrite the tests.
+    """
+    value = node_at(tree, ("match", key))
+    param = value.param if isinstance(value, Leaf) else ""
+    marks = mark_of(tree, ("match", key), at_key=True), *([mark_of(tree, ("params", param))] if param else [])
+    return any(mark.file.startswith(("--set", RESOLVED)) for mark in marks)
+
+
+def _located(issue: Issue, tree: Entries) -> Diagnostic:
+    path, at_key = issue.path, issue.at_key
+    if issue.other and mark_of(tree, path).file != tree.mark.file == mark_of(tree, issue.other).file:
+        path, at_key = issue.other, False
+    leaf = node_at(tree, path)
+    note = f" ({leaf.note})" if isinstance(leaf, Leaf) and leaf.note else ""
+    mark = mark_of(tree, path, at_key=at_key)
+    return mark.error(issue.code, issue.message + note, issue.help, shown_path(tree, path))
+
+
+def _may_follow_from_unknown(node: Node | None) -> bool:
+    """Return whether a value in a mapping stands for a param that does not exist, which has been reported."""
+    values = node.entries.values() if isinstance(node, Entries) else ()
+    return any(isinstance(one, Leaf) and one.value is None and one.note == "unknown param" for one in values)
