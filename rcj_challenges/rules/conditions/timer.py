@@ -38,13 +38,18 @@ rules:
     actions: [{action: timer, timer: since_touch, do: restart}]
   quick_goal:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
-    conditions: [{condition: timer, timer: since_touch, at_most: 2}]
+    # Running, and not for longer than 2 s: a timer that has never run stands at 0.
+    conditions: [{condition: timer, timer: since_touch}, {condition: timer, timer: since_touch, at_most: 2}]
     actions: [{action: score, entrant: yellow, points: 2}]
 expect:
   a_goal_within_2_s_of_the_touch_gives_two_points:
     keyframes: [{at_s: 1, touch: [[Y1, ball]]}, {at_s: 2.5, place: {ball: [0, 0.8]}}]
     lasts_s: 4
     score: {yellow: 2}
+  a_goal_without_a_touch_gives_nothing:
+    keyframes: [{at_s: 2.5, place: {ball: [0, 0.8]}}]
+    lasts_s: 4
+    score: {yellow: 0}
 """
 
     def test(self, to: Binder) -> Test:
