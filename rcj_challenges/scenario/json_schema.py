@@ -54,8 +54,11 @@ _WITHOUT_PARAM = frozenset({"extends", "params"})
 
 def scenario_schema() -> _Json:
     """Return the JSON schema (draft 2020-12) of a scenario file."""
-    writer = SchemaWriter()
-    properties = writer.properties(Scenario, partial=True)
+    writer, properties, partial = SchemaWriter(), {}, None
+    while writer.partial_models != partial:  # once more if a model turned out to be partial somewhere
+        partial = frozenset(writer.partial_models)
+        writer = SchemaWriter(partial_models=partial)
+        properties = writer.properties(Scenario, partial=True)
     for section in _WITHOUT_PARAM:
         described = {"description": properties[section]["description"]}
         properties[section] = _without_param(writer.bare_schema(fields(Scenario)[section])) | described
@@ -74,7 +77,7 @@ def scenario_schema() -> _Json:
 
 def schema_text() -> str:
     """Return the schema as it is committed."""
-    return json.dumps(scenario_schema(), indent=2, ensure_ascii=False) + "\n"
+    return json.dumps(scenario_schema(), indent=1, ensure_ascii=False) + "\n"
 
 
 def schema_is_fresh(folder: Path | None = None) -> bool:
@@ -93,14 +96,17 @@ def sentence_of(model: type[BaseModel]) -> str:
 
 
 class SchemaWriter:
-    """Writes shapes as schemas and collects the definitions that they refer to.
+    """Writes shapes as schemas and collects the definitions that they refer to, one for each model.
 
     Args:
         with_params: whether ``{param: NAME}`` may stand for a single value.
+        partial_models: models of which a base may bring a part somewhere; wherever it may not, what they require stands
+            beside the reference. Those that are met are added.
     """
 
-    def __init__(self, *, with_params: bool = True) -> None:
+    def __init__(self, *, with_params: bool = True, partial_models: Iterable[type[BaseModel]] = ()) -> None:
         self.definitions: dict[str, _Json] = {}
+        self.partial_models = set(partial_models)
         self._with_params = with_params
 
     def properties(self, model: type[BaseModel], *, partial: bool) -> _Json:
@@ -167,7 +173,7 @@ class SchemaWriter:
             word = "oneOf" if isinstance(discriminator, str) and not partial else "anyOf"
             return {**described, word: _flat(options)}
         if is_model(kind):
-            return {**described, "$ref": self._definition(kind, partial=partial)}
+            return {**described, **self._reference(kind, partial=partial)}
         if get_origin(kind) is dict:
             key, value = get_args(kind)
             inner = self.schema(value, partial=partial)
@@ -187,19 +193,23 @@ class SchemaWriter:
         items = [self.schema(argument, partial=False) for argument in arguments]
         return {"type": "array", "prefixItems": items, "items": False, "minItems": len(items), "maxItems": len(items)}
 
-    def _definition(self, model: type[BaseModel], *, partial: bool) -> str:
-        name = f"{model.__name__.removesuffix('Model')}{'Part' if partial else ''}"
+    def _reference(self, model: type[BaseModel], *, partial: bool) -> _Json:
+        name = model.__name__.removesuffix("Model")
+        required = [info.alias or key for key, info in model.model_fields.items() if info.is_required()]
+        demand = {"required": required} if required else {}
+        if partial:
+            self.partial_models.add(model)
+        is_partial = model in self.partial_models
         if name not in self.definitions:
             self.definitions[name] = {}  # claimed first, so that a model may contain itself
-            required = [info.alias or key for key, info in model.model_fields.items() if info.is_required()]
             self.definitions[name] = {
                 "type": "object",
                 "description": sentence_of(model),
-                "properties": self.properties(model, partial=partial),
-                **({"required": required} if required and not partial else {}),
+                "properties": self.properties(model, partial=is_partial),
+                **({} if is_partial else demand),
                 "additionalProperties": False,
             }
-        return f"#/$defs/{name}"
+        return {"$ref": f"#/$defs/{name}", **(demand if is_partial and not partial else {})}
 
 
 def _or_param(plain: _Json) -> _Json:

@@ -93,7 +93,7 @@ def report(folder: Path) -> dict[str, object]:
         "recorded": [value.hex() for value in track.readings("midline")[1:, 0].tolist()],
         "on_page": [one["kind"] for one in robot_facts(track.robot)["devices"] if one["name"] == "midline"],
         "sheet": sheet_markdown(loaded.scenario, loaded.roster),
-        "schema": list(scenario_schema()["$defs"]["MidlineDevicePart"]["properties"]),
+        "schema": list(scenario_schema()["$defs"]["MidlineDevice"]["properties"]),
         "reference": page().partition("### midline\n")[2].partition("\n### ")[0],
     }
 

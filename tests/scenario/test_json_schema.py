@@ -88,9 +88,9 @@ def test_every_number_with_a_unit_in_its_name_says_the_unit():
 def test_every_default_is_told():
     definitions = SCHEMA["$defs"]
     assert SCHEMA["properties"]["first_phase"]["default"] == "play"
-    assert definitions["MatchPart"]["properties"]["half_s"]["default"] == 600
+    assert definitions["Match"]["properties"]["half_s"]["default"] == 600
     assert definitions["NearestFree"]["properties"]["clearance_m"]["default"] == 0.08
-    assert definitions["RulePart"]["properties"]["phases"]["default"] == ["play"]
+    assert definitions["Rule"]["properties"]["phases"]["default"] == ["play"]
     assert definitions["Place"]["properties"]["facing"]["default"] == "start"
 
 
@@ -278,7 +278,7 @@ def test_a_rule_may_be_repeated_for_names_or_for_names_with_values(repeated, fit
 
 
 def test_repeat_for_has_a_sentence_and_examples_for_editors():
-    shown = SCHEMA["$defs"]["RulePart"]["properties"]["repeat_for"]
+    shown = SCHEMA["$defs"]["Rule"]["properties"]["repeat_for"]
     assert "{param: this}" in shown["description"]
     assert all(accepts(WHOLE | {"rules": {"r": {"repeat_for": one, **REPEATED}}}) for one in shown["examples"])
     assert not accepts(WHOLE | {"repeat_for": ["yellow"]})
