@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import pytest
 
-from tests.referee.acting import acted, at_tick_10
+from tests.referee.building import acted, at_tick_10
 
 
 class TestActionSetFlag:

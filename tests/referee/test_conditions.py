@@ -3,15 +3,7 @@
 import pytest
 
 from rcj_challenges.expect.scripted_match import ScriptedMatch
-
-# A fault of B1's program is the bell at which the condition is asked.
-ASKING = """
-rules:
-  asked:
-    triggers: [{trigger: program_fault, robot: B1}]
-    conditions: [%s]
-    actions: [{action: emit, event: TRUE_NOW}]
-"""
+from tests.referee.building import ASKING
 
 
 def as_programs_fail(play, ask):

@@ -7,7 +7,7 @@ from textwrap import dedent
 
 import pytest
 
-from tests.referee.test_values import payload, telling
+from tests.referee.building import emitting, payload
 
 POLES = """
 obstacles:
@@ -151,7 +151,7 @@ rules:
 
 class TestWhereTheyAre:
     def told(self, stage, value):
-        return payload(stage(POLES + dedent(telling(f"{{a: {value}}}"))))["a"]
+        return payload(stage(POLES + dedent(emitting(f"{{a: {value}}}"))))["a"]
 
     @pytest.mark.parametrize(
         ("named", "expected"),

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.referee.test_conditions import ASKING
+from tests.referee.building import ASKING
 
 RULES = """
 phases: {stop: {lasts_s: 0.32, robots: held}}

@@ -4,26 +4,7 @@ import math
 
 import pytest
 
-from rcj_challenges.expect.scripted_match import ScriptedMatch
-
-
-def kicking(at: str, kick: str, more: str = "") -> str:
-    """Return a rule that puts the ball somewhere and kicks it whenever Y1's program fails."""
-    return f"""
-    rules:
-      kick_off:
-        triggers: [{{trigger: program_fault, robot: Y1}}]
-        actions: [{{action: place, entity: ball, at: {at}, kick: {kick}{more}}}]
-    """
-
-
-def kick(play: ScriptedMatch) -> tuple[float, float]:
-    """Let the rule fire, and return the velocity of the ball's placement."""
-    play.fail("Y1")
-    play.play()
-    placement = play.placements[-1][1]
-    assert placement.entity == play.roster.index["ball"]
-    return (placement.vx_mps, placement.vy_mps)
+from tests.referee.building import kick, kicking
 
 
 class TestKick:

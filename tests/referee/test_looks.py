@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from tests.referee.test_conditions import ASKING
+from tests.referee.building import ASKING
 
 
 class TestConditionLooks:

@@ -4,50 +4,31 @@ import pytest
 
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.scenario.load import load_text
-from tests.referee.test_values import payload, telling
+from tests.referee.building import TAKEN_OFF, emitting, paid, payload, scoring
 
 HEAD = "schema_version: 1\nid: small\ntitle: Small\nextends: soccersim_v2\nmatch: {half_s: 60}\n"
-TAKEN_OFF = """
-rules:
-  gone: {triggers: [{trigger: time_reached, at_s: 0.32}], actions: [{action: remove, entity: %s}]}
-"""
-
-
-def scoring(points: str) -> str:
-    """Return a rule that gives yellow points whenever a program fails."""
-    return f"""
-    rules:
-      paid: {{triggers: [{{trigger: program_fault, robot: B1}}],
-              actions: [{{action: score, entrant: yellow, points: {points}}}]}}
-    """
-
-
-def paid(play) -> float:
-    play.fail("B1")
-    play.play()
-    return play.referee.scores["yellow"]
 
 
 class TestValueDistance:
     def test_it_is_told_in_metres_to_the_millimetre(self, stage):
-        play = stage(telling("{far: {distance: [Y1, ball]}, back: {distance: [ball, Y1]}}"))
+        play = stage(emitting("{far: {distance: [Y1, ball]}, back: {distance: [ball, Y1]}}"))
         play.place("Y1", -0.3, -0.4001)
         assert payload(play) == {"far": 0.5, "back": 0.5}
 
     @pytest.mark.parametrize(("to", "far"), [("B2", 1.0), ("middle_blue", 0.3), ("[0.4, 0]", 0.4), ("[0, 0]", 0.0)])
     def test_it_is_measured_to_a_robot_a_spot_or_a_point(self, stage, to, far):
-        play = stage("spots: {middle_blue: {x_m: 0, y_m: 0.3}}", telling(f"{{far: {{distance: [ball, {to}]}}}}"))
+        play = stage("spots: {middle_blue: {x_m: 0, y_m: 0.3}}", emitting(f"{{far: {{distance: [ball, {to}]}}}}"))
         play.place("B2", -0.6, 0.8)
         assert payload(play) == {"far": far}
 
     def test_of_a_group_the_nearest_counts_and_nothing_is_measured_from_itself(self, stage):
-        play = stage(telling("{a: {distance: [ball, yellow]}, b: {distance: [Y1, yellow]}, c: {distance: [Y1, Y1]}}"))
+        play = stage(emitting("{a: {distance: [ball, yellow]}, b: {distance: [Y1, yellow]}, c: {distance: [Y1, Y1]}}"))
         play.place("Y1", 0.3, 0.0)
         play.place("Y2", 0.5, 0.0)
         assert payload(play) == {"a": 0.3, "b": 0.2, "c": None}
 
     def test_in_a_rule_for_each_it_is_that_of_the_current_one(self, stage):
-        play = stage(telling("{far: {distance: [each, [0, 0]]}}", "for_each: yellow,"))
+        play = stage(emitting("{far: {distance: [each, [0, 0]]}}", "for_each: yellow,"))
         play.place("Y1", 0.3, 0.0)
         play.place("Y2", 0.0, 0.6)
         play.fail("B1")
@@ -56,7 +37,7 @@ class TestValueDistance:
 
     @pytest.mark.parametrize("off", ["ball", "Y1"])
     def test_off_the_field_there_is_none(self, stage, off):
-        play = stage(telling("{far: {distance: [Y1, ball]}}"), TAKEN_OFF % off)
+        play = stage(emitting("{far: {distance: [Y1, ball]}}"), TAKEN_OFF % off)
         play.play_until(15)
         assert payload(play) == {"far": None}
 
@@ -93,7 +74,7 @@ class TestValueTimer:
     TIMERS = "timers: {lap: {lasts_s: 10, starts: true}, still: {lasts_s: 10}, own: {lasts_s: 10, per: yellow}}"
 
     def test_it_is_how_long_the_timer_has_run_and_stops_at_its_length(self, stage):
-        play = stage(self.TIMERS, telling("{lap: {timer: lap}, still: {timer: still}}"))
+        play = stage(self.TIMERS, emitting("{lap: {timer: lap}, still: {timer: still}}"))
         play.play_until(99)
         assert payload(play) == {"lap": 3.2, "still": 0}
         play.play_until(400)
@@ -107,7 +88,7 @@ class TestValueTimer:
         """
         play = stage(
             self.TIMERS,
-            telling("{y1: {timer: own, entity: Y1}, y2: {timer: own, entity: Y2}, all: {timer: own}}"),
+            emitting("{y1: {timer: own, entity: Y1}, y2: {timer: own, entity: Y2}, all: {timer: own}}"),
             started,
         )
         play.play_until(50)
@@ -136,7 +117,7 @@ class TestValueTimer:
 
 class TestValueLastTouch:
     def test_it_is_the_name_of_the_last_robot_or_nobody(self, stage):
-        play = stage(telling("{who: {last_touch: ball}}"))
+        play = stage(emitting("{who: {last_touch: ball}}"))
         assert payload(play) == {"who": None}
         play.touch("ball", "Y2")
         play.play()
@@ -146,7 +127,7 @@ class TestValueLastTouch:
 
     def test_a_ball_that_was_put_somewhere_has_been_touched_by_nobody(self, stage):
         play = stage(
-            telling("{who: {last_touch: ball}}"),
+            emitting("{who: {last_touch: ball}}"),
             "rules: {put: {triggers: [{trigger: time_reached, at_s: 0.32}], "
             "actions: [{action: place, entity: ball, at: {point: [0, 0.2]}}]}}",
         )

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.referee.test_triggers_ways import A_LOW, B_LOW, C_LOW, A, B, C, walk
+from tests.referee.building import A_LOW, B_LOW, C_LOW, A, B, C, walk
 
 RACE = """
 zones:

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.referee.contract_rules import IN_MIDDLE, TELL, feed, once, told
+from tests.referee.building import EMIT, IN_MIDDLE, event_ticks, feed, once
 
 ADR = Path(__file__).parents[2] / "docs" / "adr" / "0001-tick-contract.md"
 
@@ -68,14 +68,14 @@ class TestLine0:
           begin:
             triggers: [{{trigger: half_started}}]
             conditions: [{{condition: drawn, draw: side, equals: left}}]
-            actions: [{{action: place, entity: ball, at: {{point: [0.3, 0]}}}}, {TELL}]
+            actions: [{{action: place, entity: ball, at: {{point: [0.3, 0]}}}}, {EMIT}]
           came: {{triggers: [{IN_MIDDLE}], actions: [{{action: emit, event: CAME}}]}}
         """)
-        assert (told(play), play.tick) == ([0], 0)
+        assert (event_ticks(play), play.tick) == ([0], 0)
         assert play.pose("ball")[0] == pytest.approx(0.3)
         play.place("ball", 0.0, 0.0)
         play.play()
-        assert told(play, "CAME") == [1]  # armed with the ball where the layout put it
+        assert event_ticks(play, "CAME") == [1]  # armed with the ball where the layout put it
 
     def test_0_4_start_noise_is_drawn_at_tick_0(self, stage):
         noisy = (
@@ -89,28 +89,28 @@ class TestLine0:
 class TestLine2:
     def test_2_1_zone_and_gate_facts_are_latched_in_each_sub_step(self, stage):
         play = stage(
-            f"rules: {{came: {{triggers: [{IN_MIDDLE}], actions: [{TELL}]}}, "
+            f"rules: {{came: {{triggers: [{IN_MIDDLE}], actions: [{EMIT}]}}, "
             "over: {triggers: [{trigger: crosses, entity: ball, gate: halfway}], actions: [{action: emit, event: OVER}]}}",
             "balls: {ball: {start_m: [0.2, 0.2]}}",
         )
         feed(play, (0.05, 0.05), (0.05, -0.05), (0.05, 0.05), (0.2, 0.2))
-        assert (told(play), told(play, "OVER")) == ([1], [1])
+        assert (event_ticks(play), event_ticks(play, "OVER")) == ([1], [1])
 
     def test_2_2_contact_facts_are_latched_in_each_sub_step(self, stage):
         play = stage(
-            f"rules: {{hit: {{triggers: [{{trigger: touches, entity: ball, other: B1}}], actions: [{TELL}]}}}}"
+            f"rules: {{hit: {{triggers: [{{trigger: touches, entity: ball, other: B1}}], actions: [{EMIT}]}}}}"
         )
         pair = (play.roster.index["B1"], play.roster.index["ball"])
         feed(play, *[(0.0, 0.0)] * 4, touches=((), (pair,), (), ()))
         feed(play, *[(0.0, 0.0)] * 4, touches=((pair,), (), (), ()))
         feed(play, *[(0.0, 0.0)] * 4, touches=((), (), (), (pair,)))
         feed(play, *[(0.0, 0.0)] * 4, touches=((pair,), (pair,), (), ()))  # still the one that began a tick ago
-        assert told(play) == [1, 2, 3]
+        assert event_ticks(play) == [1, 2, 3]
 
     def test_2_3_levels_are_judged_on_the_last_sub_step(self, stage):
-        play = stage(once(1, TELL, more="conditions: [{condition: in_zone, entity: ball, zone: right}],"))
+        play = stage(once(1, EMIT, more="conditions: [{condition: in_zone, entity: ball, zone: right}],"))
         feed(play, (0.3, 0.0), (0.3, 0.0), (0.3, 0.0), (0.0, 0.0))
-        assert told(play) == []
+        assert event_ticks(play) == []
 
 
 class TestLine3:
@@ -118,13 +118,13 @@ class TestLine3:
         play = stage(
             "timers: {egg: {lasts_s: 3.2, starts: true}}\n"
             "sequences: {way: {entity: ball, steps: [middle, right], cyclic: true}}",
-            once(10, TELL, more="conditions: [{condition: timer, timer: egg, equals: 0.32}, "
+            once(10, EMIT, more="conditions: [{condition: timer, timer: egg, equals: 0.32}, "
                                 "{condition: sequence_at, sequence: way, step: right}],"),
         )  # fmt: skip
         play.play(9)
         play.place("ball", 0.3, 0.0)
         play.play()
-        assert told(play) == [10]
+        assert event_ticks(play) == [10]
 
     def test_3_2_all_are_evaluated_against_the_state_at_the_start_of_the_tick(self, stage):
         flag = "{condition: flag, flag: up}"
@@ -135,7 +135,7 @@ class TestLine3:
             once(6, "{action: emit, event: SAW}", name="third", more=f"conditions: [{flag}],"),
         )
         play.play(10)
-        assert told(play, "SAW") == [6]
+        assert event_ticks(play, "SAW") == [6]
 
     def test_3_3_actions_read_current_values(self, stage):
         play = stage(
@@ -154,20 +154,20 @@ class TestLine3:
             "phases: {pause: {lasts_s: 0.32}}",
             once(5, "{action: set_phase, phase: pause}"),
             "rules: {back: {triggers: [{trigger: phase_entered, phase: play}], actions: [{action: emit, event: BACK}]}}",
-            once(15, TELL, name="in_play"),
+            once(15, EMIT, name="in_play"),
         )
         play.play(20)
-        assert (told(play, "BACK"), told(play)) == ([15], [15])
+        assert (event_ticks(play, "BACK"), event_ticks(play)) == ([15], [15])
 
     def test_3_5_the_clock_stands_still_while_timers_go_on(self, stage):
         play = stage(
             "phases: {pause: {lasts_s: 0.32, clock: stops}}\ntimers: {egg: {lasts_s: 0.64, starts: true}}",
             once(5, "{action: set_phase, phase: pause}"),
-            once(12, TELL, name="late"),
+            once(12, EMIT, name="late"),
             "rules: {egg: {triggers: [{trigger: timer_expired, timer: egg}], actions: [{action: emit, event: EGG}]}}",
         )
         play.play(30)
-        assert (told(play), told(play, "EGG")) == ([22], [20])
+        assert (event_ticks(play), event_ticks(play, "EGG")) == ([22], [20])
         assert play.referee.clock_ticks == 20
 
 
@@ -204,10 +204,10 @@ class TestLine4:
 
     def test_4_3_within_an_exclusive_group_the_first_wins_and_the_rest_are_logged(self, stage):
         play = stage(
-            once(5, TELL, name="one", more="exclusive: only,"), once(5, TELL, name="two", more="exclusive: only,")
+            once(5, EMIT, name="one", more="exclusive: only,"), once(5, EMIT, name="two", more="exclusive: only,")
         )
         play.play(5)
-        assert told(play) == [5]
+        assert event_ticks(play) == [5]
         assert [(firing.rule, firing.suppressed) for firing in play.firings] == [("one", None), ("two", "exclusive")]
 
     def test_4_4_exclusive_cooldown_and_max_executions_count_per_entity(self, stage):
@@ -231,19 +231,19 @@ class TestLine4:
         ]  # fmt: skip
 
     def test_4_5_max_executions_counts_per_half(self, stage):
-        rules = f"rules: {{one: {{max_executions: 1, triggers: [{{trigger: program_fault}}], actions: [{TELL}]}}}}"
+        rules = f"rules: {{one: {{max_executions: 1, triggers: [{{trigger: program_fault}}], actions: [{EMIT}]}}}}"
         for half in (1, 2):
             play = stage(rules, half=half)
             for _ in range(3):
                 play.fail("B1")
                 play.play()
-            assert told(play) == [1]
+            assert event_ticks(play) == [1]
 
     def test_4_6_only_a_firing_whose_actions_ran_counts(self, stage):
         play = stage(f"""
         rules:
-          worn: {{exclusive: only, max_executions: 1, triggers: [{{trigger: program_fault}}], actions: [{TELL}]}}
-          next: {{exclusive: only, cooldown_s: 0.32, triggers: [{{trigger: program_fault}}], actions: [{TELL}]}}
+          worn: {{exclusive: only, max_executions: 1, triggers: [{{trigger: program_fault}}], actions: [{EMIT}]}}
+          next: {{exclusive: only, cooldown_s: 0.32, triggers: [{{trigger: program_fault}}], actions: [{EMIT}]}}
         """)
         for _ in range(3):
             play.fail("B1")
@@ -263,7 +263,7 @@ class TestLine5:
         play = stage(
             self.PHASES,
             once(5, "{action: set_phase, phase: pause}"),
-            once(5, TELL, name="gone"),
+            once(5, EMIT, name="gone"),
             once(5, "{action: emit, event: STAYS}", name="stays", more="phases: any,"),
         )
         play.play(5)
@@ -283,32 +283,32 @@ class TestLine5:
         play.play(6)
         play.place("ball", 0.0, 0.0)  # comes in during the pause
         play.play(10)
-        assert (told(play, "NEW"), told(play, "BOTH")) == ([], [7])
+        assert (event_ticks(play, "NEW"), event_ticks(play, "BOTH")) == ([], [7])
         play.place("ball", 0.3, 0.0)
         play.play()
         play.place("ball", 0.0, 0.0)
         play.play()
-        assert (told(play, "NEW"), told(play, "BOTH")) == ([18], [7, 18])
+        assert (event_ticks(play, "NEW"), event_ticks(play, "BOTH")) == ([18], [7, 18])
 
     def test_5_3_entering_the_same_phase_arms_all_rules(self, stage):
-        stuck = f"rules: {{stuck: {{triggers: [{{trigger: no_progress, entity: ball, distance_m: 1, within_s: 0.32}}], actions: [{TELL}]}}}}"
+        stuck = f"rules: {{stuck: {{triggers: [{{trigger: no_progress, entity: ball, distance_m: 1, within_s: 0.32}}], actions: [{EMIT}]}}}}"
         play = stage(stuck, once(8, "{action: set_phase, phase: play}"))
         play.play(40)
-        assert told(play) == [19]  # 11 ticks after tick 8, not after tick 0
+        assert event_ticks(play) == [19]  # 11 ticks after tick 8, not after tick 0
 
     def test_5_4_after_an_action_entered_it_phase_entered_fires_in_the_next_tick(self, stage):
         play = stage(
             self.PHASES,
             once(5, "{action: set_phase, phase: pause}"),
-            f"rules: {{heard: {{phases: any, triggers: [{{trigger: phase_entered, phase: pause}}], actions: [{TELL}]}}}}",
+            f"rules: {{heard: {{phases: any, triggers: [{{trigger: phase_entered, phase: pause}}], actions: [{EMIT}]}}}}",
         )
         play.play(10)
-        assert told(play) == [6]
+        assert event_ticks(play) == [6]
 
     def test_5_5_end_takes_effect_after_the_last_firing(self, stage):
-        play = stage(once(5, "{action: end}"), once(5, TELL, name="later"))
+        play = stage(once(5, "{action: end}"), once(5, EMIT, name="later"))
         output = play.play(5)
-        assert (output.ended, told(play)) == ("act", [5])
+        assert (output.ended, event_ticks(play)) == ("act", [5])
 
     def test_5_6_a_goal_in_the_final_tick_counts(self, stage):
         play = stage(
@@ -324,11 +324,11 @@ class TestLine5:
 
     def test_5_7_half_ended_rules_still_run(self, stage):
         play = stage(
-            once(5, "{action: end}"), f"rules: {{last: {{triggers: [{{trigger: half_ended}}], actions: [{TELL}]}}}}"
+            once(5, "{action: end}"), f"rules: {{last: {{triggers: [{{trigger: half_ended}}], actions: [{EMIT}]}}}}"
         )
         play.play(5)
         play.finish()
-        assert told(play) == [5]
+        assert event_ticks(play) == [5]
 
 
 class TestLine10:

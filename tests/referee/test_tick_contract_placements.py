@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.referee.contract_rules import IN_MIDDLE, TELL, once, told
+from tests.referee.building import EMIT, IN_MIDDLE, event_ticks, once
 
 
 class TestLine6:
@@ -45,13 +45,13 @@ class TestLine6:
         assert len({play.pose("ball") for play in (alone, elsewhere, second)}) == 3
 
     def test_6_6_what_finds_no_room_is_tried_again_without_repeating_events(self, stage):
-        play = stage(once(5, TELL, "{action: place, entity: ball, at: {point: [0, 0.3]}}"))
+        play = stage(once(5, EMIT, "{action: place, entity: ball, at: {point: [0, 0.3]}}"))
         play.place("B1", 0.0, 0.3)
         play.play(20)
-        assert (play.placements, told(play)) == ([], [5])
+        assert (play.placements, event_ticks(play)) == ([], [5])
         play.place("B1", 0.5, 0.5)
         play.play()
-        assert ([tick for tick, _ in play.placements], told(play)) == ([21], [5])
+        assert ([tick for tick, _ in play.placements], event_ticks(play)) == ([21], [5])
 
 
 class TestLine7:
@@ -64,30 +64,30 @@ class TestLine7:
         play.play(10)
         play.tip("B1")
         play.play(10)
-        assert told(play) == [1, 11]
+        assert event_ticks(play) == [1, 11]
         assert play.pose("B1")[:2] != pytest.approx((0.0, 0.0))  # where the ball lies
 
     def test_7_3_nothing_fires_because_it_was_already_true(self, stage):
         play = stage(
-            f"rules: {{came: {{triggers: [{IN_MIDDLE}, {{trigger: displaced, entity: ball, from: [0.5, 0], distance_m: 0.1}}], actions: [{TELL}]}}}}",
+            f"rules: {{came: {{triggers: [{IN_MIDDLE}, {{trigger: displaced, entity: ball, from: [0.5, 0], distance_m: 0.1}}], actions: [{EMIT}]}}}}",
             "balls: {ball: {start_m: [0.5, 0]}}",
             once(5, "{action: place, entity: ball, at: {point: [0, 0]}}"),
         )
         play.play(20)
-        assert told(play) == []
+        assert event_ticks(play) == []
 
     def test_7_4_the_jump_is_neither_path_nor_enters_nor_leaves_nor_a_crossing(self, stage):
         edges = ("{trigger: enters, entity: ball, zone: middle}", "{trigger: leaves, entity: ball, zone: right}",
                  "{trigger: crosses, entity: ball, gate: halfway}")  # fmt: skip
         play = stage(
-            f"rules: {{edge: {{triggers: [{', '.join(edges)}], actions: [{TELL}]}}, "
+            f"rules: {{edge: {{triggers: [{', '.join(edges)}], actions: [{EMIT}]}}, "
             "stuck: {triggers: [{trigger: no_progress, entity: ball, distance_m: 0.3, within_s: 0.32}], "
             "actions: [{action: emit, event: STUCK}]}}",
             "balls: {ball: {start_m: [0.5, 0.2]}}",
             once(5, "{action: place, entity: ball, at: {point: [0, -0.05]}}"),
         )
         play.play(20)
-        assert (told(play), told(play, "STUCK")) == ([], [16])
+        assert (event_ticks(play), event_ticks(play, "STUCK")) == ([], [16])
 
     def test_7_5_windows_and_stays_begin_anew(self, stage):
         play = stage(
@@ -98,7 +98,7 @@ class TestLine7:
             once(5, "{action: place, entity: ball, at: {point: [0.4, 0.2]}}"),
         )
         play.play(30)
-        assert (told(play, "STUCK"), told(play, "STAYS")) == ([16], [16])
+        assert (event_ticks(play, "STUCK"), event_ticks(play, "STAYS")) == ([16], [16])
 
 
 class TestLine8:
@@ -109,7 +109,7 @@ class TestLine8:
             once(5, "{action: remove, entity: B1}", "{action: place, entity: Y1, at: {point: [0.4, 0.5]}}"),
         )
         play.play(10)
-        assert told(play, "SEEN") == []
+        assert event_ticks(play, "SEEN") == []
         assert play.pose("Y1")[:2] == pytest.approx((0.4, 0.5))
 
     def test_8_5_any_place_brings_it_back(self, stage):

@@ -3,33 +3,24 @@
 import pytest
 
 from rcj_challenges.rules.values.word import FACTS, WordValue
-
-
-def payload(play, *, fault: str = "Y1") -> dict:
-    """Return what the next emission tells."""
-    play.fail(fault)
-    play.play()
-    return play.events[-1].payload
-
-
-def telling(values: str, rule: str = "") -> str:
-    """Return a rule that tells values whenever a program fails."""
-    return f"""
-    rules:
-      told: {{{rule} triggers: [{{trigger: program_fault}}], actions: [{{action: emit, event: TOLD, payload: {values}}}]}}
-    """
+from tests.referee.building import emitting, payload
 
 
 class TestValueLiteral:
     def test_it_stands_as_written(self, stage):
-        assert payload(stage(telling("{a: 1, b: text, c: true, d: 0.5}"))) == {"a": 1, "b": "text", "c": True, "d": 0.5}
+        assert payload(stage(emitting("{a: 1, b: text, c: true, d: 0.5}"))) == {
+            "a": 1,
+            "b": "text",
+            "c": True,
+            "d": 0.5,
+        }
 
 
 class TestValueCounter:
     def test_it_is_the_count_or_the_score(self, stage):
         play = stage(
             "counters: {all: {initial: 2}, own: {per: robots, initial: 1.5}}",
-            telling("{a: {counter: all}, b: {counter: own}, c: {counter: own, entity: B1}, d: {counter: yellow}}"),
+            emitting("{a: {counter: all}, b: {counter: own}, c: {counter: own, entity: B1}, d: {counter: yellow}}"),
             scores={"blue": 0, "yellow": 7},
         )
         assert payload(play) == {"a": 2, "b": 6, "c": 1.5, "d": 7}
@@ -38,21 +29,21 @@ class TestValueCounter:
 class TestValueFlag:
     def test_it_is_true_or_false(self, stage):
         play = stage(
-            "flags: {up: {initial: true}, own: {per: robots}}", telling("{a: {flag: up}, b: {flag: own, entity: B1}}")
+            "flags: {up: {initial: true}, own: {per: robots}}", emitting("{a: {flag: up}, b: {flag: own, entity: B1}}")
         )
         assert payload(play) == {"a": True, "b": False}
 
 
 class TestValueDraw:
     def test_it_is_what_was_drawn(self, stage):
-        play = stage("draws: {side: {values: [left, right]}}", telling("{a: {draw: side}}"), draws={"side": "right"})
+        play = stage("draws: {side: {values: [left, right]}}", emitting("{a: {draw: side}}"), draws={"side": "right"})
         assert payload(play) == {"a": "right"}
 
 
 class TestValuePositionOf:
     def test_it_is_where_an_entity_is_or_nothing_off_the_field(self, stage):
         play = stage(
-            telling("{a: {position_of: B1}}"),
+            emitting("{a: {position_of: B1}}"),
             "rules: {gone: {triggers: [{trigger: time_reached, at_s: 0.32}], actions: [{action: remove, entity: B1}]}}",
         )
         assert payload(play) == {"a": [0.4, 0.5, pytest.approx(-1.57, abs=1e-6)]}
@@ -63,7 +54,7 @@ class TestValuePositionOf:
         play = stage(
             "spots: {mark: {x_m: 0.5, y_m: -0.1}, target: {x_m: 0, y_m: 0.25}}",
             "broadcast: {fields: {mark: {position_of: mark}, target: {position_of: target}}}",
-            telling("{a: {position_of: mark}, b: {position_of: target}}"),
+            emitting("{a: {position_of: mark}, b: {position_of: target}}"),
             "rules: {moved: {triggers: [{trigger: time_reached, at_s: 0.32}], actions: [{action: set_spot, spot: mark, to: B1}]}}",
         )
         assert payload(play) == {"a": [0.5, -0.1], "b": [0, 0.25]}
@@ -78,7 +69,7 @@ class TestValuePositionOf:
         play = stage(
             "spots: {mark: {x_m: 0.5, y_m: -0.1}}",
             "draws: {hidden: {values: [mark, B1]}}",
-            telling("{a: {position_of: hidden}}"),
+            emitting("{a: {position_of: hidden}}"),
             draws={"hidden": decided},
         )
         assert payload(play) == {"a": pytest.approx(there, abs=1e-6)}
@@ -91,14 +82,14 @@ class TestValueWord:
     )
 
     def test_words_about_who(self, stage):
-        told = payload(stage(telling(self.WHO), scores={"blue": 3, "yellow": 5}))
+        told = payload(stage(emitting(self.WHO), scores={"blue": 3, "yellow": 5}))
         assert told == {
             "robot": "Y1", "entity": "Y1", "team": "Yellow Sub", "entrant": "yellow",
             "score": 5, "other": "Blue Moon", "others": 3,
         }  # fmt: skip
 
     def test_each_goes_before_what_the_trigger_found(self, stage):
-        play = stage(telling(self.WHO, "for_each: blue,"))
+        play = stage(emitting(self.WHO, "for_each: blue,"))
         play.fail("Y1")
         play.play()
         assert [event.payload["robot"] for event in play.events] == ["B1", "B2"]
@@ -108,12 +99,12 @@ class TestValueWord:
             "{a: {word: halftime}, b: {word: match_id}, c: {word: total_match_time_s}, d: {word: time_s}, "
             "e: {word: time_left_s}, f: {word: phase}}"
         )
-        play = stage(telling(values), half=2, match_id=77)
+        play = stage(emitting(values), half=2, match_id=77)
         play.play(9)
         assert payload(play) == {"a": 2, "b": 77, "c": 60, "d": 0.32, "e": 59.68, "f": "play"}
 
     def test_the_length_of_a_half_played_shorter_is_the_played_one(self, stage):
-        assert payload(stage(telling("{a: {word: total_match_time_s}}"), ticks=313)) == {"a": 10.016}
+        assert payload(stage(emitting("{a: {word: total_match_time_s}}"), ticks=313)) == {"a": 10.016}
 
     def test_measured_and_limit_are_of_the_firing(self, stage):
         play = stage("""
@@ -130,7 +121,7 @@ class TestValueWord:
 
     def test_the_seed_cannot_be_read_but_told_from_others(self, stage):
         values = "{a: {word: seed_id}}"
-        one, again, two = (payload(stage(telling(values), seed=seed))["a"] for seed in (1, 1, 2))
+        one, again, two = (payload(stage(emitting(values), seed=seed))["a"] for seed in (1, 1, 2))
         assert one == again != two
         assert len(one) == 8
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.referee.test_values import payload, telling
+from tests.referee.building import emitting, payload
 
 PITCH = "spots: {found: {x_m: 0, y_m: 0.2}, other: {x_m: 0.5, y_m: -0.8}}\ngroups: {both: [found, other]}\n"
 
@@ -35,7 +35,7 @@ def remembering(stage, *sections: str, ball=(0.3, 0.1), **facts):
     return play
 
 
-FAR = telling("{far: {distance: [ball, found]}}")
+FAR = emitting("{far: {distance: [ball, found]}}")
 
 
 class TestActionSetSpot:

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from rcj_challenges.expect.scripted_match import ScriptedMatch
 from rcj_challenges.facts.messages import MOST_LETTERS, is_said, message_text, number_in, position_in
 from rcj_challenges.scenario.load import load_text
-from tests.referee.test_values import payload, telling
+from tests.referee.building import emitting, payload
 
 AS_TEXT = str.maketrans("\t\r\n\ufffd", "   \0")
 NUMBERS = st.floats(-10, 10)
@@ -160,7 +160,7 @@ class TestConditionTold:
 
 class TestValueTold:
     def test_it_is_told_as_it_was_said_and_null_before(self, stage):
-        play = stage(telling("{said: {told: Y1}}"))
+        play = stage(emitting("{said: {told: Y1}}"))
         assert payload(play) == {"said": None}
         play.tell("Y1", "0.50")
         assert payload(play) == {"said": "0.50"}

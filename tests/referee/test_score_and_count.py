@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.referee.acting import acted, at_tick_10
+from tests.referee.building import acted, at_tick_10
 
 
 class TestActionScore:

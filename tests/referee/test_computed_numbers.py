@@ -6,7 +6,7 @@ import pytest
 
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import load_text
-from tests.referee.test_kicks import kick, kicking
+from tests.referee.building import kick, kicking
 
 TO_THE_RIGHT = "{towards: {point: [0.4, 0]}, speed_mps: %s}"
 HEAD = "schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\n"

@@ -9,13 +9,7 @@ from hypothesis import strategies as st
 
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.scenario.roster import Roster
-
-
-def walk(play: ScriptedMatch, entity: str, *places: tuple[float, float], ticks: int = 4) -> None:
-    """Let an entity glide through these places."""
-    for place in places:
-        play.glide(entity, place, ticks)
-        play.play(ticks)
+from tests.referee.building import A_LOW, B_LOW, C_LOW, SEQUENCE, A, B, C, walk
 
 
 class TestTriggerCrosses:
@@ -76,26 +70,6 @@ class TestTriggerCrosses:
         play.play()
         walk(play, "ball", (3.0, 0.0))
         assert play.names() == []
-
-
-SEQUENCE = """
-zones:
-  a: {shape: circle, centre_m: [-0.4, 0], radius_m: 0.1}
-  b: {shape: circle, centre_m: [0, 0], radius_m: 0.1}
-  c: {shape: circle, centre_m: [0.4, 0], radius_m: 0.1}
-gates:
-  high: {from_m: [-0.1, 0.3], to_m: [0.1, 0.3]}
-balls: {ball: {start_m: [-0.4, -0.2]}}
-sequences:
-  way: {entity: ball, steps: [a, b, c], %s}
-rules:
-  done:
-    triggers: [{trigger: sequence_completed, sequence: way}]
-    actions: [{action: emit, event: DONE, payload: {took: {word: measured}}}]
-  wrong: {triggers: [{trigger: sequence_broken, sequence: way}], actions: [{action: emit, event: WRONG}]}
-"""
-A, B, C = (-0.4, 0.0), (0.0, 0.0), (0.4, 0.0)
-A_LOW, B_LOW, C_LOW = (-0.4, -0.3), (0.0, -0.3), (0.4, -0.3)
 
 
 class TestTriggerSequenceCompleted:

@@ -2,10 +2,9 @@
 
 import pytest
 
-from tests.referee.test_measured_values import paid, scoring
-from tests.referee.test_values import payload, telling
+from tests.referee.building import emitting, paid, payload, scoring
 
-TOLD = telling("{y1: {way: Y1}, ball: {way: ball}}")
+TOLD = emitting("{y1: {way: Y1}, ball: {way: ball}}")
 
 
 def asking(condition: str) -> str:
@@ -61,7 +60,7 @@ class TestValueWay:
         assert payload(play)["ball"] == 0.4
 
     def test_in_a_rule_for_each_it_is_that_of_the_current_one(self, stage):
-        play = stage(telling("{way: {way: each}}", "for_each: yellow,"))
+        play = stage(emitting("{way: {way: each}}", "for_each: yellow,"))
         drive(play, "Y2", (0.4, -0.3))
         play.fail("B1")
         play.play()
@@ -116,7 +115,7 @@ class TestValueWay:
         assert payload(stage(TOLD, half=2)) == {"y1": 0, "ball": 0}
 
     def test_nobodys_way_is_added_up_if_nobody_asks(self, stage):
-        play = stage(telling("{y1: {way: Y1}}"))
+        play = stage(emitting("{y1: {way: Y1}}"))
         assert play.referee._state.ways.keys() == {play.roster.index["Y1"]}
         assert stage().referee._state.ways == {}
 

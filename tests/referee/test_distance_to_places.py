@@ -11,10 +11,8 @@ from hypothesis import strategies as st
 from rcj_challenges.referee.zones import region_of
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
 from rcj_challenges.tracking.gates import seen_from
-from tests.referee.test_conditions import ASKING
-from tests.referee.test_measured_values import TAKEN_OFF, paid, scoring
+from tests.referee.building import ASKING, TAKEN_OFF, emitting, paid, payload, scoring
 from tests.referee.test_regions import point, zones
-from tests.referee.test_values import payload, telling
 
 Point = tuple[float, float]
 WIDE_M = 4.0
@@ -213,18 +211,18 @@ class TestValueDistanceToPlaces:
         ],
     )
     def test_it_is_that_to_the_nearest_point_whichever_comes_first(self, stage, ends, far):
-        play = stage(PLACES, telling(f"{{far: {{distance: {ends}}}}}"))
+        play = stage(PLACES, emitting(f"{{far: {{distance: {ends}}}}}"))
         play.place("ball", 0.0, 0.1)
         assert payload(play) == {"far": far}
 
     def test_on_the_line_itself_it_is_0_without_a_sign(self, stage):
-        play = stage(PLACES, telling("{far: {distance: [ball, band]}, in: {distance: [ball, field]}}"))
+        play = stage(PLACES, emitting("{far: {distance: [ball, band]}, in: {distance: [ball, field]}}"))
         play.place("ball", 0.6, -0.4)
         assert str(payload(play)) == "{'far': 0.0, 'in': 0.0}"
 
     @pytest.mark.parametrize("off", ["ball", "Y1"])
     def test_while_the_ball_or_the_robot_of_the_gate_is_off_the_field_there_is_none(self, stage, off):
-        play = stage(PLACES, telling("{far: {distance: [ball, nose]}}"), TAKEN_OFF % off)
+        play = stage(PLACES, emitting("{far: {distance: [ball, nose]}}"), TAKEN_OFF % off)
         play.play_until(15)
         assert payload(play) == {"far": None}
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.referee.test_triggers_ways import SEQUENCE, A, B, C, walk
+from tests.referee.building import SEQUENCE, A, B, C, walk
 
 PAYS_EACH = """
 rules:

@@ -3,7 +3,7 @@
 import pytest
 
 from rcj_challenges.expect.scripted_match import ScriptedMatch
-from tests.referee.acting import at_tick_10
+from tests.referee.building import at_tick_10
 
 
 def hears(condition: str, more: str = "") -> str:
