@@ -31,6 +31,7 @@ class BallReceiverDevice(ReceiverDevice):
 robots:
   Y1: {devices: {ball receiver: {device: ball_receiver, range_m: 2, direction_noise_rad: 0.05}}}
 """
+    SENTENCE = "infra-red receiver of the ball, up to 2 m (noise: standard deviation 2.86° of the direction)"
 
     def facts(self, _carrier: Carrier) -> dict[str, Any]:
         """Return what a program can ask without stepping."""

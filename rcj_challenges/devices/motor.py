@@ -28,6 +28,7 @@ robots:
       left wheel motor: {device: motor, wheel: left, direction: 1}
       right wheel motor: {device: motor, wheel: right, direction: 1}
 """
+    SENTENCE = "motor of the left wheel, positive speeds drive forward"
 
     def facts(self, carrier: Carrier) -> dict[str, Any]:
         """Return what a program can ask without stepping."""

@@ -48,6 +48,11 @@ robots:
     devices:
       distancesensor front left: {device: sonar, bearing_rad: 0.7854, range_m: 0.5}
 """
+    SENTENCE = (
+        "distance sensor, bearing 45°, up to 0.5 m (noise: standard deviation 2.5 % of the value at 0.5 m, less when "
+        "nearer: at half the distance half that share), 3.85 cm off the robot's centre and 5.75 cm above the floor, "
+        "without an echo of what it meets at 22.5° or more off the perpendicular"
+    )
 
     def facts(self, _carrier: Carrier) -> dict[str, Any]:
         """Return what a program can ask without stepping."""

@@ -20,6 +20,7 @@ class SupervisorReceiverDevice(ReceiverDevice):
 robots:
   Y1: {devices: {referee: {device: supervisor_receiver, channel: 1}}}
 """
+    SENTENCE = "receiver of the referee's packets, channel 1"
 
     def facts(self, carrier: Carrier) -> dict[str, Any]:
         """Return what a program can ask without stepping."""

@@ -41,6 +41,7 @@ robots:
   # What Y1 sends goes out slowly: 38 bytes a tick.
   Y1: {devices: {team emitter: {device: team_emitter, baud: 9600}}}
 """
+    SENTENCE = "team radio, sends up to 10 m far, 9600 baud (38.4 bytes in a tick)"
 
     def facts(self, carrier: Carrier) -> dict[str, Any]:
         """Return what a program can ask without stepping."""

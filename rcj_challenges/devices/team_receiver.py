@@ -19,6 +19,7 @@ robots:
   # Y1 hears its mates from half a metre at most.
   Y1: {devices: {team receiver: {device: team_receiver, range_m: 0.5}}}
 """
+    SENTENCE = "team radio, receives from up to 0.5 m"
 
     def facts(self, carrier: Carrier) -> dict[str, Any]:
         """Return what a program can ask without stepping."""

@@ -23,6 +23,7 @@ class WheelSensorDevice(Device):
 robots:
   Y1: {devices: {left wheel sensor: {device: wheel_sensor, wheel: left}}}
 """
+    SENTENCE = "angle of the left wheel in rad, grows while the robot drives forward"
 
     def make_sensor(self, fitted: Fitted, context: SensorContext) -> Sensor:
         """Return the sensor of this device."""

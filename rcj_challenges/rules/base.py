@@ -28,11 +28,13 @@ class Word(Strict):
     Attributes:
         KEY: the field that says which word it is: ``trigger``.
         EXAMPLE: sections of a scenario that show it; run as a test and printed in the reference.
+        SENTENCE: how the rule sheet describes the one in the example.
         ASKS_WHERE: whether it asks where something is.
     """
 
     KEY: ClassVar[str]
     EXAMPLE: ClassVar[str] = ""
+    SENTENCE: ClassVar[str] = ""
     ASKS_WHERE: ClassVar[bool] = False
 
     @classmethod

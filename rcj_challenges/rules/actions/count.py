@@ -58,6 +58,7 @@ expect:
     score: {yellow: 3}
     counters: {rounds: 2}
 """
+    SENTENCE = "the counter “rounds” grows by 1"
 
     def compile(self, to: Binder) -> Act:
         """Return what changes a counter: first ``to``, then ``by``."""

@@ -38,6 +38,7 @@ expect:
     lasts_s: 2
     events: [{event: SIDE, payload: {side: left}}]
 """
+    SENTENCE = "“side” becomes “left”"
 
     def compile(self, to: Binder) -> Act:
         """Return what draws again, or sets a draw to a value."""

@@ -34,6 +34,7 @@ expect:
     events: [{event: OVER, at_s: 1}]
     score: {yellow: 1}
 """
+    SENTENCE = "the match ends (golden goal)"
 
     def compile(self, to: Binder) -> Act:
         """Return what ends the half, or the match, after the last firing of this tick.

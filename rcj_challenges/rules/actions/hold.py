@@ -50,6 +50,7 @@ expect:
     lasts_s: 7
     held: {Y1: true, Y2: false, Y3: false, B1: true}
 """
+    SENTENCE = "it is held still until it is let go"
 
     def compile(self, to: Binder) -> Act:
         """Return what holds robots, for a time or until something lets them go."""

@@ -48,6 +48,7 @@ expect:
     lasts_s: 2
     poses: {ball: [0, 0], Y1: [0.4, -0.4]}
 """
+    SENTENCE = "the ball is put on the spot “centre”"
 
     def compile(self, to: Binder) -> Act:
         """Return what puts entities somewhere: by a layout, or one after the other."""

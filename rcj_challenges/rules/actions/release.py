@@ -21,6 +21,7 @@ class Release(Action):
     entity: Annotated[Names, ROBOTS] = described(..., "which robots are released: robots, groups, or each")
 
     EXAMPLE = Hold.EXAMPLE
+    SENTENCE = "it is let go"
 
     def compile(self, to: Binder) -> Act:
         """Return what lets robots go that rules hold."""

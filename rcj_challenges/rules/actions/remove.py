@@ -41,6 +41,7 @@ expect:
     lasts_s: 4
     poses: {Y1: [0, -0.2]}
 """
+    SENTENCE = "Y1 is taken off the field and after 2 s put on the spot “middle yellow”"
 
     def compile(self, to: Binder) -> Act:
         """Return what takes entities off the field, for a time or until something places them."""

@@ -73,6 +73,7 @@ expect:
     lasts_s: 2
     score: {yellow: 0}
 """
+    SENTENCE = "yellow gets 1 point"
 
     def compile(self, to: Binder) -> Act:
         """Return what gives points to an entrant; to none if nothing touched what they are given for."""

@@ -42,6 +42,7 @@ expect:
     lasts_s: 4
     score: {yellow: 0}
 """
+    SENTENCE = "the sequence “across” begins anew"
 
     def compile(self, to: Binder) -> Act:
         """Return what resets a sequence: that of one, or of all that have one."""

@@ -33,6 +33,7 @@ expect:
     lasts_s: 2
     flags: {armed: true, side: true}
 """
+    SENTENCE = "the flag “armed” is set"
 
     def compile(self, to: Binder) -> Act:
         """Return what sets or clears a flag."""

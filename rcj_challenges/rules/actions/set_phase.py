@@ -38,6 +38,7 @@ expect:
     score: {yellow: 3}
     phase: play
 """
+    SENTENCE = "the phase “second task” begins"
 
     def compile(self, to: Binder) -> Act:
         """Return what enters a phase, at once."""

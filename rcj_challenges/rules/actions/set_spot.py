@@ -68,6 +68,7 @@ expect:
     counters: {longest_pass_m: 0.6}
     poses: {kicked_from: [0.2, -0.1]}
 """
+    SENTENCE = "the place of the ball is remembered as the spot “kicked from”"
 
     def compile(self, to: Binder) -> Act:
         """Return what sets a spot to a place, its mirror image, or where chance says: there only inside the walls.

@@ -41,6 +41,7 @@ expect:
     lasts_s: 16
     events: [{event: OVER, at_s: 14, tolerance_s: 0.1}]
 """
+    SENTENCE = "the timer “stopwatch” is stopped"
 
     def compile(self, to: Binder) -> Act:
         """Return what starts, stops or resets a timer."""

@@ -21,6 +21,7 @@ class ToggleFlag(Action):
     )
 
     EXAMPLE = SetFlag.EXAMPLE
+    SENTENCE = "the flag “side” is turned over"
 
     def compile(self, to: Binder) -> Act:
         """Return what turns a flag over."""

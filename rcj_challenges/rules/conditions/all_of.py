@@ -44,6 +44,7 @@ expect:
     lasts_s: 5
     events: [{event: PARKED, at_s: 4, tolerance_s: 0.1}]
 """
+    SENTENCE = "Y3 is in the circle and the ball is at most 0.2 m from Y3"
 
     def is_several(self) -> bool:
         """Return whether it is made of more than one condition."""

@@ -55,6 +55,7 @@ expect:
     # Of one kept per entity one by one; `visits: 11` would be the sum. `given` can be written so as well.
     counters: {visits: {Y1: 2, Y2: 1}}
 """
+    SENTENCE = "its counter “visits” is at most the lowest counter “visits” of all others on the field"
 
     def test(self, to: Binder) -> Test:
         """Return how a counter or a score compares; with ``of``: those of so many."""

@@ -70,6 +70,7 @@ expect:
     lasts_s: 2
     events: []
 """
+    SENTENCE = "all of the blue robots are at least 0.3 m from the ball"
 
     def test(self, to: Binder) -> Test:
         """Return how far centres are from another thing (the nearest of a group), a place or a point, compared."""

@@ -40,6 +40,7 @@ expect:
     events: [{event: NEXT_TARGET, payload: {target: yellow_goal}}]
     score: {yellow: 1}
 """
+    SENTENCE = "“blue goal” was drawn as “target”"
 
     def test(self, to: Binder) -> Test:
         """Return whether a draw has decided on a value."""

@@ -49,6 +49,7 @@ expect:
     score: {yellow: 1}
     flags: {lights: true, doubled: true}
 """
+    SENTENCE = "the flag “lights” is set"
 
     def test(self, to: Binder) -> Test:
         """Return whether a flag is set; with ``of``: those of so many."""

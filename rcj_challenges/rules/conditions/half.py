@@ -39,6 +39,7 @@ expect:
     lasts_s: 2
     score: {yellow: 2}
 """
+    SENTENCE = "it is half 2 or a later one"
 
     def is_always(self) -> bool:
         """Return whether it holds at any time: in some half, as rules say it that count time."""

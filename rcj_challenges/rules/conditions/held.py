@@ -44,6 +44,7 @@ expect:
     events: [{event: MAY_DRIVE, at_s: 4.3, tolerance_s: 0.1, payload: {robot_name: Y1}}]
     held: {Y1: false}
 """
+    SENTENCE = "it is not held"
 
     def test(self, to: Binder) -> Test:
         """Return whether robots are held, by a rule or by the phase; also those off the field."""

@@ -34,6 +34,7 @@ expect:
     lasts_s: 3
     events: [{event: CROWD}]
 """
+    SENTENCE = "at least 2 of the yellow robots are in the blue penalty area"
 
     def test(self, to: Binder) -> Test:
         """Return whether centres are in a zone; entities off the field are not counted."""

@@ -32,6 +32,7 @@ expect:
     lasts_s: 4
     events: [{event: OWN_GOAL}]
 """
+    SENTENCE = "the last to touch the ball was one of the blue robots"
 
     def test(self, to: Binder) -> Test:
         """Return whether one of some robots touched something last since it was put where it is."""

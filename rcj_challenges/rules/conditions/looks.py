@@ -44,6 +44,7 @@ expect:
     lasts_s: 4
     score: {yellow: 1}
 """
+    SENTENCE = "Y1 looks towards the ball (to within 17.2°)"
 
     def test(self, to: Binder) -> Test:
         """Return whether robots look towards something or in a direction: their front points there within an angle."""

@@ -52,6 +52,7 @@ expect:
     lasts_s: 5
     score: {yellow: 1}
 """
+    SENTENCE = "at least 2 of the yellow robots have a sequence “across” that stands at the west"
 
     def test(self, to: Binder) -> Test:
         """Return whether a step of a sequence was reached last; with ``of``: those of so many."""

@@ -42,6 +42,7 @@ expect:
     lasts_s: 3
     events: []
 """
+    SENTENCE = "the ball moves at a speed of at least 0.3 m/s"
 
     def test(self, to: Binder) -> Test:
         """Return how fast centres move: the way of the last tick over its time, in m/s, compared."""

@@ -36,6 +36,7 @@ expect:
     lasts_s: 3
     events: []
 """
+    SENTENCE = "the spot “centre” is free within 0.1 m"
 
     def test(self, to: Binder) -> Test:
         """Return whether the centre of no robot or ball is near a spot."""

@@ -51,6 +51,7 @@ expect:
     lasts_s: 4
     score: {yellow: 0}
 """
+    SENTENCE = "the timer “since touch” has run for at most 2 s"
 
     def test(self, to: Binder) -> Test:
         """Return how long a timer has run in s (of several the longest); without a comparison: whether one runs."""

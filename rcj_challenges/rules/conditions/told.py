@@ -45,6 +45,7 @@ expect:
     score: {blue: 4}
     events: [{event: WRONG, payload: {robot_name: B1, told: "2"}}]
 """
+    SENTENCE = "it does not have what was drawn as “number” as its last message to the referee"
 
     def test(self, to: Binder) -> Test:
         """Return whether the last messages of robots to the referee match."""
@@ -57,4 +58,4 @@ expect:
         who, said = phrases.quantified(self.of, self.entity, negate=self.negate), self.said(phrases)
         if not said:
             return f"{who.does('was', 'were')} heard by the referee before"
-        return f"{who.does('has', 'have')} {said} as the last message told"
+        return f"{who.does('has', 'have')} {said} as {'their' if who.plural else 'its'} last message to the referee"

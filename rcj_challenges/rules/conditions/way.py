@@ -41,6 +41,7 @@ expect:
     lasts_s: 6
     events: [{event: USED_UP, payload: {who: Y1}}]
 """
+    SENTENCE = "it has a way in this half of at least as many m as the counter “budget (m)” says"
 
     def test(self, to: Binder) -> Test:
         """Return how far things have driven or rolled in the half, in m, compared; also what is off the field."""

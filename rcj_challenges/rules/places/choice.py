@@ -34,6 +34,7 @@ expect:
     poses: {ball: [0.5, 0.05]}
     tolerance_m: 0.051
 """
+    SENTENCE = "on (0.5, 0) or (0.5, 0.1)"
 
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
         """Return what draws one of the spots and points; a draw among them stands for the spot that it decided."""

@@ -59,7 +59,7 @@ def describe_free_spot(
     """Return the place, ``how`` being ``nearest to`` or ``furthest from``."""
     clearance = within_words(place.clearance_m)
     own = f" ({clearance.strip()})" if clearance else ""
-    those = f"that free one{own} of {phrases.all_of(names).text} which is"
+    those = f"the free one{own} of {phrases.all_of(names).text} that is"
     if place.choose_among > 1:
-        those = f"a random one of those {place.choose_among} free ones{own} of {phrases.all_of(names).text} which are"
+        those = f"a random one of the {place.choose_among} free ones{own} of {phrases.all_of(names).text} that are"
     return f"on {those} {how} {'where it is' if reference is None else phrases.point(reference)}"

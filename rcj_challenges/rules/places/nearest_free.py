@@ -37,6 +37,7 @@ expect:
     poses: {ball: [0.3, -0.3]}
     tolerance_m: 0.61
 """
+    SENTENCE = "on the free one of the neutral spots that is nearest to where it is"
 
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
         """Return what draws one of the nearest free spots."""

@@ -30,6 +30,7 @@ expect:
     poses: {ball: [0, 0]}
     tolerance_m: 0.45
 """
+    SENTENCE = "anywhere on the line from (-0.45, 0) to (0.45, 0)"
 
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
         """Return what draws a point."""

@@ -24,6 +24,7 @@ expect:
     lasts_s: 2
     poses: {ball: [0.4, 0.1]}
 """
+    SENTENCE = "at (0.4, 0.1)"
 
     def compile(self, _to: Scope, _entity: int) -> PlaceResolver:
         """Return what finds the point."""

@@ -35,6 +35,7 @@ expect:
     lasts_s: 2
     poses: {ball: [-0.4, -0.1]}
 """
+    SENTENCE = "0.1 m to the front of Y1, as Y1 is turned"
 
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
         """Return what finds the point beside something.

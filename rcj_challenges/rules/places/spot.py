@@ -37,6 +37,7 @@ expect:
     lasts_s: 2
     poses: {ball: [0.5, -0.1]}
 """
+    SENTENCE = "on the spot “mark”"
 
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
         """Return what finds the spot, or the one that a draw decided."""

@@ -25,6 +25,7 @@ expect:
     poses: {Y1: [-0.3, -0.3]}
     tolerance_m: 0.11
 """
+    SENTENCE = "at its start"
 
     def compile(self, to: Scope, entity: int) -> PlaceResolver:
         """Return what finds the start, with its noise."""

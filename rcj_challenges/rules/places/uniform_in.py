@@ -34,6 +34,7 @@ expect:
     poses: {ball: [0.4, 0]}
     tolerance_m: 0.1
 """
+    SENTENCE = "anywhere in the middle"
 
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
         """Return what draws a point."""

@@ -55,6 +55,7 @@ expect:
     lasts_s: 3
     events: [{event: PUSHED, at_s: 2, payload: {robot_name: B1}}]
 """
+    SENTENCE = "it is more than 5 cm from where it was put"
 
     def bind(self, to: Binder) -> None:
         """Bind a rule to the tracker of each entity."""

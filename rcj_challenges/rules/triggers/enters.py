@@ -34,6 +34,7 @@ expect:
     lasts_s: 3
     events: [{event: GOAL, at_s: 1.73, tolerance_s: 0.05}]
 """
+    SENTENCE = "the ball enters the blue goal or the yellow goal"
 
     def bind(self, to: Binder) -> None:
         """Bind a rule to the tracker of each entity."""

@@ -14,6 +14,7 @@ class HalfEnded(Trigger):
     trigger: Literal["half_ended"]
 
     EXAMPLE = HalfStarted.EXAMPLE
+    SENTENCE = "a half is over"
 
     def bind(self, to: Binder) -> None:
         """Bind a rule to the end of the half."""

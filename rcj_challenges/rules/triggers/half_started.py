@@ -27,6 +27,7 @@ expect:
     lasts_s: 60
     events: [{event: BEGIN, at_s: 0}, {event: OVER, at_s: 60}]
 """
+    SENTENCE = "a half starts"
 
     def bind(self, to: Binder) -> None:
         """Bind a rule to the start of the half."""

@@ -48,6 +48,7 @@ expect:
     lasts_s: 12
     events: [{event: STUCK, at_s: 10.05}]
 """
+    SENTENCE = "the ball has moved less than 0.5 m in all over the last 10 s"
 
     def bind(self, to: Binder) -> None:
         """Bind a rule to the tracker of each entity."""

@@ -27,6 +27,7 @@ expect:
     lasts_s: 2
     events: [{event: CRASHED, payload: {robot_name: Y2}}]
 """
+    SENTENCE = "its program fails"
 
     def bind(self, to: Binder) -> None:
         """Bind a rule to the faults of each robot's program."""

@@ -27,6 +27,7 @@ class SequenceBroken(Trigger):
 
     MEASURED = "the time in s since the first step of the sequence"
     EXAMPLE = SequenceCompleted.EXAMPLE
+    SENTENCE = "the sequence “carry” is broken"
 
     def bind(self, to: Binder) -> None:
         """Bind a rule to the sequence."""

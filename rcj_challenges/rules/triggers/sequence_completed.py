@@ -59,6 +59,7 @@ expect:
     lasts_s: 3
     events: [{event: WRONG_WAY}]
 """
+    SENTENCE = "the sequence “carry” is complete"
 
     def bind(self, to: Binder) -> None:
         """Bind a rule to the sequence."""

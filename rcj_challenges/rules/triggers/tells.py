@@ -38,6 +38,7 @@ expect:
     lasts_s: 3
     score: {yellow: 8}
 """
+    SENTENCE = "the referee receives a position (two numbers, x and y in m) from it"
 
     def bind(self, to: Binder) -> None:
         """Bind a rule to the messages of each robot."""
@@ -47,4 +48,4 @@ expect:
 
     def describe(self, phrases: Phrases) -> str:
         """Return the part of a sentence that follows ``When``."""
-        return f"the referee hears {self.said(phrases) or 'a message'} from {phrases.any_of(self.entity)}"
+        return f"the referee receives {self.said(phrases) or 'a message'} from {phrases.any_of(self.entity)}"

@@ -37,6 +37,7 @@ expect:
     events: [{event: HALF_WAY, at_s: 30}]
     counters: {rounds: 8}
 """
+    SENTENCE = "the half has lasted 30 s"
 
     def bind(self, to: Binder) -> None:
         """Bind a rule to an alarm of the half's clock."""

@@ -41,6 +41,7 @@ expect:
     lasts_s: 10
     events: [{event: NOBODY_CAME, at_s: 8}]
 """
+    SENTENCE = "the timer “patience” runs out"
 
     def bind(self, to: Binder) -> None:
         """Bind a rule to a timer; of one per entity to that of ``each``, else to any of them."""

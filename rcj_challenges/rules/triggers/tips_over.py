@@ -46,6 +46,7 @@ expect:
     lasts_s: 2
     events: [{event: FELL, payload: {robot_name: B3}}]
 """
+    SENTENCE = "one of the robots tilts by more than 45.8°"
 
     def bind(self, to: Binder) -> None:
         """Bind a rule to the tracker of each robot."""

@@ -39,6 +39,7 @@ expect:
     lasts_s: 4
     events: [{event: GOAL, payload: {goals: 1, score: 1}}, {event: GOAL, payload: {goals: 2, score: 3}}]
 """
+    SENTENCE = "the counter “goals”"
 
     def now(self, to: Scope) -> Callable[[], Number]:
         """Return what reads the counter, or the score."""

@@ -39,6 +39,7 @@ expect:
     score: {yellow: 24}
     events: [{event: BROUGHT, payload: {distance_m: 0.1}}]
 """
+    SENTENCE = "the distance between the ball and the spot “centre” in m"
 
     def now(self, to: Scope) -> Callable[[], float | None]:
         """Return what measures the distance; None if one of the two is off the field."""

@@ -33,6 +33,7 @@ expect:
     score: {yellow: 10}
     events: [{event: GOAL, payload: {target: right}}]
 """
+    SENTENCE = "what was drawn as “bonus”"
 
     def now(self, to: Scope) -> Callable[[], Scalar]:
         """Return what reads what the draw decided."""

@@ -41,6 +41,7 @@ expect:
     score: {yellow: 7}
     events: [{event: GOAL, payload: {with_bonus: true}}, {event: GOAL, payload: {with_bonus: false}}]
 """
+    SENTENCE = "whether the flag “bonus” is set"
 
     def now(self, to: Scope) -> Callable[[], bool]:
         """Return what reads the flag."""

@@ -30,6 +30,7 @@ expect:
     lasts_s: 2
     told: {robots: {Y1_is_held: true}}
 """
+    SENTENCE = "whether Y1 is held"
 
     def now(self, to: Scope) -> Callable[[], bool]:
         """Return what reads whether the robot is held."""

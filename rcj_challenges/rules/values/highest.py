@@ -36,6 +36,7 @@ expect:
     lasts_s: 3
     events: [{event: FIRST, payload: {robot_name: Y2}}]
 """
+    SENTENCE = "the highest counter “laps” of all others on the field"
 
     def now(self, to: Scope) -> Callable[[], Number]:
         """Return what reads the highest value; not a number if there are no others."""

@@ -27,6 +27,7 @@ expect:
     lasts_s: 3
     events: [{event: GOAL, payload: {by: Y3}}]
 """
+    SENTENCE = "the name of the last to touch the ball"
 
     def now(self, to: Scope) -> Callable[[], str | None]:
         """Return what reads the name of the robot that touched it last; None if none has."""

@@ -40,6 +40,7 @@ expect:
     lasts_s: 3
     events: [{event: LAST, payload: {robot_name: Y2}}]
 """
+    SENTENCE = "the lowest counter “laps” of all others on the field"
 
     def now(self, to: Scope) -> Callable[[], Number]:
         """Return what reads the lowest value; not a number if there are no others."""

@@ -33,6 +33,7 @@ expect:
     lasts_s: 2
     told: {robots: {ball: [0, 0.8]}}
 """
+    SENTENCE = "the position of the ball"
 
     def now(self, to: Scope) -> Callable[[], list[float] | None]:
         """Return what reads where something is."""

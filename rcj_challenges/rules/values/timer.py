@@ -43,6 +43,7 @@ expect:
     counters: {run_s: 5.504}
     events: [{event: GOAL, payload: {after_s: 5.504}}]
 """
+    SENTENCE = "the time in s that the timer “attempt” has run"
 
     def now(self, to: Scope) -> Callable[[], float]:
         """Return what reads how long the timer has run; of several the longest."""

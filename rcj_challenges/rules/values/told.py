@@ -43,6 +43,7 @@ expect:
     score: {yellow: 4}
     events: [{event: GOAL, payload: {told: "100"}}]
 """
+    SENTENCE = "what Y1 has told the referee last"
 
     def now(self, to: Scope) -> Callable[[], str | None]:
         """Return what reads the text; None if nothing was told yet."""

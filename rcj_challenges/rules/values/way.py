@@ -46,6 +46,7 @@ expect:
     score: {yellow: 8}
     events: [{event: BROUGHT, payload: {in_all_m: 1.2}}]
 """
+    SENTENCE = "the way of the ball in this half in m"
 
     def now(self, to: Scope) -> Callable[[], float]:
         """Return what reads how far the entity has come."""

@@ -44,6 +44,7 @@ expect:
     score: {yellow: 51}
     events: [{event: GOAL, payload: {team: Yellow, half: 1}}]
 """
+    SENTENCE = "the time in s"
 
     def read(self, to: Scope) -> Reader:
         """Return what reads the fact."""
