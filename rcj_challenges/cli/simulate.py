@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import statistics
 import time
@@ -189,28 +190,53 @@ def summary(outcomes: Sequence[Outcome]) -> dict[str, Any]:
 def rank_summary(rank: Sequence[Criterion], outcomes: Sequence[Outcome]) -> dict[str, Any]:
     """Return the ranking by seed, how often each entrant had which place, and the spread of what was compared.
 
+    Where the shortest time is best, a match that no rule ended was not finished: its time is only the time played. In
+    the spread such matches come last, as None, and ``unfinished`` counts them.
+
     Args:
         rank: the scenario's criteria; ``spread`` has a value for each, in their order, and so have the rankings.
         outcomes: of all matches; those that could not be played are left out.
     """
     from rcj_challenges.views.scoreboard import criterion_name
 
-    matches = [(outcome.job.seed, outcome.result["ranking"]) for outcome in outcomes if outcome.result is not None]
+    results = [(outcome.job.seed, outcome.result) for outcome in outcomes if outcome.result is not None]
     by_entrant: dict[str, list[dict[str, Any]]] = {}
-    for _, ranking in matches:
-        for entry in ranking:
+    is_finished: dict[str, list[bool]] = {}
+    for _, result in results:
+        for entry in result["ranking"]:
             by_entrant.setdefault(entry["team"], []).append(entry)
+            is_finished.setdefault(entry["team"], []).append(all(half["ended"] for half in result["halves"]))
     return {
         "criteria": [criterion_name(criterion) for criterion in rank],
-        "matches": [{"seed": seed, "ranking": ranking} for seed, ranking in matches],
+        "matches": [{"seed": seed, "ranking": result["ranking"]} for seed, result in results],
         "places": {
             entrant: {str(place): count for place, count in sorted(Counter(entry["place"] for entry in own).items())}
             for entrant, own in by_entrant.items()
         },
         "spread": {
-            entrant: [_spread(values) for values in zip(*(entry["values"] for entry in own), strict=True)]
+            entrant: [
+                _time_spread(values, is_finished[entrant]) if _is_race(criterion) else _spread(values)
+                for criterion, values in zip(rank, zip(*(entry["values"] for entry in own), strict=True), strict=True)
+            ]
             for entrant, own in by_entrant.items()
         },
+    }
+
+
+def _is_race(criterion: Criterion) -> bool:
+    from rcj_challenges.scenario.models.scenario import RankByTime
+
+    return isinstance(criterion, RankByTime) and criterion.time == "ascending"
+
+
+def _time_spread(times_s: Sequence[float], is_finished: Sequence[bool]) -> dict[str, float | None]:
+    """Return the spread of times in s; unfinished matches are longer than any time."""
+    finished_s = [time_s for time_s, finished in zip(times_s, is_finished, strict=True) if finished]
+    unfinished = len(times_s) - len(finished_s)
+    spread = _spread([*finished_s, *[math.inf] * unfinished])
+    spread["mean"] = round(statistics.fmean(finished_s), 3) if finished_s else math.inf
+    return {name: value if math.isfinite(value) else None for name, value in spread.items()} | {
+        "unfinished": unfinished
     }
 
 
@@ -302,8 +328,9 @@ def _rank_table(ranking: dict[str, Any], rank: Sequence[Criterion]) -> Table:
     return table
 
 
-def _spread_words(criterion: Criterion, spread: dict[str, float]) -> str:
+def _spread_words(criterion: Criterion, spread: dict[str, float | None]) -> str:
     from rcj_challenges.views.scoreboard import value_words
 
-    least, median, most = (value_words(criterion, spread[name]) for name in ("least", "median", "most"))
+    values = (spread[name] for name in ("least", "median", "most"))
+    least, median, most = ("unfinished" if value is None else value_words(criterion, value) for value in values)
     return least if least == most else f"{least} to {most}, median {median}"

@@ -33,8 +33,8 @@ def placed(*entries):
     return [{"place": place, "team": team, "values": values} for place, team, values in entries]
 
 
-def played(seed, *entries):
-    return Outcome(Job(seed, ()), {"ranking": placed(*entries)})
+def played(seed, *entries, ended="all gates passed"):
+    return Outcome(Job(seed, ()), {"ranking": placed(*entries), "halves": [{"ended": ended}]})
 
 
 @pytest.fixture
@@ -76,6 +76,22 @@ class TestManyMatches:
         assert told["matches"][0] == {"seed": 1, "ranking": placed((1, "yellow", [2, 1]), (2, "blue", [2, 3]))}
         assert told["places"] == {"yellow": {"1": 2, "2": 1}, "blue": {"1": 2, "2": 1}}
         assert told["spread"]["blue"][1] == {"least": 2, "median": 3, "mean": 4.0, "most": 7}
+
+    def test_matches_that_were_not_finished_come_last_in_the_spread_of_times(self):
+        outcomes = [
+            played(1, (1, "blue", [9.5])),
+            played(2, (1, "blue", [5]), ended=None),  # its half was short
+            played(3, (1, "blue", [12.5])),
+            played(4, (1, "blue", [20]), ended=None),
+            played(5, (1, "blue", [11])),
+        ]
+        (spread,) = rank_summary(criteria([{"time": "ascending"}]), outcomes)["spread"]["blue"]
+        assert spread == {"least": 9.5, "median": 12.5, "mean": 11.0, "most": None, "unfinished": 2}
+
+    def test_who_lasts_longest_without_an_end_is_best_where_long_times_are(self):
+        outcomes = [played(1, (1, "blue", [9])), played(2, (1, "blue", [20]), ended=None)]
+        (spread,) = rank_summary(criteria([{"time": "descending"}]), outcomes)["spread"]["blue"]
+        assert spread == {"least": 9, "median": 14.5, "mean": 14.5, "most": 20}
 
 
 def test_a_run_that_time_decides_ends_with_places_and_times(tmp_path, capsys):

@@ -1,7 +1,7 @@
 """A made-up match with all that a replay page must show, and its named moments, for tests and for screenshots."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -55,9 +55,9 @@ def scenario() -> Scenario:
     return Scenario.model_validate(fields)
 
 
-def play(robots: int, half: int) -> Iterator[tuple[Snapshot, RefereeOutput]]:
+def play(robots: int, half: int, scores: Mapping[str, float]) -> Iterator[tuple[Snapshot, RefereeOutput]]:
     """Yield a half; in the first one a program crashes, a robot is stuck, and one is taken off for a time."""
-    for snapshot, judged in made_up_play(robots, TICKS):
+    for snapshot, judged in made_up_play(robots, TICKS, scores):
         tick, output = snapshot.tick, judged
         fault = Fault("Y1", "crash", CRASH, 1, "ZeroDivisionError: division by zero", TRACEBACK)
         shown = snapshot._replace(faults=(fault,) if half == 1 and tick == CRASH_HEARD else ())
@@ -81,8 +81,9 @@ def write_storied_run(out: Path, names: tuple[str, str] = ("Hanse", "Alster"), *
     header = small_header(played, names)
     writer = RecordWriter(out, header)
     for half in (1, 2):
-        writer.begin_half(half_info(played, half, TICKS, header, writer.result["score"]))
-        for snapshot, output in play(len(played.robots), half):
+        info = half_info(played, half, TICKS, header, writer.result["score"])
+        writer.begin_half(info)
+        for snapshot, output in play(len(played.robots), half, info.scores):
             writer.tick(snapshot, output, b"")
         writer.end_half(RefereeOutput(events=(Event(TICKS, "MATCH_FINISH", {"total_match_time": TICKS * TICK_S}),)))
     folder = writer.finish({"wall_s": 1.0})
