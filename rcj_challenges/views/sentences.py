@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import re
+
 from rcj_challenges.facts.play import Fault
 from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.facts.timing import s_from_ticks
+
+_WHERE = re.compile(r'File "(?:[^"]*[/\\])?([^"/\\]+)", line (\d+)')
 
 
 def clock(seconds: float) -> str:
@@ -13,6 +17,14 @@ def clock(seconds: float) -> str:
     return f"{tenths // 600}:{tenths // 10 % 60:02d}.{tenths % 10}"
 
 
+def fault_sentence(fault: Fault) -> str:
+    """Return ``Y1 crashed at robot.py:7: ZeroDivisionError: division by zero``; the place once, where it is known."""
+    where = [] if fault.detail.endswith(")") and ", line " in fault.detail else _WHERE.findall(fault.traceback)
+    at = f" at {where[-1][0]}:{where[-1][1]}" if where else ""
+    what = "crashed" if fault.kind == "crash" else f"failed ({fault.kind.replace('_', ' ')})"
+    return f"{fault.robot} {what}{at}: {fault.detail}"
+
+
 def fault_line(fault: Fault) -> str:
-    """Return one line for a program's fault."""
-    return f"{clock(s_from_ticks(fault.tick)):>7}  {fault.robot}: {fault.kind}: {sanitize(fault.detail)}"
+    """Return one line for a program's fault, with the time at which it failed."""
+    return f"{clock(s_from_ticks(fault.tick)):>7}  {sanitize(fault_sentence(fault), 300)}"

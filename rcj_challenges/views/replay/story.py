@@ -10,7 +10,7 @@ from typing import Any
 
 from rcj_challenges.facts.amounts import Score
 from rcj_challenges.facts.measures import number_words
-from rcj_challenges.facts.play import Fault, Firing
+from rcj_challenges.facts.play import Firing
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.phrasing import quoted
@@ -18,6 +18,7 @@ from rcj_challenges.rules.triggers import TRIGGERS
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.palette import shown_colour
 from rcj_challenges.views.payloads import told_beside
+from rcj_challenges.views.sentences import fault_sentence
 from rcj_challenges.views.timeline import POINTS, HalfTimeline, Timeline, TimelineEvent
 
 _QUIET = ("MATCH_START", "MATCH_FINISH", "KICKOFF")
@@ -31,7 +32,6 @@ _UNITS = {
     if issubclass(word, Trigger)
 }
 """The unit of what a trigger measures, by its word."""
-_WHERE = re.compile(r'File "(?:[^"]*[/\\])?([^"/\\]+)", line (\d+)')
 
 
 def half_facts(half: HalfTimeline, ticks: int) -> dict[str, Any]:
@@ -143,14 +143,6 @@ def _whose(scored: Mapping[str, Score]) -> str:
     """Return the seat in whose colour a change of the score is shown: who gained, or else who lost points."""
     gained = (seat for seat, points in scored.items() if points > 0)
     return next(gained, next(iter(scored), ""))
-
-
-def fault_sentence(fault: Fault) -> str:
-    """Return ``Y1 crashed at robot.py:7: ZeroDivisionError: division by zero``."""
-    where = _WHERE.findall(fault.traceback)
-    at = f" at {where[-1][0]}:{where[-1][1]}" if where else ""
-    what = "crashed" if fault.kind == "crash" else f"failed ({fault.kind.replace('_', ' ')})"
-    return f"{fault.robot} {what}{at}: {fault.detail}"
 
 
 def _kind(name: str, scored: Mapping[str, Score]) -> str:
