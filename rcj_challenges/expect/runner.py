@@ -18,7 +18,7 @@ from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.ranking import Tally, ranking
 from rcj_challenges.rules.actions.end import End
 from rcj_challenges.rules.fields import Scalar
-from rcj_challenges.scenario.drawn import places_of, series_of
+from rcj_challenges.scenario.draw_order import places_of, series_of
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe, Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.tracking.state import Number

@@ -11,12 +11,12 @@ from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement,
 from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK, ticks_from_s
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.state import float32
-from rcj_challenges.scenario.drawn import Series
+from rcj_challenges.scenario.draw_order import Series
 from rcj_challenges.scenario.halves import half_length_s
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.seats import teams_by_seat
-from rcj_challenges.scenario.starting import start_pose
+from rcj_challenges.scenario.start_poses import start_pose
 
 # Where the stage shows what is off the field; the referee must not look there.
 _PARKED_X_M, _PARKED_STEP_M = 3.0, 0.2

@@ -10,10 +10,10 @@ from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.geometry.regions import crossing
 from rcj_challenges.rules.fields import Names
 from rcj_challenges.rules.triggers.crosses import Crosses
-from rcj_challenges.scenario.followed import followed
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import Sequence
 from rcj_challenges.scenario.roster import Roster, with_each
+from rcj_challenges.scenario.sequence_info import followed
 from rcj_challenges.tracking.gates import seen_from
 
 _WAYS = {1: "forward", -1: "backward"}

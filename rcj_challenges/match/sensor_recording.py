@@ -16,8 +16,8 @@ from rcj_challenges.match.loop import Driver
 from rcj_challenges.match.observers import Observer
 from rcj_challenges.records.sensors import SensedRobot, SensorWriter
 from rcj_challenges.records.writer import RecordWriter
+from rcj_challenges.scenario.kit_devices import devices_of
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.own_devices import devices_of
 
 _READ_BYTES = 1 << 16
 

@@ -13,9 +13,9 @@ from rcj_challenges.referee.state import State
 from rcj_challenges.rules.fields import Names
 from rcj_challenges.rules.mirror import Mirror
 from rcj_challenges.scenario.floor import floor_parts
-from rcj_challenges.scenario.followed import followed, phases_of
 from rcj_challenges.scenario.models.state import Sequence
-from rcj_challenges.scenario.remembered import remembered_spots
+from rcj_challenges.scenario.sequence_info import followed, phases_of
+from rcj_challenges.scenario.set_spots import spots_set_by_rules
 from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.clock_events import ClockEvents
 from rcj_challenges.tracking.contacts import Contacts
@@ -64,7 +64,7 @@ class CompileContext:
         self.timers_changed: Callable[[], None] = self.trackers.reschedule
         self._by_draw: dict[str, list[Tracker]] = {}
         self.floor = floor_parts(state.scenario.field)
-        self.remembered = frozenset(remembered_spots(state.scenario))
+        self.remembered = frozenset(spots_set_by_rules(state.scenario))
         self._sequences: dict[tuple[str, str], SequenceTracker] = {}
         self.layouts: dict[tuple[str, str | None, Mirror | None], list[PlacementSpec]] = {}
         self.members: dict[tuple[Names, str | None], tuple[str, ...]] = {}

@@ -23,11 +23,11 @@ from rcj_challenges.referee.ranking import ranked_counters
 from rcj_challenges.referee.says import fill_blanks
 from rcj_challenges.referee.state import State
 from rcj_challenges.rules.fields import Scalar
-from rcj_challenges.scenario.drawn import Series
+from rcj_challenges.scenario.draw_order import Series
 from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.starting import start_noise_m
+from rcj_challenges.scenario.start_poses import start_noise_m
 from rcj_challenges.tracking.bound_rules import BoundRule, Denial, Denied, Firing, TriggerHit
 from rcj_challenges.tracking.state import Number
 from rcj_challenges.tracking.trackers import NEVER

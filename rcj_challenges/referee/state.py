@@ -10,7 +10,7 @@ from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.rules.values import Lasts, duration_s
-from rcj_challenges.scenario.drawn import Series, drawable, series_of
+from rcj_challenges.scenario.draw_order import Series, drawable, series_of
 from rcj_challenges.scenario.halves import half_length_s
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.models.state import Draw, Phase

@@ -18,9 +18,9 @@ from rcj_challenges.facts.diagnostics import Diagnostic
 from rcj_challenges.scenario.checks.run import check
 from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.errors import ScenarioError, place_of
+from rcj_challenges.scenario.kit_devices import fill_in_devices
 from rcj_challenges.scenario.messages.explain import explain
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.own_devices import fill_in_devices
 from rcj_challenges.scenario.reading.extend import Source, read_chain
 from rcj_challenges.scenario.reading.find import find_scenario
 from rcj_challenges.scenario.reading.inherited_tests import leave_out, unfit_tests

@@ -1,4 +1,4 @@
-"""Draws that chance decides in name only: a rule sets them before anything asks what was drawn."""
+"""Draws that rules always set before anything reads them, so that chance never decides them."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from typing import Any
 from rcj_challenges.rules.actions.draw import DrawAction
 from rcj_challenges.rules.triggers.half_started import HalfStarted
 from rcj_challenges.rules.values.draw import DrawnDuration
-from rcj_challenges.scenario.beginnings import starting_each_half
+from rcj_challenges.scenario.half_start import firing_each_half
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.roster import BOUND
 
 
 def set_from_the_start(scenario: Scenario) -> frozenset[str]:
-    """Return the draws that rules set as each half starts, whatever was drawn, and that nothing draws anew."""
-    surely = starting_each_half(scenario)
+    """Return the draws that rules set as each half starts and that nothing draws again."""
+    surely = firing_each_half(scenario)
     actions = [(name, action) for name, rule in scenario.rules.items() for action in rule.actions]
     setting = {
         action.draw
@@ -29,16 +29,16 @@ def set_from_the_start(scenario: Scenario) -> frozenset[str]:
     return frozenset(setting - drawn - (_asked_at_the_start(scenario) if setting else set()))
 
 
-def _hears_the_start(rule: Rule) -> bool:
+def _fires_at_start(rule: Rule) -> bool:
     return any(isinstance(one, HalfStarted) for one in rule.triggers)
 
 
 def _asked_at_the_start(scenario: Scenario) -> set[str]:
-    """Return what rules of the start name, which see what was drawn, and what tells how long something lasts."""
+    """Return the names in rules that fire at the start, which see what was drawn, and in durations."""
     timers, phases = scenario.timers.values(), scenario.phases.values()
     lasts_s = [*(one.lasts_s for one in timers), *(one.lasts_s for one in phases)]
     lasting = {one.draw for one in lasts_s if isinstance(one, DrawnDuration)}
-    rules = [rule for rule in scenario.rules.values() if _hears_the_start(rule)]
+    rules = [rule for rule in scenario.rules.values() if _fires_at_start(rule)]
     others = [action for rule in rules for action in rule.actions if not isinstance(action, DrawAction)]
     named = [*(condition for rule in rules for condition in rule.conditions), *others]
     return lasting | {name for model in named for name in _texts(model.model_dump())}

@@ -9,8 +9,8 @@ from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.refs import Ref, has_drawn_value, ref_of
 from rcj_challenges.rules.triggers.touches import Touches
 from rcj_challenges.rules.values.word import WordValue
-from rcj_challenges.scenario.blanks import in_braces
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.scenario.placeholders import placeholders_in
 from rcj_challenges.scenario.roster import OTHER, has_other, with_each
 from rcj_challenges.scenario.walk import walk
 
@@ -20,7 +20,7 @@ def names_other(rule: Rule, scenario: Scenario) -> bool:
     if not has_other(rule):
         return False
     parts = (model for model, _ in walk((rule.conditions, rule.actions)))
-    return OTHER in in_braces(rule.says) or any(_names_it(model, scenario) for model in parts)
+    return OTHER in placeholders_in(rule.says) or any(_names_it(model, scenario) for model in parts)
 
 
 def _names_it(model: Strict, scenario: Scenario) -> bool:

@@ -12,9 +12,9 @@ from rcj_challenges.devices.base import Device
 from rcj_challenges.devices.supervisor_receiver import SupervisorReceiverDevice
 from rcj_challenges.facts.likeness import nearest_name
 from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.scenario.kit_devices import devices_of
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.own_devices import devices_of
 from rcj_challenges.scenario.resources import presets_folder
 
 # What `controller` writes into a program's log when it returns None. A program may print such lines itself, as long as

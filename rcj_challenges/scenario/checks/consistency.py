@@ -33,7 +33,7 @@ from rcj_challenges.rules.triggers.time_reached import TimeReached
 from rcj_challenges.rules.values.distance import DistanceValue
 from rcj_challenges.rules.values.word import NumberWord
 from rcj_challenges.scenario.centres import centre_of
-from rcj_challenges.scenario.drawn import never_drawn, places_of
+from rcj_challenges.scenario.draw_order import never_drawn, places_of
 from rcj_challenges.scenario.errors import choice_of, in_plain_letters, listing
 from rcj_challenges.scenario.floor import floor_parts, on_floor
 from rcj_challenges.scenario.floor_shapes import lies_in

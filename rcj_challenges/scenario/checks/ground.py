@@ -15,7 +15,7 @@ from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, Pol
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.outlines import TOUCHING_M, Part, disc, extent, obstacle_outline, overlap, robot_outline
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.starting import start_pose
+from rcj_challenges.scenario.start_poses import start_pose
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.walk import Issue, walk
 

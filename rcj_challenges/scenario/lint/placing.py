@@ -27,7 +27,7 @@ from rcj_challenges.scenario.lint.context import LintContext, is_active_in
 from rcj_challenges.scenario.models import places
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.outlines import Part, disc, overlap, robot_outline
-from rcj_challenges.scenario.remembered import fixed_spots
+from rcj_challenges.scenario.set_spots import fixed_spots
 from rcj_challenges.scenario.tree import Path
 
 _Placing = places.Placing | Place

@@ -15,12 +15,12 @@ from rcj_challenges.rules.actions.set_spot import SetSpot
 from rcj_challenges.rules.actions.timer import TimerAction
 from rcj_challenges.rules.actions.toggle_flag import ToggleFlag
 from rcj_challenges.rules.refs import SectionRef
-from rcj_challenges.scenario.blanks import BLANKS, in_braces
 from rcj_challenges.scenario.errors import place_of
 from rcj_challenges.scenario.lint.base import LintRule, Suspicion
 from rcj_challenges.scenario.lint.context import LintContext, Use
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe
-from rcj_challenges.scenario.remembered import remembered_spots
+from rcj_challenges.scenario.placeholders import PLACEHOLDERS, placeholders_in
+from rcj_challenges.scenario.set_spots import spots_set_by_rules
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node
 
 _TESTS = (Expectation, Given, Keyframe)
@@ -48,7 +48,7 @@ class NeverRead(LintRule):
                 if all(use.model in (*writers, *_TESTS) for use in uses):
                     yield self.at((section, name), noun=section[:-1], name=name)
         read = _names_on_field(ctx, but_set_spots=True)
-        for name in remembered_spots(ctx.scenario):
+        for name in spots_set_by_rules(ctx.scenario):
             if name not in read:
                 yield self.at(("spots", name), noun="spot", name=name)
 
@@ -120,12 +120,12 @@ class NeverUsed(LintRule):
         scenario = ctx.scenario
         on_field = _names_on_field(ctx)
         nested = {member for members in scenario.groups.values() for member in members}
-        used = dict.fromkeys(self._ON_FIELD, on_field | set(remembered_spots(scenario)))
+        used = dict.fromkeys(self._ON_FIELD, on_field | set(spots_set_by_rules(scenario)))
         used["groups"] = {use.name for use in ctx.uses if use.is_on_field} | nested
         used["params"] = set(_params_in(ctx.tree)) | {
-            name for rule in scenario.rules.values() for name in in_braces(rule.says) if name not in BLANKS
+            name for rule in scenario.rules.values() for name in placeholders_in(rule.says) if name not in PLACEHOLDERS
         }
-        used["params"] |= set(in_braces(scenario.description))
+        used["params"] |= set(placeholders_in(scenario.description))
         for section in ("sequences", "placements"):
             # To reset a sequence is no use of it if nothing depends on its steps.
             uses = (use for use in ctx.uses if use.model is not SequenceAction)

@@ -24,7 +24,6 @@ from rcj_challenges.rules.triggers.holds import Holds
 from rcj_challenges.rules.triggers.no_progress import NoProgress
 from rcj_challenges.rules.triggers.stays_in import StaysIn
 from rcj_challenges.rules.triggers.time_reached import TimeReached
-from rcj_challenges.scenario.blanks import BLANKS, in_braces
 from rcj_challenges.scenario.errors import choice_of
 from rcj_challenges.scenario.halves import MOST_LENGTHS, clock_may_stop, longest_half_s
 from rcj_challenges.scenario.lint.base import LintRule, Suspicion
@@ -33,6 +32,7 @@ from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.robots import StartPose
 from rcj_challenges.scenario.models.scenario import Keyframe, Rule
 from rcj_challenges.scenario.models.state import Phase, Timer
+from rcj_challenges.scenario.placeholders import PLACEHOLDERS, placeholders_in
 from rcj_challenges.scenario.tree import Path
 
 
@@ -170,11 +170,11 @@ class UnknownPlaceholder(LintRule):
         params = tuple(ctx.scenario.params)
         for name, rule in ctx.scenario.rules.items():
             repeated = ctx.repeated[name].known if name in ctx.repeated else ()
-            known = (*BLANKS, *repeated, *params)
-            for blank in in_braces(rule.says):
+            known = (*PLACEHOLDERS, *repeated, *params)
+            for blank in placeholders_in(rule.says):
                 if blank not in known:
                     yield self._unknown(("rules", name, "says"), blank, known)
-        for blank in in_braces(ctx.scenario.description):
+        for blank in placeholders_in(ctx.scenario.description):
             if blank not in params and blank.strip().isidentifier():
                 yield self._unknown(("description",), blank, params)
 
@@ -193,7 +193,7 @@ class PlaceholderNeverFilled(LintRule):
     def check(self, ctx: LintContext) -> Iterator[Suspicion]:
         """Yield blanks that this rule cannot fill in."""
         for name, rule in ctx.scenario.rules.items():
-            for blank in in_braces(rule.says):
+            for blank in placeholders_in(rule.says):
                 why = self._why_empty(blank, rule)
                 if why and blank not in ctx.scenario.params:
                     yield self.at(("rules", name, "says"), blank=blank, why=why)

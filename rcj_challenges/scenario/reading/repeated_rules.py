@@ -13,10 +13,10 @@ from dataclasses import dataclass, field, replace
 
 from rcj_challenges.facts.diagnostics import Diagnostic
 from rcj_challenges.rules.fields import Scalar
-from rcj_challenges.scenario.blanks import BLANKS, filled, in_braces
 from rcj_challenges.scenario.errors import listing, nearest, place_of
 from rcj_challenges.scenario.messages.wording import NAME_RULE, found_text, quoted
 from rcj_challenges.scenario.models.scenario import MAX_ROWS, Rule
+from rcj_challenges.scenario.placeholders import PLACEHOLDERS, filled, placeholders_in
 from rcj_challenges.scenario.reading.merge import Merger, Repeated, is_param
 from rcj_challenges.scenario.reading.params import THIS, Resolver, params_of
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, Step, copied, in_names
@@ -121,7 +121,7 @@ def _blanks_in(rule: Entries) -> Iterator[str]:
     """Yield what the sentence of a rule fills in before anything happens."""
     says = rule.entries.get("says")
     if isinstance(says, Leaf) and isinstance(says.value, str):
-        yield from (name for name in in_braces(says.value) if name not in BLANKS)
+        yield from (name for name in placeholders_in(says.value) if name not in PLACEHOLDERS)
 
 
 def _params_of(value: Leaf | Items | None) -> Iterator[str]:
@@ -142,7 +142,7 @@ def _fill(root: Entries, name: str, values: Mapping[str, Leaf | Items], merger: 
     if isinstance(says, Leaf) and isinstance(says.value, str):
         written = says.value
         # As for params, a blank that is filled in when the rule fires goes before a value of its name.
-        known = {key: _spoken(value) for key, value in values.items() if key not in BLANKS}
+        known = {key: _spoken(value) for key, value in values.items() if key not in PLACEHOLDERS}
         says.value = filled(says.value, {key: value for key, value in known.items() if value is not None})
         begins = known.get(THIS)
         if isinstance(begins, str) and written.startswith(f"{{{THIS}}}"):

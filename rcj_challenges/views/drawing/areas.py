@@ -25,12 +25,12 @@ from rcj_challenges.rules.places.start import Start
 from rcj_challenges.rules.places.uniform_in import UniformIn
 from rcj_challenges.rules.values.draw import DrawValue
 from rcj_challenges.rules.values.told import ToldValue
-from rcj_challenges.scenario.beginnings import turns
+from rcj_challenges.scenario.half_start import rules_at_start
 from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.remembered import fixed_spots
 from rcj_challenges.scenario.roster import EACH, OTHER, Roster, as_tuple
-from rcj_challenges.scenario.starting import start_noise_m, start_pose
+from rcj_challenges.scenario.set_spots import fixed_spots
+from rcj_challenges.scenario.start_poses import start_noise_m, start_pose
 from rcj_challenges.scenario.touch_rules import written_others
 from rcj_challenges.views.drawing.shapes import Point, point_words
 
@@ -85,7 +85,7 @@ def first_poses(scenario: Scenario, roster: Roster) -> dict[str, Pose2 | None]:
     """
     poses: dict[str, Pose2 | None] = {name: start_pose(scenario, name) for name in roster.entities}
     possible: dict[str, list[Pose2 | None]] = {}
-    for turn in turns(scenario):
+    for turn in rules_at_start(scenario):
         rule, placed = scenario.rules[turn.name], dict[str, Pose2 | None]()
         for action in rule.actions if turn.lives else ():
             if isinstance(action, Remove):

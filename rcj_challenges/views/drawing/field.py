@@ -12,9 +12,9 @@ from rcj_challenges.rules.places.on_line import OnLine
 from rcj_challenges.scenario.models.field import Box as BoxObstacle
 from rcj_challenges.scenario.models.field import Cylinder
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.remembered import remembered_spots, set_at_once
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.starting import start_noise_m, start_pose
+from rcj_challenges.scenario.set_spots import spots_set_at_start, spots_set_by_rules
+from rcj_challenges.scenario.start_poses import start_noise_m, start_pose
 from rcj_challenges.views.drawing.areas import Area, first_poses, flipped, placement_areas
 from rcj_challenges.views.drawing.distances import measured_distances
 from rcj_challenges.views.drawing.paper import MARKER_PX, Entry, Paper, Section
@@ -210,7 +210,7 @@ def _draw_area(paper: Paper, scenario: Scenario, area: Area, title: str, number:
 
 def _distances(paper: Paper, scenario: Scenario, roster: Roster) -> Section:
     """Draw distances from spots and points as circles within the walls; others stand only in the legend."""
-    remembered, nowhere = remembered_spots(scenario), set_at_once(scenario)
+    remembered, nowhere = spots_set_by_rules(scenario), spots_set_at_start(scenario)
     found = measured_distances(scenario, roster)
     goals = (goal_floor(goal, scenario.field) for goal in scenario.field.goals.values())
     paper.clip(_WITHIN, [floor_of(scenario.field), *goals])
@@ -275,7 +275,7 @@ def _obstacles(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None])
 
 def _spots(paper: Paper, scenario: Scenario) -> Section:
     """Draw the spots, except those that rules set when a half starts: they are never where the file has them."""
-    remembered, nowhere, reach_m = remembered_spots(scenario), set_at_once(scenario), _mark_m(paper, _CROSS_M)
+    remembered, nowhere, reach_m = spots_set_by_rules(scenario), spots_set_at_start(scenario), _mark_m(paper, _CROSS_M)
     entries: list[Entry] = []
     for name, spot in scenario.spots.items():
         if name in nowhere:

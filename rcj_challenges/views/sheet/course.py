@@ -9,10 +9,10 @@ from rcj_challenges.rules.actions.draw import DrawAction
 from rcj_challenges.rules.phrasing import listed, number, quoted, quoted_measure, seconds
 from rcj_challenges.rules.values import duration_words, value_words
 from rcj_challenges.rules.values.counter import CounterValue
-from rcj_challenges.scenario.followed import followed
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.models.state import Counter, Draw, Flag, Phase, Sequence, Timer
+from rcj_challenges.scenario.sequence_info import followed
 from rcj_challenges.views.sheet.document import Block, Items
 from rcj_challenges.views.sheet.phrasebook import Phrasebook
 

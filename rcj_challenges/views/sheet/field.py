@@ -8,7 +8,7 @@ from typing import Any
 from rcj_challenges.rules.phrasing import degrees, listed, metres, metres_alike, plain, quoted
 from rcj_challenges.scenario.models import field as models
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.remembered import remembered_spots
+from rcj_challenges.scenario.set_spots import spots_set_by_rules
 from rcj_challenges.views.drawing.shapes import point_words
 from rcj_challenges.views.sheet.document import Block, Items, Table
 from rcj_challenges.views.sheet.phrasebook import Phrasebook
@@ -28,7 +28,7 @@ def field_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
     yield from _goals(field)
     if scenario.gates:
         yield "A gate is crossed forward towards the side to which its short mark in the drawing points."
-    if remembered := remembered_spots(scenario):
+    if remembered := spots_set_by_rules(scenario):
         yield f"Rules move {listed([*map(phrases.thing, remembered)], 'and')} during a half."
     if scenario.balls:
         yield "Balls; x and y in m:"

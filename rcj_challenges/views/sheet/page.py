@@ -12,7 +12,6 @@ from rcj_challenges.rules.bounds import bounds_words
 from rcj_challenges.rules.phrasing import counted, listed, number, plain, quoted, quoted_measure, seconds
 from rcj_challenges.rules.placement import placement_words
 from rcj_challenges.rules.values import amount_words
-from rcj_challenges.scenario.blanks import description_of
 from rcj_challenges.scenario.halves import clock_may_stop, half_lengths_s
 from rcj_challenges.scenario.models.scenario import (
     Limits,
@@ -23,6 +22,7 @@ from rcj_challenges.scenario.models.scenario import (
     Rule,
     Scenario,
 )
+from rcj_challenges.scenario.placeholders import description_of
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.drawing.areas import layouts_of
 from rcj_challenges.views.drawing.field import picture_of

@@ -17,10 +17,10 @@ from rcj_challenges.rules.values import Value, value_words
 from rcj_challenges.rules.values.draw import DrawValue
 from rcj_challenges.rules.values.position_of import PositionValue
 from rcj_challenges.rules.values.word import WordValue
-from rcj_challenges.scenario.heard import referee_listens, robots_that_speak
+from rcj_challenges.scenario.kit_devices import devices_of
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Broadcast, Rule, Scenario
-from rcj_challenges.scenario.own_devices import devices_of
+from rcj_challenges.scenario.robot_messages import referee_listens, robots_with_emitter
 from rcj_challenges.views.sheet.document import Block, Items, Section, Table
 from rcj_challenges.views.sheet.phrasebook import Phrasebook
 from rcj_challenges.views.sheet.robots import has
@@ -147,7 +147,7 @@ def _exactly(scenario: Scenario, entry: object) -> str:
 def _sent(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
     """Yield how robots send messages to the referee, and which of them can."""
     by_channels: dict[tuple[int, ...], list[str]] = {}
-    for name in robots_that_speak(scenario):
+    for name in robots_with_emitter(scenario):
         channels = listening_channels(scenario, devices_of(scenario, name).values())
         if channels:
             by_channels.setdefault(channels, []).append(name)

@@ -2,8 +2,8 @@
 
 import pytest
 
-from rcj_challenges.scenario.heard import referee_listens, robots_that_speak
 from rcj_challenges.scenario.load import load, load_text
+from rcj_challenges.scenario.robot_messages import referee_listens, robots_with_emitter
 from tests.scenario.writing import complaints
 
 HEAD = "schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {half_s: 60}\n"
@@ -33,5 +33,5 @@ def test_the_referee_listens_only_where_a_rule_or_the_broadcast_asks():
 def test_robots_of_2021_have_no_emitter_unless_they_are_given_one():
     old = HEAD.replace("soccersim_v2", "soccersim_2021")
     given = "robots: {Y3: {devices: {radio: {device: team_emitter}}}}\n"
-    assert robots_that_speak(load_text(old).scenario) == []
-    assert robots_that_speak(load_text(old + given).scenario) == ["Y3"]
+    assert robots_with_emitter(load_text(old).scenario) == []
+    assert robots_with_emitter(load_text(old + given).scenario) == ["Y3"]

@@ -1,4 +1,4 @@
-"""What a robot carries: its kit's devices, and its own; of its own what they leave out is as in the kit."""
+"""The devices of a robot: those of its kit and its own, which take from the kit what they leave out."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which values a draw can decide next: shared by the referee, which draws, and by checks of what tests decide."""
+"""Which values a draw can bring next, for the referee, and for checks of the values that tests decide."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The blanks of ``says``, and params in the description: what is known before anything happens is filled in here."""
+"""Placeholders of ``says`` and of the description: what is known before the match is filled in here."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from rcj_challenges.rules.actions.score import Score
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 
-BLANKS = ("entity", "each", "other", "team", "measured", "limit", "points")
-"""What is filled in when a rule fires. In braces also a param's name; a blank goes before a param of its name."""
+PLACEHOLDERS = ("entity", "each", "other", "team", "measured", "limit", "points")
+"""Placeholders that are filled in when a rule fires; they take precedence over params of the same name."""
 
 _IN_BRACES = re.compile(r"\{([^{}]*)\}")
 _OF_POINTS = re.compile(r"\{([^{}]*)\}( points\b)?")
@@ -20,8 +20,8 @@ _ONE = ("1", "-1")
 _DECIMALS = 9  # to so many numbers are exact
 
 
-def in_braces(says: str) -> tuple[str, ...]:
-    """Return what stands in braces in a sentence, each once."""
+def placeholders_in(says: str) -> tuple[str, ...]:
+    """Return the placeholders of a sentence, each once."""
     return tuple(dict.fromkeys(_IN_BRACES.findall(says)))
 
 
@@ -39,9 +39,9 @@ def _points(action: Score) -> float | None:
     return points if most is None else min(points, most)
 
 
-def partly_filled(rule: Rule, params: Mapping[str, Scalar]) -> str:
+def fill_known(rule: Rule, params: Mapping[str, Scalar]) -> str:
     """Return what a rule says, with its params filled in, and its points if it gives one plain number."""
-    known = {name: _as_text(value) for name, value in params.items() if name not in BLANKS}
+    known = {name: _as_text(value) for name, value in params.items() if name not in PLACEHOLDERS}
     points = points_of(rule)
     number = next(iter(points)) if len(points) == 1 else None
     if number is not None:
@@ -75,11 +75,11 @@ def _enumerated(value: Scalar | list[Scalar]) -> str:
 def _filled(text: str, known: Mapping[str, str]) -> str:
     """Fill in what is known; ``{points} points`` is one point if it is one."""
 
-    def fill(blank: re.Match[str]) -> str:
-        value = known.get(blank[1])
+    def fill(placeholder: re.Match[str]) -> str:
+        value = known.get(placeholder[1])
         if value is None:
-            return blank[0]
-        return counted(value) if blank[2] else value
+            return placeholder[0]
+        return counted(value) if placeholder[2] else value
 
     return _OF_POINTS.sub(fill, text)
 

@@ -1,4 +1,4 @@
-"""Rules that hear how a half starts, in their turn: which surely fire, and which others have kept from it by then."""
+"""Rules that fire as a half starts, in their order: which of them always do, and in which phases."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from rcj_challenges.scenario.models.scenario import Scenario
 
 
 class Turn(NamedTuple):
-    """A rule that hears how a half starts, when its turn comes.
+    """A rule with the trigger ``half_started``, when its turn comes.
 
     Attributes:
         name: of the rule.
-        phases: in one of these it is by then: a rule before may have left the first.
-        lives: in these of them the rule lives.
-        surely: whether it fires in every half, whatever else is so.
+        phases: one of these is on by then: a rule before may have left the first phase.
+        lives: those of them in which the rule is active.
+        surely: whether it fires in every half.
     """
 
     name: str
@@ -26,8 +26,8 @@ class Turn(NamedTuple):
     surely: bool
 
 
-def turns(scenario: Scenario) -> Iterator[Turn]:
-    """Yield the rules that hear how a half starts, in the order in which they fire."""
+def rules_at_start(scenario: Scenario) -> Iterator[Turn]:
+    """Yield the rules with the trigger ``half_started``, in the order in which they fire."""
     first = frozenset({scenario.first_phase})
     phases = first
     for name, rule in sorted(scenario.rules.items(), key=lambda named: named[1].priority):
@@ -40,6 +40,6 @@ def turns(scenario: Scenario) -> Iterator[Turn]:
                 phases = frozenset(entered) if surely else phases.union(entered)
 
 
-def starting_each_half(scenario: Scenario) -> frozenset[str]:
-    """Return the rules that fire as each half starts, whatever else is so."""
-    return frozenset(turn.name for turn in turns(scenario) if turn.surely)
+def firing_each_half(scenario: Scenario) -> frozenset[str]:
+    """Return the rules that fire as each half starts, in any case."""
+    return frozenset(turn.name for turn in rules_at_start(scenario) if turn.surely)
