@@ -23,7 +23,7 @@ from rcj_challenges.views.live.pace import Pace
 from rcj_challenges.views.live.senses import HalfSenses
 from rcj_challenges.views.naming import changes_sides, told_apart
 from rcj_challenges.views.replay.packing import FINEST_M, put_at_start, rounded_poses, units
-from rcj_challenges.views.replay.page import fault_detail
+from rcj_challenges.views.replay.page import fault_detail, team_facts
 from rcj_challenges.views.replay.story import EventFacts, half_facts
 from rcj_challenges.views.replay.things import visible_things
 from rcj_challenges.views.timeline import TimelineBuilder
@@ -48,7 +48,7 @@ def live_facts(scenario: Scenario, titles: dict[str, str], seed: int) -> dict[st
     return {
         "tick_s": TICK_S,
         **visible_things(scenario),
-        "teams": [{"name": team, "title": title} for team, title in apart.items()],
+        "teams": team_facts(apart),
         "halves_planned": scenario.match.halves,
         "half_ticks_planned": [ticks_from_s(half_s) for half_s in half_lengths_s(scenario.match)],
         "channels": [{"name": name, "unit": unit} for name, unit in units(_unit_m(scenario)).items()],

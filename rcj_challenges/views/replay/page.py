@@ -54,6 +54,7 @@ PREMIERE_SCRIPTS = (*SCRIPTS[:-1], "live", "livesensors", "liveClient", "premier
 """The parts of the page that shows a recorded match at a time that was set: the feed is the recording and the clock."""
 
 _LONGEST_DETAIL = 10_000
+_LONGEST_NAME = 200
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,7 +155,7 @@ def _facts(run: RunRecord, folder: Path, frames: list[Frames], unit_m: float) ->
     return {
         "tick_s": TICK_S,
         **visible_things(run.scenario),
-        "teams": [{"name": team, "title": title} for team, title in titles(run.scenario, result).items()],
+        "teams": team_facts(titles(run.scenario, result)),
         "halves_planned": halves[0].info.halves,
         "channels": [{"name": name, "unit": units[name]} for name in frames[0].columns],
         "halves": [
@@ -181,6 +182,11 @@ def _half(half: HalfTrack, frames: Frames, timeline: HalfTimeline) -> dict[str, 
             for fault in faults
         ],
     }
+
+
+def team_facts(names: Mapping[str, str]) -> list[dict[str, str]]:
+    """Return the teams as the page knows them; of an endless name, which browsers break into lines slowly, a part."""
+    return [{"name": team, "title": name[:_LONGEST_NAME]} for team, name in names.items()]
 
 
 def fault_detail(fault: Fault) -> str:
