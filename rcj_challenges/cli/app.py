@@ -300,9 +300,9 @@ def draw(
     set_: _Set = None,
 ) -> None:
     """Draw the field with zones, gates, spots, start poses and placement areas."""
-    from rcj_challenges.cli import author
+    from rcj_challenges.cli.draw import draw as draw_scenario
 
-    raise typer.Exit(author.draw(scenario, out, set_ or []))
+    raise typer.Exit(draw_scenario(scenario, out, set_ or []))
 
 
 @app.command(cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge sheet relay_race.yaml --out relay_race.html")
@@ -320,9 +320,9 @@ def sheet(
     set_: _Set = None,
 ) -> None:
     """Write the rule sheet for the teams."""
-    from rcj_challenges.cli import author
+    from rcj_challenges.cli.sheet import sheet as write_sheet
 
-    raise typer.Exit(author.sheet(scenario, out, set_ or []))
+    raise typer.Exit(write_sheet(scenario, out, set_ or []))
 
 
 @app.command(

@@ -13,10 +13,10 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from rcj_challenges.cli import author
 from rcj_challenges.cli.app import app
-from rcj_challenges.cli.author import OutputError
 from rcj_challenges.cli.new import StarterError
+from rcj_challenges.cli.output_paths import OutputError
+from rcj_challenges.cli.sheet import sheet as write_sheet
 from rcj_challenges.cli.stdio import shell_quoted
 from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.scenario.load import load
@@ -383,7 +383,7 @@ class TestSheet:
 
     def test_a_terminal_shows_how_to_draw_it_and_not_the_source_of_a_drawing(self, monkeypatch, capsys):
         monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
-        assert author.sheet("match", None, []) == 0
+        assert write_sheet("match", None, []) == 0
         said = capsys.readouterr().out
         assert "<svg" not in said
         assert "rcj-challenge draw match --out field.svg" in said

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from rcj_challenges.cli import author, says
+from rcj_challenges.cli import output_paths, stdio
 
 STAND = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
 
@@ -40,7 +40,7 @@ def printing(monkeypatch: pytest.MonkeyPatch, errors: str, encoding: str = "cp12
 @pytest.mark.parametrize("errors", ["strict", "surrogateescape"])  # the second is Python's choice on Windows
 def test_a_path_with_letters_that_the_output_lacks_is_told_all_the_same(monkeypatch, errors: str) -> None:
     file = printing(monkeypatch, errors)
-    says.replace_unencodable()
+    stdio.replace_unencodable()
     print("Grün → Łódź.mp4", flush=True)
     assert file.getvalue() == "Grün -> ?ód?.mp4\r\n".encode("cp1252")
 
@@ -48,7 +48,7 @@ def test_a_path_with_letters_that_the_output_lacks_is_told_all_the_same(monkeypa
 @pytest.mark.parametrize("encoding", ["ascii", "utf-8"])
 def test_the_bytes_of_names_stay_what_they_are(monkeypatch: pytest.MonkeyPatch, encoding: str) -> None:
     file = printing(monkeypatch, "surrogateescape", encoding)
-    says.replace_unencodable()
+    stdio.replace_unencodable()
     print("\udcc5.mp4", flush=True)
     assert file.getvalue() == b"\xc5.mp4\r\n"
 
@@ -56,7 +56,7 @@ def test_the_bytes_of_names_stay_what_they_are(monkeypatch: pytest.MonkeyPatch, 
 def test_a_document_is_utf_8_wherever_it_goes(monkeypatch: pytest.MonkeyPatch) -> None:
     """A redirected sheet or drawing is a file as ``--out`` writes it, whatever code page the system has."""
     file = printing(monkeypatch, "strict")
-    assert author._deliver("π = 180°\n<svg/>\n", None) == 0
+    assert output_paths.deliver("π = 180°\n<svg/>\n", None) == 0
     sys.stdout.flush()
     assert file.getvalue() == "π = 180°\n<svg/>\n".encode()
 
@@ -71,7 +71,7 @@ def test_a_reader_who_is_gone_is_known_however_the_system_tells_it(monkeypatch, 
         with os.fdopen(write_fd, "w", encoding="cp850", errors="backslashreplace", closefd=False) as usual:
             monkeypatch.setattr(sys, "stdout", usual)
             monkeypatch.setattr(sys, "stderr", usual)
-            says.detect_closed_pipes()
+            stdio.detect_closed_pipes()
             stream = sys.stdout
             assert stream is not usual
             assert stream.fileno() == write_fd
@@ -88,7 +88,7 @@ def test_a_reader_who_is_gone_is_known_however_the_system_tells_it(monkeypatch, 
                 with pytest.raises(OSError, match=r"\[Errno") as caught:
                     stream.flush()
             assert type(caught.value) is raised
-            says.discard_output(stream)
+            stdio.discard_output(stream)
             stream.flush()
     finally:
         os.close(read_fd)
