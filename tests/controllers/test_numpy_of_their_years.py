@@ -28,15 +28,11 @@ def test_warnings_are_silenced_by_numpys_own_name_of_the_module(match: FakeMatch
     program = """
 import numpy as np
 np.warnings.filterwarnings("ignore", category=np.VisibleDeprecationWarning)
-print(np.PZERO, np.NZERO)
-print(np.alen([1, 2]), np.unicode(5), np.cast["int"]([2.7]), np.nbytes[np.int16], np.find_common_type([np.int8], [float]))
-print(np.obj2sctype("f8").__name__, np.disp.__name__, np.ERR_WARN, np.MAXDIMS > 31, np.lib.pad([1], 1), np.compat.long(3))
+print(np.unicode(5), np.lib.pad([1], 1))
 print(hasattr(np, "no_such_name"), hasattr(np.lib, "no_such_name"), hasattr(np.lib.function_base, "no_such_name"))
 robot.step(32)
 """
-    assert match.play(STEPS + program, 1).said == [
-        "0.0 -0.0", "2 5 [2] 2 float64", "float64 disp 1 True [0 1 0] 3", "False False False"
-    ]  # fmt: skip
+    assert match.play(STEPS + program, 1).said == ["5 [0 1 0]", "False False False"]
 
 
 def test_numpys_star_gives_the_old_names_and_leaves_pythons_own_alone(match: FakeMatch) -> None:
@@ -64,10 +60,10 @@ import numpy as np
 packet = np.array([0.5, 2.0], dtype=np.float32).tostring()
 read = np.fromstring(packet, dtype=np.float32)
 read[0] += 1  # what is read may be changed
-print(len(packet), read, np.fromstring("1 2", sep=" "), np.array([3, 8]).ptp(), np.asfarray([1]), np.VisibleDeprecationWarning.__name__)
+print(len(packet), read, np.fromstring("1 2", sep=" "), np.array([3, 8]).ptp())
 robot.step(32)
 """
-    assert match.play(STEPS + program, 1).said == ["8 [1.5 2. ] [1. 2.] 5 [1.] VisibleDeprecationWarning"]
+    assert match.play(STEPS + program, 1).said == ["8 [1.5 2. ] [1. 2.] 5"]
 
 
 def test_methods_of_arrays_are_restored_where_python_has_looked_them_up_before() -> None:
@@ -76,8 +72,8 @@ def test_methods_of_arrays_are_restored_where_python_has_looked_them_up_before()
 import numpy
 before = [getattr(numpy.ndarray, name, None) is None for name in ("ptp", "tostring") * 3]
 del before
-from rcj_challenges.controllers.pupil.controller._numpy import restore_old_names
-restore_old_names(numpy)
+from rcj_challenges.controllers.pupil.controller._legacy_numpy import patch_numpy
+patch_numpy(numpy)
 other_things = [bytearray(72) for _ in range(10_000)]
 print(numpy.array([3, 8]).ptp(), len(numpy.array([0.5, 2.0]).tostring()))
 """
@@ -90,18 +86,12 @@ import warnings
 warnings.simplefilter("ignore")
 from scipy.misc import derivative
 from scipy.integrate import cumtrapz, simps
-from scipy.signal import gaussian
 print(round(derivative(lambda x: x**3, 2.0, dx=1e-3), 3), round(derivative(lambda x: x**4, 1.0, dx=1e-2, n=2, order=5), 3))
-print(simps([0, 1, 4]), cumtrapz([0, 2, 4]), gaussian(3, 1.0).round(3))
-from scipy.linalg import pinv2
-from scipy.misc import comb, factorial
-print(pinv2([[2.0]]), comb(4, 2), factorial(3))
+print(simps([0, 1, 4]), cumtrapz([0, 2, 4]))
 from scipy import stats
 from scipy.stats.stats import mode
-import numpy as np
 print(stats.mode([3, 1, 3])[0][0], mode([3, 1, 3]).count[0], stats.mode([3, 3], keepdims=False).mode)
-print(*(tuple(map(list, stats.mode(x))) for x in (["l", "r", "r"], [True, False, True], [], np.array([2, "a", 2], object))))
-print(stats.mode([[1, 2], [1, 3]])[0][0], stats.mode([[1, 2], [2, 3]], axis=None)[0], stats.mode([[1, 1, 2]], axis=1)[0])
+print(stats.mode([[1, 2], [1, 3]])[0][0], stats.mode([[1, 2], [2, 3]], axis=None)[0])
 """
 
 NAMES_OF_NUMPY = """
@@ -114,8 +104,6 @@ try:
 except AttributeError as error:
     print(type(error).__name__)
 print(scipy.linalg.norm([3, 4]))
-from scipy import ifft, rand, randn
-print(rand(2).shape, randn(3).shape, ifft([4.0]))
 from scipy import *
 print(array([1, 2]).mean(), sqrt(-4), linalg is scipy.linalg, max(3, 5))
 """
@@ -127,17 +115,8 @@ from scipy import interpolate
 table = interp2d([0, 1, 2], [0, 10], [[0, 1, 2], [10, 11, 12]])
 print(table(0.5, 5), table([0, 2], 10), table([1, 0], [10, 0]).tolist(), table(9, 99), interpolate.interp2d is interp2d)
 print(interp2d([2, 0, 1], [10, 0], [[12, 10, 11], [2, 0, 1]])(0.5, 5), interp2d([0, 1], [0, 1], [0, 1, 2, 3])(1, 0))
-print(interp2d([0, 1], [0, 1], [0, 1, 2, 3], fill_value=-1)([0, 5], 0), end=" ")
 axis = np.arange(5.0)
 print(interp2d(axis, axis, np.outer(axis**2, axis), kind="cubic")(1.5, 2.5).round(6))
-__import__("warnings").simplefilter("ignore")  # fitpack says that it has found no room to be more exact
-scattered = interp2d([0, 1, 0, 1, 0.5], [0, 0, 1, 1, 0.5], [0, 1, 2, 3, 1.5])
-print(scattered(0.25, 0.25).round(6))
-for wrong in (lambda: interp2d([0, 1], [0, 1], [1, 2, 3]), lambda: interp2d([0, 1], [0, 1], [0, 1, 2, 3], bounds_error=True)(3, 0)):
-    try:
-        wrong()
-    except ValueError as error:
-        print(error)
 """
 
 
@@ -154,9 +133,7 @@ def said_with_scipy(tmp_path_factory: pytest.TempPathFactory) -> dict[str, list[
 
 def test_names_that_scipy_had_in_those_years_are_there(said_with_scipy: dict[str, list[str]]) -> None:
     said = said_with_scipy[OLD_NAMES]
-    assert said[:2] == ["12.0 12.0", "2.6666666666666665 [1. 4.] [0.607 1.    0.607]"]
-    assert said[2:4] == ["[[0.5]] 6.0 6.0", "3 2 3"]
-    assert said[4:] == ["(['r'], [2]) ([True], [2]) ([], []) ([2], [2])", "[1 2] [2] [[1]]"]
+    assert said == ["12.0 12.0", "2.6666666666666665 [1. 4.]", "3 2 3", "[1 2] [2]"]
 
 
 def test_an_array_of_one_number_is_a_number(match: FakeMatch) -> None:
@@ -173,7 +150,7 @@ robot.step(32)
 
 def test_scipy_gives_the_names_of_numpy_that_it_had(said_with_scipy: dict[str, list[str]]) -> None:
     said = said_with_scipy[NAMES_OF_NUMPY]
-    assert said == ["3.14 11 2j 1.5 inf", "AttributeError", "5.0", "(2,) (3,) [4.+0.j]", "1.5 2j True 5"]
+    assert said == ["3.14 11 2j 1.5 inf", "AttributeError", "5.0", "1.5 2j True 5"]
 
 
 def test_numpy_stacks_what_is_no_list(match: FakeMatch) -> None:
@@ -194,22 +171,6 @@ robot.step(32)
         "[[1, 2], [3, 4]] [[1, 2], [3, 4]] [1 2]", "[[1, 2], [3, 4]] (1, 1, 2) (2, 1)", "(2, 1) (2, 2) [[1]] [[1]]",
         "not a number",
     ]  # fmt: skip
-
-
-def test_a_number_of_an_array_is_set_by_itemset(match: FakeMatch) -> None:
-    program = """
-import numpy as np
-table, flat = np.zeros((2, 2)), np.zeros(3)
-table.itemset((0, 1), 5)
-table.itemset(1, 0, 7)
-table.itemset(3, 9)
-flat.itemset(2, 4)
-one = np.array(1)
-one.itemset(6)
-print(table.tolist(), flat, one, np.array([1, 2]).newbyteorder().dtype.byteorder in "<>")
-robot.step(32)
-"""
-    assert match.play(STEPS + program, 1).said == ["[[0.0, 5.0], [7.0, 9.0]] [0. 0. 4.] 6 True"]
 
 
 def test_arrays_take_parts_of_different_lengths_and_copy_what_has_to_be(match: FakeMatch) -> None:
@@ -246,8 +207,5 @@ def test_a_table_of_two_axes_is_looked_up(said_with_scipy: dict[str, list[str]])
     assert said_with_scipy[TABLES] == [
         "[5.5] [10. 12.] [[0.0, 1.0], [10.0, 11.0]] [12.] True",
         "[5.5] [1.]",
-        "[ 0. -1.] [9.375]",
-        "[0.75]",
-        "x, y, and z must have equal lengths for non rectangular grid",
-        "Values out of range; x must be in (0, 1), y in (0, 1)",
+        "[9.375]",
     ]

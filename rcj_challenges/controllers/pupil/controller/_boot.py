@@ -9,7 +9,7 @@ import os
 import sys
 import types  # on Linux the layers need it: so a team's own `types.py` is never read on any system
 
-from . import _chance, _clock, _confine, _debugger, _hub, _older, _report, _signals, _waits
+from . import _chance, _clock, _confine, _debugger, _hub, _legacy, _report, _signals, _waits
 from ._hooks import AfterImport
 from ._output import Output
 from ._wire import HELLO, Wire, fault_frame, leave
@@ -107,21 +107,13 @@ class Boot:
         patches: dict[str, Patch] = {
             "datetime": _clock.dates_of(self._clock),
             "random": _chance.seed_random(seeds[0]),
-            "numpy": _for_numpy("restore_old_names"),
-            "scipy": _for_numpy("restore_names_of_numpy"),
-            "scipy.integrate": _for_numpy("restore_integrals"),
-            "scipy.interpolate": _for_numpy("restore_interpolation"),
-            "scipy.linalg": _for_numpy("restore_matrices"),
-            "scipy.misc": _for_numpy("restore_of_misc"),
-            "scipy.signal": _for_numpy("restore_windows"),
-            "scipy.stats": _for_numpy("restore_mode"),
             "numpy.random.bit_generator": _chance.seed_numpy_entropy(seeds[1]),
             "numpy.random": _chance.seed_numpy_global(seeds[2]),
             "signal": lambda signal: _signals.make_patient(signal, self._hub),
         }
         if not self._hello.get("debugger"):  # whose threads really wait
             patches |= _waits.Waits(self._clock).patches()
-        for module, patch in _older.PATCHES.items():
+        for module, patch in _legacy.PATCHES.items():
             patches[module] = _in_turn(patches[module], patch) if module in patches else patch
         AfterImport(patches, self._root + os.sep).install()
         # What `site` adds; the interpreter runs without it.
@@ -191,17 +183,6 @@ def _flush_output() -> None:
             stream.flush()  # type: ignore[union-attr]  # whatever it is
         except BaseException:  # noqa: BLE001, S110 - a program may have put anything there
             pass
-
-
-def _for_numpy(name: str) -> Patch:
-    """Return a patch that is read when a program imports numpy or scipy: most do not."""
-
-    def patch(module: Any) -> None:
-        from . import _numpy
-
-        getattr(_numpy, name)(module)
-
-    return patch
 
 
 def _in_turn(first: Patch, then: Patch) -> Patch:

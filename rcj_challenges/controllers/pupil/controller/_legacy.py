@@ -1,4 +1,4 @@
-"""What the standard library had in Python 3.8, for which the programs of 2021 to 2023 were written, and has no more."""
+"""What Python 3.8, numpy 1.19 to 1.24 and scipy 1.5 to 1.10 had: programs of 2021 to 2023 were written for them."""
 
 # ruff: noqa: PLC0415 - each import costs every program, so there are few, and late ones
 
@@ -23,36 +23,26 @@ def _random(module: Any) -> None:
     from collections.abc import Set as AbstractSet
 
     kind = module.Random
-    seed, sample, shuffle, randrange, randint = kind.seed, kind.sample, kind.shuffle, kind.randrange, kind.randint
+    seed, sample, randrange, randint = kind.seed, kind.sample, kind.randrange, kind.randint
 
     def seeded(self: Any, a: Any = None, version: int = 2) -> None:
         """Take whatever has a hash: a moment, a tuple. Those of the match's programs are the same in every run."""
-        known = a is None or isinstance(a, (int, float, str, bytes, bytearray))
-        seed(self, a if known else hash(a) % 2**64, version)
+        is_known = a is None or isinstance(a, (int, float, str, bytes, bytearray))
+        seed(self, a if is_known else hash(a) % 2**64, version)
 
     def sampled(self: Any, population: Any, k: int, **more: Any) -> Any:
         return sample(self, tuple(population) if isinstance(population, AbstractSet) else population, k, **more)
-
-    def shuffled(self: Any, x: Any, random: Any = None) -> None:
-        """Take a function that draws numbers from 0 to 1, too."""
-        if random is None:
-            shuffle(self, x)
-            return
-        for last in range(len(x) - 1, 0, -1):
-            drawn = int(random() * (last + 1))
-            x[last], x[drawn] = x[drawn], x[last]
 
     def drawn_of_range(self: Any, start: Any, stop: Any = None, step: Any = 1) -> Any:
         """Take 4.0 for 4."""
         return randrange(self, _whole(start), _whole(stop), _whole(step))
 
     def drawn_between(self: Any, a: Any, b: Any) -> Any:
-        """Take 4.0 for 4; since Python 3.14 this does not ask `randrange` any more."""
+        """Take 4.0 for 4; since Python 3.14 this does not call `randrange` any more."""
         return randint(self, _whole(a), _whole(b))
 
-    kind.seed, kind.sample, kind.shuffle = seeded, sampled, shuffled
-    kind.randrange, kind.randint = drawn_of_range, drawn_between
-    for name in ("seed", "sample", "shuffle", "randrange", "randint"):
+    kind.seed, kind.sample, kind.randrange, kind.randint = seeded, sampled, drawn_of_range, drawn_between
+    for name in ("seed", "sample", "randrange", "randint"):
         # `random.sample` is that method of one object, bound when the module was imported.
         setattr(module, name, getattr(module._inst, name))  # noqa: SLF001
 
@@ -94,41 +84,56 @@ def _json(module: Any) -> None:
 
 
 def _asyncio(module: Any) -> None:
-    from . import _coroutines
+    """Bring back coroutines of generators, ``loop=``, and the main thread's loop, which ended with Python 3.14."""
+    import inspect
+    import threading
+    import types
+    from functools import wraps
 
-    _coroutines.restore_old_names(module)
+    present, real_wait = module.get_event_loop, module.wait
+
+    def coroutine(func: Any) -> Any:
+        if inspect.iscoroutinefunction(func):
+            return func
+        real = types.coroutine(func)
+
+        @wraps(func)
+        async def coro(*given: Any, **named: Any) -> Any:
+            made = real(*given, **named)
+            return await made if inspect.isawaitable(made) else made
+
+        return coro
+
+    def get_event_loop() -> Any:
+        try:
+            return present()
+        except RuntimeError:
+            if threading.current_thread() is not threading.main_thread():
+                raise
+            module.set_event_loop(module.new_event_loop())
+            return present()
+
+    async def wait(fs: Any, *, loop: Any = None, **named: Any) -> Any:  # noqa: ARG001 - as it was
+        """Wait for coroutines too, not for tasks alone."""
+        return await real_wait({module.ensure_future(one) for one in set(fs)}, **named)
+
+    vars(module).setdefault("coroutine", coroutine)
+    module.get_event_loop, module.wait = get_event_loop, wait
+    for name in ("sleep", "gather", "wait_for", "shield", "as_completed"):
+        setattr(module, name, _without_loop(getattr(module, name)))
+    for name in ("Lock", "Event", "Condition", "Semaphore", "BoundedSemaphore", "Queue"):
+        kind = getattr(module, name)
+        kind.__init__ = _without_loop(kind.__init__)
 
 
-def _array(module: Any) -> None:
-    from ._methods import restore_methods
+def _without_loop(real: Callable[..., Any]) -> Callable[..., Any]:
+    from functools import wraps
 
-    kind = module.array
-    restore_methods(kind, {"tostring": kind.tobytes, "fromstring": kind.frombytes})
+    @wraps(real)
+    def function(*given: Any, loop: Any = None, **named: Any) -> Any:  # noqa: ARG001 - as it was
+        return real(*given, **named)
 
-
-def _elements(module: Any) -> None:
-    from ._methods import restore_methods
-
-    def getchildren(element: Any) -> list[Any]:
-        return list(element)
-
-    restore_methods(module.Element, {"getchildren": getchildren, "getiterator": module.Element.iter})
-
-
-def _math(module: Any) -> None:
-    real = module.factorial
-
-    def factorial(x: Any) -> int:
-        """Take 4.0 for 4."""
-        return real(_whole(x))  # type: ignore[no-any-return]
-
-    module.factorial = factorial
-
-
-def _configparser(module: Any) -> None:
-    if not hasattr(module, "SafeConfigParser"):
-        module.SafeConfigParser = module.ConfigParser
-        module.RawConfigParser.readfp = module.RawConfigParser.read_file
+    return function
 
 
 def _inspect(module: Any) -> None:
@@ -140,11 +145,6 @@ def _inspect(module: Any) -> None:
         return ArgSpec(*module.getfullargspec(func)[:4])
 
     vars(module).setdefault("getargspec", getargspec)
-
-
-def _threading(module: Any) -> None:
-    if not hasattr(module.Thread, "isAlive"):
-        module.Thread.isAlive = module.Thread.is_alive
 
 
 def _enum(module: Any) -> None:
@@ -194,33 +194,48 @@ def _pool(module: Any) -> None:
     module.ThreadPool.__init__ = init
 
 
-def _fractions(module: Any) -> None:
-    from math import gcd
+def _aliases(**names: str) -> Patch:
+    """Return a patch that gives a module or its classes attributes under their old names: ``Thread__isAlive``."""
 
-    vars(module).setdefault("gcd", gcd)
+    def patch(module: Any) -> None:
+        for old, new in names.items():
+            kind, _, name = old.rpartition("__")
+            place = getattr(module, kind) if kind else module
+            if not hasattr(place, name):
+                setattr(place, name, getattr(place, new))
+
+    return patch
 
 
-def _base64(module: Any) -> None:
-    vars(module).setdefault("encodestring", module.encodebytes)
-    vars(module).setdefault("decodestring", module.decodebytes)
+def _of_numpy(name: str) -> Patch:
+    """Return a patch of `_legacy_numpy`, which is imported when a program imports numpy or scipy: most do not."""
+
+    def patch(module: Any) -> None:
+        from . import _legacy_numpy
+
+        getattr(_legacy_numpy, name)(module)
+
+    return patch
 
 
 PATCHES: dict[str, Patch] = {
     "collections": _collections,
-    "array": _array,
-    "math": _math,
-    "xml.etree.ElementTree": _elements,
     "random": _random,
     "dataclasses": _dataclasses,
     "json": _json,
     "asyncio": _asyncio,
-    "configparser": _configparser,
     "inspect": _inspect,
-    "threading": _threading,
     "enum": _enum,
     "traceback": _traceback,
     "multiprocessing.pool": _pool,
-    "fractions": _fractions,
-    "base64": _base64,
+    "threading": _aliases(Thread__isAlive="is_alive"),
+    "configparser": _aliases(SafeConfigParser="ConfigParser", RawConfigParser__readfp="read_file"),
+    "base64": _aliases(encodestring="encodebytes", decodestring="decodebytes"),
+    "numpy": _of_numpy("patch_numpy"),
+    "scipy": _of_numpy("patch_scipy"),
+    "scipy.integrate": _of_numpy("patch_integrate"),
+    "scipy.interpolate": _of_numpy("patch_interpolate"),
+    "scipy.misc": _of_numpy("patch_misc"),
+    "scipy.stats": _of_numpy("patch_stats"),
 }
 """By module: what to do when a program has imported it."""
