@@ -77,12 +77,12 @@ def stub() -> str:
 
 
 def _class(kind: type) -> str:
-    bases = [base.__name__ for base in kind.__bases__ if base.__name__ not in {"object", "_Input", "Absent"}]
+    bases = [base.__name__ for base in kind.__bases__ if base.__name__ not in {"object", "_Input", "Unsupported"}]
     lines = [f"class {kind.__name__}({', '.join(bases)}):" if bases else f"class {kind.__name__}:"]
     lines += _docstring(kind.__doc__, 1)
     own: dict[str, Any] = {}
     for base in reversed(kind.__mro__):
-        if base is kind or base.__name__ in {"_Input", "Absent"}:
+        if base is kind or base.__name__ in {"_Input", "Unsupported"}:
             own |= vars(base)
     for name, value in own.items():
         if name in {"__init__", "__copy__", "__deepcopy__"} or not name.startswith("_"):

@@ -18,7 +18,7 @@ class Reading(Lidar):
 
     def __init__(self, facts: dict[str, Any]) -> None:
         self._rcj_facts = {**facts, "first_bearing_rad": 0.0, "bearing_step_rad": -math.pi / 2}
-        self._rcj_hub = type("Hub", (), {"time_s": lambda _: 0.064})()
+        self._rcj_connection = type("Connection", (), {"time_s": lambda _: 0.064})()
         self._rcj_has_cloud = True
 
     def _rcj_numbers(self) -> tuple[float, ...]:

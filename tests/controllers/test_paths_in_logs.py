@@ -15,7 +15,7 @@ import pytest
 from fake_match import FakeMatch
 
 from rcj_challenges.controllers.log import ProgramLog
-from rcj_challenges.controllers.pupil.controller import _report
+from rcj_challenges.controllers.pupil.controller import _traceback
 from rcj_challenges.controllers.team import open_team
 
 ENTRY = "robot_blue/robot.py"
@@ -104,8 +104,8 @@ def test_a_program_is_told_the_whole_path_of_its_files(tmp_path: Path) -> None:
 
 def test_paths_of_windows_are_short_also_as_errors_quote_them(monkeypatch: pytest.MonkeyPatch) -> None:
     windows = SimpleNamespace(sep="\\", path=ntpath, __file__="C:\\Python\\Lib\\os.py")
-    monkeypatch.setattr(_report, "os", windows)
-    names = _report.short_names("D:\\Temp\\rcj-1\\program", ["C:\\Python\\Lib\\site-packages"])
+    monkeypatch.setattr(_traceback, "os", windows)
+    names = _traceback.short_names("D:\\Temp\\rcj-1\\program", ["C:\\Python\\Lib\\site-packages"])
     path = "D:\\Temp\\rcj-1\\program\\robot1\\map.txt"
     for quoted, told in {
         path: "robot1\\map.txt",
@@ -130,10 +130,14 @@ def test_the_folder_that_python_is_in_is_not_named(
     monkeypatch: pytest.MonkeyPatch, prefix: str, path: str, told: str
 ) -> None:
     """It may lie in somebody's home; who looks why an import fails prints `sys.path`."""
-    monkeypatch.setattr(_report, "os", SimpleNamespace(sep="/", path=posixpath, __file__="/elsewhere/os.py"))
-    monkeypatch.setattr(_report, "sys", SimpleNamespace(prefix=prefix, base_prefix=prefix, executable="/elsewhere/py"))
-    monkeypatch.setattr(_report, "__file__", "_report.py")  # of which no folder is known, as of Windows' seen from here
-    names = _report.short_names("/tmp/rcj-1/program", [])
+    monkeypatch.setattr(_traceback, "os", SimpleNamespace(sep="/", path=posixpath, __file__="/elsewhere/os.py"))
+    monkeypatch.setattr(
+        _traceback, "sys", SimpleNamespace(prefix=prefix, base_prefix=prefix, executable="/elsewhere/py")
+    )
+    monkeypatch.setattr(
+        _traceback, "__file__", "_traceback.py"
+    )  # of which no folder is known, as of Windows' seen from here
+    names = _traceback.short_names("/tmp/rcj-1/program", [])
     assert reduce(lambda said, name: said.replace(*name), names, f"['{path}']") == f"['{told}']"
 
 

@@ -140,8 +140,8 @@ def test_what_is_set_while_another_thread_steps_acts_in_the_next_step(match: Fak
     program = STEPPED_BY_A_THREAD.replace(
         "running = True\n",
         """running = True
-from controller import _hub
-wire = _hub.connected()._wire
+from controller import _connection
+wire = _connection.connected()._wire
 real, settings = wire.exchange, iter([
     lambda: motor.setVelocity(3), lambda: emitter.send(b"now"), lambda: gps.enable(64), lambda: motor.setAcceleration(1),
     lambda: motor.setVelocity(5),
@@ -255,9 +255,9 @@ def test_threads_that_step_together_take_turns(either_match: FakeMatch) -> None:
     """As in the original, where one waits for the step of the other."""
     program = """
 import threading
-from controller import Robot, _hub
+from controller import Robot, _connection
 robot = Robot()
-wire = _hub.connected()._wire
+wire = _connection.connected()._wire
 real, inside, together = wire.exchange, [], []
 def exchange(frame):
     inside.append(threading.get_ident())
@@ -288,10 +288,10 @@ def test_a_step_in_two_parts_is_that_of_the_thread_that_began_it(match: FakeMatc
     """Another thread that waited for its turn meanwhile must not take it: what was sent would be sent twice."""
     program = """
 import threading
-from controller import Robot, _hub
+from controller import Robot, _connection
 robot = Robot()
 emitter = robot.getDevice("team emitter")
-hub = _hub.connected()
+connection = _connection.connected()
 robot.step(32)
 emitter.send(b"once")
 robot.stepBegin(32)
@@ -301,14 +301,14 @@ def step():
         robot.step(32)
     except RuntimeError as error:
         failed.append(str(error))
-real = hub.exchange
+real = connection.exchange
 def exchange(duration_ms):
-    hub.exchange = real
+    connection.exchange = real
     other = threading.Thread(target=step)
     other.start()
     other.join(0.2)
     return real(duration_ms)
-hub.exchange = exchange
+connection.exchange = exchange
 robot.stepEnd()
 while robot.step(32) != -1:
     pass
@@ -321,9 +321,9 @@ while robot.step(32) != -1:
 def test_a_step_in_two_parts_begins_when_that_of_another_thread_is_over(match: FakeMatch) -> None:
     program = """
 import threading
-from controller import Robot, _hub
+from controller import Robot, _connection
 robot = Robot()
-wire = _hub.connected()._wire
+wire = _connection.connected()._wire
 robot.step(32)
 real, begun = wire.exchange, []
 def exchange(frame):

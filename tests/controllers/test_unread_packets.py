@@ -10,7 +10,7 @@ from fake_match import FakeMatch, packet, supervisor_every_tick
 from rcj_challenges.controllers.processes import PUPIL_FOLDER
 
 sys.path.insert(0, str(PUPIL_FOLDER))  # before the package of the same name that editors read
-from controller import _hub  # type: ignore[import-not-found]  # the program's end, as programs import it
+from controller import _connection  # type: ignore[import-not-found]  # the program's end, as programs import it
 
 
 def test_packets_that_are_never_popped_stay(match: FakeMatch) -> None:
@@ -35,8 +35,8 @@ print(team.getQueueLength(), team.getBytes()[:2])
 def test_many_small_packets_that_are_never_popped_are_dropped_too(match: FakeMatch) -> None:
     program = """
 import controller, sys
-hub = sys.modules["controller._hub"]
-hub.QUEUE_BYTES = 300_000
+connection = sys.modules["controller._connection"]
+connection.QUEUE_BYTES = 300_000
 robot = controller.Robot()
 team = robot.getDevice("team receiver")
 team.enable(32)
@@ -54,7 +54,7 @@ print(most, team.getQueueLength(), team.getBytes())
 
 
 def test_a_queue_is_trimmed_while_another_thread_reads_it() -> None:
-    queue, ended, interval_s = _hub.PacketQueue(), threading.Event(), sys.getswitchinterval()
+    queue, ended, interval_s = _connection.PacketQueue(), threading.Event(), sys.getswitchinterval()
 
     def read() -> None:
         while not ended.is_set():

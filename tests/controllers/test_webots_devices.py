@@ -69,7 +69,7 @@ class Wheel(Motor):
         self.side = side
         super().__init__(side + " wheel motor")
         self.setPosition(float("inf"))
-        self._velocity = self._position = self._hub = self._index = self.speed = "mine"
+        self._velocity = self._position = self._connection = self._index = self.speed = "mine"
     def setVelocity(self, velocity):
         self.asked = velocity
         super().setVelocity(2 * velocity)

@@ -139,7 +139,7 @@ class Striker(Robot):
         super().__init__()
         self.name = self.getName()
         for name in ("time", "mode", "model", "supervisor", "synchronization", "custom_data", "basic_time_step",
-                     "number_of_devices", "keyboard", "_hub", "_devices", "_by_index", "_told_of"):
+                     "number_of_devices", "keyboard", "_connection", "_devices", "_by_index", "_told_of"):
             setattr(self, name, "mine")
             assert getattr(self, name) == "mine"
     def getMode(self):

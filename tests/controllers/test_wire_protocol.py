@@ -19,7 +19,7 @@ from rcj_challenges.controllers.protocol import Codec, Ended, ProtocolError, hel
 from rcj_challenges.facts.traffic import MotorCommand, Observation, Packet, Request
 
 sys.path.insert(0, str(PUPIL_FOLDER))  # before the package of the same name that editors read
-from controller import _boot, _hub, _wire  # type: ignore[import-not-found]  # the program's end, as programs import it
+from controller import _boot, _connection, _wire  # type: ignore[import-not-found]  # the program's end, as programs import it
 
 MESSAGE_BYTES = 4_000
 CODEC = Codec(SPEC, MESSAGE_BYTES)
@@ -90,29 +90,29 @@ class StillClock:
         pass
 
 
-def pupil(answer: bytes, request: Request = GOOD, printed_bytes: int = 0) -> tuple[_hub.Hub, LoopedWire]:
+def pupil(answer: bytes, request: Request = GOOD, printed_bytes: int = 0) -> tuple[_connection.Connection, LoopedWire]:
     """The program's end, connected to a wire that answers like this."""
     told = json.loads(hello_frame(SPEC, {"limits": {"message_bytes": 10**6}})[5:])
     wire = LoopedWire(answer)
-    return _hub.Hub(wire, told, StillClock(request.missed_ticks), SomeOutput(printed_bytes)), wire
+    return _connection.Connection(wire, told, StillClock(request.missed_ticks), SomeOutput(printed_bytes)), wire
 
 
 def sent_by_pupil(tick: int, request: Request) -> bytes:
     """What a program sends that asks for all this after the observation of ``tick``."""
-    hub, wire = pupil(CODEC.encode(Observation(0, [0.0] * SPEC.values, [])), request)
-    hub.tick = tick
+    connection, wire = pupil(CODEC.encode(Observation(0, [0.0] * SPEC.values, [])), request)
+    connection.tick = tick
     for motor in request.motors:
-        hub.command(motor.device, motor.velocity_radps, motor.position_rad)
+        connection.command(motor.device, motor.velocity_radps, motor.position_rad)
     for device, period in request.sampling:
-        hub.sample(device, period)
+        connection.sample(device, period)
     for device, channel in request.channels:
-        hub.tune(device, channel)
+        connection.tune(device, channel)
     for device, frequency in request.frequencies:
-        hub.spin(device, frequency)
+        connection.spin(device, frequency)
     for emission in request.emissions:
-        assert hub.emit(*emission)
-    hub._step_ms, hub._step_ticks = 1.0, request.advance_ticks
-    hub.exchange(1.0)
+        assert connection.emit(*emission)
+    connection._step_ms, connection._step_ticks = 1.0, request.advance_ticks
+    connection.exchange(1.0)
     return wire.asked
 
 
@@ -122,10 +122,10 @@ def body_of(frame: bytes) -> bytes:
     return frame[4:]
 
 
-def told_to(hub: _hub.Hub) -> list[float]:
+def told_to(connection: _connection.Connection) -> list[float]:
     """The numbers of all devices, slot by slot; a lidar's are kept packed."""
     slots: list[float] = []
-    for entry in hub.numbers[6:]:
+    for entry in connection.numbers[6:]:
         slots += struct.unpack(f"<{len(entry) // 8}d", entry) if isinstance(entry, bytes) else [entry]
     return slots
 
@@ -134,10 +134,14 @@ def told_to(hub: _hub.Hub) -> list[float]:
 def test_a_program_is_told_exactly_what_was_observed(observation: Observation) -> None:
     frame = CODEC.encode(observation)
     body_of(frame)
-    hub, _ = pupil(frame)
-    assert hub.exchange(32) is not observation.over
-    assert (hub.tick, hub.over, told_to(hub)) == (observation.tick, observation.over, observation.values)
-    for device, queue in hub.queues.items():
+    connection, _ = pupil(frame)
+    assert connection.exchange(32) is not observation.over
+    assert (connection.tick, connection.over, told_to(connection)) == (
+        observation.tick,
+        observation.over,
+        observation.values,
+    )
+    for device, queue in connection.queues.items():
         assert list(queue.packets) == [
             (p.data, p.strength, *p.direction) for p in observation.packets if p.device == device
         ]
@@ -169,15 +173,15 @@ def test_a_request_with_more_than_a_robot_can_want_is_refused_before_it_is_read(
 
 @given(st.integers(0, 2**63))
 def test_what_a_program_says_of_how_much_it_printed_changes_nothing_that_it_asks_for(printed_bytes: int) -> None:
-    hub, wire = pupil(CODEC.encode(Observation(0, [0.0] * SPEC.values, [])), printed_bytes=printed_bytes)
-    hub.exchange(32)
+    connection, wire = pupil(CODEC.encode(Observation(0, [0.0] * SPEC.values, [])), printed_bytes=printed_bytes)
+    connection.exchange(32)
     assert PRINTED.unpack_from(wire.asked, PRINTED_AT) == (printed_bytes,)
     assert CODEC.decode(body_of(wire.asked), 0) == GOOD
 
 
 def test_packets_beyond_what_a_step_may_send_are_dropped() -> None:
-    hub, _ = pupil(b"")
-    sent = [hub.emit(INDEX["team emitter"], 3, b"x") for _ in range(1_010)]
+    connection, _ = pupil(b"")
+    sent = [connection.emit(INDEX["team emitter"], 3, b"x") for _ in range(1_010)]
     assert sent == [True] * 1_000 + [False] * 10
 
 
@@ -334,15 +338,15 @@ def test_the_document_of_the_protocol_names_every_form() -> None:
 
 @pytest.mark.parametrize("soon", [False, True])
 def test_a_program_is_told_whether_its_next_step_ends_soon(soon: bool) -> None:
-    hub, wire = pupil(CODEC.encode(Observation(1, [0.0] * SPEC.values, [], soon=soon)))
-    hub.exchange(32)
-    assert (wire.next_is_soon, hub.over) == (soon, False)
+    connection, wire = pupil(CODEC.encode(Observation(1, [0.0] * SPEC.values, [], soon=soon)))
+    connection.exchange(32)
+    assert (wire.next_is_soon, connection.over) == (soon, False)
 
 
 def test_at_the_end_nothing_is_soon() -> None:
-    hub, wire = pupil(CODEC.encode(Observation(1, [0.0] * SPEC.values, [], over=True, soon=True)))
-    hub.exchange(32)
-    assert (wire.next_is_soon, hub.over) == (False, True)
+    connection, wire = pupil(CODEC.encode(Observation(1, [0.0] * SPEC.values, [], over=True, soon=True)))
+    connection.exchange(32)
+    assert (wire.next_is_soon, connection.over) == (False, True)
 
 
 LEFT, RIGHT = INDEX["left wheel motor"], INDEX["right wheel motor"]

@@ -7,9 +7,9 @@
 
 
 import arena
-from controller import _hub, _wire
+from controller import _connection, _wire
 
 arena.drive(10)
-wire = _hub.connected()._wire
+wire = _connection.connected()._wire
 wire.send(_wire.motors_frame(40, 1, 0, 0, []))
 arena.play_on()

@@ -7,10 +7,10 @@
 
 
 import arena
-from controller import _hub, _wire
+from controller import _connection, _wire
 
 arena.drive(10)
-wire = _hub.connected()._wire
+wire = _connection.connected()._wire
 stop = [(0, 0.0, float("inf")), (1, 0.0, float("inf"))]
 wire.send(_wire.motors_frame(10, 1, 0, 0, stop) + _wire.motors_frame(10, 1, 0, 0, [(0, 10.0, float("inf"))]))
 arena.robot.step(32)

@@ -8,13 +8,13 @@
 import struct
 
 import arena
-from controller import _hub, _wire
+from controller import _connection, _wire
 
 arena.drive(10)
-wire = _hub.connected()._wire
+wire = _connection.connected()._wire
 stop = [(0, 0.0, float("inf")), (1, 0.0, float("inf"))]
 for tick in range(10, 50):
     wire.send(_wire.motors_frame(tick, 1, 0, 0, stop))
-while _hub.connected().tick < 50:
+while _connection.connected().tick < 50:
     frame = wire.receive()
-    _hub.connected().tick = struct.unpack_from("<IBI", frame)[2]
+    _connection.connected().tick = struct.unpack_from("<IBI", frame)[2]

@@ -9,10 +9,10 @@
 import struct
 
 import arena
-from controller import _hub
+from controller import _connection
 
 arena.drive(10)
-wire = _hub.connected()._wire
+wire = _connection.connected()._wire
 body = struct.pack("<BIIIQHHHHI", 0x52, 10, 1, 0, 0, 60000, 60000, 60000, 60000, 2**32 - 1) + bytes(100)
 wire.send(struct.pack("<I", len(body)) + body)
 arena.play_on()

@@ -10,10 +10,10 @@ import os
 import struct
 
 import arena
-from controller import _hub
+from controller import _connection
 
 arena.drive(10)
-wire = _hub.connected()._wire
+wire = _connection.connected()._wire
 import threading
 
 lock = threading.Lock()

@@ -7,10 +7,10 @@
 
 
 import arena
-from controller import _hub, _wire
+from controller import _connection, _wire
 
 arena.drive(10)
-wire = _hub.connected()._wire
+wire = _connection.connected()._wire
 frame = _wire.motors_frame(10, 1, 0, 0, [(0, 0.0, float("inf")), (1, 0.0, float("inf"))]) * 1000
 while True:
     wire.send(frame)

@@ -8,10 +8,10 @@
 import os
 
 import arena
-from controller import _hub, _wire
+from controller import _connection, _wire
 
 arena.drive(10)
-wire = _hub.connected()._wire
+wire = _connection.connected()._wire
 os.write(wire._write_fd, _wire.motors_frame(10, 1, 0, 0, [])[:11])
 while True:
     pass

@@ -9,10 +9,10 @@
 import struct
 
 import arena
-from controller import _hub
+from controller import _connection
 
 arena.drive(10)
-wire = _hub.connected()._wire
+wire = _connection.connected()._wire
 told = b"\x1b[2J\xff\xfe\r\n" * 100
 wire.send(struct.pack("<IBBI", 6 + len(told), 0x46, 200, len(told)) + told)
 arena.play_on()

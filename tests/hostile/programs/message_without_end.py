@@ -8,9 +8,9 @@
 import os
 
 import arena
-from controller import _hub
+from controller import _connection
 
 arena.drive(10)
-wire = _hub.connected()._wire
+wire = _connection.connected()._wire
 os.write(wire._write_fd, b"\xff\xff\xff\xff" + bytes(60_000))
 arena.play_on()

@@ -9,10 +9,10 @@
 import os
 
 import arena
-from controller import _hub, _wire
+from controller import _connection, _wire
 
 arena.drive(10)
-wire = _hub.connected()._wire
+wire = _connection.connected()._wire
 other_end = os.open(f"/proc/self/fd/{wire._read_fd}", os.O_WRONLY | os.O_NONBLOCK)
 try:
     while True:

@@ -6,16 +6,16 @@
 #: cause = "answers tick 9999 at tick 12"
 
 import arena
-from controller import _hub
+from controller import _connection
 
 arena.drive(10)
-hub = _hub.connected()
-hub.spec["name"] = "B1"
+connection = _connection.connected()
+connection.spec["name"] = "B1"
 assert arena.robot.getName() == "B1"
 for motor in arena.motors:
     motor.setVelocity(0)
 arena.robot.step(32)
 arena.robot.step(32)
-hub.tick = 9999
+connection.tick = 9999
 arena.robot.step(32)
 arena.play_on()

@@ -9,10 +9,10 @@
 import os
 
 import arena
-from controller import _hub
+from controller import _connection
 
 arena.drive(10)
-wire = _hub.connected()._wire
+wire = _connection.connected()._wire
 os.dup2(wire._write_fd, 1)
 print("forward, all of you!" * 10, flush=True)
 arena.play_on()

@@ -9,10 +9,10 @@
 import os
 
 import arena
-from controller import _hub
+from controller import _connection
 
 arena.drive(10)
-wire = _hub.connected()._wire
+wire = _connection.connected()._wire
 nothing = os.open(os.devnull, os.O_RDWR)
 os.dup2(nothing, wire._write_fd)
 arena.play_on()

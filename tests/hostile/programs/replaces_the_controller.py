@@ -10,13 +10,13 @@ import sys
 
 import arena
 import controller
-from controller import _clock, _hub, _wire
+from controller import _clock, _connection, _wire
 
 arena.drive(10)
-hub = _hub.connected()
-real = hub.exchange
-hub.time_s = lambda: 1e9
-hub.exchange = lambda duration_ms: real(32)
+connection = _connection.connected()
+real = connection.exchange
+connection.time_s = lambda: 1e9
+connection.exchange = lambda duration_ms: real(32)
 _wire.leave = lambda status: None
 _clock.Clock.missed_ticks = lambda self: 0
 controller.Robot.getTime = lambda self: -1

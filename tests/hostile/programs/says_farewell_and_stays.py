@@ -8,10 +8,10 @@
 import struct
 
 import arena
-from controller import _hub
+from controller import _connection
 
 arena.drive(10)
-wire = _hub.connected()._wire
+wire = _connection.connected()._wire
 told = b"\x1b[2Jbye\xff\xfe\r\n\x1b]0;x\x07"
 trace = b"\x1b[31mline\n" * 150_000
 wire.send(struct.pack("<IBBI", 6 + len(told) + len(trace), 0x46, 0, len(told)) + told + trace)

@@ -8,10 +8,10 @@
 import struct
 
 import arena
-from controller import _hub
+from controller import _connection
 
 arena.drive(10)
-wire = _hub.connected()._wire
+wire = _connection.connected()._wire
 emission = struct.pack("<HI", 0, 0)
 emitter = arena.robot.getDevice("team emitter")._rcj_index
 emission = struct.pack("<HI", emitter, 0)

@@ -9,9 +9,9 @@ import os
 import struct
 
 import arena
-from controller import _hub
+from controller import _connection
 
 arena.drive(10)
-wire = _hub.connected()._wire
+wire = _connection.connected()._wire
 os.write(wire._write_fd, struct.pack("<I", 30) + b"x" * 30)
 arena.play_on()

@@ -118,7 +118,7 @@ def __getattr__(name: str) -> Any:
     """Read what few programs import, also by ``import *``, when one does: each file costs every program."""
     if name not in __all__:
         raise AttributeError(f"module 'controller' has no attribute {name!r}", name=name, obj=sys.modules[__name__])
-    module = __import__(_SELDOM_IMPORTED.get(name, "_absent"), globals(), None, [name], 1)
+    module = __import__(_SELDOM_IMPORTED.get(name, "_unsupported"), globals(), None, [name], 1)
     globals()[name] = there = getattr(module, name)
     return there
 

@@ -9,7 +9,7 @@ import os
 import sys
 import types  # on Linux the layers need it: so a team's own `types.py` is never read on any system
 
-from . import _chance, _clock, _confine, _debugger, _hub, _legacy, _report, _signals, _waits
+from . import _blocking_calls, _clock, _confine, _connection, _debugger, _legacy, _seeding, _signals, _traceback
 from ._hooks import AfterImport
 from ._output import Output
 from ._wire import HELLO, Wire, fault_frame, leave
@@ -38,13 +38,13 @@ class Boot:
         self._root: str = hello["program"]["root"]
         self._library = sys.path[:]
         self._clock = _clock.Clock(hello["tick_ms"] * 1_000_000)
-        self._names = _report.short_names(self._root, hello["program"]["site"])
+        self._names = _traceback.short_names(self._root, hello["program"]["site"])
         self._output: Any = _Uncounted()
         if not hello["debug"]:
             _debugger.ignore_breakpoints(hello["robot"]["name"])
             self._output = Output(self._limits["output_bytes"], self._flooded, self._names)
-        self._hub = _hub.Hub(wire, hello, self._clock, self._output)
-        self._hub.root = self._root
+        self._connection = _connection.Connection(wire, hello, self._clock, self._output)
+        self._connection.root = self._root
 
     def confine(self) -> None:
         """Isolate this process, as long as it has but one thread: all that it starts inherits the layers."""
@@ -56,7 +56,7 @@ class Boot:
 
     def run(self) -> None:
         """Run the program and tell the match how it ended, unless the match ended it."""
-        _hub.connect(self._hub)
+        _connection.connect(self._connection)
         sys.setswitchinterval(_SWITCH_S)
         _tell_of_same_processors()
         debugger = self._hello.get("debugger")
@@ -102,17 +102,17 @@ class Boot:
 
     def _prepare_modules(self) -> None:
         _clock.show_simulated_time(self._clock)
-        _signals.hold_interrupts(self._hub)
-        seeds = [_chance.Seeds(self._hello["seed"] + number) for number in range(3)]
+        _signals.hold_interrupts(self._connection)
+        seeds = [_seeding.Seeds(self._hello["seed"] + number) for number in range(3)]
         patches: dict[str, Patch] = {
             "datetime": _clock.dates_of(self._clock),
-            "random": _chance.seed_random(seeds[0]),
-            "numpy.random.bit_generator": _chance.seed_numpy_entropy(seeds[1]),
-            "numpy.random": _chance.seed_numpy_global(seeds[2]),
-            "signal": lambda signal: _signals.make_patient(signal, self._hub),
+            "random": _seeding.seed_random(seeds[0]),
+            "numpy.random.bit_generator": _seeding.seed_numpy_entropy(seeds[1]),
+            "numpy.random": _seeding.seed_numpy_global(seeds[2]),
+            "signal": lambda signal: _signals.make_patient(signal, self._connection),
         }
         if not self._hello.get("debugger"):  # whose threads really wait
-            patches |= _waits.Waits(self._clock).patches()
+            patches |= _blocking_calls.BlockingCalls(self._clock).patches()
         for module, patch in _legacy.PATCHES.items():
             patches[module] = _in_turn(patches[module], patch) if module in patches else patch
         AfterImport(patches, self._root + os.sep).install()
@@ -132,13 +132,13 @@ class Boot:
             self._ended("exit", f"the program called sys.exit({'' if code is None else _told(code)})")
 
     def _ended(self, kind: str, detail: str) -> None:
-        if not self._hub.over:
+        if not self._connection.over:
             self._end(kind, detail)
 
     def _crashed(self, kind: str, error: BaseException) -> None:
-        detail, trace = _report.describe(error, self._root, self._names)
+        detail, trace = _traceback.describe(error, self._root, self._names)
         is_told = _told_by_its_hook(error, self._root + os.sep)
-        if self._hub.over:
+        if self._connection.over:
             if not is_told:
                 _print_quietly(trace or detail)
         else:

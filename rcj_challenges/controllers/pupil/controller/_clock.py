@@ -6,7 +6,7 @@ passed this way beyond whole ticks is what the program missed: its next ``step``
 thread is the main one, if it is the only one.
 
 Other threads wait for simulated time to come. While no tick begins, because the thread that steps computes or waits for
-them, their clock goes on by itself (`Beside`): nobody waits for ever.
+them, their clock goes on by itself (`BackgroundClock`): nobody waits for ever.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import sys
 import time
 from _thread import LockType, _count, allocate_lock, get_ident
 
-from ._beside import Beside, real_monotonic, real_process_time
+from ._background_clock import BackgroundClock, real_monotonic, real_process_time
 from ._hooks import Unbound
 
 TYPE_CHECKING = False
@@ -57,7 +57,7 @@ class Clock:
         self._has_stepped = False
         self._our_threads = _count()
         self._sleepers: list[tuple[float, LockType]] = []
-        self.beside = Beside()
+        self.beside = BackgroundClock()
         self.step_began = self.beside.step_began
 
     def count_our_threads(self) -> None:

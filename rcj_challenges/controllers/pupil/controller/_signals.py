@@ -8,21 +8,21 @@ from __future__ import annotations
 
 import _signal  # type: ignore[import-not-found]  # what `signal` is made of, without its enums
 
-from ._hub import Hub
+from ._connection import Connection
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-_EXCHANGE = Hub.exchange_in_turn.__code__
+_EXCHANGE = Connection.exchange_in_turn.__code__
 
 
 class Patient:
     """A handler; what it raises in the middle of an exchange is raised at its end."""
 
-    def __init__(self, handler: Any, hub: Hub) -> None:
+    def __init__(self, handler: Any, connection: Connection) -> None:
         self.handler = handler
-        self._hub = hub
+        self._connection = connection
 
     def __call__(self, number: int, frame: Any) -> None:
         """Handle the signal, as the interpreter asks for."""
@@ -32,7 +32,7 @@ class Patient:
         try:
             self.handler(number, frame)
         except BaseException as error:  # noqa: BLE001 - whatever it is
-            self._hub.raised = error
+            self._connection.raised = error
 
 
 def _is_exchanging(frame: Any) -> bool:
@@ -43,13 +43,13 @@ def _is_exchanging(frame: Any) -> bool:
     return False
 
 
-def hold_interrupts(hub: Hub) -> None:
+def hold_interrupts(connection: Connection) -> None:
     """Hold what Ctrl-C raises as well: its handler is set before any program runs."""
     if _signal.getsignal(_signal.SIGINT) is _signal.default_int_handler:
-        _signal.signal(_signal.SIGINT, Patient(_signal.default_int_handler, hub))
+        _signal.signal(_signal.SIGINT, Patient(_signal.default_int_handler, connection))
 
 
-def make_patient(module: Any, hub: Hub) -> None:
+def make_patient(module: Any, connection: Connection) -> None:
     """Let ``signal.signal`` keep handlers in this form; a program sees its own."""
     real_signal, real_getsignal = module.signal, module.getsignal
 
@@ -57,7 +57,7 @@ def make_patient(module: Any, hub: Hub) -> None:
         return handler.handler if isinstance(handler, Patient) else handler
 
     def signal(signalnum: int, handler: Any) -> Any:
-        return shown(real_signal(signalnum, Patient(handler, hub) if callable(handler) else handler))
+        return shown(real_signal(signalnum, Patient(handler, connection) if callable(handler) else handler))
 
     def getsignal(signalnum: int) -> Any:
         return shown(real_getsignal(signalnum))

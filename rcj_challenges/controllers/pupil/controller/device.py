@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ._hub import Hub, complain, connected, number
+from ._connection import Connection, complain, connected, number
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -38,11 +38,11 @@ class Device:
 
         If the robot has none of that name and class, it is told as by ``getDevice``, and using this object is an error.
         """
-        hub = connected()
-        if not hub.robot_made:
+        connection = connected()
+        if not connection.robot_made:
             raise RuntimeError(f"{type(self).__name__}({name!r}): make the robot first: robot = Robot()")
         ours = next(kind for kind in type(self).__mro__ if kind.__module__.startswith(f"{__package__}."))
-        there = device_of(hub, name, ours.__name__)
+        there = device_of(connection, name, ours.__name__)
         if there is None:
             self.__class__ = type(type(self).__name__, (type(self),), {"__getattr__": _of_no_device})
             return
@@ -51,14 +51,14 @@ class Device:
         self.__dict__ = shared
 
     @classmethod
-    def _rcj_made(cls, hub: Hub, spec: dict[str, Any]) -> Device:
+    def _rcj_made(cls, connection: Connection, spec: dict[str, Any]) -> Device:
         """Return a new device, as the match describes it."""
         device = cls.__new__(cls)
-        device._rcj_set_up(hub, spec)  # noqa: SLF001 - its own class
+        device._rcj_set_up(connection, spec)  # noqa: SLF001 - its own class
         return device
 
-    def _rcj_set_up(self, hub: Hub, spec: dict[str, Any]) -> None:
-        self._rcj_hub = hub
+    def _rcj_set_up(self, connection: Connection, spec: dict[str, Any]) -> None:
+        self._rcj_connection = connection
         self._rcj_spec = spec
         self._rcj_name = str(spec["name"])
         self._rcj_facts: dict[str, Any] = spec["facts"]
@@ -93,7 +93,7 @@ class Device:
 
     def _rcj_sibling(self, kind: str, name: str) -> Any:
         """Return the device of this name if the robot has it and it is of this kind; else None."""
-        there = self._rcj_hub.devices.get(name)
+        there = self._rcj_connection.devices.get(name)
         return there if there is not None and there._rcj_spec["kind"] == kind else None  # noqa: SLF001 - its own class
 
     def __repr__(self) -> str:
@@ -104,11 +104,11 @@ class Device:
     node_type = ReadOnly(getNodeType)
 
 
-def device_of(hub: Hub, name: str, kind: str) -> Any:
+def device_of(connection: Connection, name: str, kind: str) -> Any:
     """Return the robot's device of that name and class; None, and a message, if the robot has none."""
-    there = hub.devices.get(name)
+    there = connection.devices.get(name)
     if there is None:
-        complain(f'Warning: "{name}" device not found. This robot has: {", ".join(hub.devices)}.')
+        complain(f'Warning: "{name}" device not found. This robot has: {", ".join(connection.devices)}.')
     elif kind not in [base.__name__ for base in type(there).__mro__]:
         complain(f'Warning: "{name}" is a {type(there).__name__}, not a {kind}.')
         return None
@@ -130,11 +130,11 @@ class Sensor(Device):
         if sampling_period is not None:
             self.enable(sampling_period)
 
-    def _rcj_set_up(self, hub: Hub, spec: dict[str, Any]) -> None:
-        super()._rcj_set_up(hub, spec)
+    def _rcj_set_up(self, connection: Connection, spec: dict[str, Any]) -> None:
+        super()._rcj_set_up(connection, spec)
         self._rcj_period_ms = 0
         self._rcj_warned = False
-        self._rcj_place = hub.place_of.get(spec["slot"], 0)
+        self._rcj_place = connection.place_of.get(spec["slot"], 0)
         self._rcj_end = self._rcj_place + int(spec["width"])
 
     def enable(self, samplingPeriod: float | None = None, *, sampling_period: float | None = None) -> None:
@@ -154,7 +154,7 @@ class Sensor(Device):
             self._rcj_stop()
             return
         self._rcj_period_ms = max(1, int(min(period_ms, LONGEST_MS)))  # 0 would say that it is off
-        self._rcj_sample(self._rcj_hub.ticks_from_ms(period_ms))
+        self._rcj_sample(self._rcj_connection.ticks_from_ms(period_ms))
 
     def disable(self) -> None:
         """Stop measuring."""
@@ -166,7 +166,7 @@ class Sensor(Device):
 
     def _rcj_sample(self, ticks: int) -> None:
         """Ask for a sample every so many ticks; 0 for none."""
-        self._rcj_hub.sample(self._rcj_index, ticks)
+        self._rcj_connection.sample(self._rcj_index, ticks)
 
     def getSamplingPeriod(self) -> int:
         """Return the period in ms that was asked for; 0 if it is disabled."""
@@ -176,7 +176,7 @@ class Sensor(Device):
         """Return its numbers in the latest observation; NaN before the first sample."""
         if not self._rcj_period_ms and not self._rcj_warned:
             self._rcj_warn()
-        return self._rcj_hub.numbers[self._rcj_place : self._rcj_end]
+        return self._rcj_connection.numbers[self._rcj_place : self._rcj_end]
 
     def _rcj_warn(self) -> None:
         self._rcj_warned = True

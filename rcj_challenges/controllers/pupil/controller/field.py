@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from ._absent import Absent
+from ._unsupported import Unsupported
 
 
-class Field(Absent):
+class Field(Unsupported):
     """Constants; a program can get no fields themselves."""
 
     NO_FIELD, SF_BOOL, SF_INT32, SF_FLOAT, SF_VEC2F, SF_VEC3F, SF_ROTATION, SF_COLOR, SF_STRING, SF_NODE = range(10)

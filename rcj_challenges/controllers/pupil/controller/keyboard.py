@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from ._hub import number
+from ._connection import number
 from .device import ReadOnly
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from struct import Struct
 
-from ._hub import Hub, complain
+from ._connection import Connection, complain
 from .device import ReadOnly, Sensor
 
 TYPE_CHECKING = False
@@ -36,8 +36,8 @@ class LidarPoint:
 class Lidar(Sensor):
     """Ranges all around, one layer. Index 0 looks forward, the index grows clockwise."""
 
-    def _rcj_set_up(self, hub: Hub, spec: dict[str, Any]) -> None:
-        super()._rcj_set_up(hub, spec)
+    def _rcj_set_up(self, connection: Connection, spec: dict[str, Any]) -> None:
+        super()._rcj_set_up(connection, spec)
         self._rcj_end = self._rcj_place + 1
         self._rcj_form = Struct(f"<{spec['width']}d")
         self._rcj_has_cloud = False
@@ -90,7 +90,7 @@ class Lidar(Sensor):
         return bytearray().join([_POINT.pack(one.x, one.y, one.z, one.layer_id, one.time) for one in points])
 
     def _rcj_points(self) -> list[LidarPoint]:
-        readings, time = self._rcj_numbers(), self._rcj_hub.time_s()
+        readings, time = self._rcj_numbers(), self._rcj_connection.time_s()
         first = float(self._rcj_facts.get("first_bearing_rad", 0.0))
         step = float(self._rcj_facts.get("bearing_step_rad", -self.getFov() / max(len(readings), 1)))
         bearings = [first + step * index for index in range(len(readings))]
@@ -147,7 +147,7 @@ class Lidar(Sensor):
             complain(f"Error: {self.getName()!r}: setFrequency(NaN) is refused.")
             return
         self._rcj_frequency = min(max(asked, self.getMinFrequency()), self.getMaxFrequency())
-        self._rcj_hub.spin(self._rcj_index, self._rcj_frequency)
+        self._rcj_connection.spin(self._rcj_index, self._rcj_frequency)
 
     def getMinFrequency(self) -> float:
         """Return the slowest pace of the head in Hz."""

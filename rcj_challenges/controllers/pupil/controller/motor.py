@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from ._hub import Hub, complain, number
+from ._connection import Connection, complain, number
 from .device import LONGEST_MS, Device, ReadOnly
 
 TYPE_CHECKING = False
@@ -20,9 +20,9 @@ class Motor(Device):
 
     ROTATIONAL, LINEAR = 0, 1
 
-    def _rcj_set_up(self, hub: Hub, spec: dict[str, Any]) -> None:
-        super()._rcj_set_up(hub, spec)
-        self._rcj_max_velocity = float(self._rcj_facts.get("max_velocity", hub.spec["max_velocity_radps"]))
+    def _rcj_set_up(self, connection: Connection, spec: dict[str, Any]) -> None:
+        super()._rcj_set_up(connection, spec)
+        self._rcj_max_velocity = float(self._rcj_facts.get("max_velocity", connection.spec["max_velocity_radps"]))
         self._rcj_velocity = self._rcj_max_velocity
         self._rcj_position = 0.0
         self._rcj_commanded = False
@@ -79,21 +79,21 @@ class Motor(Device):
             self._rcj_command(asked, self._rcj_position)
 
     def _rcj_command(self, velocity: float, position: float) -> None:
-        if self._rcj_noted_tick != self._rcj_hub.tick:
+        if self._rcj_noted_tick != self._rcj_connection.tick:
             self._rcj_note_turning()
         self._rcj_commanded = True
-        hub, index = self._rcj_hub, self._rcj_index
+        connection, index = self._rcj_connection, self._rcj_index
         if self._rcj_acceleration < 0.0 or position != math.inf:
             # At once: between them another thread could set the motor, and believe that it goes as it was set last.
             setting = index, velocity, position
-            self._rcj_velocity, self._rcj_position, hub.motors[index] = velocity, position, setting
+            self._rcj_velocity, self._rcj_position, connection.motors[index] = velocity, position, setting
         else:
             self._rcj_velocity, self._rcj_position = velocity, position
-            hub.ramp(index, self._rcj_approach)
+            connection.ramp(index, self._rcj_approach)
 
     def _rcj_note_turning(self) -> None:
         """Before the first change of a step: keep how fast the motor was told to turn until now."""
-        self._rcj_noted_tick = self._rcj_hub.tick
+        self._rcj_noted_tick = self._rcj_connection.tick
         if self._rcj_position != math.inf:
             self._rcj_turning = 0.0  # it holds its angle
         elif self._rcj_acceleration < 0.0:
@@ -107,11 +107,11 @@ class Motor(Device):
         """
         if self._rcj_acceleration < 0.0 or self._rcj_position != math.inf:
             return False
-        most = self._rcj_acceleration * ticks * self._rcj_hub.tick_ms / 1000
+        most = self._rcj_acceleration * ticks * self._rcj_connection.tick_ms / 1000
         change = self._rcj_velocity - self._rcj_turning
         arrives = abs(change) <= most
         self._rcj_turning = self._rcj_velocity if arrives else self._rcj_turning + math.copysign(most, change)
-        self._rcj_hub.command(self._rcj_index, self._rcj_turning, math.inf)
+        self._rcj_connection.command(self._rcj_index, self._rcj_turning, math.inf)
         return not arrives
 
     def getVelocity(self) -> float:
@@ -144,7 +144,7 @@ class Motor(Device):
         if math.isnan(asked):
             complain(f"Error: {self._rcj_name!r}: setAcceleration(NaN) is refused.")
             return
-        if self._rcj_noted_tick != self._rcj_hub.tick:
+        if self._rcj_noted_tick != self._rcj_connection.tick:
             self._rcj_note_turning()
         self._rcj_acceleration = asked if asked >= 0.0 else -1.0
         if self._rcj_position == math.inf and self._rcj_turning != self._rcj_velocity:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from ._absent import Absent
+from ._unsupported import Unsupported
 
 
-class Node(Absent):
+class Node(Unsupported):
     """Constants for ``getNodeType()``: ``Node.GPS``. A program can get no nodes themselves."""
 
     NO_NODE, APPEARANCE, BACKGROUND, BILLBOARD, BOX, CAD_SHAPE, CAPSULE, COLOR, CONE, COORDINATE = range(10)
@@ -21,5 +21,5 @@ class Node(Absent):
     TRACK_WHEEL, WORLD_INFO, ZOOM, MICROPHONE, RADIO = range(81, 86)
 
 
-class ContactPoint(Absent):
+class ContactPoint(Unsupported):
     """Where two bodies touch: only supervisors are told."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import struct
 
-from ._hub import Hub, Packet, complain, number, told
+from ._connection import Connection, Packet, complain, number, told
 from .device import Device, ReadOnly, Sensor
 
 TYPE_CHECKING = False
@@ -45,17 +45,17 @@ class Receiver(Sensor):
 
     CHANNEL_BROADCAST = -1
 
-    def _rcj_set_up(self, hub: Hub, spec: dict[str, Any]) -> None:
-        super()._rcj_set_up(hub, spec)
+    def _rcj_set_up(self, connection: Connection, spec: dict[str, Any]) -> None:
+        super()._rcj_set_up(connection, spec)
         self._rcj_queue: Any = _NotListening(self)
         self._rcj_channel = int(self._rcj_facts.get("channel", -1))
-        self._rcj_returns_text = hub.spec["getdata_returns"] == "text"
+        self._rcj_returns_text = connection.spec["getdata_returns"] == "text"
         self._rcj_silent_ticks = int(self._rcj_facts.get("silent_ticks", -1))
 
     def enable(self, samplingPeriod: float | None = None, *, sampling_period: float | None = None) -> None:
         """Listen, every ``samplingPeriod`` ms (``sampling_period`` in R2023a)."""
         super().enable(samplingPeriod, sampling_period=sampling_period)
-        self._rcj_queue = self._rcj_hub.queues[self._rcj_index]
+        self._rcj_queue = self._rcj_connection.queues[self._rcj_index]
 
     def getQueueLength(self) -> int:
         """Return how many packets wait.
@@ -157,11 +157,11 @@ class Receiver(Sensor):
     def setChannel(self, channel: int) -> None:
         """Listen to another channel; those of the other team stay silent."""
         self._rcj_channel = _tuned(self._rcj_spec, self._rcj_channel, channel)
-        self._rcj_hub.tune(self._rcj_index, self._rcj_channel)
+        self._rcj_connection.tune(self._rcj_index, self._rcj_channel)
 
     def _rcj_first(self, method: str) -> Packet:
         packets: deque[Packet] = self._rcj_queue.packets
-        if not packets and self._rcj_hub.tick <= self._rcj_silent_ticks:
+        if not packets and self._rcj_connection.tick <= self._rcj_silent_ticks:
             self._rcj_await_the_first(method)
         if not packets:
             raise self._rcj_emptiness(method)
@@ -172,17 +172,17 @@ class Receiver(Sensor):
 
         Programs that read without asking were usual in 2021, and lived.
         """
-        hub = self._rcj_hub
-        if type(self._rcj_queue) is _NotListening or hub.is_within_step():
+        connection = self._rcj_connection
+        if type(self._rcj_queue) is _NotListening or connection.is_within_step():
             return
         # Up to the second step: robots of 2021 step two ticks, and that often their receivers deliver.
         until = self._rcj_silent_ticks + min(self._rcj_silent_ticks, 2)
-        wait_ms = (until - hub.tick) * hub.tick_ms
+        wait_ms = (until - connection.tick) * connection.tick_ms
         complain(
             f"Warning: {self._rcj_name!r}: {method} was called before the first packet was there, and waits for it: "
             f"{wait_ms / 1000:g} s. Ask getQueueLength() first."
         )
-        hub.exchange(wait_ms)
+        connection.exchange(wait_ms)
 
     def _rcj_emptiness(self, method: str) -> RuntimeError:
         """Return why there is no packet, after telling it."""
@@ -235,8 +235,8 @@ class Emitter(Device):
 
     CHANNEL_BROADCAST = -1
 
-    def _rcj_set_up(self, hub: Hub, spec: dict[str, Any]) -> None:
-        super()._rcj_set_up(hub, spec)
+    def _rcj_set_up(self, connection: Connection, spec: dict[str, Any]) -> None:
+        super()._rcj_set_up(connection, spec)
         self._rcj_channel = int(self._rcj_facts.get("channel", -1))
         self._rcj_range = self.getMaxRange()
         self._rcj_told_of: set[str] = set()
@@ -256,14 +256,14 @@ class Emitter(Device):
         data = _packed(message, self._rcj_name)
         if size is not None:
             data = _cut(data, size, self._rcj_name)
-        if data and self._rcj_hub.emit(self._rcj_index, self._rcj_channel, data):
+        if data and self._rcj_connection.emit(self._rcj_index, self._rcj_channel, data):
             return 1
         self._rcj_tell_why_not(len(data))
         return 0
 
     def _rcj_tell_why_not(self, size: int) -> None:
         """Say why a packet of so many bytes is not sent: each reason once."""
-        most = self._rcj_hub.message_bytes
+        most = self._rcj_connection.message_bytes
         reason, text = "step", "too much is sent in one step."
         if not size:
             reason, text = "empty", "it is empty."

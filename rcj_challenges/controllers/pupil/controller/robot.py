@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 
-from ._hub import Hub, complain, connected
+from ._connection import Connection, complain, connected
 from .device import Device, ReadOnly, device_of
 from .motor import Motor
 from .radio import Emitter, Receiver
@@ -48,7 +48,7 @@ class Robot:
 
     created: Robot | None = None
 
-    _rcj_hub: Hub
+    _rcj_connection: Connection
     _rcj_told_of: set[str]
     _rcj_inputs: dict[str, Any]
     _rcj_custom_data: str
@@ -57,7 +57,7 @@ class Robot:
     def __new__(cls, *_: object, **__: object) -> Self:
         """Make a robot that complains until ``__init__``, which a class of a team's own may forget, has run."""
         robot = super().__new__(cls)
-        robot._rcj_hub = _NotBegun(cls.__name__)  # type: ignore[assignment] # until it is begun
+        robot._rcj_connection = _NotBegun(cls.__name__)  # type: ignore[assignment] # until it is begun
         robot._rcj_told_of = set()
         robot._rcj_inputs = {}
         robot._rcj_custom_data = ""
@@ -65,13 +65,13 @@ class Robot:
         return robot
 
     def __init__(self) -> None:
-        self._rcj_hub = hub = connected()
-        if hub.robot_made:  # to go on costs nobody anything; to end it would cost a robot
+        self._rcj_connection = connection = connected()
+        if connection.robot_made:  # to go on costs nobody anything; to end it would cost a robot
             complain(f"Error: only one Robot can be made: this second {type(self).__name__} is the same robot.")
             return
-        hub.robot_made = True
-        for spec in hub.spec["devices"]:
-            hub.devices[spec["name"]] = _class_of(spec["kind"])._rcj_made(hub, spec)  # noqa: SLF001 - for this alone
+        connection.robot_made = True
+        for spec in connection.spec["devices"]:
+            connection.devices[spec["name"]] = _class_of(spec["kind"])._rcj_made(connection, spec)  # noqa: SLF001 - for this alone
         Robot.created = self
 
     def __copy__(self) -> Self:
@@ -94,18 +94,18 @@ class Robot:
             ``while robot.step(32) != -1:``
         """
         # Not keyword-only: Python calls slower what has such arguments.
-        hub = self._rcj_hub
+        connection = self._rcj_connection
         if time_step is None:
-            time_step = hub.duration_ms(timeStep, duration)
-        return 0 if hub.exchange(time_step) else -1
+            time_step = connection.duration_ms(timeStep, duration)
+        return 0 if connection.exchange(time_step) else -1
 
     def stepBegin(self, time_step: float | None = None) -> None:
         """Begin a step of ``time_step`` ms. What is set from now on until ``stepEnd`` acts in the next one."""
-        self._rcj_hub.begin(self._rcj_hub.duration_ms(time_step))
+        self._rcj_connection.begin(self._rcj_connection.duration_ms(time_step))
 
     def stepEnd(self) -> int:
         """Take the step that ``stepBegin`` began. Returns 0, or -1 when the match is over."""
-        return 0 if self._rcj_hub.end() else -1
+        return 0 if self._rcj_connection.end() else -1
 
     def waitForUserInputEvent(self, event_type: int, timeout: float = 0) -> int:
         """Return ``Robot.EVENT_NO_EVENT`` at once: nobody presses or moves anything."""
@@ -117,7 +117,7 @@ class Robot:
         Example:
             ``robot.getName()[0] == "Y"`` in a robot of the yellow team.
         """
-        return str(self._rcj_hub.spec["name"])
+        return str(self._rcj_connection.spec["name"])
 
     def getTime(self) -> float:
         """Return simulated seconds since the half began.
@@ -125,11 +125,11 @@ class Robot:
         Example:
             ``robot.getTime()`` is 0.32 after ten steps of 32 ms.
         """
-        return self._rcj_hub.time_s()
+        return self._rcj_connection.time_s()
 
     def getBasicTimeStep(self) -> float:
         """Return the length of a tick in ms."""
-        return float(self._rcj_hub.spec["basic_step_ms"])
+        return float(self._rcj_connection.spec["basic_step_ms"])
 
     def getDevice(self, name: str) -> Any:
         """Return the device of that name; None, and a message, if the robot has none.
@@ -137,20 +137,20 @@ class Robot:
         Example:
             ``gps = robot.getDevice("gps")``
         """
-        return self._rcj_hub.devices.get(name) or device_of(self._rcj_hub, name, "Device")
+        return self._rcj_connection.devices.get(name) or device_of(self._rcj_connection, name, "Device")
 
     def getDeviceByIndex(self, index: int) -> Device | None:
         """Return a device by its number; None if there is none."""
-        devices = list(self._rcj_hub.devices.values())
+        devices = list(self._rcj_connection.devices.values())
         return devices[index] if 0 <= index < len(devices) else None
 
     def getNumberOfDevices(self) -> int:
         """Return how many devices the robot has."""
-        return len(self._rcj_hub.devices)
+        return len(self._rcj_connection.devices)
 
     def _rcj_devices(self) -> dict[str, Device]:
         """Return all devices by name."""
-        return dict(self._rcj_hub.devices)
+        return dict(self._rcj_connection.devices)
 
     def getType(self) -> int:
         """Return its kind, as ``Node`` numbers them: ``Node.ROBOT``."""
@@ -187,7 +187,7 @@ class Robot:
 
     def getProjectPath(self) -> str:
         """Return the folder in which ``controllers`` holds what the team handed in."""
-        return os.path.dirname(self._rcj_hub.root)  # noqa: PTH120 - pathlib would cost each program its import
+        return os.path.dirname(self._rcj_connection.root)  # noqa: PTH120 - pathlib would cost each program its import
 
     def getWorldPath(self) -> str:
         """Return nothing: there is no world file."""
@@ -247,7 +247,7 @@ class Robot:
         if kind not in self._rcj_told_of:
             self._rcj_told_of.add(kind)
             complain(f"DEPRECATION: Robot.get{kind} is deprecated, please use Robot.getDevice instead.")
-        return device_of(self._rcj_hub, name, "Motor" if kind == "Servo" else kind)
+        return device_of(self._rcj_connection, name, "Motor" if kind == "Servo" else kind)
 
     name = ReadOnly(getName)
     time = ReadOnly(getTime)
@@ -267,7 +267,7 @@ class Robot:
 
 
 class _NotBegun:
-    """What stands for the hub until ``Robot.__init__`` has run."""
+    """What stands for the connection until ``Robot.__init__`` has run."""
 
     def __init__(self, kind: str) -> None:
         self._kind = kind

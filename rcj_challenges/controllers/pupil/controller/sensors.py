@@ -19,7 +19,7 @@ class GPS(Sensor):
     def _rcj_sample(self, ticks: int) -> None:
         super()._rcj_sample(ticks)
         if ticks > 1:
-            self._rcj_hub.follow(self._rcj_index)
+            self._rcj_connection.follow(self._rcj_index)
 
     def getValues(self) -> list[float]:
         """Return [x, y, z] of the robot's centre in m, in the frame of the field; NaN before the first sample.
@@ -33,9 +33,9 @@ class GPS(Sensor):
 
     def getSpeedVector(self) -> list[float]:
         """Return the velocity in m/s between the last two samples; NaN before there were two."""
-        now, (ticks, numbers) = self._rcj_numbers(), self._rcj_hub.before_sample(self._rcj_index)
+        now, (ticks, numbers) = self._rcj_numbers(), self._rcj_connection.before_sample(self._rcj_index)
         before = numbers[self._rcj_place : self._rcj_end]
-        passed_s = ticks * self._rcj_hub.tick_ms / 1000
+        passed_s = ticks * self._rcj_connection.tick_ms / 1000
         return [(new - old) / passed_s if passed_s else math.nan for new, old in zip(now, before, strict=True)]
 
     def getSpeed(self) -> float:
@@ -95,7 +95,7 @@ class DistanceSensor(Sensor):
         """
         if not self._rcj_period_ms and not self._rcj_warned:
             self._rcj_warn()
-        reading: float = self._rcj_hub.numbers[self._rcj_place]  # no slice: there are four, and all are read every tick
+        reading: float = self._rcj_connection.numbers[self._rcj_place]  # no slice: all four are read every tick
         return reading
 
     def getMinValue(self) -> float:

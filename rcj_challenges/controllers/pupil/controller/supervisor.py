@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ._hub import complain
+from ._connection import complain
 from .robot import Robot
 
 TYPE_CHECKING = False

@@ -40,7 +40,7 @@ _real_sleep = time.sleep
 _IS_TOLD_FINELY = sys.platform != "win32"  # there what was computed is told every 16 ms only
 
 
-class Beside:
+class BackgroundClock:
     """How far the clock of the threads that do not step is ahead.
 
     Attributes:

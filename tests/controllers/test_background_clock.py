@@ -16,9 +16,9 @@ from typing import Any
 import pytest
 from fake_match import FakeMatch
 
-from rcj_challenges.controllers.pupil.controller import _beside
+from rcj_challenges.controllers.pupil.controller import _background_clock
+from rcj_challenges.controllers.pupil.controller._blocking_calls import BlockingCalls
 from rcj_challenges.controllers.pupil.controller._clock import Clock
-from rcj_challenges.controllers.pupil.controller._waits import Waits
 
 TICK_S = 0.032
 
@@ -41,8 +41,8 @@ def stepped(clock: Clock, tick: int) -> None:
 def real_time_goes_on_by_looking(monkeypatch: pytest.MonkeyPatch) -> None:
     """Real time as it is looked at, 0.01 ms for each look: how long others have the processor counts for nothing."""
     looks = itertools.count()
-    monkeypatch.setattr(_beside, "real_monotonic", lambda: 1e-5 * next(looks))
-    monkeypatch.setattr(_beside, "real_process_time", lambda: 0.0)
+    monkeypatch.setattr(_background_clock, "real_monotonic", lambda: 1e-5 * next(looks))
+    monkeypatch.setattr(_background_clock, "real_process_time", lambda: 0.0)
 
 
 def run_beside(work: Callable[[], object]) -> float:
@@ -86,7 +86,7 @@ def test_who_sleeps_while_the_one_that_steps_waits_for_it_sleeps_about_as_long_i
 
 def test_a_wait_with_a_limit_takes_about_as_long_where_the_thread_that_steps_is_idle(clock: Clock) -> None:
     """``await loop.run_in_executor(None, robot.step, 32)``, then ``await asyncio.sleep(0.001)``."""
-    wait = Waits(clock)._patient(lambda _, timeout: time.sleep(timeout))
+    wait = BlockingCalls(clock)._patient(lambda _, timeout: time.sleep(timeout))
     assert 0.02 <= quickest_beside(lambda: wait(None, 0.02), 0.1) < 0.1
     assert clock.missed_ticks() == 0
 
@@ -124,9 +124,9 @@ def test_what_the_clock_is_ahead_is_taken_back_and_it_never_runs_back(clock: Clo
 
 def test_while_somebody_computes_nobody_counts_as_stuck(clock: Clock, monkeypatch: pytest.MonkeyPatch) -> None:
     """Who polls does not run ahead, for less than the while after which real time counts."""
-    monkeypatch.setattr(_beside, "real_process_time", time.perf_counter)
-    monkeypatch.setattr(_beside, "_IS_TOLD_FINELY", True)
-    monkeypatch.setattr(_beside, "_STANDSTILL_S", 10.0)
+    monkeypatch.setattr(_background_clock, "real_process_time", time.perf_counter)
+    monkeypatch.setattr(_background_clock, "_IS_TOLD_FINELY", True)
+    monkeypatch.setattr(_background_clock, "_STANDSTILL_S", 10.0)
     run_beside(lambda: [clock.now_s() for _ in range(250)])
     assert clock.beside.ahead_ns() == 0
 
@@ -136,7 +136,9 @@ def beside_on_windows(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
     """The module as Python up to 3.12 loads it on Windows: there ``time.monotonic`` goes on 64 times a second."""
     monotonic_s = time.monotonic
     monkeypatch.setattr(time, "monotonic", lambda: math.floor(monotonic_s() * 64) / 64)
-    spec = importlib.util.spec_from_file_location(f"{_beside.__package__}._beside_on_windows", _beside.__file__)
+    spec = importlib.util.spec_from_file_location(
+        f"{_background_clock.__package__}._background_clock_on_windows", _background_clock.__file__
+    )
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
@@ -156,7 +158,7 @@ def test_real_time_counts_finely_on_all_systems(beside_on_windows: ModuleType) -
         seen.append((beside.ahead_ns() / 1e9, time.perf_counter() - began_s))
 
     for _ in range(20):
-        beside = beside_on_windows.Beside()
+        beside = beside_on_windows.BackgroundClock()
         run_beside(functools.partial(wait, beside))
     assert all(ahead_s <= passed_s for ahead_s, passed_s in seen), seen
     assert any(0.002 <= ahead_s < 0.015 for ahead_s, _ in seen), seen
@@ -164,7 +166,7 @@ def test_real_time_counts_finely_on_all_systems(beside_on_windows: ModuleType) -
 
 def until_it_stands_still(thread: int | None) -> None:
     for _ in range(500):
-        if not _beside._would_run(thread):
+        if not _background_clock._would_run(thread):
             return
         time.sleep(0.001)
 
@@ -175,11 +177,11 @@ def test_a_thread_that_only_waits_for_a_processor_is_not_stuck() -> None:
     waits = threading.Thread(target=asked.wait)
     waits.start()
     until_it_stands_still(waits.native_id)
-    found = _beside._would_run(threading.get_native_id()), _beside._would_run(waits.native_id)
+    found = _background_clock._would_run(threading.get_native_id()), _background_clock._would_run(waits.native_id)
     asked.set()
     waits.join()
     until_it_stands_still(waits.native_id)  # it is told to have ended a moment before it has
-    assert (*found, _beside._would_run(waits.native_id)) == (True, False, False)
+    assert (*found, _background_clock._would_run(waits.native_id)) == (True, False, False)
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells")
@@ -188,7 +190,7 @@ def test_a_program_in_its_sandbox_finds_out_whether_another_of_its_threads_would
     program = """
 import hashlib, sys, threading
 from controller import Robot
-from controller._beside import others_would_run
+from controller._background_clock import others_would_run
 robot = Robot()
 def compute():
     while not over: hashlib.sha256(much)

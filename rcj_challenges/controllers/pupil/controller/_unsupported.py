@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 
-class Absent:
+class Unsupported:
     """What is not on these robots."""
 
     def __init__(self, *args: object, **kwargs: object) -> None:
         kinds = type(self).__mro__  # a team's own class may be one of them
-        raise NotImplementedError(f"there is no {kinds[kinds.index(Absent) - 1].__name__} on these robots")
+        raise NotImplementedError(f"there is no {kinds[kinds.index(Unsupported) - 1].__name__} on these robots")
 
 
 _NAMES = (
@@ -17,4 +17,4 @@ _NAMES = (
     *("Radar", "RadarTarget", "RangeFinder", "Skin", "Speaker", "TouchSensor", "VacuumGripper"),
 )
 
-globals().update({name: type(name, (Absent,), {"__module__": __name__}) for name in _NAMES})
+globals().update({name: type(name, (Unsupported,), {"__module__": __name__}) for name in _NAMES})

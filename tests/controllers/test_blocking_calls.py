@@ -11,10 +11,10 @@ from types import SimpleNamespace
 import pytest
 from fake_match import FakeMatch
 
-from rcj_challenges.controllers.pupil.controller import _waits
+from rcj_challenges.controllers.pupil.controller import _blocking_calls
+from rcj_challenges.controllers.pupil.controller._blocking_calls import BlockingCalls
 from rcj_challenges.controllers.pupil.controller._clock import Clock
 from rcj_challenges.controllers.pupil.controller._hooks import AfterImport
-from rcj_challenges.controllers.pupil.controller._waits import Waits
 
 ROBOT = "from controller import Robot\nrobot = Robot()\nrobot.step(32)\n"
 STEPS = "\nrobot.step(32)\nrobot.step(32)\n"
@@ -143,7 +143,7 @@ def test_the_waits_of_asyncio_on_windows_pass_in_the_same_way() -> None:
             return []
 
     clock = Clock(32_000_000)
-    Waits(clock).patches()["asyncio.windows_events"](SimpleNamespace(IocpProactor=IocpProactor))
+    BlockingCalls(clock).patches()["asyncio.windows_events"](SimpleNamespace(IocpProactor=IocpProactor))
     proactor = IocpProactor()
     assert proactor.select(1.0) == []
     assert (clock.missed_ticks(), proactor.waited) == (31, 0.0)
@@ -224,9 +224,9 @@ class TestAShortWait:
             comes_at: the look by which it comes; 0: never.
         """
         seen = SimpleNamespace(real_s=0.0, computed_s=0.0, looks=0)
-        monkeypatch.setattr(_waits, "real_monotonic", lambda: seen.real_s)
-        monkeypatch.setattr(_waits, "real_process_time", lambda: seen.computed_s)
-        monkeypatch.setattr(_waits, "others_would_run", lambda: would_run(seen.looks))
+        monkeypatch.setattr(_blocking_calls, "real_monotonic", lambda: seen.real_s)
+        monkeypatch.setattr(_blocking_calls, "real_process_time", lambda: seen.computed_s)
+        monkeypatch.setattr(_blocking_calls, "others_would_run", lambda: would_run(seen.looks))
 
         def look(_: object, timeout: float) -> bool:
             assert timeout == 0.001
@@ -235,7 +235,7 @@ class TestAShortWait:
             seen.computed_s += computed_s
             return seen.looks == comes_at
 
-        return bool(_waits._for_others(look, None, 0.031)), seen.looks
+        return bool(_blocking_calls._for_others(look, None, 0.031)), seen.looks
 
     def test_goes_on_while_others_have_the_processor_where_no_system_tells_who_would_run(self, monkeypatch) -> None:
         """Each look takes 0.2 s in which this program computed for 0.001 s."""

@@ -102,7 +102,7 @@ class Samples:
             self.latest, self.before = (taken, numbers), self.latest
 
 
-class Hub:
+class Connection:
     """The robot's side of the exchange with the match.
 
     Attributes:
@@ -402,24 +402,24 @@ def _nothing_yet(devices: list[dict[str, Any]], count: int) -> bytes:
     return Struct(f"<{count}d").pack(*numbers)
 
 
-_hub: Hub | None = None
+_connection: Connection | None = None
 
 
-def connect(hub: Hub) -> None:
-    """Make ``hub`` the one that ``Robot()`` uses."""
-    global _hub  # noqa: PLW0603 - a process drives one robot
-    _hub = hub
+def connect(connection: Connection) -> None:
+    """Make ``connection`` the one that ``Robot()`` uses."""
+    global _connection  # noqa: PLW0603 - a process drives one robot
+    _connection = connection
 
 
-def connected() -> Hub:
-    """Return the hub of this process.
+def connected() -> Connection:
+    """Return the connection of this process.
 
     Raises:
         RuntimeError: the program was not started by a match.
     """
-    if _hub is None:
+    if _connection is None:
         raise RuntimeError("this program drives a robot only when `rcj-challenge run` starts it")
-    return _hub
+    return _connection
 
 
 _times_told: dict[str, int] = {}

@@ -11,7 +11,7 @@ from __future__ import annotations
 import sys
 from _thread import get_ident
 
-from ._beside import others_would_run
+from ._background_clock import others_would_run
 from ._clock import Clock, real_monotonic, real_process_time
 from ._hooks import Unbound
 
@@ -34,7 +34,7 @@ _SLICE_BESIDE_S = 0.002
 _IDLE_SHARE = 0.2
 
 
-class Waits:
+class BlockingCalls:
     """The waits of the standard library, as one program sees them."""
 
     def __init__(self, clock: Clock) -> None:
@@ -132,7 +132,7 @@ class Waits:
             if timeout is None or timeout <= 0:
                 return real(self, timeout)
             if not clock.steps_here():
-                return _beside(clock, real, self, timeout)
+                return _wait_beside_others(clock, real, self, timeout)
             here = get_ident()
             if here in waiting:
                 return real(self, timeout)
@@ -148,7 +148,7 @@ class Waits:
         return wait
 
 
-def _beside(clock: Clock, real: Wait, waiting: Any, timeout: float) -> Any:
+def _wait_beside_others(clock: Clock, real: Wait, waiting: Any, timeout: float) -> Any:
     """Wait in a thread that does not step, until so much time of the match has passed."""
     due_s = clock.others_s() + timeout
     while True:
