@@ -14,30 +14,30 @@ from benchmarks.physics_floor import MixedLoad
 from rcj_challenges.facts.play import HalfInfo, RefereeOutput
 from rcj_challenges.facts.traffic import Request
 from rcj_challenges.robots.fitting import fit, fixed_rays
-from rcj_challenges.robots.manager import DeviceRack
+from rcj_challenges.robots.manager import DeviceManager
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.world.world import World
 
 
 def measure(loaded: Loaded, ticks: int) -> dict[str, float]:
-    """Return median and mean of `DeviceRack.sense` plus `observe` for all robots, in µs per tick."""
+    """Return median and mean of `DeviceManager.sense` plus `observe` for all robots, in µs per tick."""
     scenario, roster = loaded.scenario, loaded.roster
     seats = list(scenario.entrants)
     half = HalfInfo(1, 1, ticks, 1, 0, {s: s for s in seats}, {s: s for s in seats}, dict.fromkeys(seats, 0))
     world = World(scenario, roster, fixed_rays(fit(scenario, roster)))
-    rack = DeviceRack(scenario, roster, world, half)
-    rack.begin(RefereeOutput())
-    for robot, spec in rack.specs.items():
+    devices = DeviceManager(scenario, roster, world, half)
+    devices.begin(RefereeOutput())
+    for robot, spec in devices.specs.items():
         sampled = tuple((device.index, 1) for device in spec.devices if device.kind not in ("motor", "emitter"))
-        rack.apply(robot, Request(1, sampling=sampled))
+        devices.apply(robot, Request(1, sampling=sampled))
     traffic, output, times = MixedLoad(world), RefereeOutput(), []
     for tick in range(1, ticks + 1):
         traffic.command(tick)
         world.step(tick)
         began = time.perf_counter_ns()
-        rack.sense(tick, output)
-        for robot in rack.specs:
-            rack.observe(robot, tick)
+        devices.sense(tick, output)
+        for robot in devices.specs:
+            devices.observe(robot, tick)
         times.append((time.perf_counter_ns() - began) / 1000)
     return {"median_us": statistics.median(times), "mean_us": statistics.fmean(times)}
 

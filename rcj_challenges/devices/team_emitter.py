@@ -93,7 +93,7 @@ class Emitter:
             self._bytes += len(data)
             self.waiting.append((self._arrival(data, now), channel, data))
 
-    def tell_referee(self, data: bytes, now: int) -> None:
+    def send_to_referee(self, data: bytes, now: int) -> None:
         """Queue a packet for the referee: it is on the air as any other, and no robot hears it.
 
         Its backlog is one of its own: the referee hears one message a tick, which must not silence the team's radio.
@@ -123,7 +123,7 @@ class Emitter:
             arrived.append((channel, data))
         return arrived
 
-    def told_referee(self, tick: int) -> bytes | None:
+    def messages_to_referee(self, tick: int) -> bytes | None:
         """Return the next packet for the referee that has arrived by ``tick``, None if there is none."""
         if not self.to_referee or self.to_referee[0][0] > tick:
             return None
@@ -131,7 +131,7 @@ class Emitter:
         self._bytes_to_referee -= len(data)
         return data
 
-    def fall_silent(self) -> None:
+    def clear(self) -> None:
         """Drop all that has not arrived."""
         self.waiting.clear()
         self.to_referee.clear()

@@ -137,7 +137,7 @@ class TickLoop:
         stage.world.place(output.placements)
         if output.robots_held or output.held:
             self._hold(output)
-        stage.rack.begin(output)
+        stage.devices.begin(output)
         self._on_tick(snapshot, output, stage.world.state_bytes(), stage.world.poses_bytes())
         for robot in list(self._alive):
             self._take(robot, self._alive[robot].collect())
@@ -149,7 +149,7 @@ class TickLoop:
             self._apply_what_was_late(tick)
         faults, self._faults = tuple(self._faults), []
         snapshot = stage.world.step(tick, faults)
-        heard = stage.rack.told_referee(tick)
+        heard = stage.devices.messages_to_referee(tick)
         if heard:
             snapshot = snapshot._replace(heard=heard)
         state = stage.world.state_bytes()
@@ -158,7 +158,7 @@ class TickLoop:
             stage.world.place(output.placements)
         if output.held is not self._held or output.robots_held is not self._all_held:
             self._hold(output)
-        stage.rack.begin_sensing(tick, output)
+        stage.devices.begin_sensing(tick, output)
         self.tick = tick
 
         due = self._sense_and_release(tick, plays_on=should_continue(stage.referee, output, tick, self._half))
@@ -182,15 +182,15 @@ class TickLoop:
 
     def _sense_and_release(self, tick: int, *, plays_on: bool) -> list[int]:
         """Let each robot look around, and release its program if it is due; returns those released."""
-        rack, alive = self._stage.rack, self._alive
-        due = [robot for robot in rack.specs if self._due.get(robot) == tick] if plays_on else []
+        devices, alive = self._stage.devices, self._alive
+        due = [robot for robot in devices.specs if self._due.get(robot) == tick] if plays_on else []
         # The one that is released first finds its CPU awake, and so do the others after it.
         awake = due[0] if due and self._cpu_policy.should_busy_wait(due[0]) else None
         self._share_cpus(self._cpu_policy.share)
-        for robot in rack.specs:
-            rack.finish_sensing(robot)
+        for robot in devices.specs:
+            devices.finish_sensing(robot)
             if robot in due:
-                alive[robot].release(rack.observe(robot, tick, soon=robot == awake))
+                alive[robot].release(devices.observe(robot, tick, soon=robot == awake))
         return due
 
     def _share_cpus(self, share: CpuShare) -> None:
@@ -229,7 +229,7 @@ class TickLoop:
         """Carry out a request, now or after the ticks its program slept through; or bury the program."""
         if isinstance(answer, Fault):
             del self._alive[robot], self._due[robot]
-            self._stage.rack.silence(robot)
+            self._stage.devices.silence(robot)
             self._faults.append(answer)
             self._on_fault(answer)
             return
@@ -238,11 +238,11 @@ class TickLoop:
         if answer.missed_ticks:
             self._later.append((begins, robot, answer))
         else:
-            self._stage.rack.apply(robot, answer)
+            self._stage.devices.apply(robot, answer)
 
     def _apply_what_was_late(self, tick: int) -> None:
         """Requests of programs that slept take effect at the tick at which they woke up."""
         for begins, robot, request in self._later:
             if begins < tick:
-                self._stage.rack.apply(robot, request)
+                self._stage.devices.apply(robot, request)
         self._later = [entry for entry in self._later if entry[0] >= tick]

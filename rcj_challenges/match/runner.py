@@ -188,7 +188,7 @@ class _MatchRunner:
             drivers = self._launch(crew, specs, half)
             # While programs start, and not before: loading the physics takes as long as they do.
             stage = load_stage()(scenario, roster, half, recording.wrap(drivers))
-            referee, rack = stage.referee, stage.rack
+            referee, devices = stage.referee, stage.devices
             later_ticks = sum(ticks_from_s(half_s) for half_s in half_lengths_s(scenario.match)[number:])
             told = (record, self._observer, crew, plan.show_output)
             effects = TickEffects(half, later_ticks, referee, *told, real_time=plan.real_time)
@@ -199,7 +199,7 @@ class _MatchRunner:
             record.end_half(outcome.closing, outcome.ended)
             crew.finish(
                 {
-                    roster.entities[robot]: rack.observe(robot, outcome.ticks, over=True)
+                    roster.entities[robot]: devices.observe(robot, outcome.ticks, over=True)
                     for robot, driver in drivers.items()
                     if driver.fault is None
                 }

@@ -9,7 +9,7 @@ from rcj_challenges.facts.play import HalfInfo
 from rcj_challenges.match.loop import Driver
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.robots.fitting import fit, fixed_rays
-from rcj_challenges.robots.manager import DeviceRack
+from rcj_challenges.robots.manager import DeviceManager
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world.world import World
@@ -22,13 +22,13 @@ class HalfStage:
     Attributes:
         world: the physics, fresh.
         referee: the rules, fresh.
-        rack: the robots' devices.
+        devices: the robots' devices.
         drivers: by robot index; robots without one stand braked.
     """
 
     world: World
     referee: Referee
-    rack: DeviceRack
+    devices: DeviceManager
     drivers: Mapping[int, Driver]
 
 
@@ -42,4 +42,4 @@ def build_stage(scenario: Scenario, roster: Roster, half: HalfInfo, drivers: Map
         drivers: by robot index.
     """
     world = World(scenario, roster, fixed_rays(fit(scenario, roster)))
-    return HalfStage(world, Referee(scenario, roster, half), DeviceRack(scenario, roster, world, half), drivers)
+    return HalfStage(world, Referee(scenario, roster, half), DeviceManager(scenario, roster, world, half), drivers)

@@ -1,8 +1,8 @@
 """All devices of all robots in one half, as the match loop uses them.
 
-A tick of the match: `DeviceRack.apply` what the programs that were due have asked for; physics, output and
-placements; `DeviceRack.begin_sensing`; then robot by robot `DeviceRack.finish_sensing`, and `DeviceRack.observe` if
-its program is due: the first programs compute while the later robots are still being read.
+A tick of the match: `apply` what the programs that were due have asked for; physics, referee and placements;
+`begin_sensing`; then robot by robot `finish_sensing`, and `observe` if its program is due: the first programs compute
+while the later robots are still being read.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from rcj_challenges.world.poses import Poses
 from rcj_challenges.world.rays import WorldRays
 
 
-class DeviceRack:
+class DeviceManager:
     """What programs can read and set, for one half.
 
     Attributes:
@@ -85,13 +85,13 @@ class DeviceRack:
         """End a robot's part: its program is dead. Wheels at velocity 0, nothing sent or heard any more."""
         self._silent.add(robot)
         self._motors[robot].stop()
-        self._radio.fall_silent(robot)
+        self._radio.silence(robot)
         self._sensors[robot].close(self._tick)
         self._find_uneven()
 
-    def told_referee(self, tick: int) -> tuple[tuple[int, str], ...]:
+    def messages_to_referee(self, tick: int) -> tuple[tuple[int, str], ...]:
         """Return what robots have told the referee by ``tick``, as `Snapshot.heard`; empty if it does not listen."""
-        return self._radio.told_referee(tick, self._poses)
+        return self._radio.messages_to_referee(tick, self._poses)
 
     def sense(self, tick: int, verdict_now: RefereeOutput) -> None:
         """Sense for all robots: `begin_sensing`, then `finish_sensing` for each."""

@@ -94,11 +94,11 @@ class RadioHub:
         if emitter is None or channel in self._refused[key]:
             return
         if channel in self._referees.get(key, ()):
-            emitter.tell_referee(data, now)
+            emitter.send_to_referee(data, now)
         else:
             emitter.send(channel, data, now)
 
-    def told_referee(self, tick: int, poses: Poses) -> tuple[tuple[int, str], ...]:
+    def messages_to_referee(self, tick: int, poses: Poses) -> tuple[tuple[int, str], ...]:
         """Return what the referee hears at ``tick``: of each robot on the field its next message that has arrived."""
         if not self._referees:  # as in all matches
             return ()
@@ -106,16 +106,16 @@ class RadioHub:
         for robot, device in self._referees:
             emitter = self._emitters[robot, device]
             if poses.robots[robot].parked:
-                emitter.fall_silent()
-            elif robot not in heard and (data := emitter.told_referee(tick)) is not None:
+                emitter.clear()
+            elif robot not in heard and (data := emitter.messages_to_referee(tick)) is not None:
                 heard[robot] = message_text(data)
         return tuple(heard.items())
 
-    def fall_silent(self, robot: int) -> None:
+    def silence(self, robot: int) -> None:
         """Drop all that a robot's emitters have not sent, and let its receivers hear nothing more."""
         for emitter in self._emitters.values():
             if emitter.robot == robot:
-                emitter.fall_silent()
+                emitter.clear()
         for receiver in self._receivers.values():
             if receiver.robot == robot:
                 receiver.set_period(0, 0)

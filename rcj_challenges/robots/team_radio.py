@@ -38,7 +38,7 @@ class TeamRadio:
             if not emitter.waiting:
                 continue
             if poses.robots[emitter.robot].parked:
-                emitter.fall_silent()
+                emitter.clear()
                 continue
             arriving = emitter.arriving(tick)
             if arriving:

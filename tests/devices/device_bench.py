@@ -13,7 +13,7 @@ import rcj_challenges.scenario
 from rcj_challenges.facts.play import HalfInfo, Placement, RefereeOutput
 from rcj_challenges.facts.traffic import MotorCommand, Packet, Request
 from rcj_challenges.robots.fitting import fit, fixed_rays
-from rcj_challenges.robots.manager import DeviceRack
+from rcj_challenges.robots.manager import DeviceManager
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world.world import World
@@ -64,7 +64,7 @@ class Bench:
         self.scenario = scenario_of(preset, change)
         self.roster = Roster.of(self.scenario)
         self.world = World(self.scenario, self.roster, fixed_rays(fit(self.scenario, self.roster)))
-        self.rack = DeviceRack(self.scenario, self.roster, self.world, info or half())
+        self.devices = DeviceManager(self.scenario, self.roster, self.world, info or half())
         self.tick = 0
         for name in self.roster.entities:
             self.park(name)
@@ -79,13 +79,13 @@ class Bench:
     def _put(self, placement: Placement) -> None:
         self.world.place([placement])
         if self.tick == 0:
-            self.rack.begin(BLANK)
+            self.devices.begin(BLANK)
 
     def device(self, robot: str, name: str) -> int:
-        return next(d.index for d in self.rack.specs[self.roster.index[robot]].devices if d.name == name)
+        return next(d.index for d in self.devices.specs[self.roster.index[robot]].devices if d.name == name)
 
     def ask(self, robot: str, **request: Any) -> None:
-        self.rack.apply(self.roster.index[robot], Request(1, **request))
+        self.devices.apply(self.roster.index[robot], Request(1, **request))
 
     def enable(self, robot: str, *devices: str, period: int = 1) -> None:
         self.ask(robot, sampling=tuple((self.device(robot, name), period) for name in devices))
@@ -94,7 +94,7 @@ class Bench:
         """Send packets; without a channel, on that of the robot's team."""
         emitter = self.device(robot, "team emitter")
         if channel is None:
-            channel = self.rack.specs[self.roster.index[robot]].devices[emitter].facts["channel"]
+            channel = self.devices.specs[self.roster.index[robot]].devices[emitter].facts["channel"]
         self.ask(robot, emissions=tuple((emitter, channel, data) for data in payloads))
 
     def tune(self, robot: str, device: str, channel: int) -> None:
@@ -108,22 +108,22 @@ class Bench:
         """Let time pass in which nothing moves."""
         for _ in range(ticks):
             self.tick += 1
-            self.rack.sense(self.tick, output)
+            self.devices.sense(self.tick, output)
 
     def play(self, ticks: int) -> None:
         """Let time pass with physics."""
         for _ in range(ticks):
             self.tick += 1
             self.world.step(self.tick)
-            self.rack.sense(self.tick, BLANK)
+            self.devices.sense(self.tick, BLANK)
 
     def read(self, robot: str, device: str) -> list[float]:
-        spec = next(d for d in self.rack.specs[self.roster.index[robot]].devices if d.name == device)
-        values = self.rack.observe(self.roster.index[robot], self.tick).values
+        spec = next(d for d in self.devices.specs[self.roster.index[robot]].devices if d.name == device)
+        values = self.devices.observe(self.roster.index[robot], self.tick).values
         return values[spec.slot : spec.slot + spec.width]
 
     def heard(self, robot: str, device: str) -> list[Packet]:
         """Return what a receiver delivered since this robot was last asked; the other receivers' packets are lost."""
         index = self.device(robot, device)
-        packets = self.rack.observe(self.roster.index[robot], self.tick).packets
+        packets = self.devices.observe(self.roster.index[robot], self.tick).packets
         return [packet for packet in packets if packet.device == index]

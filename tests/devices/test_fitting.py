@@ -30,7 +30,7 @@ KIT_V2 = [
 
 
 def test_kit_v2_has_the_devices_of_the_rule_book() -> None:
-    specs = Bench().rack.specs
+    specs = Bench().devices.specs
     assert [spec.name for spec in specs.values()] == ["B1", "B2", "B3", "Y1", "Y2", "Y3"]
     for spec in specs.values():
         assert [(device.name, device.kind) for device in spec.devices] == KIT_V2
@@ -39,7 +39,7 @@ def test_kit_v2_has_the_devices_of_the_rule_book() -> None:
 
 
 def test_kit_2021_has_motors_wheel_sensors_and_one_receiver_on_channel_0() -> None:
-    spec = Bench("soccersim_2021").rack.specs[0]
+    spec = Bench("soccersim_2021").devices.specs[0]
     assert [device.name for device in spec.devices] == [
         "left wheel motor", "right wheel motor", "left wheel sensor", "right wheel sensor", "receiver",
     ]  # fmt: skip
@@ -60,7 +60,7 @@ def test_slots_do_not_overlap_and_fill_the_values() -> None:
     bench = Bench(
         "soccersim_2021", {"robots": {"Y3": {"devices": {"lidar": {"device": "lidar"}, "gps": {"device": "gps"}}}}}
     )
-    for spec in bench.rack.specs.values():
+    for spec in bench.devices.specs.values():
         taken = [slot for device in spec.devices for slot in range(device.slot, device.slot + device.width)]
         assert taken == list(range(spec.values))
         assert all((device.slot == -1) == (device.width == 0) for device in spec.devices)
@@ -76,7 +76,7 @@ def test_a_robot_can_have_a_device_more_another_one_and_one_fewer() -> None:
             }
         }
     }
-    spec = Bench(change=change).rack.specs[5]
+    spec = Bench(change=change).devices.specs[5]
     names = [device.name for device in spec.devices]
     assert names == [name for name, _ in KIT_V2 if name not in ("gps", "team emitter")] + ["eye"]
     assert spec.devices[names.index("ball receiver")].facts["range"] == 1.0
@@ -85,8 +85,8 @@ def test_a_robot_can_have_a_device_more_another_one_and_one_fewer() -> None:
 def test_idle_robots_and_robots_of_nobody_have_no_program() -> None:
     change = {"robots": {"B1": {"idle": True}}, "entrants": {"blue": {"robots": {"B2": None}}}}
     bench = Bench(change=change)
-    assert [spec.name for spec in bench.rack.specs.values()] == ["B3", "Y1", "Y2", "Y3"]
-    assert sorted(bench.rack.specs) == [2, 3, 4, 5]
+    assert [spec.name for spec in bench.devices.specs.values()] == ["B3", "Y1", "Y2", "Y3"]
+    assert sorted(bench.devices.specs) == [2, 3, 4, 5]
     bench.sense(ticks=2)
 
 
@@ -100,7 +100,7 @@ def test_a_robot_without_any_device_still_has_a_program() -> None:
 
 def test_what_a_program_is_told_can_be_sent_as_json() -> None:
     change = {"robots": {"Y3": {"devices": {"lidar": {"device": "lidar"}}}}}
-    for spec in Bench(change=change).rack.specs.values():
+    for spec in Bench(change=change).devices.specs.values():
         assert json.loads(json.dumps(asdict(spec), allow_nan=False))["name"] == spec.name
 
 
@@ -120,5 +120,5 @@ def test_what_a_program_is_told_can_be_sent_as_json() -> None:
     ],
 )
 def test_what_a_program_can_ask_without_stepping(device: str, fact: str, value: object) -> None:
-    spec = Bench().rack.specs[3]
+    spec = Bench().devices.specs[3]
     assert next(one for one in spec.devices if one.name == device).facts[fact] == value

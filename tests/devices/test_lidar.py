@@ -215,8 +215,8 @@ def test_low_walls_of_2021_are_seen_for_the_plane_is_lower() -> None:
 
 
 def test_a_robot_without_lidar_has_no_numbers_for_it() -> None:
-    assert lidar_bench().rack.specs[0].values == 2
-    assert lidar_bench().rack.specs[5].values == 362
+    assert lidar_bench().devices.specs[0].values == 2
+    assert lidar_bench().devices.specs[5].values == 362
 
 
 def test_a_slow_head_with_few_cells_passes_none_of_them_in_most_ticks() -> None:

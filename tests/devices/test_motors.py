@@ -126,7 +126,7 @@ def test_a_robot_without_commands_is_braked() -> None:
 def test_a_dead_programs_wheels_stop(wheels: Callable[..., tuple[Bench, Wheels]]) -> None:
     bench, told = wheels()
     bench.drive("B1", 5, 5)
-    bench.rack.silence(0)
+    bench.devices.silence(0)
     assert told.told == {(0, "left"): (0, math.inf), (0, "right"): (0, math.inf)}
     bench.drive("B1", 5, 5)
     assert told.told == {(0, "left"): (0, math.inf), (0, "right"): (0, math.inf)}
@@ -140,7 +140,7 @@ def test_a_dead_program_stands_where_one_stands_that_sets_speed_0() -> None:
         bench.drive("Y1", 10, 6)
         bench.play(20)
         if dies:
-            bench.rack.silence(bench.roster.index["Y1"])
+            bench.devices.silence(bench.roster.index["Y1"])
         else:
             bench.drive("Y1", 0, 0)
         bench.play(20)

@@ -72,7 +72,7 @@ def test_a_pause_of_94_ticks_is_told_94_times() -> None:
 
 def test_the_first_packet_tells_of_tick_0() -> None:
     bench = Bench()
-    bench.rack.begin(WAITING)
+    bench.devices.begin(WAITING)
     bench.enable("Y1", RECEIVER)
     bench.sense(BLANK)
     assert told(bench) == [b"\x01"]
@@ -84,7 +84,7 @@ def test_v2_2_sends_json_text() -> None:
     bench.sense(WAITING)
     bench.sense(BLANK)
     assert told(bench) == [b'{"waiting_for_kickoff": false}', b'{"waiting_for_kickoff": true}']
-    assert bench.rack.specs[bench.roster.index["Y1"]].getdata_returns == "text"
+    assert bench.devices.specs[bench.roster.index["Y1"]].getdata_returns == "text"
 
 
 def test_a_declared_broadcast_follows_the_official_packet_as_json() -> None:

@@ -107,7 +107,7 @@ def test_a_slow_receiver_of_a_program_that_never_samples_is_bounded() -> None:
     bench = Bench()
     bench.enable("Y1", "supervisor receiver", period=10**9)
     bench.sense(ticks=18_000)
-    receiver = bench.rack._radio._receivers[bench.roster.index["Y1"], bench.device("Y1", "supervisor receiver")]
+    receiver = bench.devices._radio._receivers[bench.roster.index["Y1"], bench.device("Y1", "supervisor receiver")]
     assert len(receiver._held.take()) <= 16_384 + 32
 
 
@@ -116,12 +116,12 @@ def test_observations_do_not_change_afterwards() -> None:
     bench.enable("Y1", "gps")
     bench.sense()
     robot = bench.roster.index["Y1"]
-    first = bench.rack.observe(robot, bench.tick)
+    first = bench.devices.observe(robot, bench.tick)
     values, packets = list(first.values), list(first.packets)
     bench.place("Y1", 0.4, 0.4)
     bench.sense()
     assert (first.values, first.packets) == (values, packets)
-    assert bench.rack.observe(robot, bench.tick, over=True).over
+    assert bench.devices.observe(robot, bench.tick, over=True).over
 
 
 def test_a_request_for_devices_that_are_not_there_changes_nothing() -> None:
@@ -135,9 +135,9 @@ def test_a_request_for_devices_that_are_not_there_changes_nothing() -> None:
         emissions=((99, 3, b"x"), (motor, 3, b"x")),
         frequencies=((99, 5.0), (bench.device("Y1", "gps"), 5.0)),
     )
-    bench.rack.apply(robot, request)
+    bench.devices.apply(robot, request)
     bench.sense()
-    observation = bench.rack.observe(robot, 1)
+    observation = bench.devices.observe(robot, 1)
     assert all(map(math.isnan, observation.values))
     assert observation.packets == []
 
@@ -145,10 +145,10 @@ def test_a_request_for_devices_that_are_not_there_changes_nothing() -> None:
 def test_a_dead_program_costs_no_more_sampling() -> None:
     bench = Bench()
     bench.enable("Y1", *NUMBERS, "supervisor receiver")
-    bench.rack.silence(bench.roster.index["Y1"])
+    bench.devices.silence(bench.roster.index["Y1"])
     bench.enable("Y1", *NUMBERS)
     bench.sense(ticks=5)
-    assert not bench.rack._sensors[bench.roster.index["Y1"]]._due
+    assert not bench.devices._sensors[bench.roster.index["Y1"]]._due
     assert bench.heard("Y1", "supervisor receiver") == []
 
 

@@ -137,7 +137,7 @@ def test_a_receiver_that_is_not_enabled_is_deaf(bench: Bench) -> None:
 
 
 def test_blue_has_channel_2_and_yellow_3() -> None:
-    specs = Bench().rack.specs
+    specs = Bench().devices.specs
     channels = {
         spec.name: {d.facts["channel"] for d in spec.devices if d.name.startswith("team")} for spec in specs.values()
     }
@@ -173,7 +173,7 @@ def test_a_team_may_use_a_free_channel_and_even_there_is_among_itself(bench: Ben
 def test_robots_of_both_colours_are_one_team_if_one_entrant_drives_them() -> None:
     robots = dict.fromkeys(("Y1", "Y2", "B1", "B2"), "play.py")
     bench = Bench(change={"entrants": {"blue": None, "yellow": None, "passers": {"robots": robots}}})
-    assert [spec.name for spec in bench.rack.specs.values()] == ["B1", "B2", "Y1", "Y2"]
+    assert [spec.name for spec in bench.devices.specs.values()] == ["B1", "B2", "Y1", "Y2"]
     for name in robots:
         bench.place(name, 0.1 * len(name), 0)
     bench.place("B1", -0.3, 0)
@@ -186,13 +186,13 @@ def test_robots_of_both_colours_are_one_team_if_one_entrant_drives_them() -> Non
 def test_two_entrants_never_share_a_channel() -> None:
     bench = Bench(change={"entrants": {"blue": {"radio_channel": 5}, "yellow": {"radio_channel": 5}}})
     channels = {
-        d.facts["channel"] for spec in bench.rack.specs.values() for d in spec.devices if d.name == "team receiver"
+        d.facts["channel"] for spec in bench.devices.specs.values() for d in spec.devices if d.name == "team receiver"
     }
     assert channels == {5, 6}
 
 
 def test_a_team_never_has_the_referees_channel() -> None:
-    specs = Bench(change={"entrants": {"blue": {"radio_channel": 1}}}).rack.specs
+    specs = Bench(change={"entrants": {"blue": {"radio_channel": 1}}}).devices.specs
     assert next(d.facts["channel"] for d in specs[0].devices if d.name == "team emitter") == 2
 
 
@@ -235,7 +235,7 @@ def test_what_a_robot_had_not_sent_when_it_was_removed_is_lost(bench: Bench) -> 
 
 def test_a_dead_program_sends_nothing_more(bench: Bench) -> None:
     bench.send("Y1", b"last words")
-    bench.rack.silence(bench.roster.index["Y1"])
+    bench.devices.silence(bench.roster.index["Y1"])
     bench.send("Y1", b"from beyond")
     bench.sense(ticks=3)
     assert heard(bench, "Y2") == []

@@ -30,7 +30,7 @@ def bench() -> Bench:
 
 def told(bench: Bench) -> dict[str, str]:
     """Let a tick pass; return what the referee hears at its judgement."""
-    heard = bench.rack.told_referee(bench.tick + 1)
+    heard = bench.devices.messages_to_referee(bench.tick + 1)
     bench.sense()
     return {ROBOTS[robot]: text for robot, text in heard}
 
@@ -49,7 +49,7 @@ def test_no_robot_hears_it_and_what_goes_to_the_team_the_referee_does_not_hear(b
     bench.send("Y1", b"FOUND", channel=1)
     bench.send("Y2", b"hello")
     assert told(bench) == {"Y1": "FOUND"}
-    heard = {robot: bench.rack.observe(bench.roster.index[robot], bench.tick).packets for robot in ROBOTS}
+    heard = {robot: bench.devices.observe(bench.roster.index[robot], bench.tick).packets for robot in ROBOTS}
     teams = {
         robot: [p.data for p in heard[robot] if p.device == bench.device(robot, "team receiver")] for robot in ROBOTS
     }
@@ -75,7 +75,7 @@ def test_who_is_taken_off_the_field_or_silenced_is_not_heard(bench: Bench) -> No
     bench.send("Y2", b"a", b"b", channel=1)
     assert told(bench) == {"Y1": "a", "Y2": "a"}
     bench.park("Y1")
-    bench.rack.silence(ROBOTS.index("Y2"))
+    bench.devices.silence(ROBOTS.index("Y2"))
     bench.sense()
     assert told(bench) == {}
     bench.place("Y1", 0, 0)
@@ -84,15 +84,15 @@ def test_who_is_taken_off_the_field_or_silenced_is_not_heard(bench: Bench) -> No
 
 
 def test_the_emitter_may_be_set_to_its_channel_only_where_a_rule_listens(bench: Bench) -> None:
-    listening = emitter_of(bench.rack.specs[0])
+    listening = emitter_of(bench.devices.specs[0])
     assert listening["referee_channels"] == [1]
     assert listening["refused_channels"] == [-1, 3]
     silent = Bench()
-    facts = emitter_of(silent.rack.specs[0])
+    facts = emitter_of(silent.devices.specs[0])
     assert "referee_channels" not in facts
     assert facts["refused_channels"] == [-1, 1, 3]
     silent.send("B1", b"FOUND", channel=1)
-    assert silent.rack.told_referee(1) == ()
+    assert silent.devices.messages_to_referee(1) == ()
 
 
 def test_on_the_other_teams_channel_it_hears_nothing(bench: Bench) -> None:
@@ -112,8 +112,8 @@ def test_what_the_referee_has_not_heard_yet_leaves_the_team_its_radio(bench: Ben
 def test_a_flood_of_messages_has_its_bounds_in_packets_and_in_bytes() -> None:
     emitter = Emitter(0, 1.0, baud=10**9, max_packet_bytes=BACKLOG_BYTES)
     for data in (b"x" * (BACKLOG_BYTES - 1), b"y", b"lost"):
-        emitter.tell_referee(data, 0)
-    assert [len(emitter.told_referee(99) or b"") for _ in range(3)] == [BACKLOG_BYTES - 1, 1, 0]
+        emitter.send_to_referee(data, 0)
+    assert [len(emitter.messages_to_referee(99) or b"") for _ in range(3)] == [BACKLOG_BYTES - 1, 1, 0]
     for _ in range(BACKLOG_PACKETS + 1):
-        emitter.tell_referee(b"x", 99)
-    assert sum(emitter.told_referee(200) is not None for _ in range(BACKLOG_PACKETS + 1)) == BACKLOG_PACKETS
+        emitter.send_to_referee(b"x", 99)
+    assert sum(emitter.messages_to_referee(200) is not None for _ in range(BACKLOG_PACKETS + 1)) == BACKLOG_PACKETS

@@ -11,7 +11,7 @@ import pytest
 
 from rcj_challenges.facts.traffic import Request
 from rcj_challenges.robots.fitting import fit, fixed_rays
-from rcj_challenges.robots.manager import DeviceRack
+from rcj_challenges.robots.manager import DeviceManager
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world import contact
 from rcj_challenges.world.rays import add_fixed_rays
@@ -53,18 +53,18 @@ class Tipping:
     """Turns the robot, and reads what it senses."""
 
     ground: FreeGround
-    rack: DeviceRack
+    devices: DeviceManager
     tick: int = 0
 
     def read(self, device: str) -> list[float]:
-        spec = next(one for one in self.rack.specs[0].devices if one.name == device)
-        return self.rack.observe(0, self.tick).values[spec.slot : spec.slot + spec.width]
+        spec = next(one for one in self.devices.specs[0].devices if one.name == device)
+        return self.devices.observe(0, self.tick).values[spec.slot : spec.slot + spec.width]
 
     def sense(self, height: float, quaternion: tuple[float, float, float, float]) -> list[Any]:
         self.ground.turn(height, quaternion)
         self.tick += 1
-        self.rack.sense(self.tick, BLANK)
-        return [packet for packet in self.rack._queues[0].take() if packet.strength != 1.0]
+        self.devices.sense(self.tick, BLANK)
+        return [packet for packet in self.devices._queues[0].take() if packet.strength != 1.0]
 
 
 @pytest.fixture
@@ -88,12 +88,12 @@ def tipping() -> Tipping:
     add_fixed_rays(spec, fixed_rays(fit(scenario, roster)))
     model = spec.compile()
     ground = FreeGround(model, mujoco.MjData(model))
-    rack = DeviceRack(scenario, roster, ground, half())
-    sampled = [one.index for one in rack.specs[0].devices if one.kind not in ("motor", "emitter")]
+    devices = DeviceManager(scenario, roster, ground, half())
+    sampled = [one.index for one in devices.specs[0].devices if one.kind not in ("motor", "emitter")]
     ground.turn(0.0375, (1, 0, 0, 0))
-    rack.begin(BLANK)
-    rack.apply(0, Request(1, sampling=tuple((index, 1) for index in sampled)))
-    return Tipping(ground, rack)
+    devices.begin(BLANK)
+    devices.apply(0, Request(1, sampling=tuple((index, 1) for index in sampled)))
+    return Tipping(ground, devices)
 
 
 def test_a_robot_that_rocks_keeps_a_level_frame(tipping: Tipping) -> None:
@@ -167,4 +167,4 @@ def test_the_lidar_of_a_robot_that_leans_stands_above_its_body_and_not_above_the
 def test_a_robot_on_its_nose_keeps_its_last_yaw(tipping: Tipping) -> None:
     tipping.sense(0.0375, about((0, 0, 1), 1.0))
     tipping.sense(0.0375, about((0, 1, 0), math.pi / 2))
-    assert tipping.rack._poses.robots[0].yaw == pytest.approx(1.0)
+    assert tipping.devices._poses.robots[0].yaw == pytest.approx(1.0)
