@@ -81,7 +81,7 @@ def report(folder: Path) -> dict[str, object]:
         load_text(text.replace("noise_m: 0.001", "noise_m: -1"))
         refused = []
     except ScenarioError as error:
-        refused = [problem.path for problem in error.problems]
+        refused = [one.where.path for one in error.diagnostics]
     use_controller_with(folder / "pupil")
     place = Place(folder)
     robot = "robots.B1.devices={midline: {device: midline, noise_m: 0.001}}"
