@@ -1,4 +1,4 @@
-"""Whether a submission will play: the tournament's own steps, told in words that a pupil understands.
+"""Whether a submission will play: the tournament's own steps, in words that a pupil understands.
 
 Belongs here: the stages of ``check`` (`archives`, `layout`, `identity`, `sources`, `starting`, `playing`), what to do
 about programs that fail (`advice`), repairs (`repair`), and the report as text, HTML and data.

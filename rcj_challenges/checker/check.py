@@ -309,7 +309,7 @@ def _carried_out(found: _Findings, name: StageName, stage: Callable[[], Stage]) 
 
 
 def _raise_if_of_the_host(error: Exception) -> None:
-    """Raise what tells of this computer's own limits as such; do nothing about other errors.
+    """Raise a host error for an error that is about this computer; do nothing about others.
 
     Raises:
         HostError: this computer is the reason.

@@ -111,7 +111,7 @@ class Amounts:
 
     def ticked(self, tick: int) -> None:
         """Take note of everything, if it is time."""
-        if tick % EVERY_TICKS != 1:  # just after a match has told what was printed, which it does every 16 ticks
+        if tick % EVERY_TICKS != 1:  # just after a match has passed on what was printed, which it does every 16 ticks
             return
         for robot, so_far_bytes in self._so_far.items():
             self.printed[robot].note(tick, so_far_bytes)

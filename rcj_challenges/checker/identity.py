@@ -1,4 +1,4 @@
-"""Who the team is: its name and its logo."""
+"""A team's name and logo."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Logo:
     """A team's logo.
 
     Attributes:
-        path: the file that is, or was meant to be, the logo; None without one.
+        path: the logo, or the file that is probably the logo; None without one.
         shown: the picture as it may be shown; None if there is none that may be.
         findings: what is odd about it.
     """

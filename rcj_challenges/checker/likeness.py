@@ -1,4 +1,4 @@
-"""Names of folders and files that were meant to be another one, and names that programs mention."""
+"""Names of folders and files that are almost the right ones, and names that programs mention."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def like_an_entry(path: PurePosixPath) -> bool:
 
 
 def alike(name: str, wanted: str) -> bool:
-    """Whether a name was meant to be another one: spelled otherwise, or with something added; never another number."""
+    """Return whether a name is probably another one, misspelt or with something added; never with another number."""
     one, other = (re.sub(r"[\W_]", "", text.casefold()) for text in (name, wanted))
     if one == other:
         return True

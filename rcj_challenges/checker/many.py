@@ -96,7 +96,7 @@ def check_many(
 
 
 def work() -> None:
-    """Check one submission in this process: what it is told comes on standard input, the report goes out as JSON."""
+    """Check one submission in this process: the job is JSON on standard input, the report JSON on standard output."""
     signal.signal(signal.SIGINT, _leave)
     told = json.loads(sys.stdin.buffer.read())
     named = Called(**told["called"])

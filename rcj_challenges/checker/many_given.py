@@ -1,4 +1,4 @@
-"""Which submissions are meant by what was given, what they are called, and what lies beside them."""
+"""Finds the submissions among the paths that were given, their names, and what lies beside them."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.facts.sanitize import sanitize
 
 ARCHIVES = frozenset({".zip", ".rar", ".7z", ".tar", ".gz", ".tgz", ".bz2", ".xz"})
-"""Endings of what was meant to be a submission; all but ZIPs get the verdict that they are none."""
+"""Endings of archives; all but ZIPs fail the check."""
 
 _MOST_OLD_ARCHIVES = 1
 """Beside programs one archive is an older state of them; several are what was handed in."""
@@ -26,7 +26,7 @@ class Called:
     """What a submission is called; no two of one check are called the same.
 
     Attributes:
-        name: its file's name, with as many folders before it as tell it from the others; safe to show.
+        name: its file's name, with as many folders before it as make it unique; safe to show.
         slug: how the names of its replay pages begin: legal everywhere, whatever the file is called.
     """
 

@@ -2,7 +2,7 @@
 
 The same places in the same order as `controllers` gives a program: its own folder, the folder above (which holds all
 of a team's programs), Python's library, then numpy and scipy. A program that changes ``sys.path`` may find modules in
-any of its folders; there only running it can tell.
+any of its folders; there only running it can show.
 """
 
 from __future__ import annotations

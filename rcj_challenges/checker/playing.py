@@ -26,7 +26,7 @@ _ABSENT_SHARE = 0.05  # a program that steps 640 ms at a time takes part in as m
 _SLOW_SHARE = 0.5
 _TOO_SLOW_SHARE = 2.0  # this computer may be slower than the tournament's, and is busy with other things
 _MUCH_SHARE = 0.5
-_TOO_MUCH_SHARE = 2.0  # it would be ended before the middle of a half; for less, ten seconds tell too little
+_TOO_MUCH_SHARE = 2.0  # it would be ended before the middle of a half; for less, ten seconds are too short
 _MOST_COMPLAINTS = 5
 # What the controller module writes into a log, and what to do: errors, and those of its warnings behind which there may
 # be a mistake.
@@ -48,7 +48,7 @@ _THREAD_ENDED = re.compile(
     re.MULTILINE,
 )
 _PRINT_LESS = "print less: only what changes, or in every 30th step"
-_WRITE_LESS = 'write less: in every 30th step, or begin the file anew now and then (open(…, "w"))'
+_WRITE_LESS = 'write less: in every 30th step, or start the file again now and then (open(…, "w"))'
 
 
 @dataclass(frozen=True)
@@ -98,7 +98,7 @@ def check_play(rehearsal: Rehearsal, seconds: float, known: Collection[tuple[str
         side = f"as {seat}, " if len(seats) > 1 else ""
         match = rehearse(rehearsal, (seat,), seconds)
         if _slow(rehearsal, match, side) and not match.faults:
-            # The same match once more: what was slow because this computer was busy will hardly be so twice.
+            # Play the same match again: a busy computer is probably not busy twice.
             match.waits.update(_shorter(match.waits, rehearse(rehearsal, (seat,), seconds).waits))
         played.matches.append(match)
         missing = {found: robots for found, robots in missing_by_device(match).items() if found not in known}
@@ -140,8 +140,8 @@ def _absent_findings(match: Rehearsed, absent: Mapping[str, int], side: str) -> 
         alike.setdefault(steps, []).append(robot)
     ticks = ticks_from_s(match.simulated_s)
     remedy = (
-        "look for time.sleep, a wait, or a step of many seconds: meanwhile the robot goes on as it was told last, and "
-        "sees nothing; in a loop call robot.step(32) instead, and compare robot.getTime()"
+        "look for time.sleep, a wait, or a step of many seconds: meanwhile the motors keep their last speeds, and "
+        "the robot sees nothing; in a loop call robot.step(32) instead, and compare robot.getTime()"
     )
     return [
         Finding(
@@ -276,7 +276,7 @@ def _shorter(first: Mapping[str, ProgramTimes], second: Mapping[str, ProgramTime
 
 
 def _threads(match: Rehearsed, side: str) -> list[Finding]:
-    """Return what ended threads of the program: it goes on, so that nobody else tells of it."""
+    """Return the errors that ended threads of a program that goes on."""
     ended: dict[str, tuple[str, list[str]]] = {}
     for robot in match.motions:
         for found in _THREAD_ENDED.finditer(match.log(robot)):

@@ -65,7 +65,7 @@ def loaded_before(sandbox: str) -> frozenset[str]:
 
 
 def _asked(sandbox: str) -> frozenset[str]:
-    """Return the names that a program finds taken; none if it does not come to tell them."""
+    """Return the names that are taken when a program starts; none if it does not report them."""
     with PrivateFolders() as folders:
         folder = folders.place
         probe = folder / "probe.py"

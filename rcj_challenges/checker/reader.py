@@ -23,11 +23,11 @@ from typing import Any, NamedTuple
 MEMORY_BYTES = 2_000_000_000
 """Far above what any honest file needs; where the system lets us, Python gets no more."""
 PROCESSOR_S = 30
-"""More than anybody waits for an answer: so this process comes to an end also where nobody is left who could end it."""
+"""Longer than the check waits for an answer: this process ends even if its parent is gone."""
 
 _CATCHES = frozenset({"ImportError", "ModuleNotFoundError", "Exception", "BaseException"})
 _CATCHES_UNREADABLE = frozenset({"SyntaxError", "IndentationError"})
-"""What is raised where the file is there and cannot be read: whether it comes to that, only running it can tell."""
+"""What is raised for a file that exists and cannot be read: only running it can show whether that happens."""
 
 _IMPORTS = (ast.Import, ast.ImportFrom)
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
@@ -239,7 +239,7 @@ def _one_after_the_other(spot: _Spot, nodes: Sequence[ast.AST]) -> list[_Spot]:
 def _first_imports(spot: _Spot, nodes: Sequence[ast.AST]) -> list[_Spot]:
     """Return statements of which any may be the last, because what goes wrong is caught.
 
-    Of imports each is told of by itself, so those at the beginning are as good as carried out.
+    Each import is reported by itself, so those at the beginning count as carried out.
     """
     first = next((place for place, node in enumerate(nodes) if not isinstance(node, _IMPORTS)), len(nodes))
     return _each(spot, nodes[: first + 1], certain=True) + _each(spot, nodes[first + 1 :], certain=False)

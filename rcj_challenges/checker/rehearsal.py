@@ -36,7 +36,7 @@ _STAND = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) !=
 
 @dataclass(frozen=True)
 class Rehearsal:
-    """What is played, and with whom.
+    """What is played, and which team plays.
 
     Attributes:
         loaded: the scenario in its full length.
@@ -86,7 +86,7 @@ class Rehearsed:
         folder: its record.
         result: as in ``result.json``.
         faults: of the team's robots, in order, as in the result.
-        faults_of_others: of all other robots, likewise.
+        faults_of_others: of all other robots, in the same form.
         motions: by robot of the team.
         waits: by robot of the team.
         printed: how much the programs of the team printed, by robot.
@@ -126,7 +126,7 @@ def rehearse(rehearsal: Rehearsal, seats: tuple[str, ...], seconds: float) -> Re
     """Play for some simulated seconds.
 
     Args:
-        rehearsal: what, with whom.
+        rehearsal: what is played.
         seats: those that the team takes; a sample team takes each of the others, or the team itself where there is
             none that fits; if that does not fit either, the robots there stand still.
         seconds: simulated time, at most a half.

@@ -19,7 +19,7 @@ HIDDEN_ENDING = ".py.txt"
 
 _MAX_DEPTH = 3
 _MAX_FOLDERS = 20
-_MAX_PROGRAMS = 200  # among more files names do not show which was meant
+_MAX_PROGRAMS = 200  # among more files names are not enough
 _GENERIC_NAMES = frozenset({"main", "robot", "player"})
 _OF_A_SCENARIO = re.compile(r"rcj_soccer_|score_goal|pass_ball|robot_?\d", re.IGNORECASE)
 
@@ -164,7 +164,7 @@ def _find(entry: PurePosixPath, files: Files, seats: Sequence[Entrant], *, is_on
 
 
 def _likeness(path: PurePosixPath, entry: PurePosixPath, *, is_alone: bool) -> int:
-    """Return how much the names suggest that a file is meant to be an entry point; 0 if too little."""
+    """Return how much the names suggest that a file is an entry point; 0 if too little."""
     is_same, is_like = path.name == entry.name, alike(path.stem, entry.stem)
     is_hidden = path.name.casefold() == entry.name + ".txt"
     if len(entry.parts) == 1:

@@ -1,4 +1,4 @@
-"""Writing a submission anew with everything put right that needs no thought. Programs are moved, never changed."""
+"""Writes a repaired copy of a submission: only repairs that need no decision. Programs are moved, never changed."""
 
 from __future__ import annotations
 
@@ -33,14 +33,14 @@ _FIRST_DAY = (1980, 1, 1, 0, 0, 0)  # the earliest that a ZIP can say
 _FILE_MODE, _FOLDER_MODE = 0o100644 << 16, 0o040755 << 16
 _FOLDER_MARK = 0x10
 _UNIX = 3
-# What writing the archive anew puts right by itself, and how to say so.
+# What a new archive repairs by itself, and how to say so.
 _BY_WRITING = {
     "archive.leftovers": "left out what is none of the team's work (of the system, of editors, records of runs)",
     "archive.backslashes": "separated folders and files by /",
     "archive.no_folders": "added entries for the folders",
     "archive.prepended": "left out what stood before the archive",
     "archive.trailing": "left out what followed the archive",
-    "archive.headers": "wrote sizes and checksums anew",
+    "archive.headers": "corrected sizes and checksums",
     "archive.outside_folder": "left out folders that led out of the archive",
     "archive.duplicate": "kept one of two equal files",
 }
@@ -100,7 +100,7 @@ def repair(path: Path, out: Path, scenario: Scenario) -> Repaired:
 
 
 def _hopeless(found: Inspection) -> list[str]:
-    """Return why nothing can be written: parts cannot be read, or it is unclear which file is meant."""
+    """Return why nothing can be written: parts cannot be read, or it is unclear which file to use."""
     contents = found.opening.contents
     if not contents.complete or any(not trouble.repair for trouble in contents.refused):
         return [str(trouble) for trouble in contents.refused]
@@ -150,7 +150,7 @@ def _corrected(found: Inspection, done: list[str]) -> Files:
     contents = found.opening.contents
     codes = dict.fromkeys(trouble.code for trouble in contents.troubles if trouble.repair)
     done += [told_as for code, told_as in _BY_WRITING.items() if code in codes]
-    # The new archive tells in which encoding its names are: nothing shows any more that they were guessed.
+    # The new archive names the encoding of its file names: nothing shows any more that it was guessed.
     guessed = (trouble for trouble in contents.troubles if trouble.code == "archive.name_guessed")
     done += [
         f"wrote names as they were read, maybe wrongly; use plain letters: {trouble.message.partition(': ')[2]}"
@@ -273,7 +273,7 @@ def _with_a_logo(files: Files, done: list[str]) -> Files:
 
 
 def _placed(files: Files, old: PurePosixPath, new: PurePosixPath, content: bytes) -> Files:
-    """Return the files with one put at the top; in a folder, where a program may want it, it stays as well."""
+    """Return the files with one put at the top; a copy stays in its folder, where a program may need it."""
     kept = {path: data for path, data in files.items() if path != old or len(old.parts) > 1}
     return dict(sorted((kept | {new: content}).items()))
 

@@ -86,7 +86,7 @@ class FileReport(_Part):
 
     file: str = _described("name of the file or folder, with folders before it where another has the same name")
     level: Level = _described(
-        "the verdict: passed, warning (it plays, but look at what is told), failure, "
+        "the verdict: passed, warning (it plays, but look at the findings), failure, "
         "or unchecked (nothing is known: the check itself could not be carried out)"
     )
     cause: str = _described("what to put right first and how, in one line; empty if all is in order", default="")

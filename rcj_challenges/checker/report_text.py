@@ -34,7 +34,7 @@ _WIDE = 160
 
 
 def print_report(console: Console, report: CheckReport) -> None:
-    """Print one submission in full; of several a table, and in full only those with something to tell."""
+    """Print one submission in full; of several a table, and in full only those with findings."""
     if not console.is_terminal:
         console.width = max(console.width, _WIDE)  # a file or a pipe has no width
     single = is_single(report)

@@ -40,14 +40,14 @@ class _Weight(Enum):
 
     FATAL = "it ends, for it comes there at once"
     CAUGHT = "it is ready for that"
-    IF_REACHED = "only running it can tell whether it comes there"
+    IF_REACHED = "only running it can show whether it comes there"
 
 
 def check_sources(team: Team, sandbox: str = "auto") -> Stage:
     """Look at the Python files of a team without running them.
 
-    Failures are told of what a program runs for certain as soon as it is started, by itself or by importing; of all
-    else only warnings: the stages that run it decide.
+    Failures are reported for what a program certainly runs when it is started, by itself or by importing; for all else
+    warnings: the stages that run it decide.
 
     Args:
         team: whose files.
@@ -293,7 +293,7 @@ class _Walk:
         elif weight is _Weight.IF_REACHED:
             self._add(unit, wanted, "warning", f"{_CONDITIONAL}{code}", message + _ONLY_IF_REACHED, remedy)
         elif self._makes_modules and code == "missing_module":
-            self._add(unit, wanted, "warning", f"{_CONDITIONAL}{code}", message + _RUNNING_TELLS, remedy)
+            self._add(unit, wanted, "warning", f"{_CONDITIONAL}{code}", message + _RUNNING_SHOWS, remedy)
         else:
             self._add(unit, wanted, "failure", code, message, remedy)
 
@@ -334,7 +334,7 @@ def _unreadable(
         if path not in used:
             message += "; no program seems to use this file"
         elif not used[path] and code not in _NOT_LOOKED_INTO:
-            message += _RUNNING_TELLS
+            message += _RUNNING_SHOWS
         yield Finding(f"sources.{code}", level, message, remedy, where)
 
 
@@ -345,7 +345,7 @@ _MAKES_MODULES = re.compile(
 _OPTIONAL = "optional_"
 _CONDITIONAL = "conditional_"
 _ONLY_IF_REACHED = "; that ends the program only if it is reached"
-_RUNNING_TELLS = "; only running the programs can tell whether that ends one"
+_RUNNING_SHOWS = "; only running the programs can show whether that ends one"
 _IN_A_MATCH = "in a match there are only Python's own library, numpy and scipy"
 _NOT_LOOKED_INTO = ("large", "too_many_imports", "unread")
 

@@ -399,7 +399,7 @@ def replay(
     run: Annotated[Path | None, typer.Argument(metavar="RUN", help="A record's folder; left out: the newest.")] = None,
     out: _Out = Path("runs"),
 ) -> None:
-    """Write the replay page of a record anew."""
+    """Write the replay page of a record again."""
     from rcj_challenges.cli.view import rebuild_replay
 
     raise typer.Exit(rebuild_replay(run, out))

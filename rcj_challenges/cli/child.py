@@ -12,13 +12,13 @@ from rcj_challenges.cli import INTERRUPTED
 from rcj_challenges.cli import main as command
 
 _CLOSE_S = 1.0
-"""So long a match may take to close its record when nobody waits for it any more."""
+"""How long a match may take to close its record after its parent is gone."""
 
 
 def main() -> None:
     """Run the command line. Standard input is the lifeline: a pipe that ends when the parent does."""
     lifeline = os.dup(0)
-    # On Windows whoever asks anything about a pipe waits for the thread that reads it: nobody else may have this one.
+    # On Windows any call on a pipe blocks while a thread reads from it, so nothing else may use this one.
     nowhere = os.open(os.devnull, os.O_RDONLY)
     os.dup2(nowhere, 0)
     os.close(nowhere)

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from rcj_challenges.scenario.models.scenario import Scenario
 
 _MOST_SHOWN = 40
-"""Lines about events that differ: a rule that changes the score changes what all later goals tell."""
+"""Lines about events that differ: a rule that changes the score changes the payloads of all later goals."""
 
 
 @dataclass(frozen=True)

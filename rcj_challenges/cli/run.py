@@ -126,7 +126,7 @@ def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Observer]:
     for robot in (*options.show_output, *options.debug):
         known(robot, robots, "robot")
 
-    # The physics is imported while nobody waits for it yet: opening teams is quick, compiling is not.
+    # The physics is imported here, before the match begins: opening teams is quick, compiling is not.
     from rcj_challenges.match.runner import MatchPlan
     from rcj_challenges.views.console import console_for
     from rcj_challenges.views.scoreboard import create_observer
@@ -160,7 +160,7 @@ def _say_how_to_debug(console: Console) -> None:
 
 @dataclass(frozen=True)
 class _Played:
-    """What there is to tell of: what was to be played, what came of it, and which robots never set off."""
+    """What is printed: the plan, the outcome, and the robots that never moved."""
 
     plan: MatchPlan
     outcome: PlayedMatch
@@ -174,7 +174,7 @@ def _tell(options: RunOptions, console: Console, played: _Played, trouble: OSErr
         options: as given.
         console: where to say it.
         played: what was played.
-        trouble: why the match could not be told as it was played; None: it could.
+        trouble: why the match could not be shown while it was played; None: it could.
 
     Raises:
         HostError: something cannot be written; the match counts all the same.
@@ -217,8 +217,8 @@ def _tell_all(options: RunOptions, console: Console, played: _Played) -> None:
             _summary(console, scenario, outcome, hints, replay=replay)
 
     wanted = options.replay and _has_ticks(outcome)
-    try:  # whatever comes of the advice and the page, the match is told
-        # Who had the terminal and left the debugger knows what it is for.
+    try:  # whatever happens to hints and page, the result is printed
+        # A robot that was debugged needs no hint about its debugger.
         faults = [fault for fault in outcome.result["faults"] if fault["robot"] not in options.debug]
         failed = {fault["robot"] for fault in outcome.result["faults"]}
         standing = [robot for robot in played.standing if robot not in failed]

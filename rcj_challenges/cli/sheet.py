@@ -25,7 +25,7 @@ def sheet(scenario: str, out: Path | None, overrides: list[str]) -> int:
     check_ending(out, (".md", *_HTML), "its name must end in .md or .html")
     loaded = load(scenario, overrides)
     if out is None:
-        # Who reads it in a terminal does not read a drawing's source; a file or another program gets all of it.
+        # A terminal does not show the source of a drawing; a file or another program gets all of it.
         command = f"rcj-challenge draw {shell_quoted(scenario)} --out field.svg"
         picture = f"The drawing: `{command}`" if sys.stdout.isatty() else None
         return deliver(sheet_markdown(loaded.scenario, loaded.roster, picture), None)

@@ -57,7 +57,7 @@ class SimulateOptions:
 def simulate(options: SimulateOptions) -> int:
     """Play all seeds; returns 0, else 3 if one could not be played, or 2 if that is for the input or this computer.
 
-    What was played is told in any case.
+    What was played is printed in any case.
 
     Raises:
         RcjError: wrong input, so that none was played.

@@ -53,7 +53,7 @@ def say_progress(console: Console, line: str) -> None:
 
 
 def output_error(error: OSError) -> HostError:
-    """Return what is wrong with our output as an error that says where it goes, if it is a file and Linux tells."""
+    """Return what is wrong with our output as an error, with the name of the file that it goes to (on Linux)."""
     where = ""
     with contextlib.suppress(OSError, ValueError):
         if _is_file(sys.stdout):
@@ -66,7 +66,7 @@ def is_output_error(error: BaseException) -> TypeGuard[OSError]:
     """Return whether an error, one without a file's name, is that of our output, a file on a disk that is full."""
     if not isinstance(error, OSError) or error.filename is not None or not is_no_room(error):
         return False
-    with contextlib.suppress(OSError, ValueError, AttributeError):  # Windows does not tell what is free so
+    with contextlib.suppress(OSError, ValueError, AttributeError):  # Windows has no such call
         return _is_file(sys.stdout) and not os.fstatvfs(sys.stdout.fileno()).f_bavail
     return False
 
@@ -104,7 +104,7 @@ def replace_unencodable() -> None:
 
 
 def detect_closed_pipes() -> None:
-    """Let output that nobody reads any more be a broken pipe also where the system tells it otherwise (Windows)."""
+    """Raise a broken pipe for output without a reader also on Windows, which reports it otherwise."""
     for name in ("stdout", "stderr"):
         stream = getattr(sys, name)
         with contextlib.suppress(OSError, AttributeError):

@@ -1,4 +1,4 @@
-"""Who plays where: from ``--team ENTRANT=PATH`` to opened teams."""
+"""The teams of a match: from ``--team ENTRANT=PATH`` to opened teams."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def _opened(path: Path, seats: tuple[Entrant, ...], scenario: Scenario) -> Team:
     """Open a team that plays for some seats.
 
     Raises:
-        TeamError: it cannot be; of programs that are not where they are asked for, as ``check`` tells it.
+        TeamError: it cannot be; for missing programs with the code and help of ``check``.
     """
     from rcj_challenges.controllers.team import TeamError, look_into, open_team
 
@@ -103,7 +103,7 @@ def _why_no_sample_team(scenario: Scenario, seat: str, bases: Sequence[Scenario]
 
 
 def _programs_of(scenario: Scenario, seat: str) -> str:
-    """Return what a team must bring: each program, whom it drives, and of which kit those are."""
+    """Return what a team must bring: each program, its robots, and their kits."""
     driven: dict[str, list[str]] = {}
     for robot, entry in scenario.entrants[seat].robots.items():
         driven.setdefault(entry if isinstance(entry, str) else entry[0], []).append(robot)

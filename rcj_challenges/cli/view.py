@@ -25,7 +25,7 @@ def view_record(run: Path | None, out: Path) -> int:
 
 
 def rebuild_replay(run: Path | None, out: Path) -> int:
-    """Write a record's page anew and print where it is; returns the exit code.
+    """Write a record's page again and print where it is; returns the exit code.
 
     Raises:
         RecordError: there is no such record, or nothing in it can be shown.
@@ -67,7 +67,7 @@ def list_records(out: Path) -> int:
         started = row.result.started[:19].replace("T", " ")
         rows.append((sanitize(row.folder.name), started, row.result.scenario, score))
     console = console_for()
-    if console.width < _NARROW:  # a table would cut off what it tells
+    if console.width < _NARROW:  # a table would cut off its cells
         for cells in rows:
             line = "  ".join(cell for cell in cells if cell)
             console.print(line, markup=False, highlight=False, soft_wrap=True)

@@ -35,7 +35,7 @@ def checked(folder: Path, program: str) -> Stage:
 def test_of_a_broken_file_whose_error_is_caught_only_running_tells(tmp_path: Path, program: str) -> None:
     (found,) = checked(tmp_path, program).findings
     assert (found.code, found.level) == ("sources.syntax", "warning")
-    assert "only running the programs can tell" in found.message
+    assert "only running the programs can show" in found.message
 
 
 @pytest.mark.parametrize(

@@ -63,7 +63,7 @@ def test_who_asks_for_what_robots_of_another_challenge_have_is_told_of_that_one(
 def test_who_goes_on_with_what_only_a_referee_gets_is_told_so_in_the_middle_of_the_match_too(pack):
     program = BEGIN.replace("Robot", "Supervisor") + "ball = robot.getFromDef('BALL')\n" + LOOP + "ball.getPosition()\n"
     (crash,) = findings(check_file(pack(program), ALONE, LATE), "play", "play.crash")
-    assert crash.remedy.startswith("getFromDef returned None: only a referee is told where things are")
+    assert crash.remedy.startswith("getFromDef returned None: only a referee knows where things are")
 
 
 def test_a_device_that_is_asked_for_late_in_vain_is_a_warning_too(pack):

@@ -26,7 +26,7 @@ def test_of_a_program_that_makes_modules_itself_only_running_tells_what_is_missi
     stage = check(trick + "import werkzeug\n", rcj_soccer_team_blue__tools="x = 1\n")
     assert codes(stage) == ["conditional_missing_module"]
     assert only(stage).level == "warning"
-    assert "only running the programs can tell" in only(stage).message
+    assert "only running the programs can show" in only(stage).message
 
 
 @pytest.mark.parametrize("moved", ["import sys as s\ns.path.append('lib')\n", "exec(open('paths.txt').read())\n"])

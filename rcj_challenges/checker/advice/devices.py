@@ -61,7 +61,7 @@ def none_hint(scenario: Scenario, team: Team, robot: str, detail: str, log: str)
         called = [call for call in calls if f"{call}(" in origins] or ([] if missing else calls)
         if called:
             others = "a player asks its own devices (gps, compass, ball receiver)"
-            return f"{_list_calls(called)} returned None: only a referee is told where things are; {others}"
+            return f"{_list_calls(called)} returned None: only a referee knows where things are; {others}"
         if not _may_be_a_device(origins, found["attribute"]):
             return ""
     names = named or list(missing)

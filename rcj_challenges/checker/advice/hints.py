@@ -125,7 +125,7 @@ def _crash_hint(
 
 
 def _hidden_module(team: Team, detail: str) -> str:
-    """Return what to do if a file of the team has the name of a module of Python that was meant; else empty."""
+    """Return what to do if a file of the team hides a module of Python; else empty."""
     found = _OF_MODULE.search(detail)
     module = (found["a"] or found["b"]) if found is not None else ""
     own = next((path for path in team.files if path.name == f"{module}.py"), None)
