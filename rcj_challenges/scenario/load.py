@@ -19,7 +19,6 @@ from rcj_challenges.scenario.checks.run import check
 from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.kit_devices import fill_in_devices
-from rcj_challenges.scenario.messages.explain import explain
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.reading.extend import Source, read_chain
 from rcj_challenges.scenario.reading.find import find_scenario
@@ -218,6 +217,8 @@ def _checked(tree: Entries, merger: Merger) -> Scenario:
     try:
         scenario = Scenario.model_validate(plain(tree))
     except ValidationError as error:
+        from rcj_challenges.scenario.messages.explain import explain  # noqa: PLC0415 - needed for errors only
+
         problems += explain(error, tree, Scenario)
         # Errors that only repeat another one are left out, but never all of them.
         problems = problems or [tree.mark.error("wrong-value", f"not valid: {error.errors()[0]['msg']}")]
