@@ -13,7 +13,7 @@ import yaml
 from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES
-from tests.scenario.writing import in_short
+from tests.scenario.writing import HEAD, in_short
 
 TABLE = Path(__file__).with_name("bad_scenarios.yaml")
 BASES, MISTAKES = yaml.load(TABLE.read_text(encoding="utf-8"), getattr(yaml, "CSafeLoader", yaml.SafeLoader)).values()  # noqa: S506
@@ -53,7 +53,8 @@ def errors_of(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("name", MISTAKES)
 def test_mistake_is_refused_with_the_error_beside_it(name, errors_of):
-    found = errors_of(MISTAKES[name]["scenario"])
+    mistake = MISTAKES[name]
+    found = errors_of(mistake["scenario"] if "scenario" in mistake else HEAD + mistake["sections"])
     if os.environ.get("UPDATE_EXPECTED"):
         update(name, found)
         return
@@ -64,7 +65,7 @@ def update(name: str, found: str) -> None:
     """Replace the errors of one mistake in the table."""
     text = TABLE.read_text(encoding="utf-8")
     block = "    errors: |\n" + "".join(f"      {line}\n" for line in found.splitlines())
-    entry = re.compile(rf"(^  {name}:\n    scenario: .*?)^    errors: .*?(?=^  \w+:\n|\Z)", re.MULTILINE | re.DOTALL)
+    entry = re.compile(rf"(^  {name}:\n    s\w+: .*?)^    errors: .*?(?=^  \w+:\n|\Z)", re.MULTILINE | re.DOTALL)
     TABLE.write_text(entry.sub(lambda match: match[1] + block, text, count=1), encoding="utf-8", newline="\n")
 
 
