@@ -104,7 +104,7 @@ class Phrasebook:
         return Subject(f"{'any' if (of == 'any') != negate else 'none'} of {several}")
 
     def point(self, at: Any, measured_from: Any = None) -> str:
-        """Return a named thing or a point ``(x, y)``; of a group the nearest of it is meant.
+        """Return a named thing or a point ``(x, y)``; of a group the nearest of it.
 
         Args:
             at: the thing, the group or the point.
@@ -114,7 +114,7 @@ class Phrasebook:
             return f"({at[0] + 0.0:g}, {at[1] + 0.0:g})"  # adding 0 makes no -0
         if not self._several(at):
             return self._one(at)
-        own = {one for name in as_tuple(measured_from or ()) for one in self.meant(name)} & set(self.meant(at))
+        own = {one for name in as_tuple(measured_from or ()) for one in self.may_be(name)} & set(self.may_be(at))
         return f"the nearest {'other one ' if own else ''}of {self._group(at)}"
 
     def owned(self, what: str, names: Names, name: str = "") -> str:
@@ -136,7 +136,7 @@ class Phrasebook:
         """Return the members of a group by name."""
         return ", ".join(map(plain, self.roster.expand(group)))
 
-    def meant(self, at: Any) -> tuple[str, ...]:
+    def may_be(self, at: Any) -> tuple[str, ...]:
         """Return the names for which a name may stand; none for a point."""
         return self.roster.may_be(with_each(at, self.each)) if isinstance(at, str) else ()
 
@@ -150,7 +150,7 @@ class Phrasebook:
 
     def may_be_zone(self, name: str) -> bool:
         """Return whether a name may stand for a zone."""
-        return any(one in self.scenario.zones for one in self.meant(name))
+        return any(one in self.scenario.zones for one in self.may_be(name))
 
     def is_entity(self, name: str) -> bool:
         """Return whether a name stands for an entity, and not for a spot or a draw."""
@@ -234,7 +234,7 @@ class Phrasebook:
         return lasts_s if isinstance(lasts_s, int | float) else None
 
     def all_but_each(self, counter: str) -> str:
-        """Return whose lowest or highest counter is meant: ``all others on the field``; without ``each`` of all."""
+        """Return the owners of whose counters one is the lowest or highest: ``all others on the field``."""
         per = self.scenario.counters[counter].per or ""
         owners, goes_over = self.roster.expand(per), () if self.each is None else self.roster.expand(self.each)
         who = self.all_of(per).text if set(owners).isdisjoint(goes_over) else "all others"

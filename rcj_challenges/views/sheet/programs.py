@@ -100,12 +100,12 @@ def _packet(kit: Kit, robots: list[str], phrases: Phrasebook) -> Iterator[Block]
 
 def _broadcast(broadcast: Broadcast, kits: list[Kit], phrases: Phrasebook) -> Iterator[Block]:
     """Yield when the broadcast comes and what is in it."""
-    every, whom = _every(broadcast.every_ticks), "" if broadcast.fields else " for some robots"
+    every, to = _every(broadcast.every_ticks), "" if broadcast.fields else " for some robots"
     if all(broadcast.every_ticks % kit.packet_every_ticks == 0 for kit in kits):
-        yield f"After it, {every}, one JSON object follows on the same channel{whom}:"
+        yield f"After it, {every}, one JSON object follows on the same channel{to}:"
     else:
         # It is made on a tick on which the official packet may be missing; then it waits, and a newer one replaces it.
-        yield f"One JSON object is made {every}; the newest follows the next packet{whom}, on its channel:"
+        yield f"One JSON object is made {every}; the newest follows the next packet{to}, on its channel:"
     if broadcast.fields:
         yield _values(broadcast.fields, phrases)
     for name, fields in (broadcast.only or {}).items():
