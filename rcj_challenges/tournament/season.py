@@ -181,6 +181,11 @@ class Table:
     columns: tuple[str, ...] = ()
     complete: bool = False
 
+    @property
+    def has_begun(self) -> bool:
+        """Whether anything in it was played: before that, its places mean nothing."""
+        return any(row.played or row.points for row in self.rows)
+
 
 @dataclass(frozen=True, slots=True)
 class Tie:
@@ -207,6 +212,11 @@ class Tie:
     scores: tuple[float, float] | None = None
     winner: str = ""
     decided_by: str = ""
+
+    @property
+    def round_title(self) -> str:
+        """What its round is called, as a heading: ``Quarter-finals``, ``Round of 16``."""
+        return humanized(self.round.replace("_finals", "-finals"))
 
     @property
     def title(self) -> str:

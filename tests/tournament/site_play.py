@@ -90,11 +90,21 @@ class MadeUpSeason:
             found |= {fixture.id: outcome(fixture) for fixture in here}
 
     def source(self, outcomes: Mapping[str, Outcome], *, recorded: bool = True, **changes: Any) -> SiteSource:
-        """Return what the site is made from; all that has an outcome was played, and recorded unless that is False."""
+        """Return what the site is made from; all that has an outcome was played.
+
+        Args:
+            outcomes: by fixture.
+            recorded: whether the first match of each stage has a record.
+            changes: of the fields of the source.
+        """
         state = self.engine.state(outcomes)
         fixtures = [fixture for stage in state.stages for fixture in stage.fixtures if fixture.id in outcomes]
+        first = {fixture.stage: fixture.id for fixture in reversed(fixtures)}
         played = Played(
-            {fixture.id: self.played(fixture, at, recorded=recorded) for at, fixture in enumerate(fixtures)},
+            {
+                fixture.id: self.played(fixture, at, recorded=recorded and fixture.id in first.values())
+                for at, fixture in enumerate(fixtures)
+            },
             tuple(
                 Submission(team, team[0] * 64, self.submission(team), NOW - timedelta(days=2)) for team in state.teams
             ),

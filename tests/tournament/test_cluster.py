@@ -11,11 +11,10 @@ from distributed import LocalCluster
 from rcj_challenges.facts.diagnostics import DiagnosticError
 from rcj_challenges.records.result import versions
 from rcj_challenges.tournament.cluster import ClusterExecutor
-from rcj_challenges.tournament.executor import LocalExecutor
 from rcj_challenges.tournament.jobs import Workplace
 from tests.cli.in_this_process import here
 from tests.tournament.store_helpers import Home, Silent, code_of
-from tests.tournament.test_killed import DUEL, SHORT, matches_of, what_came_out
+from tests.tournament.test_killed import DUEL, SHORT, matches_of, played_here, what_came_out
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="finds processes by /proc")
 
@@ -33,7 +32,7 @@ def cluster():
 def new_home(folder, half_s=0.2):
     folder.mkdir()
     (folder / "duel.yaml").write_text(DUEL.replace("half_s: 1,", f"half_s: {half_s},"), encoding="utf-8")
-    return Home(folder, SHORT.replace("round_robin", "round_robin, legs: 2"), teams=("ada", "bee"))
+    return Home(folder, SHORT, teams=("ada", "bee"))
 
 
 def on_cluster(home, cluster, notes=None, *, is_shared=False, **other_versions):
@@ -41,13 +40,6 @@ def on_cluster(home, cluster, notes=None, *, is_shared=False, **other_versions):
     note = ([] if notes is None else notes).append
     expected = versions().model_dump() | other_versions
     return ClusterExecutor(Workplace(home.data), cluster.scheduler_address, expected, is_shared, note)
-
-
-def played_here(folder, half_s=0.2):
-    """Return what comes out of a league that this computer plays."""
-    home = new_home(folder, half_s)
-    home.play(executor=LocalExecutor(Workplace(home.data), 2))
-    return what_came_out(home)
 
 
 def busy_workers(cluster):
@@ -59,7 +51,7 @@ def busy_workers(cluster):
 def test_two_workers_end_with_the_tables_and_digests_of_this_computer(tmp_path, cluster):
     home = new_home(tmp_path / "there")
     home.play(executor=on_cluster(home, cluster))
-    assert what_came_out(home) == played_here(tmp_path / "here")
+    assert what_came_out(home) == played_here(new_home(tmp_path / "here"))
     assert home.play()[1].jobs == [], "all records are whole"
 
 
@@ -93,7 +85,7 @@ def test_a_shared_folder_needs_a_cluster(tmp_path, monkeypatch, capsys):
 def test_records_can_stay_on_a_shared_folder(tmp_path, cluster):
     home = new_home(tmp_path / "there")
     home.play(executor=on_cluster(home, cluster, is_shared=True))
-    assert what_came_out(home) == played_here(tmp_path / "here")
+    assert what_came_out(home) == played_here(new_home(tmp_path / "here"))
     assert list((home.data / "records" / ".playing").iterdir()) == []
 
 
@@ -116,7 +108,7 @@ def test_a_job_whose_worker_is_killed_is_handed_out_again(tmp_path):
     assert killer.killed
     assert any("handed out again" in note for note in notes)
     assert len(state.outcomes) == 2
-    assert what_came_out(home) == played_here(tmp_path / "here", half_s=20)
+    assert what_came_out(home) == played_here(new_home(tmp_path / "here", half_s=20))
 
 
 @pytest.mark.nightly

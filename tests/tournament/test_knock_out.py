@@ -60,7 +60,9 @@ def test_rounds_and_ties_are_named():
     }
     assert counted == {"round_of_16": 8, "quarter_finals": 4, "semi_finals": 2, "third_place": 1, "final": 1}
     quarter = state.ties[8]
-    assert (quarter.id, quarter.title) == ("cup/quarter_finals/1", "quarter-final 1")
+    assert (quarter.id, quarter.title, quarter.round_title) == (
+        "cup/quarter_finals/1", "quarter-final 1", "Quarter-finals",
+    )  # fmt: skip
     assert quarter.sources == ("winner of match 1 of the round of 16", "winner of match 2 of the round of 16")
     assert state.fixtures[7].title == "Cup, match 8 of the round of 16"
     assert quarter.fixtures == ("cup/quarter_finals/1/leg1/t08-t01",)

@@ -188,6 +188,13 @@ def test_the_page_of_a_corrected_match_says_so_with_the_reason(site: Path, sourc
     assert "was not in goal" in (site / "about.html").read_text("utf-8")
 
 
+def test_places_of_a_table_in_which_nothing_was_played_are_not_shown(site: Path, source: SiteSource) -> None:
+    (skills,) = [stage for stage in source.state.stages if stage.name == "skills"]
+    assert [table.has_begun for table in skills.tables] == [True, False, True]
+    assert "Shooting: <b>" in re.sub("</?bdi>", "", (site / "teams" / "ada.html").read_text("utf-8"))
+    assert "Lidar: <b>" not in re.sub("</?bdi>", "", (site / "teams" / "ada.html").read_text("utf-8"))
+
+
 def test_submissions_for_a_challenge_are_on_the_page_of_the_team_with_their_report(
     season: MadeUpSeason, tmp_path: Path
 ) -> None:

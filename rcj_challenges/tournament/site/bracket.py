@@ -9,11 +9,11 @@ from itertools import pairwise
 from markupsafe import Markup
 
 from rcj_challenges.facts.measures import number_words
-from rcj_challenges.tournament.season import Tie, humanized
+from rcj_challenges.tournament.season import Tie
 from rcj_challenges.tournament.site.render import escaped, fitted
 
 _BOX_WIDTH, _BOX_HEIGHT, _GAP_X, _GAP_Y, _HEAD = 196, 46, 36, 18, 34
-_LETTERS, _LETTERS_WITHOUT_SCORE = 22, 26
+_LETTERS, _LETTERS_WITHOUT_SCORE = 22, 25
 _THIRD_PLACE = "third_place"
 
 PRINT_STYLE = """
@@ -90,8 +90,8 @@ def _placed(ties: list[Tie]) -> list[_Placed]:
 
 
 def _heads(placed: list[_Placed]) -> list[str]:
-    columns = {one.x: one.tie.round for one in placed}
-    return [f'<text class="head" x="{x:g}" y="18">{escaped(humanized(name))}</text>' for x, name in columns.items()]
+    columns = {one.x: one.tie.round_title for one in placed}
+    return [f'<text class="head" x="{x:g}" y="18">{escaped(name)}</text>' for x, name in columns.items()]
 
 
 def _joins(placed: list[_Placed]) -> list[str]:

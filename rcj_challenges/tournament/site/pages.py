@@ -9,7 +9,7 @@ from typing import Any
 from markupsafe import Markup
 
 from rcj_challenges.facts.measures import measure_words
-from rcj_challenges.tournament.season import StageState, Status, humanized
+from rcj_challenges.tournament.season import StageState, Status
 from rcj_challenges.tournament.seeds import seed_hash
 from rcj_challenges.tournament.site.bracket import bracket_svg
 from rcj_challenges.tournament.site.model import MatchView, Season, slug
@@ -139,7 +139,7 @@ def _bracket(season: Season, stage: StageState, root: str | None) -> Markup:
 
 def _rounds(stage: StageState, matches: Sequence[MatchView]) -> list[tuple[str, list[MatchView]]]:
     """Return the matches of a stage by round."""
-    rounds = {tie.id: humanized(tie.round) for tie in stage.ties}
+    rounds = {tie.id: tie.round_title for tie in stage.ties}
     grouped: dict[tuple[int, str], list[MatchView]] = {}
     for match in matches:
         name = rounds.get(match.fixture.tie) or f"Round {match.fixture.round}"
@@ -231,7 +231,7 @@ def _team(season: Season, team: str, matches: Sequence[MatchView]) -> dict[str, 
         for stage in season.state.stages
         for table in stage.tables
         for row in table.rows
-        if team in row.team.split("+")
+        if table.has_begun and team in row.team.split("+")
     ]
     results = []
     for stage in season.state.stages:
