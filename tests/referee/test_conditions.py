@@ -384,13 +384,3 @@ class TestConditionHalf:
             for half in (1, 2, 3)
         )
         assert [ask(play) for play in halves] == answers
-
-    def test_a_rule_of_the_second_half_can_begin_with_it(self, stage):
-        rule = """
-            rules:
-              bonus:
-                triggers: [{trigger: half_started}]
-                conditions: [{condition: half, equals: 2}]
-                actions: [{action: score, entrant: blue}]
-        """
-        assert [stage(rule, half=half).referee.scores["blue"] for half in (1, 2)] == [0, 1]

@@ -37,22 +37,6 @@ def test_a_condition_that_asks_for_a_decimal_number_holds_when_it_is_reached_on_
     assert play.names()[-1] == "EQUAL"
 
 
-def test_eight_times_a_tenth_is_at_least_eight_tenths(stage):
-    play = stage(
-        """
-rules:
-  tenth:
-    triggers: [{trigger: holds, condition: {condition: speed, entity: Y1, at_most: 1}, for_s: 0.32, every_s: 0.32}]
-    actions: [{action: score, entrant: yellow, points: 0.1}]
-  eight:
-    triggers: [{trigger: holds, condition: {condition: counter, counter: yellow, at_least: 0.8}}]
-    actions: [{action: emit, event: EIGHT}]
-"""
-    )
-    play.play(82)
-    assert [event.tick for event in play.events] == [81]
-
-
 def test_the_sum_of_a_counter_kept_per_robot_is_that_on_paper(stage):
     play = stage(
         """
@@ -68,21 +52,6 @@ rules:
     )
     play.play(10)
     assert play.events[0].payload == {"sum": 0.3}
-
-
-def test_weighted_points_are_those_on_paper_in_the_score_and_in_the_record(stage):
-    play = stage(
-        """
-counters: {n: {initial: 3}}
-rules:
-  weighted:
-    triggers: [{trigger: time_reached, at_s: 0.32}]
-    actions: [{action: score, entrant: yellow, points: [{counter: n, weight: 0.1}]}]
-"""
-    )
-    play.play(10)
-    assert play.referee.scores["yellow"] == 0.3
-    assert play.firings[0].scored == {"yellow": 0.3}
 
 
 def test_what_programs_are_told_of_a_decimal_score_is_the_number_on_paper(stage):
@@ -124,16 +93,6 @@ rules:
 RANKED = "counters: {fouls: {per: robots}}\nresult: {rank: [{score: descending}, {counter: fouls, order: ascending}]}"
 
 
-def test_teams_with_equal_decimal_scores_are_told_apart_by_the_next_criterion(small):
-    halves = [
-        Tally(
-            {"fouls": dict.fromkeys(("B1", "B2", "Y1", "Y2"), 0) | {"Y1": 1}}, {"blue": "blue", "yellow": "yellow"}, 60
-        )
-    ]
-    places = ranking(small(RANKED), {"blue": 0.3, "yellow": 0.3}, halves)
-    assert [entry["team"] for entry in places] == ["blue", "yellow"]
-
-
 def test_decimal_counters_of_several_robots_and_halves_are_added_up_as_on_paper(small):
     scenario = small(RANKED)
     seats = {"blue": "blue", "yellow": "yellow"}
@@ -143,20 +102,6 @@ def test_decimal_counters_of_several_robots_and_halves_are_added_up_as_on_paper(
     ]
     places = ranking(scenario, {"blue": 1, "yellow": 1}, halves)
     assert [(entry["place"], entry["values"]) for entry in places] == [(1, [1, 0.3]), (1, [1, 0.3])]
-
-
-@pytest.mark.parametrize("points", [0.1, 0.7, 2.5])
-def test_what_was_given_is_in_the_record_as_it_was_written(stage, points):
-    play = stage(
-        f"""
-rules:
-  given:
-    triggers: [{{trigger: time_reached, at_s: 0.32}}]
-    actions: [{{action: score, entrant: blue, points: {points}}}, {{action: score, entrant: blue, points: {points}}}]
-"""
-    )
-    play.play(10)
-    assert play.firings[0].scored == {"blue": round(2 * points, 9)}
 
 
 GROWS = """

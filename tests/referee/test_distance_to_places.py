@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from rcj_challenges.referee.zones import region_of
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
 from rcj_challenges.tracking.gates import seen_from
-from tests.referee.building import ASKING, TAKEN_OFF, emitting, paid, payload, scoring
+from tests.referee.building import ASKING, TAKEN_OFF, emitting, payload
 from tests.referee.test_regions import point, zones
 
 Point = tuple[float, float]
@@ -225,11 +225,6 @@ class TestValueDistanceToPlaces:
         play = stage(PLACES, emitting("{far: {distance: [ball, nose]}}"), TAKEN_OFF % off)
         play.play_until(15)
         assert payload(play) == {"far": None}
-
-    def test_the_nearer_to_the_line_the_more_points(self, stage):
-        play = stage(PLACES, scoring("[10, {distance: [ball, line], weight: -20}]"))
-        play.place("ball", 0.1, 0.05)
-        assert paid(play) == 7
 
 
 class TestActionSetSpotToAZone:

@@ -6,9 +6,6 @@ import math
 
 import pytest
 
-from rcj_challenges.expect.runner import run_test
-from rcj_challenges.scenario.load import load_text
-
 LEFT, MIDDLE, RIGHT, OUTSIDE = (-0.3, 0.0), (0.0, 0.0), (0.3, 0.0), (0.0, 0.7)
 HOT = "draws: {hot: {values: [left, right], not_last: true}}"
 NOW = "{trigger: time_reached, at_s: 0.32}"
@@ -171,27 +168,6 @@ class TestDistances:
         near = "conditions: [{condition: distance, entity: ball, to: spot, at_most: 0.3}],"
         play = stage(self.PLACES, hears("{trigger: half_started}", more=near), draws={"spot": spot})
         assert len(play.events) == fires
-
-
-def test_a_test_in_the_file_decides_and_sees_it():
-    loaded = load_text("""
-schema_version: 1
-id: hot
-title: Hot
-extends: soccersim_v2
-draws: {hot: {values: [blue_goal, yellow_goal]}}
-rules:
-  goal:
-    triggers: [{trigger: enters, entity: ball, zone: hot}]
-    actions: [{action: score, entrant: yellow}]
-expect:
-  only_the_drawn_goal_counts:
-    draws: {hot: yellow_goal}
-    keyframes: [{at_s: 1, place: {ball: [0, 0.8]}}, {at_s: 2, place: {ball: [0, -0.8]}}]
-    lasts_s: 3
-    score: {yellow: 1}
-""")
-    assert run_test(loaded, "only_the_drawn_goal_counts").differences == ()
 
 
 class TestPlaces:

@@ -105,10 +105,3 @@ class TestAPhaseThatLastsAsLongAsACounterSays:
             PAUSE,
         )
         assert ticks(play) == [20]
-
-    @pytest.mark.parametrize("initial", [-0.32, -7])
-    def test_less_than_a_tick_is_a_tick(self, stage, initial):
-        play = stage(
-            f"counters: {{long_s: {{initial: {initial}}}}}", "phases: {rest: {lasts_s: {counter: long_s}}}", PAUSE
-        )
-        assert ticks(play) == [11]

@@ -124,18 +124,6 @@ class TestDraws:
         assert self.halves(stage, ", keep: match") == {True}
 
 
-class TestTimers:
-    def test_it_runs_in_whole_ticks_and_its_limit_is_its_length(self, stage):
-        play = stage(
-            "timers: {five: {lasts_s: 5, starts: true}}",
-            "rules: {over: {triggers: [{trigger: timer_expired, timer: five}], actions: [{action: emit, event: OVER, "
-            "payload: {measured: {word: measured}, limit: {word: limit}, ran: {timer: five}}}]}}",
-        )
-        play.play_until(200)
-        (over,) = play.events_named("OVER")
-        assert over.payload == {"measured": 5.024, "limit": 5, "ran": 5.024}
-
-
 class TestWaitingForRoom:
     RULES = """
 phases: {rest: {lasts_s: 1.6}}

@@ -64,14 +64,6 @@ class TestWhatTheyKeep:
         assert play.referee.scores["yellow"] == -2
         assert play.referee.flags["touched"] == {"p1": True, "p2": True}
 
-    def test_two_touched_at_once_are_two(self, stage):
-        play = stage(ONCE)
-        play.play()
-        play.touch("Y1", "p1")
-        play.touch("Y1", "p2")
-        play.play()
-        assert play.referee.scores["yellow"] == -2
-
 
 @pytest.mark.parametrize(("entity", "other"), [("robots", "each"), ("each", "robots")])
 class TestARuleForEach:
@@ -112,18 +104,6 @@ class TestWhoTouches:
         play.play()
         (hit,) = play.events_named("HIT")
         assert (hit.payload["who"], hit.payload["team"]) == ("Y2", "yellow")
-
-    def test_with_every_s_it_counts_as_long_as_they_touch(self, stage):
-        lasting = "{trigger: touches, entity: each, other: Y1, every_s: 0.1}"
-        play = stage(
-            POLES + f"rules:\n  leans: {{for_each: poles, triggers: [{lasting}], "
-            "actions: [{action: score, entrant: yellow}]}\n"
-        )
-        play.play()
-        for _ in range(10):
-            play.touch("Y1", "p1")
-            play.play()
-        assert play.referee.scores["yellow"] == 3  # at once, after 4 ticks, after 7
 
     def test_the_last_to_touch_it_is_known_and_asked_for(self, stage):
         play = stage(

@@ -66,23 +66,6 @@ class TestConditionLooks:
             play.place("Y1", -0.4, 0.0, 0.0)
             assert not ask(play)
 
-    def test_negated_it_is_the_opposite(self, stage, ask):
-        assert not ask(stage(ASKING % "{condition: looks, entity: Y1, heading_rad: 1.57, negate: true}"))
-
-    def test_in_a_rule_for_each_it_is_the_current_one(self, stage):
-        play = stage("""
-        rules:
-          watches:
-            for_each: yellow
-            triggers: [{trigger: program_fault, robot: B1}]
-            conditions: [{condition: looks, entity: each, towards: ball}]
-            actions: [{action: emit, event: WATCHES, payload: {who: {word: robot_name}}}]
-        """)
-        play.place("Y2", 0.4, 0.0, math.pi)
-        play.fail("B1")
-        play.play()
-        assert [event.payload for event in play.events] == [{"who": "Y2"}]
-
     def test_off_the_field_nobody_looks_or_is_looked_at(self, stage, ask):
         gone = "  gone: {triggers: [{trigger: program_fault, robot: B2}], actions: [{action: remove, entity: %s}]}\n"
         for off in ("Y1", "ball"):
@@ -155,13 +138,6 @@ class TestConditionAnyOf:
         play.place("ball", -0.3, 0.0)
         assert not ask(play)
 
-    def test_the_other_conditions_of_the_rule_must_hold_as_well(self, stage, ask):
-        play = stage(ASKING % f"{self.TWO % ''}, {{condition: in_zone, entity: B2, zone: right}}")
-        play.place("ball", -0.3, 0.0)
-        assert not ask(play)
-        play.place("B2", 0.4, 0.4)
-        assert ask(play)
-
     def test_a_sequence_that_only_it_asks_for_is_followed(self, stage, ask):
         play = stage(
             "sequences: {way: {entity: ball, steps: [left, right]}}",
@@ -233,20 +209,3 @@ class TestConditionAllOf:
         assert play.events == []
         play.play_until(30)
         assert [event.name for event in play.events] == ["BOTH"]
-
-    def test_held_for_a_time_it_is_about_the_one_that_all_of_them_ask_for(self, stage):
-        play = stage("""
-        rules:
-          aside:
-            triggers:
-              - trigger: holds
-                for_s: 0.32
-                condition:
-                  condition: all_of
-                  conditions:
-                    - {condition: in_zone, entity: Y1, zone: left}
-                    - {condition: speed, entity: Y1, at_most: 0.1}
-            actions: [{action: emit, event: ASIDE, payload: {who: {word: robot_name}}}]
-        """)
-        play.play_until(12)
-        assert [event.payload for event in play.events] == [{"who": "Y1"}]

@@ -46,13 +46,6 @@ class TestValueDistance:
         play.place("ball", 0.0, 0.25)
         assert play.play().broadcast == {"far": 0.75}
 
-    def test_the_nearer_the_more_points(self, stage):
-        play = stage(scoring("[5, {distance: [Y1, ball], weight: -2}]"))
-        play.place("Y1", 0.0, 0.25)
-        assert paid(play) == 4.5
-        play.place("Y1", 0.0, 1.0)
-        assert paid(play) == 7.5
-
     def test_it_can_be_points_or_a_count_as_it_is(self, stage):
         play = stage(
             "counters: {far: {}}",
@@ -104,16 +97,6 @@ class TestValueTimer:
         play.play_until(92)
         assert paid(play) == 2.976
 
-    def test_a_part_with_its_fraction_is_exact_on_paper(self, stage):
-        play = stage(self.TIMERS, scoring("[10, {timer: lap, fraction: true, weight: -1}]"))
-        play.play_until(99)
-        assert paid(play) == 6.8
-
-    def test_what_is_left_of_it_is_its_length_less_the_time_it_has_run(self, stage):
-        play = stage(self.TIMERS, scoring("[10, {timer: lap, weight: -1}]"))
-        play.play_until(99)
-        assert paid(play) == 7
-
 
 class TestValueLastTouch:
     def test_it_is_the_name_of_the_last_robot_or_nobody(self, stage):
@@ -147,9 +130,6 @@ class TestNumbersAmongWeightedPoints:
         play = stage(scoring("[5, {word: time_left_s, weight: 0.1}]"))
         play.play_until(0)
         assert paid(play) == 5 + 5.9
-
-    def test_also_several_and_negative_ones(self, stage):
-        assert paid(stage("counters: {n: {initial: 3}}", scoring("[-1, {counter: n, weight: 2}, 0.5]"))) == 5.5
 
 
 class TestPointsAndParamsInSentences:

@@ -37,15 +37,6 @@ def test_what_waits_for_room_is_in_the_log_once_with_what_is_in_the_way(stage):
     assert play.names() == ["PUT"]
 
 
-def test_it_is_put_as_soon_as_there_is_room(stage):
-    play = stage(put("point: [0, 0]"))
-    play.play(20)
-    play.place("ball", 0.5, 0)
-    play.play(2)
-    assert play.pose("Y1")[:2] == (0, 0)
-    assert len(notes(play)) == 1
-
-
 def test_what_does_not_wait_stays_where_it_is(stage):
     play = stage(put("point: [0, 0]", ", on_failure: stay"))
     play.play(20)
@@ -162,11 +153,6 @@ def test_a_test_that_fails_says_what_waits_for_room():
     assert len(differences) == 2
     assert differences[0].startswith("Y1: expected at (0, 0)")
     assert differences[1] == "note: from 1.024 s on Y1 waits for room: ball is there (rule put)"
-
-
-@pytest.mark.parametrize("more", ["", ", score: {yellow: 0}"])
-def test_a_test_that_passes_says_nothing(more):
-    assert list(run_test(load_text(FILE % more), "it").differences) == []
 
 
 NARROW = "zones: {strip: {shape: rect, x_min_m: -0.05, x_max_m: 0.05, y_min_m: -0.01, y_max_m: 0.01}}"

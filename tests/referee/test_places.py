@@ -228,19 +228,6 @@ class TestFacing:
         put(play)
         assert play.pose("B1") == pytest.approx((0, 0.3, -math.pi / 2), abs=1e-6)
 
-    def test_two_that_look_at_each_other_both_do(self, stage):
-        play = stage("""
-        rules:
-          put:
-            triggers: [{trigger: program_fault, robot: Y1}]
-            actions:
-              - {action: place, entity: B1, at: {point: [-0.3, 0]}, facing: {towards: Y1}}
-              - {action: place, entity: Y1, at: {point: [0.3, 0]}, facing: {towards: B1}}
-        """)
-        put(play)
-        assert play.pose("B1")[2] == pytest.approx(0, abs=1e-6)
-        assert abs(play.pose("Y1")[2]) == pytest.approx(math.pi, abs=1e-6)
-
     def test_who_has_no_room_to_turn_looks_where_the_thing_was(self, stage):
         play = stage("""
         placements:

@@ -130,15 +130,6 @@ class TestConditionTold:
             before = play.referee.scores["yellow"]
         assert found == holds
 
-    def test_it_may_have_to_hold_for_a_time(self, stage):
-        hold = "{trigger: holds, for_s: 0.32, condition: {condition: told, entity: Y1, text: READY}}"
-        play = stage(f"rules: {{r: {{triggers: [{hold}], actions: [{{action: emit, event: SURE}}]}}}}")
-        told(play, "READY")
-        play.play(8)
-        told(play, "NO", "READY")
-        play.play(20)
-        assert [event.tick for event in play.events] == [21]
-
     def test_in_a_new_half_nothing_has_been_said(self):
         scenario = load_text(
             """
@@ -179,11 +170,6 @@ class TestValueTold:
         play.fail("B1")
         play.play()
         assert play.referee.scores["yellow"] == given
-
-    def test_a_broadcast_tells_it(self, stage):
-        play = stage("broadcast: {fields: {said: {told: Y1}}}")
-        play.tell("Y1", "hello")
-        assert play.play().broadcast == {"said": "hello"}
 
     def test_a_spot_is_set_to_the_position_told_and_stays_where_it_is_otherwise(self, stage):
         guess = hearing(actions="[{action: set_spot, spot: guess, to: {told: each}}]")

@@ -136,14 +136,6 @@ rules:
         line = firing_line(1, next(firing for firing in play.firings if firing.rule == "passed"))
         assert (line["entity"], line["place"]) == ("Y1", "west")
 
-    def test_the_log_of_another_rule_is_as_before(self, stage):
-        play = stage(GATES, PASSED)
-        for x_m in (-0.4, 0.0, 0.4):
-            pass_at(play, x_m)
-        play.play()
-        assert play.names()[-1] == "ALL_PASSED"
-        assert "place" not in firing_line(1, play.firings[-1])
-
     @pytest.mark.parametrize(
         ("limit", "counted"), [("max_executions: 1", 2), ("cooldown_s: 10", 2), ("priority: 1", 4)]
     )
@@ -171,26 +163,6 @@ rules:
         for x_m in (-0.4, 0.0, 0.4):
             pass_at(play, x_m)
         assert [event.payload["gate"] for event in play.events] == [gate]
-
-    def test_a_timer_for_each_gate_is_heard_by_the_rule_of_that_gate(self, stage):
-        play = stage(
-            GATES,
-            "timers: {closed: {lasts_s: 0.64, per: posts}}",
-            """
-            rules:
-              starts:
-                for_each: posts
-                triggers: [{trigger: crosses, entity: Y1, gate: each}]
-                actions: [{action: timer, timer: closed, entity: each}]
-              ends:
-                for_each: posts
-                triggers: [{trigger: timer_expired, timer: closed}]
-                actions: [{action: emit, event: OPEN, payload: {gate: {word: each_name}}}]
-            """,
-        )
-        pass_at(play, 0.4)
-        play.play(25)
-        assert [event.payload["gate"] for event in play.events] == ["east"]
 
 
 class TestZones:

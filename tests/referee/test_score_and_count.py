@@ -33,31 +33,6 @@ class TestActionScore:
         assert play.referee.scores == {"blue": 4, "yellow": 13}
         assert isinstance(play.referee.scores["yellow"], int)
 
-    def test_a_flag_is_one_point_if_it_is_set_and_none_if_not(self, stage):
-        state = """
-        flags: {double: {initial: true}, malus: {}, home: {per: robots}}
-        rules:
-          comes_home: {triggers: [{trigger: half_started}], actions: [{action: set_flag, flag: home, entity: Y1}]}
-        """
-        points = ("{flag: double}", "{flag: malus}", "{flag: home}", "{flag: home, entity: B1}")
-        rules = (at_tick_10(f"{{action: score, entrant: blue, points: {one}}}") for one in points)
-        assert [acted(stage(state, rule)).referee.scores["blue"] for rule in rules] == [1, 0, 1, 0]
-
-    def test_in_a_rule_for_each_a_flag_kept_per_entity_is_that_of_the_current_one(self, stage):
-        play = stage(
-            "flags: {home: {per: blue}}",
-            """
-            rules:
-              home: {triggers: [{trigger: half_started}], actions: [{action: set_flag, flag: home, entity: B2}]}
-              pays:
-                for_each: blue
-                triggers: [{trigger: time_reached, at_s: 0.32}]
-                actions: [{action: score, entrant: blue, points: {flag: home, entity: each}}]
-            """,
-        )
-        acted(play)
-        assert [firing.scored for firing in play.firings if firing.rule == "pays"] == [{"blue": 0}, {"blue": 1}]
-
     @pytest.mark.parametrize(
         ("word", "points"),
         # A half of 60 s; tick 10 is at 0.32 s, tick 1000 at 32 s, tick 1010 at 32.32 s.

@@ -142,15 +142,6 @@ class TestActionSetSpot:
         play.play_until(10)
         assert play.referee.spots["found"] == pytest.approx((0.4, -0.5))
 
-    def test_who_is_to_be_the_mirror_image_is_measured_to_it_while_the_other_one_drives(self, stage):
-        every_tick = "{trigger: time_reached, at_s: 0.032, every_s: 0.032}"
-        follow = f"rules: {{image: {{triggers: [{every_tick}], actions: [{mirrored('axis: x')}]}}}}"
-        play = stage(PITCH, follow)
-        for number in range(10):
-            play.place("Y1", -0.4, 0.01 * number)
-            play.play()
-        assert play.referee.spots["found"] == pytest.approx((0.4, 0.09))
-
     def test_in_a_rule_for_each_it_is_set_to_the_current_one(self, stage):
         rule = (
             "rules: {r: {for_each: robots, triggers: [{trigger: touches, entity: each, other: ball}], actions: [%s]}}"
@@ -196,11 +187,6 @@ class TestActionSetSpot:
     def test_each_half_begins_with_the_place_of_the_file(self, stage):
         assert remembering(stage).referee.spots["found"] != (0.0, 0.2)
         assert stage(PITCH, half=2).referee.spots["found"] == (0.0, 0.2)
-
-    def test_the_last_one_in_a_tick_counts(self, stage):
-        play = stage(PITCH, at_s(0.32, set_to("[0, 0]"), set_to("[0.1, 0]")))
-        play.play_until(10)
-        assert play.referee.spots["found"] == (0.1, 0.0)
 
 
 class TestWhereARememberedPlaceStands:
@@ -249,11 +235,6 @@ class TestWhereARememberedPlaceStands:
         play.play_until(22)
         assert play.pose("Y1")[:2] == pytest.approx((0.3, 0.1))
 
-    def test_a_mirror_mirrors_it_as_any_spot(self, stage):
-        play = remembering(stage, at_s(0.64, put("Y1", "{spot: found}", ", mirror: {axis: x}")), ball=(0.3, -0.2))
-        play.play_until(22)
-        assert play.pose("Y1")[:2] == pytest.approx((-0.3, -0.2))
-
     def test_a_robot_faces_it_and_a_ball_is_kicked_there(self, stage):
         facing = ", facing: {towards: found}"
         kick = ", kick: {towards: {spot: found}, speed_mps: 1}"
@@ -272,23 +253,3 @@ class TestWhereARememberedPlaceStands:
         assert play.pose("Y1")[:2] == pytest.approx((-0.4, -0.5))
         play.play_until(22)
         assert play.pose("Y1")[:2] == pytest.approx((0.3, -0.2))
-
-    def test_the_longest_pass_counts(self, stage):
-        rules = """
-        counters: {longest: {}}
-        rules:
-          kicked: {triggers: [{trigger: touches, entity: Y1, other: ball}],
-                   actions: [{action: set_spot, spot: found, to: ball}]}
-          received: {triggers: [{trigger: touches, entity: Y2, other: ball}],
-                     conditions: [{condition: distance, entity: ball, to: found, at_least: {counter: longest}}],
-                     actions: [{action: count, counter: longest, to: {distance: [ball, found]}}]}
-        """
-        play = stage(PITCH, rules)
-        for kick_x, stop_x in ((0.0, 0.3), (-0.2, 0.4), (0.0, 0.1)):
-            play.place("ball", kick_x, 0.0)
-            play.touch("Y1", "ball")
-            play.play(2)
-            play.place("ball", stop_x, 0.0)
-            play.touch("Y2", "ball")
-            play.play(2)
-        assert play.referee.counters["longest"] == 0.6

@@ -156,15 +156,6 @@ class TestATimeThatComesAgain:
         ]
         assert [firing.says for firing in play.firings] == ["0.1 of 0.1", "0.2 of 0.1", "0.3 of 0.1"]
 
-    def test_two_rules_with_rows_of_their_own_do_not_disturb_each_other(self, stage):
-        other = (
-            "triggers: [{trigger: time_reached, at_s: 0.64, every_s: 0.64}], actions: [{action: emit, event: OTHER}]"
-        )
-        play = stage(emitting("{trigger: time_reached, at_s: 0.32, every_s: 0.32}"), f"rules: {{other: {{{other}}}}}")
-        play.play(40)
-        assert told(play) == [10, 20, 30, 40]
-        assert [event.tick for event in play.events_named("OTHER")] == [20, 40]
-
 
 class TestTriggerTimerExpired:
     def test_it_fires_when_a_started_timer_reaches_its_length(self, stage):
@@ -191,18 +182,6 @@ class TestTriggerTimerExpired:
         play.play(60)
         (fired,) = play.firings
         assert (fired.limit, fired.measured, fired.says) == (1, 1.024, "After 1 s (1.024 s).")
-
-    @pytest.mark.parametrize(("drawn", "tick"), [(0.32, 10), (0.64, 20)])
-    def test_its_length_may_be_drawn(self, stage, drawn, tick):
-        play = stage(
-            "draws: {long: {values: [0.32, 0.64]}}",
-            "timers: {clock: {lasts_s: {draw: long}, starts: true}}",
-            "rules: {over: {triggers: [{trigger: timer_expired, timer: clock}], "
-            "actions: [{action: emit, event: OVER, payload: {after: {word: measured}}}]}}",
-            draws={"long": drawn},
-        )
-        play.play(40)
-        assert [(event.tick, event.payload) for event in play.events] == [(tick, {"after": drawn})]
 
     @pytest.mark.parametrize("do", ["restart", "start"])
     def test_a_drawn_length_counts_as_it_is_drawn_when_the_timer_starts_from_0(self, stage, do):

@@ -59,18 +59,6 @@ class TestValueWay:
         drive(play, "ball", (-0.5, 0.1))
         assert payload(play)["ball"] == 0.4
 
-    def test_in_a_rule_for_each_it_is_that_of_the_current_one(self, stage):
-        play = stage(emitting("{way: {way: each}}", "for_each: yellow,"))
-        drive(play, "Y2", (0.4, -0.3))
-        play.fail("B1")
-        play.play()
-        assert [event.payload["way"] for event in play.events] == [0, 0.2]
-
-    def test_a_broadcast_tells_it_on_every_tick(self, stage):
-        play = stage("broadcast: {fields: {way: {way: ball}}}")
-        play.place("ball", 0.0, 0.25)
-        assert play.play().broadcast == {"way": 0.25}
-
     def test_it_is_points_a_part_of_points_or_a_count(self, stage):
         play = stage(
             "counters: {driven: {}}",
@@ -82,20 +70,6 @@ class TestValueWay:
         drive(play, "Y1", (-0.4, -0.2), (-0.4, -0.5))
         assert paid(play) == 3.8
         assert play.referee.counters["driven"] == play.referee.scores["blue"] == 0.6
-
-    def test_from_a_moment_on_it_is_less_what_it_was_then(self, stage):
-        since = """
-        counters: {then_m: {}}
-        rules:
-          kicked: {triggers: [{trigger: touches, entity: Y1, other: ball}],
-                   actions: [{action: count, counter: then_m, to: {way: ball}}]}
-        """
-        play = stage(since, scoring("[{way: ball}, {counter: then_m, weight: -1}]"))
-        drive(play, "ball", (0.3, 0.0))
-        play.touch("Y1", "ball")
-        play.play()
-        drive(play, "ball", (0.3, 0.5))
-        assert paid(play) == 0.5
 
     def test_the_robots_ways_can_be_ranked_when_the_half_is_over(self, stage):
         counted = """
