@@ -9,7 +9,7 @@ from rcj_challenges.rules.conditions import CONDITIONS
 from rcj_challenges.rules.places import PLACES
 from rcj_challenges.rules.triggers import TRIGGERS
 from rcj_challenges.rules.values import NUMBERS, VALUES
-from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.json_schema import scenario_schema
 from rcj_challenges.scenario.load import load_text
 from rcj_challenges.views.drawing import draw_scenario
@@ -44,12 +44,12 @@ def report(word: type[Word], name: str) -> dict[str, object]:
         load_text(Example("", (), word.EXAMPLE.replace(name, f"{name}x")).whole)
         refused = []
     except ScenarioError as error:
-        refused = [one.where.path for one in error.diagnostics]
+        refused = [(one.code, place_of(one).path) for one in error.diagnostics]
     return {
         "differences": run_test(loaded, test).differences,
         "refused": refused,
         "sheet": sheet_markdown(loaded.scenario, loaded.roster),
-        "schema": scenario_schema()["$defs"][word.__name__]["required"],
+        "schema": list(scenario_schema()["$defs"][word.__name__]["properties"]),
         "reference": page().partition(f"### {word.name()}")[2].partition("\n### ")[0],
     }
 
