@@ -311,11 +311,11 @@ def test_time_line_says_where_a_click_leads_and_can_be_dragged(show: Callable[..
     box = page.locator("#seek").bounding_box()
     for share in (0.03, 0.9):  # no event is near
         page.mouse.move(box["x"] + box["width"] * share, box["y"] + 28)
-        told = page.inner_text("#hover")
+        hovered = page.inner_text("#hover")
         page.mouse.down()
         page.mouse.up()
         settled(page)
-        assert told == page.inner_text("#clock"), share
+        assert hovered == page.inner_text("#clock"), share
     page.mouse.down()
     page.mouse.move(box["x"] + box["width"] * 0.75, box["y"] + 28, steps=3)
     page.mouse.up()

@@ -1,4 +1,4 @@
-"""The feed: everything that spectators are told, once, in one growing row of bytes.
+"""The feed: everything that is sent to spectators, in one growing row of bytes.
 
 A spectator reads from any place of it, at its own speed: what is written is never changed, so all read the same bytes
 and nothing is kept for any of them. Messages are framed as ``kind`` (uint8), ``length`` (uint32), then so many bytes,
@@ -6,7 +6,7 @@ little-endian; a message is appended whole.
 
 | kind | content |
 |---|---|
-| 0 | empty: somebody is still there. It is sent in between and is no part of the row |
+| 0 | empty: the connection is alive. It is sent in between and is not part of the row |
 | 1 | one JSON object; its key ``say`` names it: ``half``, ``sensors``, ``news``, ``printed``, ``pace``, ``over`` |
 | 2 | poses: half (uint16), tick of the first row (uint32), then rows of int16 ``[channel][entity]`` |
 | 3 | readings of a robot: half (uint16), its place in ``sensors`` (uint16), rows (uint32), then the rows: `senses` |
@@ -66,7 +66,7 @@ class Feed:
                 self._news.notify_all()
 
     def close(self) -> None:
-        """Nothing more comes: whoever waits or has read everything is told so."""
+        """Nothing more comes: wakes all readers that wait."""
         with self._news:
             self._closed = True
             self._news.notify_all()

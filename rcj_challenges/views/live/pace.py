@@ -51,7 +51,7 @@ class Pace:
 
     @property
     def state(self) -> dict[str, Any]:
-        """What spectators are told: ``paused``, and ``speed`` (None: as fast as it can)."""
+        """The state that is sent to spectators: ``paused``, and ``speed`` (None: as fast as it can)."""
         return {"paused": self._paused, "speed": None if self._speed == MAX_SPEED else self._speed}
 
     def before_tick(self, tick: int) -> float:

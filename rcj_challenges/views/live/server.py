@@ -25,7 +25,7 @@ from rcj_challenges.views.live.pace import MAX_SPEED, MOST_STEPS, Pace
 
 HOST = "127.0.0.1"
 MOST_CONNECTIONS = 64
-"""Whoever comes beyond these is told to try again later."""
+"""Further spectators get an answer that asks them to try again later."""
 
 _TIMEOUT_S = 20.0
 """A spectator that takes nothing, or asks nothing, for so long is let go; the page comes back by itself."""
@@ -165,7 +165,7 @@ class _Handler(BaseHTTPRequestHandler):
             self._steer()
 
     def do_OPTIONS(self) -> None:
-        """Refuse: nobody from elsewhere is given leave to ask."""
+        """Refuse requests from other origins."""
         self._refuse(403, "not from here")
 
     do_PUT = do_DELETE = do_PATCH = do_POST  # noqa: N815 - the names that http.server looks for
@@ -277,14 +277,14 @@ class _Handler(BaseHTTPRequestHandler):
         self.end_headers()
 
     def log_message(self, format: str, *arguments: Any) -> None:  # noqa: A002 - the name that http.server gives it
-        """Say nothing: the terminal belongs to the match, and addresses are nobody's business."""
+        """Log nothing: the terminal belongs to the match, and addresses are private."""
 
 
 def carry_out(pace: Pace, order: Any) -> None:
     """Carry out an order: ``{"do": "pause"}``, ``resume``, ``step`` (with ``ticks``), ``speed`` (a number or null).
 
     Raises:
-        ValueError: it is no order; the message says what is.
+        ValueError: it is not an order; the message says what is.
     """
     does = order.get("do") if isinstance(order, dict) else None
     plain: dict[Any, Callable[[], None]] = {"pause": pace.pause, "resume": pace.resume}

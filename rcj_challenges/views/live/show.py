@@ -43,7 +43,7 @@ class LiveShow:
     be served. Leaving the context ends everything at once, whoever still watches.
 
     Attributes:
-        observer: to be told of the match.
+        observer: receives the match.
         pace: how fast it runs.
         port: where it listens, on loopback only.
     """
@@ -101,7 +101,7 @@ class LiveShow:
 
     @property
     def steering_address(self) -> str:
-        """The same for who may also steer. The token stands behind ``#``, which browsers send to nobody."""
+        """The same for a person who may control the match. Browsers do not send the token: it stands behind ``#``."""
         return f"{self.address}#token={self._stage.token}"
 
     def match_over(self, folder: Path) -> None:

@@ -32,11 +32,11 @@ _MAX_TICKS_AT_ONCE = 2_000
 _NUMBERS_PER_ENTITY = 5  # x, y, yaw; height; upright
 _Kept = tuple[int, bytes, tuple[Snapshot, RefereeOutput] | None]  # tick, poses, and all of it where something happened
 _SEEN_BEYOND_M = 3.0
-"""How far outside of the field poses are still told apart; what is further (parked robots) stands at the edge."""
+"""How far outside of the field poses are distinguished; what is further (parked robots) stands at the edge."""
 
 
 def live_facts(scenario: Scenario, titles: dict[str, str], seed: int) -> dict[str, Any]:
-    """Return what the page is told before the first half: as in a replay, without anything that happened yet.
+    """Return the facts of the page before the first half: as in a replay, without anything that happened yet.
 
     Args:
         scenario: what is played.

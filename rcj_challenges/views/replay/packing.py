@@ -30,7 +30,7 @@ PARKED_BEYOND_M = 100.0
 """What is farther out was taken off the field: a field is at most 10 m long, the parking place begins at 1000 m."""
 
 _LARGEST = 32_767
-"""As x it says that something is off the field: ``recording.js`` knows it. Who is on the field never gets it."""
+"""As x it says that something is off the field: ``recording.js`` knows it. Nothing on the field gets it."""
 _ZLIB_LEVEL = 6
 
 Array = npt.NDArray[Any]
@@ -124,12 +124,12 @@ def packed(frames: Frames) -> str:
 
 def _furthest(positions: Array) -> float:
     away = np.abs(positions)
-    near = away[away < PARKED_BEYOND_M]  # no comparison holds for what is no number
+    near = away[away < PARKED_BEYOND_M]  # no comparison holds for NaN
     return float(near.max()) if near.size else 0.0
 
 
 def _rounded(numbers: Array) -> Array:
-    """Round to int16; what is no number is 0, what does not fit stands at the edge."""
+    """Round to int16: NaN becomes 0, what does not fit the largest number."""
     whole: Array = np.rint(np.nan_to_num(numbers, nan=0.0, posinf=_LARGEST, neginf=-_LARGEST))
     fitting: Array = np.clip(whole, -_LARGEST - 1, _LARGEST).astype(np.int16)
     return fitting

@@ -64,7 +64,7 @@ class PageKind:
     Attributes:
         scripts, styles: its parts, in the order in which they are joined.
         scripts_from: addresses from which it may load further scripts, as a content security policy has them.
-        connects_to: addresses that it may ask, likewise; empty: none.
+        connects_to: addresses that it may ask, in the same form; empty: none.
     """
 
     scripts: tuple[str, ...]
@@ -134,7 +134,7 @@ def _give_logos(facts: dict[str, Any], folder: Path, seats: Collection[str]) -> 
 
 
 def logo_address(logo: bytes) -> str:
-    """Return a team's logo as the page carries it: checked, made anew, and as an address that asks nobody.
+    """Return a team's logo as the page carries it: checked, encoded again, as a data address.
 
     Raises:
         LogoError: it cannot be shown.
@@ -195,7 +195,7 @@ def fault_detail(fault: Fault) -> str:
 
 
 def places(scenario: Scenario, result: RunResult) -> list[dict[str, str]]:
-    """Return who came where and by what, best first, as the page says it; nothing where the score says it all."""
+    """Return the ranking with what decided it, best first; empty if the score decides alone."""
     names = titles(scenario, result)
     ranking = [entry.model_dump() for entry in result.ranking]
     return [
@@ -229,10 +229,10 @@ def page_text(
     """Return the page. Every part is put in once, in one pass: no part can smuggle in another's mark.
 
     Args:
-        facts: what the viewer is told, JSON-able.
+        facts: the data of the viewer, JSON-able.
         blocks: packed poses by half.
         more: other packed blocks by the id under which the viewer looks for them.
-        kind: what the page does; a live page asks the server it came from for the rest of the match, and nobody else.
+        kind: what the page does; a live page asks only the server it came from for the rest of the match.
     """
     viewer = files("rcj_challenges.views.replay") / "viewer"
     style = "".join((viewer / name).read_text("utf-8") for name in kind.styles)

@@ -140,7 +140,7 @@ class EventFacts:
 
 
 def _whose(scored: Mapping[str, Score]) -> str:
-    """Return the seat in whose colour a change of the score is shown: who gained, or else who lost points."""
+    """Return the seat that gained points, or else one that lost some; empty if the score did not change."""
     gained = (seat for seat, points in scored.items() if points > 0)
     return next(gained, next(iter(scored), ""))
 

@@ -254,7 +254,7 @@ class App {
     };
   }
 
-  /** What the switches say: the same object for as long as nobody touches them. */
+  /** What the switches say: the same object until one of them changes. */
   get shownNow() {
     const shown = this.panels.shown;
     const changed = !this.switches || Object.keys(shown).some((name) => shown[name] !== this.switches[name]);
@@ -262,7 +262,7 @@ class App {
     return this.switches;
   }
 
-  /** The picture is drawn anew each time; what is written around it ten times a second while the match plays. */
+  /** The picture is drawn each time; the text around it is updated ten times a second while the match plays. */
   draw(now = performance.now()) {
     const frame = this.frame;
     this.view.draw(frame, this.camera);
@@ -301,7 +301,7 @@ class App {
     return recent.filter((event) => event.scored).pop() || recent[recent.length - 1];
   }
 
-  /** At the end: who came where, if more than the score decides it. */
+  /** At the end: the ranking, if more than the score decides it. */
   result(place) {
     if (place < this.recording.last - 0.5) return "";
     return this.recording.facts.places.map((one) => `${one.place}: ${one.team}, ${one.values}`).join("\n");

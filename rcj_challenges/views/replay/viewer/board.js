@@ -1,4 +1,4 @@
-// Scoreboard: who plays, how it stands, what time it is.
+// Scoreboard: teams, score, clock, phase.
 
 class Board {
   constructor(recording, find) {

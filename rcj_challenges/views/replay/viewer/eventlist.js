@@ -87,7 +87,7 @@ class EventList {
     this.empty.hidden = events.length > 0;
   }
 
-  /** Who came where and by what, where the score does not say it: below the last event, a link to the end. */
+  /** The ranking, if more than the score decides it: below the last event, with a link to the end. */
   places() {
     const { facts } = this.recording;
     if (this.kind !== null || !facts.places.length) return [];
@@ -106,7 +106,7 @@ class EventList {
     })];
   }
 
-  /** The match that is watched is over, and who came where is known. */
+  /** A live match is over, and its ranking is known. */
   finished() {
     if (!this.list.querySelector(".place")) this.list.append(...this.places());
   }
@@ -160,7 +160,7 @@ class EventList {
     row.item.append(details);
   }
 
-  /** Mark the last event that has happened, and keep it in sight while nobody is busy with the list. */
+  /** Mark the last event that has happened, and keep it in sight unless the pointer or the focus is in the list. */
   show(place) {
     this.colour(place);
     let current = null;

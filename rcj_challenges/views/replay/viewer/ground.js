@@ -67,7 +67,7 @@ const Ground = {
     );
   },
 
-  /** A gate with its posts on the field: those of one that moves are told from the entity, x ahead and y to its left. */
+  /** A gate with its posts on the field: those of one that moves are in the frame of its entity, x ahead and y to its left. */
   moved(gate, poses) {
     if (gate.anchor === null) return gate;
     const { x: x0, y: y0, yaw } = poses[gate.anchor], c = Math.cos(yaw), s = Math.sin(yaw);
@@ -104,7 +104,7 @@ const Ground = {
     return [[x, y], [x - (FORWARD_M * (y1 - y0)) / length, y + (FORWARD_M * (x1 - x0)) / length]];
   },
 
-  /** The post where a gate's name is not in the way of who drives through: the one farther from the field's middle. */
+  /** The post at which a gate's name stands: the one farther from the field's middle, where it hides no robot. */
   outerEnd({ from_m, to_m }) {
     return Math.hypot(...from_m) > Math.hypot(...to_m) ? "from_m" : "to_m";
   },

@@ -1,4 +1,4 @@
-// Where somebody was during a half: cells of five centimetres on the floor, the warmer the longer.
+// Where an entity was during a half: cells of five centimetres on the floor, the warmer the longer.
 
 const HEAT_CELL_M = 0.05;
 const HEAT_STEPS = 8;
@@ -17,7 +17,7 @@ class Heat {
 
   fill() {
     const { facts, entities } = this.recording;
-    this.select.append(new Option("nobody", ""));
+    this.select.append(new Option("off", ""));
     entities.forEach((entity, index) => this.select.append(new Option(entity.name, String(index))));
     for (const team of facts.teams) this.select.append(new Option(team.title.slice(0, 60), `team ${team.name}`));
   }
@@ -57,7 +57,7 @@ class Heat {
     const share = (100 * most) / Math.max(1, chosen.length * (track.ticks + 1));
     this.text.textContent = `whole half; the warmest 5 cm: ${share.toFixed(1)} % of the time`;
     const cells = [...counts].map(([cell, count]) => {
-      // The root, and no more than the warmest fiftieth: else one place where somebody waited would make all others pale.
+      // The root, and no more than the warmest fiftieth: else one place with a long stay would make all others pale.
       return { cell: cell.split(" ").map(Number), step: Math.ceil(HEAT_STEPS * Math.sqrt(Math.min(1, count / warmest))) };
     });
     cells.sort((a, b) => a.step - b.step);

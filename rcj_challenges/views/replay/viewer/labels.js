@@ -26,7 +26,7 @@ class Labels {
       const x = seen ? this.within(place[0] * this.width, sign) : 0, y = seen ? (place[1] - place[2] * sign.reach) * this.height : 0;
       const down = seen && sign.still ? Labels.room(sign, x, y, taken) : 0;
       const style = seen ? `translate(${x.toFixed(1)}px, ${(y + down).toFixed(1)}px) translate(-50%, ${100 * sign.lift}%)` : "";
-      // The page is told of what changed only: most of these stand still.
+      // Only what changed is written to the page: most of these stand still.
       if (style === sign.style) continue;
       sign.style = style;
       sign.label.style.display = seen ? "" : "none";

@@ -1,5 +1,5 @@
 // Reading the feed of a match that is being played (views/live/feed.py): messages in one long answer, which goes on for
-// as long as the match does. Whoever lost it asks again from the byte where it was.
+// as long as the match does. After a lost connection the page asks again from the byte that it had reached.
 
 const HEAD_BYTES = 5;
 const SAID = 1, POSES = 2, SENSED = 3;

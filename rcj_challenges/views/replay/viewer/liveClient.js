@@ -66,7 +66,7 @@ class LivePlayer extends Player {
     if (this.following) return this.keepUp(seconds, performance.now() / 1000);
     const forward = this.playing && this.direction > 0;
     super.advance(seconds);
-    // Who plays on to where the match is follows it from there.
+    // Playing on to the present follows the match from there.
     if (forward && !this.playing && this.place >= this.recording.last && !this.recording.over) this.follow();
     return undefined;
   }
@@ -94,7 +94,7 @@ class LivePlayer extends Player {
 
 /** Holds the page together while the match is played. */
 class LiveClient {
-  /** openFeed: returns what brings the match, for what takes it and what is told that nothing comes. */
+  /** openFeed(take, lost): returns the feed; lost is called with a text while nothing comes. */
   constructor(facts, begun, openFeed = (take, lost) => new LiveFeed(facts.match, take, lost)) {
     this.recording = new LiveRecording(facts);
     this.begun = begun;

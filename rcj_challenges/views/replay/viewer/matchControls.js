@@ -58,7 +58,7 @@ class MatchControls {
       if (answer.ok) return;
       if (answer.status === 403) this.resign();
     } catch {
-      // The feed tells of a lost connection.
+      // The feed reports a lost connection.
     }
   }
 

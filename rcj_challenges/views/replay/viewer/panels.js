@@ -42,7 +42,7 @@ class Panels {
       box.addEventListener("change", this.changed);
       const none = { zones: "zones", gates: "gates", spots: "spots" }[box.name];
       if (none && !this.app.recording.facts[none].length) box.disabled = true;
-      // Gates by which rules judge are part of the course: without them nobody sees where a race begins.
+      // Gates by which rules judge are part of the course: without them a spectator cannot see where a race begins.
       if (box.name === "gates" && this.app.recording.facts.gates.some((gate) => gate.used)) box.checked = box.defaultChecked = true;
     }
     this.find("trail").addEventListener("input", () => {

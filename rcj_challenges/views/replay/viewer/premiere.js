@@ -16,7 +16,7 @@ class PremiereFeed {
     this.lost = lost;
     this.facts = data.facts;
     this.poses = data.poses;
-    this.halves = data.facts.halves.map((facts) => ({ facts, told: -1, news: PremiereFeed.news(data.facts, facts) }));
+    this.halves = data.facts.halves.map((facts) => ({ facts, sent: -1, news: PremiereFeed.news(data.facts, facts) }));
   }
 
   /** What is known before the first tick. */
@@ -76,7 +76,7 @@ class PremiereFeed {
       if (elapsed < begins) break;
       begins += this.when.halfTime;
     }
-    const over = this.halves.every((half) => half.told === half.facts.ticks);
+    const over = this.halves.every((half) => half.sent === half.facts.ticks);
     if (over) this.take.said({ say: "over", about: this.facts.about, places: this.facts.places, replay: false });
     this.take.settled();
     return over;
@@ -84,10 +84,10 @@ class PremiereFeed {
 
   /** Bring a half up to a tick. */
   bring(half, until) {
-    if (half.told < 0) this.take.said({ say: "half", facts: PremiereFeed.begun(half.facts) });
-    if (until <= half.told) return;
-    this.take.poses(half.facts.half, half.told + 1, this.rows(half.track, half.told + 1, until));
-    half.told = until;
+    if (half.sent < 0) this.take.said({ say: "half", facts: PremiereFeed.begun(half.facts) });
+    if (until <= half.sent) return;
+    this.take.poses(half.facts.half, half.sent + 1, this.rows(half.track, half.sent + 1, until));
+    half.sent = until;
     while (half.news.length && half.news[0].tick <= until) this.take.said({ say: "news", ...half.news.shift() });
   }
 

@@ -25,7 +25,7 @@ class HalfTrack {
   /**
    * The pose at a tick, with a fraction: positions in m, angles in rad; `off`: it is not on the field.
    * Nothing glides where it was put elsewhere.
-   * `out` is what it is written into: who draws sixty times a second brings the same one each time.
+   * `out` is written to and returned; drawing passes the same object each time.
    */
   pose(entity, tick, out = { x: 0, y: 0, z: 0, yaw: 0, tilt: 0, off: false }) {
     const { channels, units } = this;
