@@ -333,6 +333,14 @@ def test_ball_that_chance_or_play_places_at_once_is_not_drawn_at_its_start(at):
     assert "ball: a rule puts it when a half starts" in legend(picture)
 
 
+def test_robot_that_every_drawn_layout_puts_at_the_same_place_is_drawn_there():
+    layouts = "{a: [{entity: [B1, B2], at: {point: [0.1, 0]}}], b: [{entity: B1, at: {point: [0.1, 0]}}]}"
+    draws = f"placements: {layouts}\ndraws: {{side: {{values: [a, b]}}}}\n"
+    lines = legend(drawn(draws + AT_ONCE % "{action: place, layout: {draw: side}}"))
+    assert "B1: 0.1, 0, turned by -90°" in lines
+    assert "B2: a rule puts it when a half starts" in lines
+
+
 def test_ball_that_a_rule_takes_off_at_once_is_not_drawn():
     assert titled(drawn(AT_ONCE % "{action: remove, entity: ball}"), "ball") == []
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import product
+from itertools import chain, product
 from typing import NamedTuple
 
 from rcj_challenges.facts.play import Pose2
@@ -37,6 +37,7 @@ from rcj_challenges.views.drawing.shapes import Point, point_words
 Flip = tuple[bool, bool]
 """Whether x becomes -x, and whether y becomes -y."""
 AS_WRITTEN: Flip = (False, False)
+_MirroredPlacing = tuple[Placing | Place, tuple[Mirror | None, ...]]
 
 
 @dataclass(frozen=True)
@@ -86,21 +87,33 @@ def first_poses(scenario: Scenario, roster: Roster) -> dict[str, Pose2 | None]:
     poses: dict[str, Pose2 | None] = {name: start_pose(scenario, name) for name in roster.entities}
     possible: dict[str, list[Pose2 | None]] = {}
     for turn in rules_at_start(scenario):
-        rule, placed = scenario.rules[turn.name], dict[str, Pose2 | None]()
-        for action in rule.actions if turn.lives else ():
-            if isinstance(action, Remove):
-                placed |= dict.fromkeys(roster.expand(_names(action.entity, rule)))
-            for placing, mirrors in _placings(scenario, action) if isinstance(action, Place) else ():
-                for name in roster.expand(_names(placing.entity or (), rule)):
-                    placed[name] = _certain_pose(scenario, placing, mirrors, name)
-            if isinstance(action, Place) and isinstance(action.layout, DrawValue):
-                placed = dict.fromkeys(placed)
-        for name, pose in placed.items():
-            if turn.surely:
-                poses[name] = pose
-            else:
+        placed = _placed(scenario, roster, scenario.rules[turn.name], poses) if turn.lives else {}
+        if turn.surely:
+            poses |= placed
+        else:
+            for name, pose in placed.items():
                 possible.setdefault(name, []).append(pose)
     return {name: pose if pose in possible.get(name, [pose]) else None for name, pose in poses.items()}
+
+
+def _placed(scenario: Scenario, roster: Roster, rule: Rule, before: dict[str, Pose2 | None]) -> dict[str, Pose2 | None]:
+    """Return where a rule puts things; None for what it takes off the field or may put elsewhere."""
+    placed: dict[str, Pose2 | None] = {}
+    for action in rule.actions:
+        if isinstance(action, Remove):
+            placed |= dict.fromkeys(roster.expand(_names(action.entity, rule)))
+        if not isinstance(action, Place):
+            continue
+        ends: list[dict[str, Pose2 | None]] = []
+        for placings in _alternatives(scenario, action):
+            ends.append(dict(placed))
+            for placing, mirrors in placings:
+                for name in roster.expand(_names(placing.entity or (), rule)):
+                    ends[-1][name] = _certain_pose(scenario, placing, mirrors, name)
+        for name in {name for end in ends for name in end}:
+            first, *others = (end.get(name, before[name]) for end in ends)
+            placed[name] = first if all(other == first for other in others) else None
+    return placed
 
 
 def flipped(point: Point, flip: Flip) -> Point:
@@ -139,7 +152,7 @@ def _puts(scenario: Scenario, rule: Rule) -> Iterator[_Put]:
             at = AtPoint(point=action.to) if isinstance(action.to, tuple) else action.to
             yield from (_Put((action.spot,), at, flip=flip) for flip in _flips(action.mirror))
         elif isinstance(action, Place):
-            for placing, mirrors in _placings(scenario, action):
+            for placing, mirrors in chain.from_iterable(_alternatives(scenario, action)):
                 names = _names(placing.entity or (), rule)
                 for flip in _flips(*mirrors):
                     yield _Put(names, placing.at, placing.noise_m, flip)
@@ -147,12 +160,12 @@ def _puts(scenario: Scenario, rule: Rule) -> Iterator[_Put]:
                         yield _Put(names, placing.kick.towards, flip=flip, aim=True)
 
 
-def _placings(scenario: Scenario, action: Place) -> Iterator[tuple[Placing | Place, tuple[Mirror | None, ...]]]:
-    """Yield what an action puts somewhere, by itself or by its layouts, with the mirrors that apply to it."""
+def _alternatives(scenario: Scenario, action: Place) -> list[list[_MirroredPlacing]]:
+    """Return what an action puts somewhere, with the mirrors that apply to it, for each layout that it may place."""
     if action.entity is not None:
-        yield action, (action.mirror,)
-    for name in layouts_of(scenario, action):
-        yield from ((placing, (placing.mirror, action.mirror)) for placing in scenario.placements[name])
+        return [[(action, (action.mirror,))]]
+    layouts = (scenario.placements[name] for name in layouts_of(scenario, action))
+    return [[(placing, (placing.mirror, action.mirror)) for placing in layout] for layout in layouts]
 
 
 def _flips(*mirrors: Mirror | None) -> list[Flip]:
