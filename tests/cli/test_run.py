@@ -258,7 +258,7 @@ WRONG = {
     "no such team": (["run", "match", "--blue", "nowhere"], "nowhere"),
     "a zip that is none": (["run", "match", "--blue", "broken.zip"], "broken.zip"),
     "a folder without entry point": (["run", "match", "--blue", "empty"], "rcj_soccer_team_blue"),
-    "a path that a script left empty": (["run", "match", "--yellow", ""], "--team yellow=: expected ENTRANT=VALUE"),
+    "a path that a script left empty": (["run", "match", "--yellow", ""], "error[bad-option]: --team yellow="),
     "no such entrant": (["run", "match", "--team", "bleu=x"], "did you mean 'blue'"),
     "no such robot": (["run", "match", "--show-output", "Y7"], "B1, B2, B3"),
     "no such value": (["run", "match", "--set", "half_z=3"], "half_z"),
