@@ -176,6 +176,11 @@ def test_scoreboard_stays_where_it_is(show: Callable[..., Any], run: Path) -> No
     for half, tick in ((1, 0), (1, HELD), (1, GOALS[0]), (2, GOALS[1]), (2, TICKS)):
         _go(page, half, tick)
         found.append(page.evaluate(places))
+    page.evaluate("replay.recording.facts.stopped_phases = ['goal_pause']")
+    _go(page, 1, GOALS[0] + 100)
+    found.append(page.evaluate(places))
+    assert page.inner_text("#half") == "half 1 of 2 · 0:32 + 0:03 stopped"
+    page.evaluate("replay.recording.facts.stopped_phases = []")
     assert all(one == found[0] for one in found)
 
 
