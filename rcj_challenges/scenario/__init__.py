@@ -4,6 +4,6 @@ Belongs here: everything that turns YAML into a checked `Scenario`, and names in
 physics, rules that run, anything that needs MuJoCo.
 
 On the way from a file to a scenario: `reading` (what is written, and where; bases, params, rules that are repeated),
-`models` (its form), `checks` (all else that must hold), `messages` (how it is told what is wrong); `load` has the
-order. Then `lint` tells what is legal and hardly meant.
+`models` (its form), `checks` (all else that must hold), `messages` (the words of errors); `load` has the
+order. `lint` warns about valid scenarios that are probably mistakes.
 """

@@ -9,7 +9,7 @@ from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError, InFile
 from rcj_challenges.facts.likeness import MAX_COMPARED, nearest_name
 
 MAX_FOUND = 300
-"""How many mistakes a search collects before it stops: more help nobody, and cost time."""
+"""How many mistakes a search collects before it stops: more would not help, and cost time."""
 
 _MAX_LETTERS = 64
 """How much of a name is shown: as long as one may be."""
@@ -65,7 +65,7 @@ def did_you_mean(word: str, known: Iterable[str], likeness: float = 0.6) -> str:
 
 
 def choice_of(word: str, known: Iterable[str], noun: str = "", likeness: float = 0.6) -> str:
-    """Return which of the known words may be the one that was meant, and all that there are.
+    """Return the known word that is most like a misspelt one, and all known words.
 
     Args:
         word: as it was written.

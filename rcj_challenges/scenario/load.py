@@ -48,7 +48,7 @@ class Loaded:
         bases: the files that it extends, the nearest first; presets are not among them.
         left_out: inherited tests that do not fit this scenario, by name, with what is wrong with each.
         repeated: where each rule comes from that is one of a repeated one, for lint.
-        overridden: the entries of sections that a base has as well, by section and name, for lint.
+        overridden: the entries of sections that a base has too, by section and name, for lint.
     """
 
     scenario: Scenario

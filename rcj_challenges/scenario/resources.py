@@ -44,7 +44,7 @@ def own_of_that_name(shipped: Path, folder: Path) -> Path | None:
         try:
             if own.is_file() and not own.samefile(shipped):
                 return own
-        except OSError:  # nobody may look into that folder
+        except OSError:  # the folder cannot be read
             return None
     return None
 

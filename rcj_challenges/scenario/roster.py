@@ -55,8 +55,8 @@ class Roster:
         things: the entities, then the fixed obstacles, then ``walls``.
         index: name to index in ``things``.
         groups: group to the names of its members, nested groups resolved; the groups that always exist included.
-        drawn: draw to the names among which it decides; none for a draw that is called like something on the field,
-            which is meant then.
+        drawn: draw to the names among which it decides; none for a draw that has the name of something on the
+            field, which takes precedence.
         kinds: what each name on the field is: ``robot``, ``ball``, ``obstacle`` (movable), ``fixed obstacle``,
             ``walls``, ``zone``, ``gate`` or ``spot``.
         sections: section to the names that it defines.

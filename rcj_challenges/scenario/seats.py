@@ -2,7 +2,7 @@
 
 A *seat* is an entrant of the scenario (``blue``): it owns robots and a goal. A *team* is what a seat holds in the
 first half, and keeps that name for the whole match. With ``swap_sides`` two teams exchange seats after each half.
-What plays a half, puts one on a stage for tests, or reads one out of a record asks here, so that all tell the same.
+The match, tests and readers of records all use this module, so that they agree.
 """
 
 from __future__ import annotations

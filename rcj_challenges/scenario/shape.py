@@ -48,7 +48,7 @@ class Bare(NamedTuple):
 
     Attributes:
         kind: the type itself: a class, a Literal, or a dict, tuple or union with its arguments.
-        discriminator: what tells the members of a union apart: a key, a function of the plain value, or None.
+        discriminator: what distinguishes the members of a union: a key, a function of the plain value, or None.
     """
 
     kind: Any

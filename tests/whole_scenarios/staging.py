@@ -36,7 +36,7 @@ class Stage:
 
     Attributes:
         data: the sections of the file.
-        kinds: what each name on the field is, as the catalogue of names calls it.
+        kinds: what each name on the field is, as `Roster.kinds` has it.
         groups: members of each group.
         kept: of counters, flags, timers and sequences by name: for which group there is one each, or None.
         draws: values of each draw.

@@ -144,7 +144,7 @@ def _shipped(name: str, user: Source, mark: Mark) -> Source:
         if own is not None and user.path is not None and not own.samefile(user.path):
             message = f"a shipped scenario has this name, and {own.name} lies beside {user.shown}"
             raise _refused(mark, message, f"write {own.name} for that, or give it another name", "ambiguous-name")
-        # A file that extends the match may be called match.yaml: messages must tell the two from each other.
+        # A file that extends the match may be called match.yaml: errors must distinguish the two.
         shown = f"{name}.yaml" if PurePosixPath(user.shown).name != f"{name}.yaml" else f"shipped {name}.yaml"
         return Source.of_file(shipped[name], shown)
     message = f"no preset or scenario '{name[:64]}' is shipped"
@@ -169,7 +169,7 @@ def _scenarios_in(folder: Path) -> list[str]:
 
 
 def _with_ending(name: str, user: Source) -> str:
-    """Return a path with the ending that it lacks; empty: there is no such file, or it is the user itself."""
+    """Return a path with the ending that it lacks; empty: there is no such file, or it is the extending file itself."""
     if user.path is None:
         return ""
     for whole in (f"{name}.yaml", f"{name}.yml"):

@@ -56,7 +56,7 @@ class Merger:
     Attributes:
         problems: what was found.
         removed: where each entry was removed, by section and name path.
-        overridden: the entries of sections that the base has as well, by section and name.
+        overridden: the entries of sections that the base has too, by section and name.
         repeated: where each rule comes from that is one of a repeated one.
     """
 
@@ -106,7 +106,7 @@ class Merger:
                 if tagged is None:
                     self.merge_entry(fresh, key, inner, node.key_marks[key], shape, path)
                     continue
-                # The whole mapping tells what its keys mean; filled key by key it would not yet.
+                # What the keys mean depends on the whole mapping; filled key by key it would not be known yet.
                 if not isinstance(inner, Leaf):
                     inner_shape = step_into(shape, node, key)
                     fresh.put(key, self.adopt(inner, inner_shape, (*path, key)), node.key_marks[key])

@@ -220,7 +220,7 @@ class Resolver:
         return node
 
     def _may_stand(self, node: Entries, shape: Shape) -> bool:
-        # Where nothing is known, a mapping with other keys may be meant for anything.
+        # If nothing is known of the place, a mapping with other keys may be anything.
         if may_be_scalar(shape):
             return shape is not None or node.entries.keys() <= set(KEYS)
         return _name(node) in (self.row or ()) and any(
@@ -235,7 +235,7 @@ class Resolver:
         if isinstance(value, Items) and self.row is not None and name in self.row:
             return self._listed(node, name, value, path)
         if not isinstance(value, Leaf) or (self.row is not None and value.value is None):
-            # A value that is no scalar, and one that a row lacks, is reported where it is defined.
+            # A value that is not a scalar, or that a row lacks, is reported where it is defined.
             if value is None:
                 self._add("unknown-param", path, use.mark, f"unknown param '{cut(name)}'", self._hint(name))
             return Leaf(None, use.mark, note="unknown param")

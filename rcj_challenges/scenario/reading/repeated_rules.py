@@ -141,7 +141,7 @@ def _fill(root: Entries, name: str, values: Mapping[str, Leaf | Items], merger: 
     says = rule.entries.get("says") if isinstance(rule, Entries) else None
     if isinstance(says, Leaf) and isinstance(says.value, str):
         written = says.value
-        # As for params, a blank that is filled in when the rule fires goes before a value of its name.
+        # As for params, a placeholder that is filled in when the rule fires takes precedence over a value of its name.
         known = {key: _spoken(value) for key, value in values.items() if key not in PLACEHOLDERS}
         says.value = filled(says.value, {key: value for key, value in known.items() if value is not None})
         begins = known.get(THIS)
@@ -150,10 +150,10 @@ def _fill(root: Entries, name: str, values: Mapping[str, Leaf | Items], merger: 
 
 
 def _spoken(value: Leaf | Items) -> Scalar | list[Scalar] | None:
-    """Return a value as a sentence tells it; names as people write them."""
+    """Return a value as it stands in a sentence, names with blanks."""
     if isinstance(value, Items):
-        told = (_spoken(one) for one in value.items if isinstance(one, Leaf))
-        return [one for one in told if one is not None and not isinstance(one, list)]
+        words = (_spoken(one) for one in value.items if isinstance(one, Leaf))
+        return [one for one in words if one is not None and not isinstance(one, list)]
     return value.value.replace("_", " ") if isinstance(value.value, str) else value.value
 
 

@@ -77,7 +77,7 @@ def parse_bytes(data: bytes, file: str) -> Node:
         file: how messages name the file.
 
     Raises:
-        ScenarioError: it is too large, not UTF-8, or not strict YAML; all that can be told at once.
+        ScenarioError: it is too large, not UTF-8, or not strict YAML; all that is known to be wrong.
     """
     refuse_size(len(data), file)
     try:
@@ -105,7 +105,7 @@ def parse_text(text: str, file: str, loader: Any = None) -> Node:
         loader: the PyYAML loader whose parser is used; by default the fast one where there is one.
 
     Raises:
-        ScenarioError: it is not strict YAML; all that can be told at once.
+        ScenarioError: it is not strict YAML; all that is known to be wrong.
     """
     text = text.removeprefix("\ufeff")
     refuse_size(len(text), file)
