@@ -24,7 +24,7 @@ class CarryOver:
     """
 
     def __init__(self, scenario: Scenario) -> None:
-        """Begin a match: nobody has a point."""
+        """Begin a match without points."""
         self.scores: dict[str, Score] = dict.fromkeys(scenario.entrants, 0)
         self.kept: dict[str, Any] = {}
         self._scenario = scenario
@@ -35,7 +35,7 @@ class CarryOver:
 
         Args:
             half: as the referee got it.
-            referee: who has judged it.
+            referee: that judged it.
             ticks: how many were judged.
         """
         self.scores = by_team(referee.scores, half.teams)
@@ -44,5 +44,5 @@ class CarryOver:
         self._tallies.append(Tally(dict(referee.counters), half.teams, s_from_ticks(ticks), began))
 
     def ranking(self) -> list[dict[str, Any]]:
-        """Return who is where after the halves so far, as in ``result.json``."""
+        """Return the ranking after the halves so far, as in ``result.json``."""
         return ranking(self._scenario, self.scores, self._tallies)

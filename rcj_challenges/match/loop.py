@@ -32,10 +32,10 @@ class Driver(Protocol):
         """Let it share the CPUs with the match like that from now on."""
 
     def computed_s(self) -> float:
-        """Return for how long it has computed; 0 where nobody tells at once."""
+        """Return for how long it has computed; 0 if that is not known at once."""
 
     def overstepped(self, tick: int) -> Fault | None:
-        """Look whether it takes more than it may while nobody waits for it: its threads run on in a long ``step``."""
+        """Return a fault if its threads use more than they may during a long ``step``."""
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class LoopResult:
         ticks: how many were judged.
         ended: None if the time was up, else the reason of the rule that ended it, or the match when it was over.
         ends_match: whether that rule ended the whole match.
-        closing: what the rules of ``half_ended`` said after the last tick.
+        closing: the output of the rules of ``half_ended`` after the last tick.
     """
 
     ticks: int
@@ -59,7 +59,7 @@ _LOOKED_AFTER_EVERY = 64
 """Ticks between looks at programs that stay away for longer than that."""
 
 OnTick = Callable[[Snapshot, RefereeOutput, bytes, bytes], None]
-"""Takes what was seen, what was said of it, and from the world `state_bytes` and `poses_bytes`."""
+"""Takes a snapshot, the referee's output, and from the world `state_bytes` and `poses_bytes`."""
 
 
 def should_continue(referee: Referee, output: RefereeOutput, tick: int, half: HalfInfo) -> bool:
@@ -74,7 +74,7 @@ class TickLoop:
 
     Programs of all robots that are due are released first and collected afterwards, so that they overlap with each
     other and with the writing of the record. A program that fails has its wheels at 0 from the tick of its failure
-    on; the referee hears of it with the next snapshot.
+    on; the referee learns of it with the next snapshot.
     """
 
     def __init__(
@@ -88,12 +88,12 @@ class TickLoop:
         """Prepare the half.
 
         Args:
-            stage: who takes part.
+            stage: all that takes part.
             half: what is played.
-            on_tick: told of every judged tick, while the programs think about the next.
-            on_fault: told of programs that fail.
+            on_tick: called with every judged tick, while the programs compute the next.
+            on_fault: called for programs that fail.
             before_tick: asked before each simulated tick, when all programs that were due have answered. It may wait:
-                that counts for nobody's limits and gives nobody time to think.
+                that counts for no program's limits, and no program computes meanwhile.
         """
         self._before_tick = before_tick
         self._stage = stage
@@ -111,7 +111,7 @@ class TickLoop:
         self.tick = 0
 
     def play(self) -> LoopResult:
-        """Play to the end. Programs still wait in their last ``step`` then: the caller tells them that it is over.
+        """Play to the end. Programs still wait in their last ``step`` then: the caller ends them.
 
         Raises:
             PhysicsFault: the simulation became unstable.
@@ -210,7 +210,7 @@ class TickLoop:
         return {robot: driver.computed_s() for robot, driver in self._alive.items()}
 
     def _collect(self, due: list[int]) -> None:
-        """Carry out what those who were released ask for, in their order."""
+        """Carry out the requests of the programs that were released, in their order."""
         alive, taken = self._alive, 0
         # What the first have asked for is carried out while the last still think.
         for robot in due:
@@ -226,7 +226,7 @@ class TickLoop:
             self._take(robot, answers.pop())
 
     def _take(self, robot: int, answer: Request | Fault) -> None:
-        """Carry out a request, now or after the ticks its program slept through; or bury the program."""
+        """Carry out a request, now or after the ticks its program slept through; or remove a program that failed."""
         if isinstance(answer, Fault):
             del self._alive[robot], self._due[robot]
             self._stage.devices.silence(robot)

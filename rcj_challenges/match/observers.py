@@ -1,4 +1,4 @@
-"""What those who watch are told: one protocol for scoreboard, plain lines, live view and tests."""
+"""Observers of a match: one protocol for scoreboard, plain lines, live view and tests."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Progress:
         clock_ticks: those of them that count for its length; the clock stops in some phases.
         scores: by seat.
         phase: phase of the referee.
-        factor: simulated time over wall time, since the first tick of the half; 0 where nobody can tell yet.
+        factor: simulated time over wall time, since the first tick of the half; 0 if that is not known yet.
         remaining_s: estimated wall time to the end of the match in s.
     """
 
@@ -53,7 +53,7 @@ class ProgramTimes:
 
 
 class Observer(Protocol):
-    """Someone who watches a match. Calls must return fast: the match waits for them."""
+    """Observes a match. Calls must return fast: the match waits for them."""
 
     progress_every_ticks: int
 
@@ -61,7 +61,7 @@ class Observer(Protocol):
         """A half begins."""
 
     def sensing(self, half: HalfInfo, robots: Sequence[SensedRobot]) -> Sequence[SensorListener]:
-        """A half begins whose programs' observations are recorded; return who is to be given them as they come."""
+        """A half begins; return the listeners that get what is recorded of its programs as it comes."""
 
     def progressed(self, progress: Progress) -> None:
         """Another ``progress_every_ticks`` ticks are played."""
@@ -86,7 +86,7 @@ class Observer(Protocol):
         """
 
     def closing(self, output: RefereeOutput, half: HalfInfo) -> None:
-        """What the rules said after the last tick of a half; its events come by themselves too."""
+        """What came of the rules after the last tick of a half; its events are also passed to `event`."""
 
     def half_ended(self, half: HalfInfo, waits: tuple[ProgramTimes, ...]) -> None:
         """A half is over, and its programs are gone."""
@@ -96,7 +96,7 @@ class Observer(Protocol):
 
 
 class NullObserver:
-    """An observer that does nothing; the base of those who want only some of the calls."""
+    """An observer that does nothing; the base of those that need only some of the calls."""
 
     progress_every_ticks = 625
 
@@ -104,7 +104,7 @@ class NullObserver:
         """Do nothing."""
 
     def sensing(self, half: HalfInfo, robots: Sequence[SensedRobot]) -> Sequence[SensorListener]:
-        """Want none of it."""
+        """Return no listeners."""
         del half, robots
         return ()
 
@@ -124,7 +124,7 @@ class NullObserver:
         """Do nothing."""
 
     def before_tick(self, tick: int) -> float:
-        """Wait for nobody."""
+        """Do not wait."""
         del tick
         return 0.0
 
@@ -139,7 +139,7 @@ class NullObserver:
 
 
 class ObserverGroup:
-    """Several observers as one; how often they hear of the progress is for the first to say."""
+    """Several observers as one; the first decides how often the progress is reported."""
 
     def __init__(self, *observers: Observer) -> None:
         self._observers = observers

@@ -1,4 +1,4 @@
-"""The effects of a half: everything that is told, written or waited for on a tick, and decides nothing."""
+"""Side effects of a tick: recording, observers, the pace of the clock. They never affect the result."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ _OUTPUT_EVERY_TICKS = 16
 
 
 class TickEffects:
-    """Writes the record of a half, tells observers, shows programs' output, and keeps the pace of the clock.
+    """Writes the record of a half, calls observers, shows programs' output, and keeps the pace of the clock.
 
     Args:
         half: what is played.
         later_ticks: how long the halves after it are.
-        referee: asked for the scores and the clock.
+        referee: for the scores and the clock.
         record: of the run.
-        observer: who is told.
+        observer: that is called.
         crew: whose output is shown.
         show_output: robots whose output is shown.
         real_time: True: no tick is judged before the clock, which starts with the first one, has come to it.
@@ -55,7 +55,7 @@ class TickEffects:
         self._began_s = time.perf_counter()
 
     def ticked(self, snapshot: Snapshot, output: RefereeOutput, state: bytes, poses: bytes) -> None:
-        """Take note of a judged tick, while the programs think about the next."""
+        """Take a judged tick, while the programs compute the next."""
         self._record.tick(snapshot, output, state, poses)
         tick = snapshot.tick
         if tick <= 1:  # after tick 0 it is waited until all programs have started
@@ -73,7 +73,7 @@ class TickEffects:
                 time.sleep(ahead_s)
 
     def closed(self, closing: RefereeOutput) -> None:
-        """Tell of what the rules said after the last tick, and show the last output."""
+        """Pass on what came of the rules after the last tick, and show the last output."""
         self._observer.closing(closing, self._half)
         for event in closing.events:
             self._observer.event(event, self._half)

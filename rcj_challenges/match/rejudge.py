@@ -82,7 +82,7 @@ class Judgement:
 
 @dataclass(frozen=True)
 class Difference:
-    """An event that two judgements tell otherwise.
+    """An event in which two judgements differ.
 
     Attributes:
         half, tick: when.
@@ -178,7 +178,7 @@ def differences(before: Sequence[Mapping[str, Any]], after: Sequence[Mapping[str
 
     Args:
         before: as in ``result.json``.
-        after: the same, told by the other judgement.
+        after: the same, of the other judgement.
     """
     found: list[Difference] = []
     first, second = _by_moment(before), _by_moment(after)
@@ -205,7 +205,7 @@ def _must_fit(trajectory: Trajectory, scenario: Scenario, roster: Roster) -> Non
     """Refuse a scenario in which others take part than in the match.
 
     Raises:
-        MisfitError: says who is missing and who was not there.
+        MisfitError: other things or entrants took part.
     """
     seats = set(scenario.entrants)
     there = (trajectory.entities, trajectory.robots, trajectory.balls, trajectory.things)
@@ -218,7 +218,7 @@ def _must_fit(trajectory: Trajectory, scenario: Scenario, roster: Roster) -> Non
 
 
 def _info(recorded: HalfInfo, scenario: Scenario, carry_over: CarryOver) -> HalfInfo:
-    """Return the facts of a half as these rules have them: who sat where stays, what was counted before does not."""
+    """Return the facts of a half for these rules: the seats stay, scores and what is kept are theirs."""
     return replace(
         recorded,
         halves=scenario.match.halves,

@@ -71,7 +71,7 @@ class MatchPlan:
 
     @property
     def logos(self) -> dict[str, bytes]:
-        """The teams' own ``logo.png`` as they gave it, by seat of the first half; nobody has looked at it yet."""
+        """The teams' own ``logo.png`` as they gave it, by seat of the first half; it is not checked yet."""
         return {team: logo for team, opened in self.teams.items() if (logo := logo_of(opened.files))}
 
 
@@ -89,7 +89,7 @@ class PlayedMatch:
 
 
 class MatchInterruptedError(KeyboardInterrupt):
-    """Ctrl-C while a match was played, or told of. Its record is closed and holds all that was played.
+    """Ctrl-C during a match, or while its end was shown. Its record is closed and holds all that was played.
 
     Attributes:
         played: as far as it went.
@@ -107,7 +107,7 @@ def play_match(plan: MatchPlan, observer: Observer | None = None) -> PlayedMatch
 
     Raises:
         RcjError: the record cannot be written, a sandbox layer is missing, the physics became unstable.
-        MatchInterruptedError: somebody interrupted it; the record is closed, marked as not complete.
+        MatchInterruptedError: it was interrupted; the record is closed, marked as not complete.
     """
     try:
         return _MatchRunner(plan, observer or NullObserver()).play()

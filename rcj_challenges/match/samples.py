@@ -1,4 +1,4 @@
-"""Sample teams: who plays where nobody was named."""
+"""Sample teams: they play where no team was named."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def other_kits(scenario: Scenario, base: Scenario, seat: str, *, either_message:
 def _hears(scenario: Scenario, robot: str, alike: Collection[str]) -> tuple[str, str, tuple[str, ...], bool]:
     """Return what a program must know of its robot's kit to understand it: its name, and how packets are laid out.
 
-    Versions of messages that are ``alike`` are told as the same.
+    Versions of messages that are ``alike`` count as the same.
     """
     name = scenario.robots[robot].kit
     kit = scenario.kits[name]

@@ -188,7 +188,7 @@ def _put(temporary: Path, path: Path) -> None:
     try:
         when_free(lambda: temporary.replace(path))
     except OSError as error:
-        error.filename = str(path)  # that is the one somebody has open, or may not be changed
+        error.filename = str(path)  # that is the file that is open elsewhere, or must not be changed
         raise
 
 

@@ -1,6 +1,6 @@
 """Logos of teams: found among their files, kept in the record, and checked before anybody is shown one.
 
-A logo comes from a stranger, and so may the whole record. What a page carries is therefore made anew from the parts of
+A logo comes from a stranger, and so may the whole record. What a page carries is therefore built from the parts of
 the picture that a viewer needs, after each of them has been checked.
 """
 

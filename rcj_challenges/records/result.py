@@ -67,7 +67,7 @@ class HalfResult(_Part):
 class RankResult(_Part):
     """A team's place by the criteria of the scenario."""
 
-    place: int = _described("1 for the best; teams that nothing tells apart share a place", ge=1)
+    place: int = _described("1 for the best; teams that are equal by all criteria share a place", ge=1)
     team: str = _described("the team")
     values: list[Score] = _described("what was compared, in the order of the scenario's result.rank")
 
@@ -119,7 +119,7 @@ class RunResult(_Part):
     record: int = _described("version of the record's format", ge=1)
     complete: bool = _described("whether the run was played to its end and its record closed")
     stopped: str | None = _described(
-        "why a run that was not played to its end stopped; null: it did not, or nobody knows"
+        "why a run that was not played to its end stopped; null: it did not, or that is not known"
     )
     scenario: str = _described("id of the scenario; scenario.json holds all of it")
     title: str = _described("title of the scenario")
@@ -147,7 +147,7 @@ class RunResult(_Part):
         default=0.0,
         ge=0,
         description="of `wall_s`, what passed until all programs of the first half had called `step` for the first "
-        "time: loading the physics, compiling the world, starting the processes; 0 where nobody noted it",
+        "time: loading the physics, compiling the world, starting the processes; 0 if that was not noted",
     )
     real_time_factor: float = _described("simulated_s over wall_s", ge=0)
     versions: Versions
@@ -156,7 +156,7 @@ class RunResult(_Part):
     hints: list[HintResult] = Field(
         default=[],
         exclude=True,  # advice is no part of what happened, and later versions may know better
-        description="what to do about programs that crashed or ended, where their own words and lines tell it (for "
+        description="what to do about programs that crashed or ended, where their own words and lines show it (for "
         "another form of the referee's packets, say); only in what `run --json` prints, and a line at the end of each "
         "such robot's log",
     )

@@ -55,7 +55,7 @@ class RunHeader:
         sandbox: how programs are isolated, JSON-able.
         marks: what makes this run special, such as ``debug``.
         members: of each SuperTeam, by its seat of the first half.
-        unresolved: the scenario before its params took their places, for who judges with others; empty: not kept.
+        unresolved: the scenario before its params took their places, for judging with other values; empty: not kept.
         logos: the teams' own ``logo.png`` as they gave it, by team; kept beside the record, looked at when shown.
     """
 

@@ -1,4 +1,4 @@
-"""What stands in an event's payload, told beside the sentence of its rule: short, and nothing twice."""
+"""The values of an event's payload beside the sentence of its rule: short, and nothing twice."""
 
 from __future__ import annotations
 

@@ -36,7 +36,7 @@ def create_observer(console: Console, scenario: Scenario, *, quiet: bool, shared
         console: where it is shown.
         scenario: what is played.
         quiet: whether nothing of the match is.
-        shared: whether somebody else writes into the terminal too, over whose lines the scoreboard would be drawn.
+        shared: whether programs also write into the terminal, so that the scoreboard would be drawn over their lines.
     """
     if quiet:
         return PrintedLines(console)

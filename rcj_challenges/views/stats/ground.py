@@ -19,7 +19,7 @@ _AT_THE_END = 0.9
 def attacked_ends(scenario: Scenario, roster: Roster) -> dict[str, frozenset[int]]:
     """Return by seat the ends that it attacks: 1 for +y, -1 for -y.
 
-    An end is attacked by those whom a rule gives points for a ball that enters a zone there. Where no rule says so, and
+    A seat attacks an end if a rule gives it points for a ball that enters a zone there. Where no rule says so, and
     there are goals, two seats attack the end at which the other one starts, and a single one every end with a goal.
     """
     found: dict[str, set[int]] = {seat: set() for seat in scenario.entrants}

@@ -53,7 +53,7 @@ def motion_of(half: HalfTrack) -> Motion:
 
 
 def play_mask(ticks: int, phases: list[tuple[int, bool]]) -> Array:
-    """Return ``[T]``: whether a tick was play, which is when nobody waited for a kick-off as it began.
+    """Return ``[T]``: whether a tick was play: no kick-off was awaited as it began.
 
     Args:
         ticks: of the half.

@@ -21,7 +21,7 @@ from rcj_challenges.views.stats.touching import Goals, contacts_of, owners, shot
 from rcj_challenges.views.timeline import POINTS, TimelineEvent, timeline_of
 
 NO_CALLS = frozenset({"MATCH_START", "MATCH_FINISH", "KICKOFF", PROGRAM_FAULT, POINTS})
-"""Events that are no call of the referee; nor is one with which somebody scored."""
+"""Events that are not calls of the referee; an event that scores is not one either."""
 
 
 def run_stats(folder: Path) -> Stats:

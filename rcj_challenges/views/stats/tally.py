@@ -113,7 +113,7 @@ def together(several: Iterable[Stats]) -> Stats:
     """Return the sums over several runs; teams of one name are one team, and their robots go by their labels.
 
     Which side a robot played first makes no difference. Two teams may call themselves the same, or one has handed in
-    twice: a note tells of it, for the sum may be nobody's.
+    twice: a note says so, because the sum may mix two teams.
     """
     total = Stats()
     for one in several:
