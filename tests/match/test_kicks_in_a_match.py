@@ -4,7 +4,6 @@ import json
 
 import pytest
 
-from rcj_challenges.records.trajectory import Trajectory
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.scenario.load import load_resolved
 from tests.judging_again import judged_again, reflog_of
@@ -75,8 +74,3 @@ def test_it_asks_for_the_same_kicks_again(run):
     referee.start(half.start)
     again = {snapshot.tick: referee.judge(snapshot).placements for snapshot in half.snapshots()}
     assert [(tick, one) for tick, ones in again.items() for one in ones if one.vx_mps or one.vy_mps] == kicks(run)
-
-
-def test_notes_of_a_time_before_kicks_are_read_as_balls_that_lie_still(run):
-    first = Trajectory.open(run.folder).halves[0].placements[0]
-    assert {(one.vx_mps, one.vy_mps) for one in first} == {(0.0, 0.0)}

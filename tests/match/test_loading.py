@@ -35,7 +35,8 @@ def test_a_physics_that_cannot_be_loaded_is_the_computers_fault_with_a_remedy(sy
     with pytest.raises(HostError) as told:
         load_stage(fails_with(error), system)
     assert str(error) in str(told.value)
-    assert remedy in str(told.value)
+    assert told.value.code == "no-physics"
+    assert remedy in told.value.help
     assert told.value.exit_code == 2
 
 
