@@ -101,7 +101,7 @@ class RayFan(Protocol):
 
     Attributes:
         origin: [3], in m; to be set before they are cast.
-        directions: [N, 3] unit vectors; likewise.
+        directions: [N, 3] unit vectors; to be set before they are cast.
     """
 
     origin: "NDArray[np.float64]"

@@ -185,23 +185,23 @@ class LidarSensor(Sensor):
 
     def advance(self, tick: int, pose: RobotPose) -> None:
         """Refresh the cells that a rotating head passes in one tick."""
-        begin, forth = self._turns, self._frequency_hz * TICK_S  # less than a turn: at most 31 Hz
+        begin, passes = self._turns, self._frequency_hz * TICK_S  # less than a turn: at most 31 Hz
         # Rounded, so that a head that comes back to the same place is seen to be there.
-        self._turns = round(begin + forth, 12) % 1.0
-        sector = self._sectors.get((begin, forth))
+        self._turns = round(begin + passes, 12) % 1.0
+        sector = self._sectors.get((begin, passes))
         if sector is None:
-            sector = self._sector(begin, forth)
+            sector = self._sector(begin, passes)
         self._measure(tick, pose, sector)
 
-    def _sector(self, begin: float, forth: float) -> Sector:
+    def _sector(self, begin: float, passes: float) -> Sector:
         """Return the cells that the head passes from one place on, in turns; kept, for it passes them again."""
         np = self._np
         # Rounded to a billionth of a turn: whether a cell is passed must not hang on the last bit of a sum.
         since = np.round((self._passed_at - begin) % 1.0, 9) % 1.0
-        cells = np.flatnonzero(since < round(forth, 9))
+        cells = np.flatnonzero(since < round(passes, 9))
         if len(self._sectors) >= _MAX_SECTORS:
             self._sectors.clear()
-        sector = self._sectors[begin, forth] = Sector(cells, self._forward[cells], self._left[cells])
+        sector = self._sectors[begin, passes] = Sector(cells, self._forward[cells], self._left[cells])
         return sector
 
     def _measure(self, tick: int, pose: RobotPose, sector: Sector) -> None:

@@ -70,7 +70,7 @@ class Receiver:
         channel: what it listens to now.
         range_m: how far it hears, in m.
         period_ticks: 0 while disabled.
-        hear: takes a packet that arrived at this tick. Another function after `set_period`: to be looked up anew then.
+        hear: takes a packet that arrived at this tick. Another function after `set_period`: look it up again then.
     """
 
     __slots__ = ("_held", "_next", "_queue", "channel", "device", "hear", "period_ticks", "range_m", "robot")

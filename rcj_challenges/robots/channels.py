@@ -1,4 +1,4 @@
-"""Who may talk to whom: the radio channel of each robot."""
+"""The radio channel of each robot."""
 
 from __future__ import annotations
 

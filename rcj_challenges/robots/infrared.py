@@ -29,7 +29,7 @@ class Infrared:
         self._emitting = [index for index, name in enumerate(names) if scenario.balls[name].emits]
 
     def retune(self) -> None:
-        """Look up who listens. To be called when a ball receiver was enabled, disabled or tuned."""
+        """Look up the receivers that listen. To be called when a ball receiver was enabled, disabled or tuned."""
         self._receivers = {}
         for receiver in self._all_receivers:
             if receiver.listens:

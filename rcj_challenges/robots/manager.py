@@ -90,7 +90,7 @@ class DeviceManager:
         self._find_uneven()
 
     def messages_to_referee(self, tick: int) -> tuple[tuple[int, str], ...]:
-        """Return what robots have told the referee by ``tick``, as `Snapshot.heard`; empty if it does not listen."""
+        """Return the messages that have reached the referee by ``tick``, as `Snapshot.heard`."""
         return self._radio.messages_to_referee(tick, self._poses)
 
     def sense(self, tick: int, verdict_now: RefereeOutput) -> None:
@@ -128,7 +128,7 @@ class DeviceManager:
         self._radio.carry_infrared(robot, self._tick, self._poses)
 
     def observe(self, robot: int, tick: int, over: bool = False, soon: bool = False) -> Observation:
-        """Return what a program is told when its step ends at ``tick``; its queue is empty afterwards.
+        """Return what a program gets when its step ends at ``tick``; its queue is empty afterwards.
 
         Args:
             robot: its index.

@@ -88,7 +88,7 @@ class RadioHub:
             self._retune()
 
     def send(self, robot: int, device: int, channel: int, data: bytes, now: int) -> None:
-        """Queue what a program sends; another team's channel, or that of a referee who does not listen, loses it."""
+        """Queue a packet; it is lost on another team's channel, or on that of a referee that does not listen."""
         key = (robot, device)
         emitter = self._emitters.get(key)
         if emitter is None or channel in self._refused[key]:
@@ -122,7 +122,7 @@ class RadioHub:
         self._retune()
 
     def _retune(self) -> None:
-        """Look up who listens to what."""
+        """Look up which receivers listen."""
         self._slow = {}
         for receiver in self._receivers.values():
             if receiver.slow:
@@ -132,12 +132,12 @@ class RadioHub:
             referee.retune()
 
     def speak(self, tick: int, output: RefereeOutput, poses: Poses) -> None:
-        """Let the referee say what holds after the output of ``tick``."""
+        """Send the referee's packets after its output of ``tick``."""
         for referee in self._referee:
             referee.speak(tick, output, poses)
 
     def carry(self, tick: int, poses: Poses) -> None:
-        """Bring the referee's and the teams' packets that arrive at ``tick`` to those who hear them."""
+        """Deliver the referee's and the teams' packets that arrive at ``tick``."""
         for referee in self._referee:
             referee.carry()
         self._team.carry(tick, poses)

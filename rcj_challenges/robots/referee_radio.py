@@ -1,4 +1,4 @@
-"""What the referee tells programs: its packet, and the scenario's broadcast after it."""
+"""The referee's radio: its packet, and the scenario's broadcast after it."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _Said = tuple[bytes, frozenset[int] | None]
 
 STRENGTH = 1.0
 DIRECTION = (0.0, 0.0, 1.0)
-"""The referee has no place on the field: its packets come from 1 m above whoever hears them."""
+"""The referee has no place on the field: its packets come from 1 m above the receiver."""
 
 
 def flag_bytes(*, waiting: bool) -> bytes:
@@ -59,7 +59,7 @@ class RefereeRadio:
         """Connect it.
 
         Args:
-            kit: says how packets look and how often they come.
+            kit: the form of its packets, and how often they come.
             roster: order of robots.
             receivers: radio receivers of the kit's robots, each with the channels on which its robot's referee speaks.
         """
@@ -75,7 +75,7 @@ class RefereeRadio:
         self._deliveries: dict[_Said, list[tuple[Callable[[Packet], None], Packet]]] = {}
 
     def retune(self) -> None:
-        """Find out anew who listens. To be called when a receiver was enabled, disabled or tuned."""
+        """Look up the receivers that listen. To be called when a receiver was enabled, disabled or tuned."""
         self._listening = [
             receiver
             for receiver, channels in self._receivers
@@ -107,14 +107,14 @@ class RefereeRadio:
         return self._flags[waiting]
 
     def _objects_of(self, to_all: dict[str, Any], to_some: dict[int, dict[str, Any]]) -> Iterator[_Said]:
-        """Return the broadcast as each robot hears it; one that is told nothing hears nothing."""
+        """Return the broadcast for each robot; an empty one is not sent."""
         for robot, own in to_some.items():
             yield json.dumps({**to_all, **own}).encode(), frozenset({robot})
         if to_all:
             yield json.dumps(to_all).encode(), self._robots.difference(to_some)
 
     def _addressed(self, said: _Said) -> list[tuple[Callable[[Packet], None], Packet]]:
-        """Return who hears a packet, and what each hears; kept, for the same flag is said for minutes."""
+        """Return the receivers of a packet, each with its copy; kept, for the same flag is sent for minutes."""
         if len(self._deliveries) >= _REMEMBERED:
             self._deliveries.clear()
         data, robots = said

@@ -33,7 +33,7 @@ class TeamRadio:
         ]
 
     def carry(self, tick: int, poses: Poses) -> None:
-        """Bring what arrives at ``tick`` to those who hear it: in robot order, each robot's in the order sent."""
+        """Deliver the packets that arrive at ``tick``: in robot order, those of a robot in the order sent."""
         for emitter, listeners in self._links:
             if not emitter.waiting:
                 continue

@@ -49,7 +49,7 @@ class Block:
 
 
 def add_floor(spec: mujoco.MjSpec, field: FieldModel) -> None:
-    """Add the floor: a whole plane, also where nobody plays. Only balls touch it: robots and obstacles glide."""
+    """Add the floor: a whole plane, also outside the field. Only balls touch it: robots and obstacles glide."""
     floor = spec.worldbody.add_geom(
         name=FLOOR_GEOM,
         type=mujoco.mjtGeom.mjGEOM_PLANE,
@@ -72,7 +72,7 @@ def add_walls(spec: mujoco.MjSpec, field: FieldModel) -> list[str]:
 
 
 def add_fixed_obstacle(spec: mujoco.MjSpec, name: str, obstacle: Obstacle, friction: float) -> None:
-    """Add an obstacle that nobody can push, as the geom ``obstacle/NAME``."""
+    """Add an obstacle that cannot be pushed, as the geom ``obstacle/NAME``."""
     geom_name = OBSTACLE + name
     if isinstance(obstacle, Cylinder):
         x, y = obstacle.centre_m

@@ -15,7 +15,7 @@ from rcj_challenges.scenario.models.field import Ball
 from rcj_challenges.scenario.models.robots import Chassis
 
 GRAVITY_MPS2 = 9.81
-"""Standard gravity; the original's worlds use it as well."""
+"""Standard gravity; the original's worlds use it too."""
 
 # --- collision bits ---------------------------------------------------------------------------------------------------
 # MuJoCo lets two geoms collide if `contype` of one shares a bit with `conaffinity` of the other.

@@ -36,12 +36,6 @@ def test_a_program_reads_what_its_robot_senses_and_drives(either_match: FakeMatc
     assert set(played.requests[0][1].sampling) == wanted
 
 
-def test_step_loops_may_be_nested_in_helpers(match: FakeMatch) -> None:
-    played = match.play("patterns/nested_step_loops", ticks=12)
-    assert played.fault is None
-    assert played.said[-1].startswith("[4.0, 8.0, ")
-
-
 def test_a_function_that_goes_on_by_calling_itself_is_told_before_python_ends_it(match: FakeMatch) -> None:
     program = """
 from controller import Robot
@@ -106,16 +100,6 @@ def test_a_pickled_dict_travels_on_the_radio(match: FakeMatch) -> None:
     assert pickle.loads(sent[0])["role"] == "striker"  # noqa: S301 - our own
     played = match.play("patterns/pickles_on_the_radio", 3, lambda _: [packet("team receiver", sent[0])])
     assert played.said == ["True", "True"]
-
-
-def test_the_clock_advances_by_the_step_and_never_stands_still(match: FakeMatch) -> None:
-    played = match.play("patterns/divides_by_time_passed", 4)
-    assert played.said == ["0.032 31"] * 3
-
-
-def test_the_direction_of_the_ball_can_be_divided_by_its_z(match: FakeMatch) -> None:
-    ball = packet("ball receiver", b"\0", 7.68, (0.986, 0.158, -0.046))
-    assert match.play("patterns/divides_by_z", 2, lambda _: [ball]).said == ["-21.435 -3.435 0.361"]
 
 
 @pytest.mark.parametrize(("length", "error"), [("-1", "ValueError"), ("nan", "ValueError"), ("inf", "OverflowError")])
@@ -209,10 +193,6 @@ def test_a_catch_all_except_round_the_whole_loop_works(match: FakeMatch) -> None
     assert played.fault is None
     assert played.said[-1] == "caught 4"
     assert "getData was called with an empty queue" in played.said[0]
-
-
-def test_state_at_module_level_lasts(match: FakeMatch) -> None:
-    assert match.play("patterns/keeps_state_at_module_level", 5).said == ["4 4 __main__"]
 
 
 def test_prints_on_every_tick_reach_the_log_as_utf_8_whatever_they_hold(match: FakeMatch) -> None:
@@ -401,12 +381,6 @@ sys.exit(1)
     played = match.play(program, 3)
     assert played.fault is None
     assert played.said == ["-1 -1", "bye"]
-
-
-def test_reading_a_sensor_that_is_not_enabled_gives_a_hint(match: FakeMatch) -> None:
-    program = "from controller import Robot\nrobot = Robot()\ngps = robot.getDevice('gps')\nrobot.step(32)\ngps.getValues()\ngps.getValues()\nrobot.step(32)\n"
-    said = match.play(program, 2).said
-    assert said == ["Warning: 'gps' is read but not enabled: call enable(32) before the first step."]
 
 
 def test_another_teams_channel_is_refused_with_a_message(match: FakeMatch) -> None:

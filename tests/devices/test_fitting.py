@@ -7,8 +7,6 @@ from dataclasses import asdict
 
 import pytest
 
-from rcj_challenges.robots.fitting import driven_robots, fit, robot_specs
-from rcj_challenges.scenario.roster import Roster
 from tests.devices.device_bench import Bench, scenario_of
 
 KIT_V2 = [
@@ -88,14 +86,6 @@ def test_idle_robots_and_robots_of_nobody_have_no_program() -> None:
     assert [spec.name for spec in bench.devices.specs.values()] == ["B3", "Y1", "Y2", "Y3"]
     assert sorted(bench.devices.specs) == [2, 3, 4, 5]
     bench.sense(ticks=2)
-
-
-def test_a_robot_without_any_device_still_has_a_program() -> None:
-    scenario = scenario_of(change={"robots": {"Y3": {"without": [name for name, _ in KIT_V2]}}})
-    roster = Roster.of(scenario)
-    assert driven_robots(scenario, roster) == (0, 1, 2, 3, 4, 5)
-    spec = robot_specs(scenario, roster, fit(scenario, roster))[5]
-    assert (spec.devices, spec.values) == ((), 0)
 
 
 def test_what_a_program_is_told_can_be_sent_as_json() -> None:

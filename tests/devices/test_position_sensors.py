@@ -25,12 +25,6 @@ def bench() -> Bench:
     return bench
 
 
-def test_the_gps_reads_the_position_of_the_cubes_centre(bench: Bench) -> None:
-    bench.place("Y1", 0.2, -0.4, 2)
-    bench.sense()
-    assert bench.read("Y1", "gps") == pytest.approx([0.2, -0.4, 0.0375], abs=1e-12)
-
-
 def test_the_compass_shows_the_worlds_y_axis_in_the_robots_frame(bench: Bench) -> None:
     bench.place("Y1", 0, 0, 2)
     bench.sense()

@@ -149,24 +149,6 @@ def test_unread_packets_stay_until_the_program_looks() -> None:
     assert len(told(bench)) == 1000
 
 
-def test_a_receiver_hears_only_from_when_it_is_enabled() -> None:
-    bench = Bench()
-    bench.sense(ticks=10)
-    bench.enable("Y1", RECEIVER)
-    bench.sense()
-    assert len(told(bench)) == 1
-
-
-def test_the_queue_of_a_program_that_never_looks_is_bounded_and_drops_the_oldest() -> None:
-    bench = Bench()
-    bench.enable("Y1", RECEIVER)
-    bench.sense(WAITING, ticks=500)
-    bench.sense(BLANK, ticks=18_000)
-    packets = told(bench)
-    assert 16_384 <= len(packets) <= 16_384 + 32
-    assert b"\x01" not in packets
-
-
 # --- 2021 -------------------------------------------------------------------------------------------------------------
 
 

@@ -13,14 +13,6 @@ from tests.devices.device_bench import Bench
 NUMBERS = ("left wheel sensor", "gps", "compass", "distancesensor left")
 
 
-def test_enable_32_then_step_32_and_the_first_value_is_ready() -> None:
-    bench = Bench()
-    bench.enable("Y1", *NUMBERS)
-    bench.sense()
-    for device in NUMBERS:
-        assert not any(map(math.isnan, bench.read("Y1", device)))
-
-
 @pytest.mark.parametrize("device", NUMBERS)
 def test_numbers_are_nan_before_the_first_sample_and_after_disable(device: str) -> None:
     bench = Bench()
@@ -64,16 +56,6 @@ def test_enabling_again_with_the_same_period_does_not_put_the_sample_off() -> No
     assert not math.isnan(bench.read("Y1", "gps")[0])
 
 
-def test_every_robot_has_its_own_periods() -> None:
-    bench = Bench()
-    bench.enable("Y1", "distancesensor left", "gps")
-    bench.enable("Y2", "distancesensor left", "gps", period=2)
-    bench.sense()
-    assert not math.isnan(bench.read("Y1", "distancesensor left")[0])
-    assert math.isnan(bench.read("Y2", "distancesensor left")[0])
-    assert math.isnan(bench.read("Y3", "distancesensor left")[0])
-
-
 def test_a_receiver_delivers_at_its_period_all_that_arrived_meanwhile() -> None:
     bench = Bench()
     bench.enable("Y1", "supervisor receiver", period=3)
@@ -82,13 +64,6 @@ def test_a_receiver_delivers_at_its_period_all_that_arrived_meanwhile() -> None:
         bench.sense()
         counts.append(len(bench.heard("Y1", "supervisor receiver")))
     assert counts == [0, 0, 3, 0, 0, 3]
-
-
-def test_a_program_that_steps_64_ms_gets_two_packets_a_step() -> None:
-    bench = Bench()
-    bench.enable("Y1", "supervisor receiver")
-    bench.sense(ticks=2)
-    assert len(bench.heard("Y1", "supervisor receiver")) == 2
 
 
 def test_what_a_receiver_held_back_is_gone_when_it_is_disabled() -> None:

@@ -63,13 +63,6 @@ def test_of_each_robot_it_hears_one_message_a_tick_in_the_order_sent(bench: Benc
     assert [told(bench) for _ in range(3)] == [{"B2": "1", "Y3": "3"}, {"B2": "2"}, {}]
 
 
-def test_a_long_message_takes_its_time_on_the_air_as_any_other(bench: Bench) -> None:
-    bench.send("Y1", b"x" * 1000, channel=1)  # 1000 / 460.8 = 2.17 ticks
-    bench.send("Y1", b"after")
-    assert [bool(told(bench)) for _ in range(3)] == [False, False, True]
-    assert [p.data for p in bench.heard("Y2", "team receiver")] == [b"after"]
-
-
 def test_who_is_taken_off_the_field_or_silenced_is_not_heard(bench: Bench) -> None:
     bench.send("Y1", b"a", b"b", channel=1)
     bench.send("Y2", b"a", b"b", channel=1)
@@ -93,12 +86,6 @@ def test_the_emitter_may_be_set_to_its_channel_only_where_a_rule_listens(bench: 
     assert facts["refused_channels"] == [-1, 1, 3]
     silent.send("B1", b"FOUND", channel=1)
     assert silent.devices.messages_to_referee(1) == ()
-
-
-def test_on_the_other_teams_channel_it_hears_nothing(bench: Bench) -> None:
-    bench.send("Y1", b"FOUND", channel=2)
-    bench.send("Y1", b"FOUND", channel=7)
-    assert told(bench) == {}
 
 
 def test_what_the_referee_has_not_heard_yet_leaves_the_team_its_radio(bench: Bench) -> None:
