@@ -41,9 +41,7 @@ class World:
         parked: ``[entity] -> `` whether it has been taken off the field.
     """
 
-    def __init__(
-        self, scenario: Scenario, roster: Roster, rays: Iterable[FixedRay] = ()
-    ) -> None:  # fmt: skip
+    def __init__(self, scenario: Scenario, roster: Roster, rays: Iterable[FixedRay] = ()) -> None:
         """Compile a scenario's world; everything stands at its start pose.
 
         Args:

@@ -117,22 +117,6 @@ def test_devices_are_made_after_the_robot(match: FakeMatch) -> None:
     assert played.said == ["Motor('left wheel motor'): make the robot first: robot = Robot()"]
 
 
-def test_the_getters_of_old_give_only_devices_of_their_class(match: FakeMatch) -> None:
-    played = _play(
-        match,
-        "print(robot.getReceiver('gps'), robot.getServo('left wheel motor').getName(), robot.getLED('gps'))\n"
-        "print(robot.getGPS('gps').getName(), robot.getCamera('camera'))\n",
-    )
-    told = [line for line in played.said if not line.startswith("DEPRECATION")]
-    assert told[:3] == [
-        'Warning: "gps" is a GPS, not a Receiver.',
-        'Warning: "gps" is a GPS, not a LED.',
-        "None left wheel motor None",
-    ]
-    assert told[3].startswith('Warning: "camera" device not found.')
-    assert told[4] == "gps None"
-
-
 def test_all_devices_stand_in_one_dict_by_name(match: FakeMatch) -> None:
     played = _play(
         match,
@@ -155,16 +139,6 @@ def test_a_receiver_that_was_never_enabled_says_so_once_when_it_is_read(match: F
     )
     told = "Warning: {!r} is read but not enabled: call enable(32) before the first step."
     assert played.said == [told.format("team receiver"), *["0 nan -1"] * 3, told.format("ball receiver")]
-
-
-def test_a_period_of_less_than_a_ms_enables_as_every_other_does(match: FakeMatch) -> None:
-    played = _play(
-        match,
-        "gps, compass = robot.getDevice('gps'), Compass('compass', 0.032)\n"
-        "gps.enable(0.032); robot.step(32)\n"
-        "print(gps.getValues(), compass.getValues(), gps.getSamplingPeriod())\n",
-    )
-    assert played.said == ["[1.0, 0.5, 0.0375] [0.0, 1.0, 0.0] 1"]
 
 
 def test_reading_a_packet_of_a_receiver_that_was_never_enabled_tells_that_enable_is_missing(match: FakeMatch) -> None:
@@ -263,36 +237,6 @@ def test_what_is_set_between_the_begin_and_the_end_of_a_step_acts_in_the_next_on
     ]
     told = [(tick, [m.velocity_radps for m in r.motors], [d for _, _, d in r.emissions]) for tick, r in played.requests]
     assert told[:4] == [(0, [1.0], []), (1, [2.0], []), (2, [5.0], [b"late"]), (4, [3.0], [])]
-
-
-def test_a_step_that_was_begun_tells_the_end_of_the_match(match: FakeMatch) -> None:
-    played = match.play(
-        "from controller import Robot\nrobot = Robot()\nwhile True:\n    robot.stepBegin(32)\n"
-        "    if robot.stepEnd() == -1:\n        break\n"
-        "robot.stepBegin(32); print('over', robot.stepEnd(), robot.getTime())\n",
-        3,
-    )
-    assert played.fault is None
-    assert played.said == ["over -1 0.096"]
-
-
-def test_seldom_used_calls_of_webots_are_there(match: FakeMatch) -> None:
-    played = _play(
-        match,
-        "compass = robot.getDevice('compass')\n"
-        "print(compass.getLookupTable(), compass.lookup_table, [robot.wwiReceive()])\n"
-        "print(robot.waitForUserInputEvent(Robot.EVENT_KEYBOARD, 1000) == Robot.EVENT_NO_EVENT, robot.getTime())\n",
-    )
-    assert played.said == ["[] [] ['']", "True 0.0"]
-
-
-def test_a_receiver_listens_when_its_period_is_assigned(match: FakeMatch) -> None:
-    lines = (
-        'receiver = robot.getDevice("team receiver")\nreceiver.sampling_period = 32\n'
-        "robot.step(32)\nprint(receiver.getQueueLength(), receiver.sampling_period)\n"
-    )
-    told = [packet("team receiver", b"hello", 1.0, (1.0, 0.0, 0.0))]
-    assert _play(match, lines, 3, air=lambda tick: told if tick == 1 else []).said == ["1 32"]
 
 
 def test_what_passes_between_the_beginning_and_the_end_of_a_step_is_missed(match: FakeMatch) -> None:

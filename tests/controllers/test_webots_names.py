@@ -74,18 +74,6 @@ def test_every_class_of_webots_can_be_named(match: FakeMatch, imports: str) -> N
     assert _play(match, program).said == ["True"] * imports.endswith("*")
 
 
-def test_an_annotation_with_a_class_that_no_robot_has_does_no_harm(match: FakeMatch) -> None:
-    played = _play(
-        match,
-        "from controller import *\n"
-        "robot = Robot()\n"
-        "camera: Camera = robot.getDevice('camera')\n"
-        "def show(display: Display, led: LED) -> Motion: pass\n"
-        "print(isinstance(robot.getDevice('gps'), Camera), Camera is Camera)\n",
-    )
-    assert played.said[-1] == "False True"
-
-
 def test_making_a_device_that_no_robot_has_is_refused_also_as_a_class_of_the_teams_own(match: FakeMatch) -> None:
     played = _play(
         match,
@@ -183,16 +171,6 @@ def test_each_device_tells_its_kind_as_the_constants_of_node_do(match: FakeMatch
     assert set(kind_of.values()) == set(kinds)
 
 
-def test_kinds_of_fields_are_numbers_that_differ(match: FakeMatch) -> None:
-    played = _play(
-        match,
-        "from controller import Robot, Field\nrobot = Robot()\n"
-        "numbers = [number for name, number in vars(Field).items() if type(number) is int and name[0] != '_']\n"
-        "print(len(numbers) == len(set(numbers)), Field.SF_VEC3F != Field.MF_VEC3F)\n",
-    )
-    assert played.said == ["True True"]
-
-
 def test_a_supervisor_is_a_robot_whose_further_calls_do_nothing_and_say_so_once(match: FakeMatch) -> None:
     program = """
 from controller import Supervisor
@@ -238,11 +216,6 @@ print(robot.ball, robot.getTime())
         "Y1 True True 0.032",
         "None 0.064",
     ]
-
-
-def test_a_robot_that_is_no_supervisor_has_none_of_its_calls(match: FakeMatch) -> None:
-    played = _play(match, "from controller import Robot\nrobot = Robot()\nprint(hasattr(robot, 'getFromDef'))\n")
-    assert played.said == ["False"]
 
 
 ASKS = """
