@@ -6,7 +6,7 @@ neither scenario nor MuJoCo, only the protocols here.
 """
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple, Protocol, Self
 
@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 
 Side = Literal["left", "right"]
 """Of a wheel: left is +y of the robot that looks along +x."""
+
+Reader = Callable[[int, RobotPose, list[float]], None]
+"""Writes the samples of a tick into a robot's numbers, like `Sensor.read`."""
 
 DEVICES = Vocabulary("device")
 
@@ -192,10 +195,16 @@ class Sensor:
         raise NotImplementedError
 
     @classmethod
-    def read_all(cls, sensors: Sequence[Self], tick: int, pose: RobotPose, values: list[float]) -> None:
-        """Take the samples of sensors of this class on one robot: those of many are read in one loop (ADR 10)."""
-        for sensor in sensors:
-            sensor.read(tick, pose, values)
+    def reader(cls, sensors: Sequence[Self]) -> Reader:
+        """Return what reads some sensors of one robot; common kinds do it in one loop (ADR 10)."""
+        if len(sensors) == 1:
+            return sensors[0].read
+
+        def read(tick: int, pose: RobotPose, values: list[float]) -> None:
+            for sensor in sensors:
+                sensor.read(tick, pose, values)
+
+        return read
 
     def advance(self, tick: int, pose: RobotPose) -> None:
         """Move on by one tick while enabled, also between samples and before them."""

@@ -1,9 +1,10 @@
 """The device ``compass``."""
 
 import math
-from typing import Literal
+from collections.abc import Sequence
+from typing import Literal, Self
 
-from rcj_challenges.devices.base import Device, Fitted, Phrases, Sensor, SensorContext
+from rcj_challenges.devices.base import Device, Fitted, Phrases, Reader, Sensor, SensorContext
 from rcj_challenges.devices.noise import Noise
 from rcj_challenges.devices.poses import RobotPose
 from rcj_challenges.devices.wording import noise_words, order_words
@@ -43,16 +44,31 @@ class CompassSensor(Sensor):
 
     def __init__(self, device: CompassDevice, fitted: Fitted, context: SensorContext) -> None:
         super().__init__(fitted.spec)
-        self._is_legacy = device.frame == "legacy"
+        self.is_legacy = device.frame == "legacy"
         self._noise_rad = device.noise_rad
-        self._noise = Noise.of(fitted, context.half) if device.noise_rad else None
+        self.noise = Noise.of(fitted, context.half) if device.noise_rad else None
+
+    @classmethod
+    def reader(cls, sensors: Sequence[Self]) -> Reader:
+        """Return what reads the sensors of a robot; the usual one has neither noise nor the legacy frame."""
+        first, *others = sensors
+        if others or first.noise is not None or first.is_legacy:
+            return super().reader(sensors)
+        slot = first.slot
+
+        def read(_tick: int, pose: RobotPose, values: list[float]) -> None:
+            values[slot], values[slot + 1], values[slot + 2] = pose.north()
+
+        return read
 
     def read(self, tick: int, pose: RobotPose, values: list[float]) -> None:
         """Write the sample of a tick into the robot's numbers."""
         forward, left, up = pose.north()
-        if self._noise is not None:
-            forward, left = _turned(forward, left, self._noise_rad * self._noise.numbers(tick)[0])
-        values[self.slot : self.slot + 3] = (left, up, forward) if self._is_legacy else (forward, left, up)
+        if self.noise is not None:
+            forward, left = _turned(forward, left, self._noise_rad * self.noise.numbers(tick)[0])
+        slot = self.slot
+        shown = (left, up, forward) if self.is_legacy else (forward, left, up)
+        values[slot], values[slot + 1], values[slot + 2] = shown
 
 
 def _turned(forward: float, left: float, by_rad: float) -> tuple[float, float]:

@@ -8,7 +8,7 @@ import math
 from collections.abc import Sequence
 from typing import Any, Literal, Self, cast
 
-from rcj_challenges.devices.base import Carrier, Device, Fitted, FixedRay, Phrases, Sensor, SensorContext
+from rcj_challenges.devices.base import Carrier, Device, Fitted, FixedRay, Phrases, Reader, Sensor, SensorContext
 from rcj_challenges.devices.noise import Noise
 from rcj_challenges.devices.poses import RobotPose
 from rcj_challenges.devices.wording import noise_words, percent_words
@@ -88,6 +88,7 @@ class Echoes:
     """What the rays of all robots meet, measured once in a tick in which a sonar is read.
 
     Attributes:
+        tick: at which they were measured last.
         rays: distance, direction and normal, by number of the ray.
         errors: the noise, by number of the sonar.
     """
@@ -99,16 +100,15 @@ class Echoes:
         scale = _MM_PER_M * np.array([device.noise for device in devices])
         self._noise = Noise(context.half, [(one.robot_name, one.spec.name) for one in fitted], scale=scale)
         self._fixed = context.rays.fixed(min(device.height_m for device in devices))
-        self._tick = -1
+        self.tick = -1
         self.rays: list[tuple[float, ...]] = []
         self.errors: list[float] = []
 
     def measure(self, tick: int) -> None:
-        """Measure all rays, unless that has been done at this tick."""
-        if tick != self._tick:
-            self._tick = tick
-            self.rays = self._fixed.measure()
-            self.errors = self._noise.numbers(tick)
+        """Measure all rays."""
+        self.tick = tick
+        self.rays = self._fixed.measure()
+        self.errors = self._noise.numbers(tick)
 
 
 class SonarSensor(Sensor):
@@ -116,40 +116,40 @@ class SonarSensor(Sensor):
 
     Attributes:
         echoes: of all sonars.
-        number: its own among them.
-        ray: the number of its ray.
-        range_m: how far it hears.
-        facing_below: cosine of ray and normal from which on no echo comes back.
+        row: its ray, its number among the sonars, its slot, its range in m, and the cosine of ray and normal from which
+            on no echo comes back.
     """
 
-    __slots__ = ("echoes", "facing_below", "number", "range_m", "ray")
+    __slots__ = ("echoes", "row")
 
     def __init__(self, number: int, fitted: Fitted, echoes: Echoes, context: SensorContext) -> None:
         super().__init__(fitted.spec)
         device = cast("SonarDevice", fitted.device)
+        ray = context.rays.number_of(fitted.robot_name, fitted.spec.name)
         self.echoes = echoes
-        self.number = number
-        self.ray = context.rays.number_of(fitted.robot_name, fitted.spec.name)
-        self.range_m = device.range_m
-        self.facing_below = -max(_GRAZING, math.cos(device.lost_from_rad))
+        self.row = (ray, number, self.slot, device.range_m, -max(_GRAZING, math.cos(device.lost_from_rad)))
 
     @classmethod
-    def read_all(cls, sensors: Sequence[Self], tick: int, _pose: RobotPose, values: list[float]) -> None:
-        """Take the samples of a robot's sonars."""
-        echoes = sensors[0].echoes
-        echoes.measure(tick)
-        rays, errors = echoes.rays, echoes.errors
+    def reader(cls, sensors: Sequence[Self]) -> Reader:
+        """Return what reads the sonars of a robot in one loop."""
+        echoes, rows = sensors[0].echoes, [sensor.row for sensor in sensors]
         full_from_m, mm_per_m = NOISE_FULL_FROM_M, _MM_PER_M
-        # Number by number: for a handful of them numpy's calls cost more than they save.
-        for sensor in sensors:
-            distance, dx, dy, dz, nx, ny, nz = rays[sensor.ray]
-            range_m = sensor.range_m
-            # Cosine of the angle between ray and normal, -1 head on. Nothing hit: the normal is zero, no echo.
-            facing = dx * nx + dy * ny + dz * nz
-            if facing < sensor.facing_below:
-                echo_m = distance if distance < range_m else range_m  # noqa: FURB136 - `min` takes twice as long
-            else:
-                # A ray leaves a body only if it begins in one that is pressed against the robot: echo from no distance.
-                echo_m = 0.0 if facing > 0 else range_m
-            full_m = echo_m if echo_m < full_from_m else full_from_m  # noqa: FURB136
-            values[sensor.slot] = echo_m * (mm_per_m + full_m * errors[sensor.number])
+
+        def read(tick: int, _pose: RobotPose, values: list[float]) -> None:
+            if echoes.tick != tick:
+                echoes.measure(tick)
+            rays, errors = echoes.rays, echoes.errors
+            # Number by number: for a handful of them numpy's calls cost more than they save.
+            for ray, number, slot, range_m, facing_below in rows:
+                distance, dx, dy, dz, nx, ny, nz = rays[ray]
+                # Cosine of the angle between ray and normal, -1 head on. Nothing hit: the normal is zero, no echo.
+                facing = dx * nx + dy * ny + dz * nz
+                if facing < facing_below:
+                    echo_m = distance if distance < range_m else range_m  # noqa: FURB136 - `min` takes twice as long
+                else:
+                    # A ray leaves a body only if it begins in one that is pressed against the robot: no distance.
+                    echo_m = 0.0 if facing > 0 else range_m
+                full_m = echo_m if echo_m < full_from_m else full_from_m  # noqa: FURB136
+                values[slot] = echo_m * (mm_per_m + full_m * errors[number])
+
+        return read

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import Literal, Self
 
-from rcj_challenges.devices.base import Device, Fitted, Phrases, Sensor, SensorContext
+from rcj_challenges.devices.base import Device, Fitted, Phrases, Reader, Sensor, SensorContext
 from rcj_challenges.devices.poses import RobotPose
 from rcj_challenges.rules.fields import OneOrMinusOne, described
 
@@ -39,22 +39,23 @@ class WheelSensor(Sensor):
     """A wheel's angle in rad since the start of the half.
 
     Attributes:
-        at: where it stands in `Joints.state`.
-        direction: 1, or -1 to count the other way.
         joints: refreshed every tick.
+        row: its slot, where its angle stands in `Joints.state`, and 1, or -1 to count the other way.
     """
-
-    __slots__ = ("at", "direction", "joints")
 
     def __init__(self, device: WheelSensorDevice, fitted: Fitted, context: SensorContext) -> None:
         super().__init__(fitted.spec)
         self.joints = context.joints
-        self.at = context.joints.wheel_angle_at(fitted.robot_name, device.wheel)
-        self.direction = device.direction
+        self.row = (self.slot, context.joints.wheel_angle_at(fitted.robot_name, device.wheel), device.direction)
 
     @classmethod
-    def read_all(cls, sensors: Sequence[Self], _tick: int, _pose: RobotPose, values: list[float]) -> None:
-        """Take the samples of a robot's sensors."""
-        state = sensors[0].joints.state
-        for sensor in sensors:
-            values[sensor.slot] = sensor.direction * state[sensor.at]
+    def reader(cls, sensors: Sequence[Self]) -> Reader:
+        """Return what reads the sensors of a robot in one loop."""
+        joints, rows = sensors[0].joints, [sensor.row for sensor in sensors]
+
+        def read(_tick: int, _pose: RobotPose, values: list[float]) -> None:
+            state = joints.state
+            for slot, at, direction in rows:
+                values[slot] = direction * state[at]
+
+        return read

@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from collections.abc import Mapping, Sequence
 
-from rcj_challenges.devices.base import Sensor
+from rcj_challenges.devices.base import Reader, Sensor
 from rcj_challenges.devices.poses import RobotPose
 from rcj_challenges.robots.sampling import Schedule
-
-_ReadAll = Callable[[Sequence[Any], int, RobotPose, list[float]], None]
 
 
 class RobotSensors:
@@ -35,6 +32,7 @@ class RobotSensors:
         self._sensors = sensors
         self._pose = pose
         self._schedule = Schedule()
+        self._known: dict[tuple[int, ...], list[Reader]] = {}
         for sensor in sensors.values():
             sensor.clear(self.values)
         self._choose(())
@@ -70,11 +68,15 @@ class RobotSensors:
         self._choose(self._schedule.due(tick))
 
     def _choose(self, due: Sequence[int]) -> None:
-        by_class: dict[type[Sensor], list[Sensor]] = {}
-        for device in due:
-            sensor = self._sensors[device]
-            by_class.setdefault(type(sensor), []).append(sensor)
-        self._due: list[tuple[_ReadAll, list[Sensor]]] = [(kind.read_all, some) for kind, some in by_class.items()]
+        key = tuple(due)
+        readers = self._known.get(key)
+        if readers is None:
+            by_class: dict[type[Sensor], list[Sensor]] = {}
+            for device in due:
+                sensor = self._sensors[device]
+                by_class.setdefault(type(sensor), []).append(sensor)
+            readers = self._known[key] = [kind.reader(some) for kind, some in by_class.items()]
+        self._due = readers
         enabled = (self._sensors[device] for device in self._schedule.enabled())
         self._advancing = [sensor for sensor in enabled if sensor.advances]
 
@@ -83,5 +85,5 @@ class RobotSensors:
         pose, values = self._pose, self.values
         for sensor in self._advancing:
             sensor.advance(tick, pose)
-        for read_all, sensors in self._due:
-            read_all(sensors, tick, pose, values)
+        for read in self._due:
+            read(tick, pose, values)

@@ -124,6 +124,7 @@ class _FixedRays:
 
     def __init__(self, ground: Ground, groups: tuple[int, ...]) -> None:
         self._model, self._data = ground.model, ground.data
+        self._option = self._model.opt
         self._numbers = memoryview(self._data.sensordata).cast("B")
         self._colours = memoryview(self._model.geom_rgba).cast("B")
         self._usual = self._colours.tobytes()
@@ -135,7 +136,7 @@ class _FixedRays:
 
     def measure(self) -> list[tuple[float, ...]]:
         """Return distance in m, direction (3) and normal of what is met (3) of each ray; the normal of nothing is 0."""
-        option = self._model.opt
+        option = self._option
         flags = option.disableflags  # others use them too
         option.disableflags = flags & _SENSORS_ON
         self._colours[:] = self._masked
