@@ -30,7 +30,7 @@ _Json = dict[str, Any]
 
 _PARAM = {
     "type": "object",
-    "description": "The value of a param: {param: NAME} stands for any single value; of a number also reckoned.",
+    "description": "The value of a param: {param: NAME} stands for any single value; of a number also computed.",
     "properties": {
         "param": {"type": "string", "description": "a name of the section params"},
         "times": {"type": "number", "description": "the param times this number; left out: 1"},

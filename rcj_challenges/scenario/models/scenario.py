@@ -294,7 +294,7 @@ class Scenario(Strict):
         None, "a shipped preset (soccersim_v2, soccersim_2021, empty_field) or scenario (match, …), or a relative path"
     )
     params: dict[Name, Scalar] = described(
-        {}, "named values; {param: NAME} stands for them anywhere, {param: NAME, times: -1, plus: 0.1} for one reckoned"
+        {}, "named values; {param: NAME} stands for them anywhere, {param: NAME, times: -1, plus: 0.1} for one computed"
     )
     match: Match = described(Match(), "halves and their length")
     field: FieldModel = described(FieldModel(), "the field, its walls and goals")
