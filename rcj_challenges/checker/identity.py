@@ -10,7 +10,7 @@ from rcj_challenges.checker.findings import Finding
 from rcj_challenges.checker.images import Picture, identify
 from rcj_challenges.controllers.team import LOGO_FILE, Opening, may_be_logo
 from rcj_challenges.controllers.troubles import Trouble, told
-from rcj_challenges.records.logos import MOST_LOGO_BYTES, MOST_LOGO_SIDE, LogoError, checked_png
+from rcj_challenges.records.logos import MAX_LOGO_BYTES, MAX_LOGO_SIDE, LogoError, checked_png
 
 _AS_PNG = "save it as a PNG"
 
@@ -88,12 +88,12 @@ def _refused(path: PurePosixPath, picture: Picture | None, data: bytes, reason: 
         return _warning("logo_no_picture", f"{name} is no picture: {reason}", _AS_PNG, path)
     if picture.kind != "PNG":
         return _warning("logo_type", f"{name} is a {picture.kind}, not a PNG, and is not shown", _AS_PNG, path)
-    if max(picture.width, picture.height) > MOST_LOGO_SIDE:
+    if max(picture.width, picture.height) > MAX_LOGO_SIDE:
         message = f"{name} has {picture.width} x {picture.height} pixels and is not shown"
-        return _warning("logo_size", message, f"make it at most {MOST_LOGO_SIDE} pixels wide and high", path)
-    if len(data) > MOST_LOGO_BYTES:
+        return _warning("logo_size", message, f"make it at most {MAX_LOGO_SIDE} pixels wide and high", path)
+    if len(data) > MAX_LOGO_BYTES:
         message = f"{name} has {len(data) / 1e6:.1f} MB and is not shown"
-        return _warning("logo_bytes", message, f"make it at most {MOST_LOGO_BYTES / 1e6:.0f} MB", path)
+        return _warning("logo_bytes", message, f"make it at most {MAX_LOGO_BYTES / 1e6:.0f} MB", path)
     return _warning("logo_damaged", f"{name} is not shown: {reason}", _AS_PNG, path)
 
 

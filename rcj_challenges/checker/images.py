@@ -11,14 +11,14 @@ import warnings
 from dataclasses import dataclass
 
 from rcj_challenges.facts.errors import RcjError
-from rcj_challenges.records.logos import MOST_LOGO_BYTES, MOST_LOGO_SIDE, PNG_SIGNATURE
+from rcj_challenges.records.logos import MAX_LOGO_BYTES, MAX_LOGO_SIDE, PNG_SIGNATURE
 
 MAX_PIXELS = 12_000_000
 """Decoded at most: 48 MB with four bytes each. The largest logo seen had 6.25 million."""
 
 _KINDS = {PNG_SIGNATURE: "PNG", b"\xff\xd8\xff": "JPEG", b"GIF8": "GIF", b"BM": "BMP", b"RIFF": "WebP"}
 _ANIMATION_WITHIN_BYTES = 4096  # the mark stands before the first picture
-_SIDES = (MOST_LOGO_SIDE, 512, 256, 128)  # 128 pixels a side are 65 kB, however badly they compress
+_SIDES = (MAX_LOGO_SIDE, 512, 256, 128)  # 128 pixels a side are 65 kB, however badly they compress
 
 
 class PictureError(RcjError):
@@ -79,7 +79,7 @@ def as_png(data: bytes) -> bytes:
             picture.thumbnail((side, side))
             out = io.BytesIO()
             picture.save(out, "PNG")
-            if out.tell() <= MOST_LOGO_BYTES:
+            if out.tell() <= MAX_LOGO_BYTES:
                 break
         return out.getvalue()
     except (Image.DecompressionBombError, Image.DecompressionBombWarning):

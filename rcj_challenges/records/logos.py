@@ -13,9 +13,9 @@ from pathlib import Path, PurePosixPath
 
 from rcj_challenges.facts.errors import RcjError
 
-MOST_LOGO_BYTES = 1_000_000
+MAX_LOGO_BYTES = 1_000_000
 """What is kept in a record; it is on every page of the run."""
-MOST_LOGO_SIDE = 1024
+MAX_LOGO_SIDE = 1024
 """Pixels. Teams have handed in 2500 (reference, section 7): such a picture unpacks to 25 MB in every browser."""
 
 PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
@@ -40,7 +40,7 @@ class LogoError(RcjError):
 def logo_of(files: Mapping[PurePosixPath, bytes]) -> bytes | None:
     """Return a team's ``logo.png`` as it is, the nearest to the top; None without one or if it is too large."""
     found = sorted((path for path in files if path.name.casefold() == _FILE), key=lambda path: len(path.parts))
-    return files[found[0]] if found and len(files[found[0]]) <= MOST_LOGO_BYTES else None
+    return files[found[0]] if found and len(files[found[0]]) <= MAX_LOGO_BYTES else None
 
 
 def logo_path(folder: Path, team: str) -> Path:
@@ -60,8 +60,8 @@ def checked_png(data: bytes) -> bytes:
     if not data.startswith(PNG_SIGNATURE):
         kind = next((kind for magic, kind in _OTHER_KINDS if data.startswith(magic)), "no PNG")
         raise LogoError(f"it is {kind}")
-    if len(data) > MOST_LOGO_BYTES:
-        raise LogoError(f"it has {len(data) / 1e6:.1f} MB, more than {MOST_LOGO_BYTES / 1e6:g}")
+    if len(data) > MAX_LOGO_BYTES:
+        raise LogoError(f"it has {len(data) / 1e6:.1f} MB, more than {MAX_LOGO_BYTES / 1e6:g}")
     chunks = [(kind, body) for kind, body in _chunks(data) if kind in _KEPT]
     kinds = [kind for kind, _ in chunks]
     order = sorted(kinds, key=_KEPT.index)
@@ -94,8 +94,8 @@ def _check_pixels(header: bytes, packed: bytes, *, palette: bool) -> None:
     width, height, depth, colour, compression, filtering, interlace = _IHDR.unpack(header)
     if depth not in _DEPTHS.get(colour, ()) or compression or filtering or interlace > 1 or (colour == 3) > palette:
         raise LogoError("it is damaged: its header says what no PNG has")
-    if not (0 < width <= MOST_LOGO_SIDE and 0 < height <= MOST_LOGO_SIDE):
-        raise LogoError(f"it has {width} x {height} pixels, more than {MOST_LOGO_SIDE} on a side")
+    if not (0 < width <= MAX_LOGO_SIDE and 0 < height <= MAX_LOGO_SIDE):
+        raise LogoError(f"it has {width} x {height} pixels, more than {MAX_LOGO_SIDE} on a side")
     expected = _unpacked_bytes(width, height, depth * _CHANNELS[colour], interlaced=bool(interlace))
     unpacker = zlib.decompressobj()
     try:

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rcj_challenges.records.logos import MOST_LOGO_BYTES, MOST_LOGO_SIDE, LogoError, checked_png, logo_of
+from rcj_challenges.records.logos import MAX_LOGO_BYTES, MAX_LOGO_SIDE, LogoError, checked_png, logo_of
 from tests.hostile.archives.pictures import PNG, chunk
 
 
@@ -51,7 +51,7 @@ def test_text_animation_and_what_stands_behind_the_end_are_left_out() -> None:
         (b"BMxxxx", "a BMP"),
         (b"<svg onload='alert(1)'>", "no PNG"),
         (b"", "no PNG"),
-        (png(MOST_LOGO_SIDE + 1, 1), "1025 x 1 pixels"),
+        (png(MAX_LOGO_SIDE + 1, 1), "1025 x 1 pixels"),
         (png(0, 1), "0 x 1 pixels"),
         (png()[:-1], "damaged"),
         (png()[:40], "damaged"),
@@ -61,7 +61,7 @@ def test_text_animation_and_what_stands_behind_the_end_are_left_out() -> None:
         (png(colour=6, depth=1), "what no PNG has"),
         (PNG + chunk(b"IEND"), "out of order"),
         (PNG + chunk(b"IDAT") + png()[8:], "out of order"),
-        (PNG + bytes(MOST_LOGO_BYTES), "MB, more than 1"),
+        (PNG + bytes(MAX_LOGO_BYTES), "MB, more than 1"),
     ],
 )
 def test_what_is_no_logo_is_refused_with_the_reason(data: bytes, says: str) -> None:
@@ -89,4 +89,4 @@ def test_the_logo_nearest_to_the_top_of_a_submission_is_the_teams() -> None:
     }
     assert logo_of(files) == b"outer"
     assert logo_of({PurePosixPath("a.py"): b""}) is None
-    assert logo_of({PurePosixPath("logo.png"): bytes(MOST_LOGO_BYTES + 1)}) is None
+    assert logo_of({PurePosixPath("logo.png"): bytes(MAX_LOGO_BYTES + 1)}) is None

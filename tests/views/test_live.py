@@ -28,7 +28,7 @@ from rcj_challenges.records.testing import (
 )
 from rcj_challenges.views.live import MAX_SPEED, LiveShow, Pace, PortTakenError
 from rcj_challenges.views.live.feed import Feed, poses, said
-from rcj_challenges.views.live.server import MOST_CONNECTIONS, carry_out
+from rcj_challenges.views.live.server import MAX_CONNECTIONS, carry_out
 from rcj_challenges.views.live.telling import LiveObserver
 
 SCENARIO = small_scenario(halves=2, half_s=60.0)
@@ -185,7 +185,7 @@ def test_the_65th_connection_is_told_to_come_back_and_the_first_goes_on(show: Li
     match = _match(ask()[2].decode())
     waiting = []
     try:
-        for _ in range(MOST_CONNECTIONS):
+        for _ in range(MAX_CONNECTIONS):
             spectator = socket.create_connection(("127.0.0.1", show.port), timeout=10)
             spectator.sendall(
                 f"GET /feed?match={match}&from=0 HTTP/1.1\r\nHost: 127.0.0.1:{show.port}\r\n\r\n".encode()

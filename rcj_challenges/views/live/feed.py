@@ -23,7 +23,7 @@ from typing import Any
 STILL_HERE = struct.pack("<BI", 0, 0)
 
 _SAID, _POSES, _SENSED = 1, 2, 3
-_MOST_AT_ONCE = 1 << 16
+_MAX_AT_ONCE = 1 << 16
 
 
 def said(message: dict[str, Any]) -> bytes:
@@ -85,7 +85,7 @@ class Feed:
                 return None if self._closed else b""
             first = bisect_right(self._ends, start)
             last = first + 1
-            while last < len(self._ends) and self._ends[last] - start <= _MOST_AT_ONCE:
+            while last < len(self._ends) and self._ends[last] - start <= _MAX_AT_ONCE:
                 last += 1
             chunks = self._chunks[first:last]
             begin = self._ends[first] - len(self._chunks[first])

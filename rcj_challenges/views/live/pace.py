@@ -13,7 +13,7 @@ from rcj_challenges.facts.timing import TICK_S
 MAX_SPEED = math.inf
 """As fast as the machine can."""
 
-MOST_STEPS = 1_000
+MAX_STEPS = 1_000
 SLOWEST, FASTEST = 0.01, 1_000.0
 
 _SLICE_S = 0.5
@@ -73,9 +73,9 @@ class Pace:
         self._set(paused=False)
 
     def step(self, ticks: int = 1) -> None:
-        """Pause, and play so many ticks (at most `MOST_STEPS`)."""
+        """Pause, and play so many ticks (at most `MAX_STEPS`)."""
         with self._turn:
-            self._steps = min(MOST_STEPS, self._steps + ticks)
+            self._steps = min(MAX_STEPS, self._steps + ticks)
         self._set(paused=True, keep_steps=True)
 
     def set_speed(self, speed: float) -> None:

@@ -20,7 +20,7 @@ from rcj_challenges.views.replay.sensing import columns_of, robot_facts, speeds,
 Array = npt.NDArray[Any]
 
 _LETTERS_A_MESSAGE = 100_000
-_GROUP_BITS, _MOST_GROUPS = 7, 5
+_GROUP_BITS, _MAX_GROUPS = 7, 5
 
 
 class HalfSenses:
@@ -115,12 +115,12 @@ def packed_steps(steps: Array) -> bytes:
     """
     signed = steps.ravel().astype(np.int32)
     left: Array = ((signed << 1) ^ (signed >> 31)).view(np.uint32)
-    groups = np.empty((len(left), _MOST_GROUPS), np.uint8)
+    groups = np.empty((len(left), _MAX_GROUPS), np.uint8)
     is_sent = np.ones(groups.shape, np.bool_)
-    for group in range(_MOST_GROUPS):
+    for group in range(_MAX_GROUPS):
         groups[:, group] = left  # its lowest eight bits
         left = left >> _GROUP_BITS
-        if group + 1 < _MOST_GROUPS:
+        if group + 1 < _MAX_GROUPS:
             np.not_equal(left, 0, out=is_sent[:, group + 1])
     groups[:, :-1] &= 0x7F
     groups[:, :-1] |= is_sent[:, 1:].view(np.uint8) << 7

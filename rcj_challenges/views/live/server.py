@@ -21,18 +21,18 @@ from typing import Any, ClassVar
 from urllib.parse import parse_qs, urlsplit
 
 from rcj_challenges.views.live.feed import STILL_HERE, Feed
-from rcj_challenges.views.live.pace import MAX_SPEED, MOST_STEPS, Pace
+from rcj_challenges.views.live.pace import MAX_SPEED, MAX_STEPS, Pace
 
 HOST = "127.0.0.1"
-MOST_CONNECTIONS = 64
+MAX_CONNECTIONS = 64
 """Further spectators get an answer that asks them to try again later."""
 
 _TIMEOUT_S = 20.0
 """A spectator that takes nothing, or asks nothing, for so long is let go; the page comes back by itself."""
 _STILL_HERE_S = 5.0
 _LONGEST_ORDER = 1_024
-_MOST_DIGITS = 12
-_MOST_TAKEN_IN = 65_536
+_MAX_DIGITS = 12
+_MAX_TAKEN_IN = 65_536
 _LINGERS_S = 1.0
 _REFUSED_WITHIN_S = 0.2
 """So long the next one to connect may have to wait for one that finds no room and has not asked for anything yet."""
@@ -95,7 +95,7 @@ class SpectatorServer(ThreadingHTTPServer):
             OSError: the port is taken or not allowed.
         """
         self.stage = stage
-        self._free = threading.BoundedSemaphore(MOST_CONNECTIONS)
+        self._free = threading.BoundedSemaphore(MAX_CONNECTIONS)
         super().__init__((HOST, port), _Handler)
         self.port: int = self.server_address[1]
         self.hosts = frozenset(
@@ -115,7 +115,7 @@ class SpectatorServer(ThreadingHTTPServer):
                 request.settimeout(_REFUSED_WITHIN_S)
                 request.sendall(b"HTTP/1.1 503 Service Unavailable\r\nConnection: close\r\nContent-Length: 0\r\n\r\n")
                 request.shutdown(socket.SHUT_WR)
-                request.recv(_MOST_TAKEN_IN)  # what is left unread takes the answer with it on Windows
+                request.recv(_MAX_TAKEN_IN)  # what is left unread takes the answer with it on Windows
             self.shutdown_request(request)
             return
         super().process_request(request, client_address)
@@ -207,7 +207,7 @@ class _Handler(BaseHTTPRequestHandler):
         stage = self.server.stage
         asked = parse_qs(urlsplit(self.path).query)
         start = asked.get("from", ["0"])[0]
-        if not (start.isascii() and start.isdigit() and len(start) <= _MOST_DIGITS):
+        if not (start.isascii() and start.isdigit() and len(start) <= _MAX_DIGITS):
             return self._refuse(400, "from: a number of bytes")
         if asked.get("match", [""])[0] != stage.match:
             return self._refuse(409, "another match is played here now")
@@ -238,7 +238,7 @@ class _Handler(BaseHTTPRequestHandler):
             return self._refuse(403, "only who started the match may steer it: use the address with the token")
         length = self.headers.get("Content-Length", "")
         # Of more digits than these Python makes no number.
-        if not (length.isascii() and length.isdigit() and len(length) <= _MOST_DIGITS) or int(length) > _LONGEST_ORDER:
+        if not (length.isascii() and length.isdigit() and len(length) <= _MAX_DIGITS) or int(length) > _LONGEST_ORDER:
             return self._refuse(413, f"an order of at most {_LONGEST_ORDER} bytes")
         try:
             carry_out(self.server.stage.pace, json.loads(self.rfile.read(int(length))))
@@ -261,7 +261,7 @@ class _Handler(BaseHTTPRequestHandler):
             self.wfile.flush()
             self.connection.shutdown(socket.SHUT_WR)
             self.connection.settimeout(_LINGERS_S)
-            left = _MOST_TAKEN_IN
+            left = _MAX_TAKEN_IN
             while left > 0 and (taken := self.connection.recv(min(left, _LONGEST_ORDER))):
                 left -= len(taken)
 
@@ -292,8 +292,8 @@ def carry_out(pace: Pace, order: Any) -> None:
         plain[does]()
     elif does == "step":
         ticks = order.get("ticks", 1)
-        if type(ticks) is not int or not 1 <= ticks <= MOST_STEPS:
-            raise ValueError(f"ticks: a whole number from 1 to {MOST_STEPS}")
+        if type(ticks) is not int or not 1 <= ticks <= MAX_STEPS:
+            raise ValueError(f"ticks: a whole number from 1 to {MAX_STEPS}")
         pace.step(ticks)
     elif does == "speed":
         speed = order.get("speed")

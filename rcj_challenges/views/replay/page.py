@@ -15,7 +15,7 @@ from rcj_challenges.facts.play import Fault
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY, replaced
-from rcj_challenges.records.logos import MOST_LOGO_BYTES, LogoError, checked_png, logo_path
+from rcj_challenges.records.logos import MAX_LOGO_BYTES, LogoError, checked_png, logo_path
 from rcj_challenges.records.referee_log import log_of_result, read_referee_log
 from rcj_challenges.records.result import RunResult
 from rcj_challenges.records.run_record import RunRecord, read_run
@@ -127,7 +127,7 @@ def _give_logos(facts: dict[str, Any], folder: Path, seats: Collection[str]) -> 
     for team in [team for team in facts["teams"] if team["name"] in seats]:
         path = logo_path(folder, team["name"])
         try:
-            if path.is_file() and path.stat().st_size <= MOST_LOGO_BYTES:
+            if path.is_file() and path.stat().st_size <= MAX_LOGO_BYTES:
                 team["logo"] = logo_address(path.read_bytes())
         except (LogoError, OSError) as error:
             facts["about"].append(no_logo(team["title"], error))
