@@ -136,7 +136,9 @@ def test_a_fault_of_ours_is_told_as_such_everywhere_and_ends_with_3(team, monkey
     assert "not checked  start: every robot starts" in stream.getvalue()
 
 
-@pytest.mark.parametrize(("error", "exit_code"), [(PhysicsFault("cannot go on"), 3), (RecordError("cannot go on"), 2)])
+@pytest.mark.parametrize(
+    ("error", "exit_code"), [(PhysicsFault("cannot go on"), 3), (RecordError("record-damaged", "cannot go on"), 2)]
+)
 def test_a_match_that_cannot_be_played_is_no_verdict(team, monkeypatch, error, exit_code):
     monkeypatch.setattr(starting, "check_start", raising(error))
     told = check_file(team(), MATCH, SHORT)
