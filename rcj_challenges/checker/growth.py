@@ -1,4 +1,4 @@
-"""How much programs print and write as a short match goes on, and what that comes to in a whole half."""
+"""Extrapolates what programs print and write in a short match to a whole half."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Many submissions at once: a process for each, so that one that comes to a bad end takes no other with it."""
+"""Checks many submissions at once, each in its own process, so that a crash in one does not affect the others."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where an import leads: which file of the submission, Python itself, what is installed for programs, or nowhere.
+"""Resolves imports: which file of the submission, Python itself, what is installed for programs, or nowhere.
 
 The same places in the same order as `controllers` gives a program: its own folder, the folder above (which holds all
 of a team's programs), Python's library, then numpy and scipy. A program that changes ``sys.path`` may find modules in

@@ -1,4 +1,4 @@
-"""Asking a process of its own what stands in a team's Python files (see ``reader.py``)."""
+"""Reads a team's Python files in a separate process (see ``reader.py``)."""
 
 from __future__ import annotations
 

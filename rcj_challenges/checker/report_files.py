@@ -1,4 +1,4 @@
-"""The files that a check writes: that it can is known before it begins, and an old one stays if it cannot after all."""
+"""Output files of a check: tested for writability before it begins; old ones are kept if writing fails."""
 
 from __future__ import annotations
 

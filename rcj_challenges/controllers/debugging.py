@@ -1,4 +1,4 @@
-"""What is different for a program that is debugged: where it runs, and who waits for whom."""
+"""Differences for a program under a debugger: where it runs, and which side waits for the other."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Which files beside its own a program may see: Python, what it may import, and shared libraries.
 
-A short list, read-only, and never one that holds what is not meant: an interpreter that lives in ``/`` or in somebody's
+The list is short, read-only and contains nothing else: an interpreter that lives in ``/`` or in somebody's
 home folder must not open all of it.
 """
 

@@ -1,4 +1,4 @@
-"""What the system tells of processes: how many threads there are (Linux), how long they computed."""
+"""Statistics of processes from the operating system: numbers of threads (Linux), CPU times."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the physics tells the referee, and what the referee answers.
+"""Data that the physics hands to the referee, and the referee's output.
 
 Frame everywhere: x along the short side, y along the long side, z up, origin at the centre of the field; metres,
 radians, yaw counter-clockwise from +x.

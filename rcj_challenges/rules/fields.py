@@ -1,7 +1,7 @@
 """What all models of the scenario share: strictness, names, points and durations.
 
 No module of this package says ``from __future__ import annotations``: pydantic would have to compile each of a thousand
-annotations anew at every start, which is a seventh of the time that ``validate`` takes.
+annotations again at every start, which is a seventh of the time that ``validate`` takes.
 """
 
 from typing import Annotated, Any, ClassVar, Literal

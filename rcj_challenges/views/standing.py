@@ -1,4 +1,4 @@
-"""How it stands, where more than the score decides: what counts in the ranking, while it is played and at the end."""
+"""The standings of a match that is ranked by more than the score, during play and at the end."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Takes down what happened in each sub-step: poses and touches."""
+"""Records poses and touches in each sub-step."""
 
 from __future__ import annotations
 

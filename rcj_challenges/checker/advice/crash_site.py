@@ -1,4 +1,4 @@
-"""The line of a team's program at which it crashed, and what the lines around it say."""
+"""Finds the line of a team's program at which it crashed, and reads the lines around it."""
 
 from __future__ import annotations
 

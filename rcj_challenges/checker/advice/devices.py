@@ -1,4 +1,4 @@
-"""Devices that a program asked for and did not get: which it may mean, and whether a crash comes from one."""
+"""Devices that a program requested and its robot lacks: similar names, and whether a crash comes from one."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What an author is told of a mistake: what was found, what is expected, what was probably meant.
+"""Error messages about mistakes in scenarios: what was found, what was expected, and a suggestion.
 
 Belongs here: words and remedies. Does not belong here: finding mistakes (`reading`, `models`, `checks`).
 """

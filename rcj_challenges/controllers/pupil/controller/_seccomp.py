@@ -1,7 +1,8 @@
 """System calls: what a program's process may ask of the kernel (seccomp, Linux).
 
 A filter in the kernel's own small language (classic BPF) judges every system call by its number and arguments. What is
-refused fails with EPERM, in Python a ``PermissionError`` or another ``OSError``: a program is told, not killed.
+refused fails with EPERM, in Python a ``PermissionError`` or another ``OSError``: the program gets an error and is not
+killed.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""How a program's end is told: its own lines of the traceback, with paths as the team knows them."""
+"""Formats the traceback of a crashed program: only its own lines, with paths relative to the team's folder."""
 
 # ruff: noqa: PTH120, PLC0415, SIM105 - each import costs every program, so there are few, and late ones
 
