@@ -16,9 +16,12 @@ if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is signal.SIG_I
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 
-# A busy machine is no failure: left alone, an example may take 200 ms of real time, and ten may take 1 s to make up.
-settings.register_profile("patient", deadline=None, suppress_health_check=[HealthCheck.too_slow])
-settings.load_profile("patient")
+# A busy machine is no failure: by default an example may take 200 ms of real time, and ten may take 1 s to generate.
+# Examples of one test share its folder: each writes what it reads.
+_PATIENT = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow, HealthCheck.function_scoped_fixture])
+settings.register_profile("daily", _PATIENT, max_examples=25)
+settings.register_profile("nightly", _PATIENT, max_examples=500)
+settings.load_profile("daily")  # `--hypothesis-profile=nightly` chooses the other one
 
 _OBJECTS_BETWEEN_COLLECTIONS = 50_000
 """As commands have it. With Python's own 700 the search for garbage takes a twentieth of the time of the tests."""
@@ -27,10 +30,11 @@ _OBJECTS_BETWEEN_COLLECTIONS = 50_000
 _NIGHTLY_TIMEOUT_S = 1800
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Give nightly tests more time than the others, unless they say themselves how much they need."""
+    all_nightly = config.getoption("--hypothesis-profile") == "nightly"
     for item in items:
-        if item.get_closest_marker("nightly") and not item.get_closest_marker("timeout"):
+        if (all_nightly or item.get_closest_marker("nightly")) and not item.get_closest_marker("timeout"):
             item.add_marker(pytest.mark.timeout(_NIGHTLY_TIMEOUT_S))
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.checker.modules import Library
@@ -34,7 +34,6 @@ def test_sys_path_may_be_changed_under_another_name_or_by_a_file_that_is_run(che
     assert codes(check(moved + "import tools\n", rcj_soccer_team_blue__lib__tools="x = 1\n")) == ["ok"]
 
 
-@settings(max_examples=300, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(st.binary(max_size=400) | st.text(max_size=200).map(lambda text: text.encode("utf-8", "replace")))
 def test_any_bytes_are_read_to_an_end(source):
     said = read_source(source, "robot.py")
@@ -47,7 +46,6 @@ WORDS = st.sampled_from(
 )  # fmt: skip
 
 
-@settings(max_examples=300, deadline=None)
 @given(st.lists(WORDS, max_size=30).map("".join))
 def test_any_words_of_python_are_read_to_an_end(text):
     said = read_source(text.encode(), "robot.py")

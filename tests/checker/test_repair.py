@@ -10,7 +10,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.checker import repair as repairing
@@ -284,10 +284,8 @@ DEFECTIVE = given(
     st.lists(st.sampled_from(sorted(DEFECTS)), unique=True),
     st.booleans(),
 )
-IN_ONE_FOLDER = [HealthCheck.function_scoped_fixture]
 
 
-@settings(max_examples=25, deadline=None, suppress_health_check=IN_ONE_FOLDER)
 @DEFECTIVE
 def test_any_combination_of_defects_is_put_right_once_and_for_all(
     tmp_path: Path, files: dict[str, bytes], defects: list[str], folders: bool

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import jsonschema
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from rich.console import Console
 
@@ -281,7 +281,6 @@ def test_names_of_strangers_do_no_harm_in_the_page(tmp_path):
     assert "".join(tags.text).count("<script>alert(1)</script>") > 8
 
 
-@settings(deadline=None)
 @given(st.text(max_size=60))
 def test_whatever_a_team_is_called_the_page_stays_whole(name):
     safe = sanitize(name)

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import jsonschema
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.checker import many
@@ -200,7 +200,6 @@ def test_an_option_in_the_place_of_what_fix_is_to_write_is_none(tmp_path, monkey
 GOOD = archive()
 
 
-@settings(max_examples=20, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(
     st.binary(max_size=300)
     | st.tuples(st.integers(0, len(GOOD) - 1), st.binary(max_size=8)).map(

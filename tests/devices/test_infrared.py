@@ -7,7 +7,7 @@ import statistics
 from itertools import combinations
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.facts.traffic import Packet
@@ -37,7 +37,6 @@ def test_the_worked_example(bench: Bench) -> None:
 _SHARED: list[Bench] = []
 
 
-@settings(max_examples=60, deadline=None)
 @given(st.floats(0.1, 0.55), st.floats(-math.pi, math.pi), st.floats(-math.pi, math.pi))
 def test_direction_and_strength_say_where_the_ball_is(distance: float, bearing: float, yaw: float) -> None:
     if not _SHARED:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.devices.device_bench import Bench
@@ -31,7 +31,6 @@ def test_the_compass_shows_the_worlds_y_axis_in_the_robots_frame(bench: Bench) -
     assert bench.read("Y1", "compass") == pytest.approx([math.sin(2), math.cos(2), 0], abs=1e-12)
 
 
-@settings(max_examples=50, deadline=None)
 @given(st.floats(-0.6, 0.6), st.floats(-0.7, 0.7), st.floats(-math.pi, math.pi))
 def test_gps_and_compass_together_give_the_pose(x: float, y: float, yaw: float) -> None:
     bench = _shared()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.devices.team_emitter import BACKLOG_PACKETS, Emitter
@@ -225,7 +225,6 @@ def test_a_dead_program_sends_nothing_more(bench: Bench) -> None:
     assert heard(bench, "Y2") == []
 
 
-@settings(max_examples=200, deadline=None)
 @given(st.lists(st.lists(st.integers(1, 1500), max_size=4), min_size=1, max_size=12))
 def test_no_emitter_ever_sends_faster_than_its_baud_and_none_is_lost_or_overtaken(sizes: list[list[int]]) -> None:
     emitter = Emitter(0, 10.0, 115_200, 1_000_000)

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.records.errors import RecordError
@@ -89,7 +89,6 @@ def test_a_run_that_ended_before_its_first_tick_has_nothing_to_show(tmp_path: Pa
     assert code(writer.folder) == "record-empty"
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(
     cut=st.integers(0, 60_000),
     damage=st.lists(st.tuples(st.integers(0, 60_000), st.integers(0, 255)), max_size=20),

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.facts.traffic import DeviceSpec, MotorCommand, Observation, Packet, RobotSpec
@@ -49,7 +49,6 @@ def write(folder: Path, ticks: int, half: int = 1) -> SensorWriter:
 _any_float = st.floats(allow_nan=True, allow_infinity=True)
 
 
-@settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(rows=st.lists(st.lists(_any_float, min_size=4, max_size=4), min_size=1, max_size=20))
 def test_readings_are_read_back_bit_for_bit(rows: list, tmp_path_factory: pytest.TempPathFactory) -> None:
     folder = tmp_path_factory.mktemp("run")
@@ -164,7 +163,6 @@ def test_a_recording_that_was_cut_off_anywhere_gives_its_whole_chunks(lost: int,
     assert half.damaged or len(path.read_bytes()) == head or lost == 0
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(place=st.integers(0, 10_000), byte=st.integers(0, 255))
 def test_a_damaged_recording_is_read_as_far_as_it_goes_or_refused(
     place: int, byte: int, tmp_path_factory: pytest.TempPathFactory

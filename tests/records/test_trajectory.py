@@ -5,7 +5,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.facts.play import Fault, Placement, RefereeOutput, Snapshot
@@ -74,7 +74,6 @@ def _read_back(folder: Path) -> list[tuple[Snapshot, tuple[Placement, ...]]]:
     return [(snapshot, half.placements.get(snapshot.tick, ())) for snapshot in snapshots]
 
 
-@settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(played=_played())
 def test_every_snapshot_is_read_back_equal(played: list, tmp_path_factory: pytest.TempPathFactory) -> None:
     writer = _begun(tmp_path_factory.mktemp("runs"))
@@ -156,7 +155,6 @@ def test_a_folder_without_a_result_is_not_a_record(tmp_path: Path) -> None:
     assert _code(tmp_path) == "record-incomplete"
 
 
-@settings(max_examples=100, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(place=st.integers(0, 40_000), byte=st.integers(0, 255))
 def test_a_changed_byte_is_noticed(place: int, byte: int, good: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
     data = bytearray((good / FILE).read_bytes())

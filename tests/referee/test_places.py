@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
@@ -334,7 +334,6 @@ def test_what_finds_no_room_keeps_its_place_and_others_do_not_get_it(stage):
     assert play.placements == []
 
 
-@settings(max_examples=25, deadline=None)
 @given(
     seed=st.integers(0, 2**32),
     spots=st.lists(st.tuples(st.floats(-0.5, 0.5), st.floats(-0.6, 0.6)), min_size=1, max_size=8, unique=True),

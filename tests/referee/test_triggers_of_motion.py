@@ -4,7 +4,7 @@ import random
 from itertools import pairwise
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
@@ -277,7 +277,6 @@ class TestTriggerNoProgress:
             play.play()
         assert len(play.events) == calls
 
-    @settings(max_examples=25, deadline=None)
     @given(
         st.lists(st.sampled_from([0.0, 0.001, 0.004, 0.01, 0.03]), min_size=1, max_size=12),
         st.integers(2, 40),

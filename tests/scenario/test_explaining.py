@@ -3,7 +3,7 @@
 import json
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.rules.facing import Facing
@@ -187,7 +187,6 @@ PLACES = ["match", "match.half_s", "zones.z", "groups.g", "rules.r.phases", "rul
           "title", "extends", "params.p", "field.goals"]  # fmt: skip
 
 
-@settings(max_examples=120, deadline=None)
 @given(st.sampled_from(PLACES), VALUES)
 def test_whatever_stands_anywhere_is_explained_without_a_traceback(where, value):
     data = {"schema_version": 1, "id": "a", "title": "A", "extends": "soccersim_v2"}

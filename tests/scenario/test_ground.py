@@ -3,7 +3,7 @@
 from math import pi
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.geometry.polygons import is_simple
@@ -40,7 +40,6 @@ def test_the_corner_between_cube_and_wheel_is_free():
     assert overlap([rectangle(0.075, 0.1)], ball)
 
 
-@settings(max_examples=150, deadline=None)
 @given(st.floats(-0.2, 0.2), st.floats(-0.2, 0.2), st.floats(-pi, pi), st.floats(-pi, pi))
 def test_overlap_is_mutual_and_does_not_depend_on_the_frame(x, y, yaw, turn):
     from math import cos, sin

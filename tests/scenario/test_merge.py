@@ -4,7 +4,7 @@ import json
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.scenario.errors import ScenarioError, place_of
@@ -138,7 +138,6 @@ def expected(base, over):
     return {**base, **{key: expected(base[key], value) if key in base else value for key, value in over.items()}}
 
 
-@settings(max_examples=150, deadline=None)
 @given(MAPPINGS, MAPPINGS)
 def test_merging_is_the_plain_recursive_merge_where_no_kinds_are_involved(base, over):
     found, merger = merged(json.dumps(base), json.dumps(over))
@@ -147,7 +146,6 @@ def test_merging_is_the_plain_recursive_merge_where_no_kinds_are_involved(base, 
     assert not merger.problems
 
 
-@settings(max_examples=60, deadline=None)
 @given(MAPPINGS)
 def test_merging_with_itself_changes_nothing(tree):
     text = json.dumps(tree)

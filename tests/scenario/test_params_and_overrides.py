@@ -3,7 +3,7 @@
 import json
 
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from rcj_challenges.facts.diagnostics import InFile
@@ -184,7 +184,6 @@ PATHS = st.text(alphabet="abrules.mtch[]01=_ -", max_size=20) | st.sampled_from(
 VALUES = st.text(max_size=15) | st.sampled_from(["null", "[]", "{}", "1", "{param: pause_s}", "[[1], {a: b}]", "*a"])
 
 
-@settings(max_examples=60, deadline=None)
 @given(PATHS, VALUES)
 @example("match", "{param: pause_s}")
 @example("rules.r.actions[0]", "null")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.expect.runner import run_test
@@ -150,7 +150,6 @@ rules:
         text = sheet(GOALS)
         assert text.index("5 points for yellow") < text.index("7 points for blue")
 
-    @settings(max_examples=60, deadline=None)
     @given(
         rows=st.dictionaries(names, st.fixed_dictionaries({"one": values, "two": st.lists(values, max_size=3)}), min_size=1, max_size=4),
         params=st.dictionaries(st.sampled_from(["p", "q"]), values, min_size=2),

@@ -5,7 +5,7 @@ import math
 
 import pytest
 import yaml
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.facts.diagnostics import InFile
@@ -186,7 +186,6 @@ JSON_LIKE = st.recursive(
 )
 
 
-@settings(max_examples=400, deadline=None)
 @given(st.text(max_size=80) | NASTY)
 def test_any_text_is_either_read_or_refused_with_a_place(text):
     for problem in problems_of(parse_text, text, "f.yaml"):
@@ -195,27 +194,23 @@ def test_any_text_is_either_read_or_refused_with_a_place(text):
         assert problem.message
 
 
-@settings(max_examples=150, deadline=None)
 @given(st.binary(max_size=60))
 def test_any_bytes_are_either_read_or_refused(data):
     assert all(problem.message for problem in problems_of(parse_bytes, data, "f.yaml"))
 
 
-@settings(max_examples=200, deadline=None)
 @given(JSON_LIKE)
 def test_json_is_read_as_json_means_it(data):
     found = plain(parse_text(json.dumps(data, ensure_ascii=True), "f"))
     assert json.dumps(found) == json.dumps(data)
 
 
-@settings(max_examples=200, deadline=None)
 @given(st.lists(st.text(st.characters(exclude_categories=["Cs"]), max_size=20), max_size=4), st.sampled_from("'\""))
 def test_any_text_in_quotes_is_read_back(texts, quote):
     found = plain(parse_text(yaml.safe_dump(texts, default_style=quote), "f"))
     assert found == texts
 
 
-@settings(max_examples=300, deadline=None)
 @given(FINITE | st.integers(-(2**63), 2**63 - 1))
 def test_numbers_survive_being_written_and_read(number):
     found = value(repr(number))
@@ -232,7 +227,6 @@ def outcome(text, loader):
 
 
 @pytest.mark.skipif(len(BOTH_PARSERS) == 1, reason="PyYAML was built without libyaml here")
-@settings(max_examples=100, deadline=None)
 @given(JSON_LIKE)
 def test_both_parsers_of_pyyaml_give_the_same_tree(data):
     for text in (json.dumps(data, indent=1), yaml.safe_dump(data, allow_unicode=False)):

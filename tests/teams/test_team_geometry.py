@@ -6,7 +6,7 @@ import math
 import struct
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 WHEEL_RADIUS_M = 0.02
@@ -19,7 +19,6 @@ TEAMS_WITH_DRIVING = ["roles_and_radio", "all_sensors"]
 TEAMS_WITH_RADIO = [("roles_and_radio", "team_radio"), ("all_sensors", "team")]
 
 # The fixture only loads files; it is the same for every example.
-property_test = settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 
 
 def drive(pose, left_motor, right_motor):
@@ -42,7 +41,6 @@ def ball_receiver_reading(robot, ball):
 
 
 @pytest.mark.parametrize(("team", "module"), [("roles_and_radio", "senses"), ("all_sensors", "body")])
-@property_test
 @given(x=ON_FIELD_X, y=ON_FIELD_Y, heading=ANGLE, ball_x=ON_FIELD_X, ball_y=ON_FIELD_Y)
 def test_the_ball_is_found_from_direction_and_strength(load, team, module, x, y, heading, ball_x, ball_y):
     direction, strength = ball_receiver_reading((x, y, heading), (ball_x, ball_y))
@@ -56,7 +54,6 @@ def test_the_worked_example_of_the_ball_receiver(load):
 
 
 @pytest.mark.parametrize("team", TEAMS_WITH_DRIVING)
-@property_test
 @given(x=ON_FIELD_X, y=ON_FIELD_Y, heading=ANGLE, target_x=ON_FIELD_X, target_y=ON_FIELD_Y)
 def test_a_robot_gets_to_any_place_in_time(load, team, x, y, heading, target_x, target_y):
     wheels_to_point = load(team, "driving").wheels_to_point
@@ -69,7 +66,6 @@ def test_a_robot_gets_to_any_place_in_time(load, team, x, y, heading, target_x, 
 
 
 @pytest.mark.parametrize("team", TEAMS_WITH_DRIVING)
-@property_test
 @given(x=ON_FIELD_X, y=ON_FIELD_Y, heading=ANGLE, target_x=ON_FIELD_X, target_y=ON_FIELD_Y)
 def test_no_motor_is_asked_for_more_than_it_can(load, team, x, y, heading, target_x, target_y):
     left, right = load(team, "driving").wheels_to_point(x, y, heading, target_x, target_y)
@@ -101,7 +97,6 @@ def test_the_ball_chaser_passes_a_ball_that_it_would_push_home(load, side):
 
 
 @pytest.mark.parametrize(("team", "module"), TEAMS_WITH_RADIO)
-@property_test
 @given(number=st.integers(1, 3), x=ON_FIELD_X, y=ON_FIELD_Y, ball=st.none() | st.tuples(ON_FIELD_X, ON_FIELD_Y))
 def test_a_message_arrives_as_it_was_sent(load, team, module, number, x, y, ball):
     radio = load(team, module)
@@ -122,7 +117,6 @@ def test_foreign_bytes_on_the_radio_are_ignored(load):
     assert team.unpack_message(struct.pack("<d", 1.0)) is None
 
 
-@property_test
 @given(
     a=st.tuples(ON_FIELD_X, ON_FIELD_Y),
     b=st.tuples(ON_FIELD_X, ON_FIELD_Y),
@@ -164,7 +158,6 @@ def test_the_striker_makes_up_for_a_ball_that_rolls_sideways(load):
     assert direction < math.pi / 2  # so we push to the right
 
 
-@property_test
 @given(ball=st.tuples(ON_FIELD_X, ON_FIELD_Y))
 def test_the_goalie_stays_out_of_the_penalty_area(load, ball):
     roles = load("roles_and_radio", "roles")

@@ -6,7 +6,6 @@ import sys
 import time
 
 import pytest
-from distributed import LocalCluster
 
 from rcj_challenges.facts.diagnostics import DiagnosticError
 from rcj_challenges.records.result import versions
@@ -20,6 +19,8 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="finds processes
 
 
 def new_cluster():
+    from distributed import LocalCluster  # half of the time of collecting this folder
+
     return LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0")
 
 

@@ -4,7 +4,7 @@ import random
 import time
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.tournament.seasons import by_chance, names, play, season, stage
@@ -44,7 +44,6 @@ def some_played(one, outcome, rng, most):
     return outcomes
 
 
-@settings(max_examples=40, deadline=None)
 @given(seasons())
 def test_state_does_not_depend_on_the_order_in_which_matches_were_played(drawn):
     shape, head, count, seed = drawn
@@ -57,7 +56,6 @@ def test_state_does_not_depend_on_the_order_in_which_matches_were_played(drawn):
     assert {str(found.status) for found in at_once.stages} == {"finished"}
 
 
-@settings(max_examples=60, deadline=None)
 @given(seasons(), st.integers(0, 12))
 def test_nothing_that_was_played_is_lost_when_a_team_leaves_and_the_rest_is_played_to_the_end(drawn, steps):
     shape, head, count, seed = drawn

@@ -11,7 +11,7 @@ from rcj_challenges.tournament.formats.circle import pairings
 from tests.tournament.seasons import FOLDER, by_strength, names, order, play, season, stage
 
 
-@settings(max_examples=63, deadline=None)
+@settings(max_examples=63)  # all numbers of teams
 @given(st.integers(2, 64))
 def test_all_meet_once_in_as_few_rounds_as_can_be_with_even_sides(count):
     rounds = pairings(count)
@@ -59,7 +59,6 @@ def test_settings_of_a_stage_are_added_to_those_of_the_tournament():
     assert (second.scenario, second.overrides) == (str(FOLDER / "other.yaml"), ())
 
 
-@settings(max_examples=40, deadline=None)
 @given(st.integers(1, 6), st.lists(st.integers(0, 4), min_size=12, max_size=40))
 def test_drawn_groups_are_even_in_size_and_in_each_pot(groups, pots):
     teams = dict(zip(names(len(pots)), pots, strict=True))

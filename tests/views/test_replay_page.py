@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.facts.play import HalfInfo, Placement
@@ -107,7 +107,6 @@ def test_poses_in_the_page_equal_the_trajectory_within_a_tenth_of_a_millimetre(r
         assert np.degrees(np.abs(turn)).max() < 0.01
 
 
-@settings(max_examples=60, deadline=None)
 @given(st.lists(st.lists(st.integers(-32768, 32767), min_size=2, max_size=2), min_size=1, max_size=30))
 def test_any_motion_is_unpacked_as_it_was_packed(rows: list[list[int]]) -> None:
     numbers = np.array(rows, np.int16)

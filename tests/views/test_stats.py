@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, RefereeOutput, Snapshot
@@ -113,7 +113,6 @@ def test_where_two_teams_touch_the_ball_at_once_it_stays_with_who_had_it() -> No
     assert owners(Contacts(np.array([3, 3]), np.array([0, 1])), ["blue", "yellow"], 2, []).tolist() == [-1, -1]
 
 
-@settings(max_examples=80, deadline=None)
 @given(
     touched=st.lists(st.tuples(st.integers(1, 40), st.integers(0, 2)), max_size=12).map(sorted),
     put_at=st.lists(st.integers(0, 40), max_size=4),
@@ -458,22 +457,11 @@ DAMAGED = given(
     name=st.sampled_from(["result.json", "scenario.json", "referee.jsonl", "trajectory.chunks"]),
     damage=st.lists(st.tuples(st.integers(0, 120_000), st.integers(0, 255)), min_size=1, max_size=12),
 )
-IN_ONE_FOLDER = [HealthCheck.function_scoped_fixture]
 
 
-@settings(max_examples=25, deadline=None, suppress_health_check=IN_ONE_FOLDER)
 @DAMAGED
 @pytest.mark.nightly
 def test_whatever_is_damaged_figures_and_page_are_made_or_refused_with_a_message(
-    name: str, damage: list, tmp_path_factory: pytest.TempPathFactory
-) -> None:
-    assert_made_or_refused(name, damage, tmp_path_factory)
-
-
-@pytest.mark.nightly
-@settings(max_examples=1_000, deadline=None, suppress_health_check=IN_ONE_FOLDER)
-@DAMAGED
-def test_of_many_damaged_records_figures_and_page_are_made_or_refused_with_a_message(
     name: str, damage: list, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
     assert_made_or_refused(name, damage, tmp_path_factory)
