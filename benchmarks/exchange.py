@@ -24,7 +24,7 @@ from rcj_challenges.controllers.crew import Crew, CrewPlan
 from rcj_challenges.controllers.team import open_team
 from rcj_challenges.facts.play import Fault
 from rcj_challenges.facts.traffic import DeviceSpec, Observation, Packet, RobotSpec
-from rcj_challenges.scenario.models.scenario import Limits
+from rcj_challenges.scenario.models.limits import Limits
 
 ROBOTS = ("B1", "B2", "B3", "Y1", "Y2", "Y3")
 DEVICES = (

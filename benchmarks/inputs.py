@@ -22,7 +22,7 @@ from pathlib import Path
 
 from rcj_challenges.checker.check import CheckOptions, check_file
 from rcj_challenges.checker.reading import MAX_ALL_BYTES, MAX_IMPORTS, MOST_BYTES
-from rcj_challenges.controllers.archive import MAX_DEPTH, MAX_FOLDERS, MOST_FILES
+from rcj_challenges.controllers.submission_limits import MAX_DEPTH, MAX_FOLDERS, MOST_FILES
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import load, load_text

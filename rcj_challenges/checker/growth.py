@@ -9,7 +9,7 @@ from pathlib import Path
 from rcj_challenges.controllers import scratch
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.timing import s_from_ticks
-from rcj_challenges.scenario.models.scenario import Limits
+from rcj_challenges.scenario.models.limits import Limits
 
 EVERY_TICKS = 32
 """How often amounts are noted: walking through a folder is slow."""

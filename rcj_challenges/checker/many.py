@@ -23,7 +23,7 @@ from rcj_challenges.facts.diagnostics import one_line
 from rcj_challenges.facts.errors import format_error
 from rcj_challenges.match.worker_pool import Attempt, python_command, run_all
 from rcj_challenges.scenario.load import Loaded, load_resolved
-from rcj_challenges.scenario.models.scenario import Limits
+from rcj_challenges.scenario.models.limits import Limits
 
 _SLACK_S = 120.0
 _MOST_SHORT_MATCHES = 12

@@ -13,7 +13,7 @@ from rcj_challenges.controllers.private_folders import PrivateFolders
 from rcj_challenges.controllers.team import open_team
 from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.facts.traffic import RobotSpec
-from rcj_challenges.scenario.models.scenario import Limits
+from rcj_challenges.scenario.models.limits import Limits
 
 _MARK = "loaded:"
 # What is in memory, and what the import system finds within the interpreter before it looks into any folder.

@@ -3,15 +3,26 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated
 
 import typer
 
 from rcj_challenges import __version__
-from rcj_challenges.cli import check, judge, stats, tournament, verify, video
-from rcj_challenges.cli.completion import complete_scenarios, complete_seats, complete_teams
+from rcj_challenges.cli import check, judge, run, stats, tournament, verify, video
+from rcj_challenges.cli.completion import complete_scenarios, complete_seats
 from rcj_challenges.cli.help import PLAY, WATCH, WRITE, Command, Group
-from rcj_challenges.cli.live import LiveOptions, RunCommand
+from rcj_challenges.cli.options import (
+    Blue,
+    Duration,
+    Halves,
+    Overrides,
+    Sandbox,
+    ScenarioFiles,
+    ScenarioName,
+    Yellow,
+    all_overrides,
+    all_teams,
+)
 
 app = typer.Typer(
     name="rcj-challenge",
@@ -23,59 +34,6 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-
-_Set = Annotated[
-    list[str] | None,
-    typer.Option("--set", metavar="PATH=VALUE", help="Change a param or any value: --set match.half_s=60. Repeatable."),
-]
-_Sandbox = Annotated[
-    str,
-    typer.Option("--sandbox", metavar="auto|strict|off", help="How programs are isolated (docs/isolation.md)."),
-]
-
-
-_Blue = Annotated[
-    list[str] | None,
-    typer.Option("--blue", metavar="TEAM", autocompletion=complete_teams, help="Short for --team blue=TEAM."),
-]
-_Yellow = Annotated[
-    list[str] | None,
-    typer.Option("--yellow", metavar="TEAM", autocompletion=complete_teams, help="Short for --team yellow=TEAM."),
-]
-_Duration = Annotated[
-    str | None, typer.Option("--duration", metavar="TIME", help="Length of a half in simulated time: 90, 90s or 1:30.")
-]
-_Halves = Annotated[int | None, typer.Option("--halves", metavar="N", help="How many halves.")]
-
-
-_Scenario = Annotated[
-    str,
-    typer.Argument(
-        metavar="SCENARIO",
-        autocompletion=complete_scenarios,
-        help="A scenario file, or the name of one that comes with this: match.",
-    ),
-]
-_Files = Annotated[
-    list[str],
-    typer.Argument(
-        metavar="FILE...", autocompletion=complete_scenarios, help="Scenario files, or names of shipped ones."
-    ),
-]
-
-
-def _teams(given: list[str] | None, blue: list[str] | None, yellow: list[str] | None) -> list[str]:
-    """Return who plays as ``ENTRANT=PATH``, the short options among them."""
-    short = (f"{seat}={path}" for seat, paths in (("blue", blue), ("yellow", yellow)) for path in paths or ())
-    return [*(given or ()), *short]
-
-
-def _overrides(given: list[str] | None, duration: str | None, halves: int | None) -> list[str]:
-    """Return what is changed in the scenario as ``PATH=VALUE``, the short options among it."""
-    from rcj_challenges.cli.durations import parse_duration
-
-    short = (("half_s", None if duration is None else parse_duration("--duration", duration)), ("halves", halves))
-    return [*(given or ()), *(f"match.{name}={value}" for name, value in short if value is not None)]
 
 
 def _show_version(asked: bool) -> None:
@@ -93,104 +51,7 @@ def _root(
     """Play robot-soccer matches and challenges that are declared in YAML."""
 
 
-@app.command(
-    cls=RunCommand,
-    rich_help_panel=PLAY,
-    epilog="rcj-challenge run match --duration 1:00 --open\n"
-    "rcj-challenge run match --yellow my_team --blue ball_chaser\n"
-    "rcj-challenge run match --yellow my_team --debug Y1",
-)
-def run(
-    scenario: _Scenario,
-    team: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--team",
-            metavar="ENTRANT=TEAM",
-            autocompletion=complete_seats,
-            help="Who plays: a folder, a ZIP, a .py file or the name of a sample team. Repeatable.",
-        ),
-    ] = None,
-    blue: _Blue = None,
-    yellow: _Yellow = None,
-    team_name: Annotated[
-        list[str] | None, typer.Option("--team-name", metavar="ENTRANT=NAME", help="Overrides team_name.txt.")
-    ] = None,
-    seed: Annotated[int, typer.Option("--seed", metavar="N", min=0, help="Seed of all that chance decides.")] = 1,
-    duration: _Duration = None,
-    halves: _Halves = None,
-    set_: _Set = None,
-    match_id: Annotated[
-        int, typer.Option("--match-id", metavar="N", min=0, help="Number of the match in its log.")
-    ] = 0,
-    out: Annotated[Path, typer.Option("--out", metavar="DIR", help="Where the record's folder is made.")] = Path(
-        "runs"
-    ),
-    json_: Annotated[bool, typer.Option("--json", help="Print the result as JSON and nothing else.")] = False,
-    quiet: Annotated[
-        bool, typer.Option("--quiet", "-q", help="Print only the last lines, and what --show-output shows.")
-    ] = False,
-    real_time: Annotated[bool, typer.Option("--real-time", help="Play at the pace of the clock.")] = False,
-    show_output: Annotated[
-        list[str] | None, typer.Option("--show-output", metavar="ROBOT", help="Show what its program prints.")
-    ] = None,
-    debug: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--debug",
-            metavar="ROBOT",
-            help="Stop at breakpoints of its program, without limits: in VS Code with the extra [debug], else here.",
-        ),
-    ] = None,
-    sandbox: _Sandbox = "auto",
-    replay: Annotated[bool, typer.Option("--replay/--no-replay", help="Write the replay page.")] = True,
-    record: Annotated[
-        Literal["sensors"] | None,
-        typer.Option(
-            "--record", metavar="sensors", help="Also record what programs saw, set and printed: up to 15 MB a half."
-        ),
-    ] = None,
-    live: Annotated[
-        int | None,
-        typer.Option("--live", metavar="[PORT]", min=0, max=65535, help="Show it in the browser while it is played."),
-    ] = None,
-    speed: Annotated[
-        str | None, typer.Option("--speed", metavar="X|max", help="With --live: times real time; left out: 1.")
-    ] = None,
-    live_for: Annotated[
-        float | None,
-        typer.Option("--live-for", metavar="S", min=0, help="With --live: serve so long after the match."),
-    ] = None,
-    open_: Annotated[
-        bool, typer.Option("--open", help="Open the page in the browser: after the match, with --live before it.")
-    ] = False,
-) -> None:
-    """Play a scenario with the teams' programs."""
-    from rcj_challenges.cli.run import RunOptions, run_scenario
-
-    raise typer.Exit(
-        run_scenario(
-            RunOptions(
-                scenario=scenario,
-                teams=_teams(team, blue, yellow),
-                team_names=team_name or [],
-                seed=seed,
-                match_id=match_id,
-                overrides=_overrides(set_, duration, halves),
-                out=out,
-                json=json_,
-                quiet=quiet,
-                real_time=real_time,
-                show_output=frozenset(show_output or ()),
-                debug=frozenset(debug or ()),
-                sandbox=sandbox,
-                replay=replay,
-                record_sensors=record == "sensors",
-                open=open_,
-                live=LiveOptions.of(live, speed, live_for, open_=open_),
-            )
-        )
-    )
+run.register(app)
 
 
 @app.command(cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge validate relay_race.yaml")
@@ -203,7 +64,7 @@ def validate(
             help="Scenario and tournament files, or names of shipped ones.",
         ),
     ],
-    set_: _Set = None,
+    set_: Overrides = None,
     strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 if there is a warning; for CI.")] = False,
     json_: Annotated[bool, typer.Option("--json", help="Print the verdicts as JSON and nothing else.")] = False,
 ) -> None:
@@ -215,8 +76,8 @@ def validate(
 
 @app.command("test", cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge test relay_race.yaml")
 def play_tests(
-    files: _Files,
-    set_: _Set = None,
+    files: ScenarioFiles,
+    set_: Overrides = None,
     json_: Annotated[bool, typer.Option("--json", help="Print the outcome as JSON and nothing else.")] = False,
 ) -> None:
     """Play the tests written in scenario files (expect:), without physics and without programs.
@@ -293,11 +154,11 @@ def schema(
 
 @app.command(cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge draw relay_race.yaml --out relay_race.svg")
 def draw(
-    scenario: _Scenario,
+    scenario: ScenarioName,
     out: Annotated[
         Path | None, typer.Option("--out", "-o", metavar="FILE", help=".svg or .png; left out: SVG to standard output.")
     ] = None,
-    set_: _Set = None,
+    set_: Overrides = None,
 ) -> None:
     """Draw the field with zones, gates, spots, start poses and placement areas."""
     from rcj_challenges.cli.draw import draw as draw_scenario
@@ -307,7 +168,7 @@ def draw(
 
 @app.command(cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge sheet relay_race.yaml --out relay_race.html")
 def sheet(
-    scenario: _Scenario,
+    scenario: ScenarioName,
     out: Annotated[
         Path | None,
         typer.Option(
@@ -317,7 +178,7 @@ def sheet(
             help=".html, or .md with an .svg beside it; left out: Markdown to the terminal.",
         ),
     ] = None,
-    set_: _Set = None,
+    set_: Overrides = None,
 ) -> None:
     """Write the rule sheet for the teams."""
     from rcj_challenges.cli.sheet import sheet as write_sheet
@@ -331,7 +192,7 @@ def sheet(
     epilog="rcj-challenge simulate match --seeds 1..20 --yellow my_team --blue ball_chaser",
 )
 def simulate(
-    scenario: _Scenario,
+    scenario: ScenarioName,
     seeds: Annotated[str, typer.Option("--seeds", metavar="1..N", help="Which seeds: 1..10, 3 or 1,4,7..9.")] = "1..10",
     team: Annotated[
         list[str] | None,
@@ -342,23 +203,23 @@ def simulate(
             help="Who plays; left out: the sample team. Repeatable.",
         ),
     ] = None,
-    blue: _Blue = None,
-    yellow: _Yellow = None,
-    duration: _Duration = None,
-    halves: _Halves = None,
-    set_: _Set = None,
+    blue: Blue = None,
+    yellow: Yellow = None,
+    duration: Duration = None,
+    halves: Halves = None,
+    set_: Overrides = None,
     out: Annotated[Path, typer.Option("--out", metavar="DIR", help="Where the records are made.")] = Path("runs"),
     at_once: Annotated[
         int | None, typer.Option("--at-once", metavar="N", min=1, help="Matches at a time; default: cores.")
     ] = None,
     json_: Annotated[bool, typer.Option("--json", help="Print the summary as JSON and nothing else.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress lines.")] = False,
-    sandbox: _Sandbox = "auto",
+    sandbox: Sandbox = "auto",
 ) -> None:
     """Play a challenge with many seeds in parallel and report scores, events and faults."""
     from rcj_challenges.cli import simulate as command
 
-    teams, overrides = _teams(team, blue, yellow), _overrides(set_, duration, halves)
+    teams, overrides = all_teams(team, blue, yellow), all_overrides(set_, duration, halves)
     raise typer.Exit(
         command.simulate(
             command.SimulateOptions(scenario, seeds, teams, overrides, out, at_once, json_, quiet, sandbox)

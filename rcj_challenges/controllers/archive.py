@@ -24,22 +24,17 @@ from rcj_challenges.controllers.paths import (
     record_folders,
     spelled_path_of,
 )
+from rcj_challenges.controllers.submission_limits import (
+    FREE_UNPACKED_BYTES,
+    MAX_DEPTH,
+    MAX_FOLDERS,
+    MOST_FILES,
+    MOST_PACKED_BYTES,
+    MOST_RATIO,
+    MOST_UNPACKED_BYTES,
+)
 from rcj_challenges.controllers.troubles import MOST_PATH_SHOWN, Trouble, Troubles, told
 from rcj_challenges.facts.errors import RcjError
-
-MOST_PACKED_BYTES = 10_000_000
-"""A submission is at most 10 MB (reference, section 7)."""
-MOST_UNPACKED_BYTES = 50_000_000
-"""Text is packed to a fifth; three programs of each team need a copy in their private folders."""
-MOST_RATIO = 100
-"""Times its own size that an archive may grow; programs grow to 3 to 10 times, long logs to 50 times."""
-FREE_UNPACKED_BYTES = 10_000_000
-"""Up to this size the ratio does not matter: a small picture of one colour is no bomb."""
-MOST_FILES = 5_000
-MAX_FOLDERS = 1_000
-"""A large library has a hundred; every look at the files costs as much as there are folders above them."""
-MAX_DEPTH = 12
-"""Folders in one another; libraries have five."""
 
 _KINDS = (
     (0, b"Rar!\x1a\x07", "a RAR archive"),

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.traffic import RobotSpec
-from rcj_challenges.scenario.models.scenario import Limits
+from rcj_challenges.scenario.models.limits import Limits
 
 
 @dataclass(frozen=True)

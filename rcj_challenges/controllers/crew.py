@@ -19,7 +19,7 @@ from rcj_challenges.controllers.sharing import Sharing
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.controllers.timed_channel import WaitBudget
 from rcj_challenges.facts.traffic import Observation, RobotSpec
-from rcj_challenges.scenario.models.scenario import Limits
+from rcj_challenges.scenario.models.limits import Limits
 
 _MOST_HELD_UP = 4
 """A half may wait so many times as long as all its programs may be charged together: others have the processors."""

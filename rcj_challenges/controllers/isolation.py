@@ -18,7 +18,7 @@ from rcj_challenges.controllers import bubblewrap, processes, sight, tasks
 from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.controllers.pupil.controller import _landlock, _seccomp
 from rcj_challenges.facts.errors import RcjError
-from rcj_challenges.scenario.models.scenario import Limits
+from rcj_challenges.scenario.models.limits import Limits
 
 SANDBOXES = ("auto", "strict", "off")
 

@@ -15,7 +15,8 @@ from rcj_challenges.checker.many import check_many
 from rcj_challenges.checker.report import FileReport, check_report
 from rcj_challenges.checker.report_files import write_page
 from rcj_challenges.checker.report_html import html_page
-from rcj_challenges.controllers.archive import MOST_PACKED_BYTES, Contents, TeamError, read_contents
+from rcj_challenges.controllers.archive import Contents, TeamError, read_contents
+from rcj_challenges.controllers.submission_limits import MOST_PACKED_BYTES
 from rcj_challenges.controllers.team import opening_of
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError, InFile
 from rcj_challenges.facts.errors import format_error

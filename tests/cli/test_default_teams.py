@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from rcj_challenges.cli.run import RunOptions, UsageError, run_scenario
+from rcj_challenges.cli.run_match import RunOptions, UsageError, run_scenario
 from rcj_challenges.match.samples import sample_team
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.resources import scenarios_folder

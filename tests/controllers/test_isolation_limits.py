@@ -16,7 +16,7 @@ from fake_match import FakeMatch
 
 from rcj_challenges.controllers import isolation, processes, sight, tasks
 from rcj_challenges.controllers.pupil.controller import _landlock, _seccomp
-from rcj_challenges.scenario.models.scenario import Limits
+from rcj_challenges.scenario.models.limits import Limits
 
 needs_linux = pytest.mark.skipif(sys.platform != "linux", reason="layers of Linux")
 is_root = sys.platform == "linux" and os.geteuid() == 0

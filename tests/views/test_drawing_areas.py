@@ -6,7 +6,7 @@ import pytest
 
 from rcj_challenges.scenario.load import load_text
 from rcj_challenges.views.drawing import draw_scenario
-from rcj_challenges.views.drawing.areas import placement_areas
+from rcj_challenges.views.drawing.placement_areas import placement_areas
 
 HEAD = (
     "schema_version: 1\nid: shots\ntitle: Shots\nextends: soccersim_v2\nflags: {away: {}}\n"

@@ -4,7 +4,7 @@ import pytest
 
 from rcj_challenges.scenario.load import load_text
 from rcj_challenges.views.drawing import draw_scenario
-from rcj_challenges.views.drawing.areas import placement_areas
+from rcj_challenges.views.drawing.placement_areas import placement_areas
 from rcj_challenges.views.replay.things import visible_things
 from tests.views.sheets import HEAD
 

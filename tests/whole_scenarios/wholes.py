@@ -12,9 +12,10 @@ import yaml
 from rcj_challenges.devices import AnyDevice
 from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.load import Loaded, load_text
+from rcj_challenges.scenario.models.limits import Limits
 from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.robots import Chassis
-from rcj_challenges.scenario.models.scenario import Broadcast, Expectation, Limits, Result
+from rcj_challenges.scenario.models.scenario import Broadcast, Expectation, Result
 from rcj_challenges.scenario.models.state import Counter, Flag, Phase, Sequence, Timer
 from rcj_challenges.scenario.reading.yaml_strict import parse_text
 from rcj_challenges.scenario.tree import plain

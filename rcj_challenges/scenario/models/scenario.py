@@ -6,12 +6,13 @@ from pydantic import Field
 
 from rcj_challenges.rules.actions import AnyAction
 from rcj_challenges.rules.conditions import AnyCondition
-from rcj_challenges.rules.fields import DurationS, EventName, Name, One, Point, Scalar, Strict, WallTimeS, described
+from rcj_challenges.rules.fields import DurationS, EventName, Name, One, Point, Scalar, Strict, described
 from rcj_challenges.rules.message import Said
 from rcj_challenges.rules.refs import COUNTER, ENTRANT, FIXED, KEEPERS, MOVING, ONE_ROBOT, PHASE, Ref, SectionRef
 from rcj_challenges.rules.triggers import AnyTrigger
 from rcj_challenges.rules.values import Value
 from rcj_challenges.scenario.models.field import Ball, FieldModel, Match, Obstacle
+from rcj_challenges.scenario.models.limits import Limits
 from rcj_challenges.scenario.models.places import Gate, Layout, Spot, Zone
 from rcj_challenges.scenario.models.robots import Entrant, Kit, Robot
 from rcj_challenges.scenario.models.state import Counter, Draw, Flag, Phase, Sequence, Timer
@@ -121,22 +122,6 @@ class Result(Strict):
     rank: tuple[RankByScore | RankByTime | RankByCounter, ...] = Field(
         (RankByScore(score="descending"),), strict=False, min_length=1, description="criteria; a later one breaks ties"
     )
-
-
-class Limits(Strict):
-    """What a program may use. One that exceeds a limit is killed and its wheels stop; nobody else is disturbed."""
-
-    start_s: WallTimeS = described(30.0, "CPU and idle time from its launch to its first step, in s")
-    step_s: WallTimeS = described(5.0, "CPU and idle time in one step, in s")
-    half_s: WallTimeS = described(120.0, "CPU and idle time in all steps of a half, in s")
-    processor_s: float | None = described(
-        None, "CPU time in a half, in s, also outside its steps; default: start_s + 2 * half_s", gt=0, le=86_400
-    )
-    memory_mb: int = described(1024, "memory in MB", ge=64, le=65_536)
-    output_mb: float = described(32.0, "what it may print in a half, in MB", gt=0, le=1024)
-    message_kb: float = described(1024.0, "largest radio packet in kB", gt=0, le=16_384)
-    scratch_mb: float = described(64.0, "what it may write into its private folder, in MB", gt=0, le=4096)
-    processes: int = described(32, "threads it may start", ge=1, le=1000)
 
 
 class Keyframe(Strict):

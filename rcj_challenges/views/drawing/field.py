@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from rcj_challenges.facts.colours import hex_colour
 from rcj_challenges.facts.play import Pose2
 from rcj_challenges.rules.phrasing import degrees
 from rcj_challenges.rules.places.on_line import OnLine
@@ -15,27 +14,23 @@ from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.set_spots import spots_set_at_start, spots_set_by_rules
 from rcj_challenges.scenario.start_poses import start_noise_m, start_pose
-from rcj_challenges.views.drawing.areas import Area, first_poses, flipped, placement_areas
 from rcj_challenges.views.drawing.distances import measured_distances
 from rcj_challenges.views.drawing.paper import MARKER_PX, Entry, Paper, Section
+from rcj_challenges.views.drawing.placement_areas import Area, first_poses, flipped, placement_areas
 from rcj_challenges.views.drawing.shapes import (
     FORWARD_M,
     Point,
     box,
-    corners_of,
     floor_of,
-    floor_outline,
     forward_mark,
     goal_floor,
-    middle,
     point_words,
     shifted,
     shown_line,
-    shown_outline,
     turned,
     zone_outline,
-    zone_words,
 )
+from rcj_challenges.views.drawing.zones import BLACK, corner_inside, draw_zones, fill_colour
 
 _PX_PER_M = 290.0  # of a field of the usual size
 _MAX_PX = (480.0, 720.0)  # across and up: of a larger field the scale is smaller, and texts keep their size
@@ -47,11 +42,9 @@ _POST_M = 0.012  # the end of a gate
 _TIP_M = 0.009  # the end of its mark that points forward
 _NUMBER_PX = 8.5  # of a character of the name in a robot's body
 _BESIDE_PX = 0.75 * MARKER_PX  # from a small thing to its marker
-_BLACK, _WHITE = "#161c24", "#ffffff"
+_WHITE = "#ffffff"
 _PUT, _PUT_MARKER = "#f08c00", "#9a5a00"  # what rules put somewhere
 _GATE = "#c92a2a"
-# Of zones, dark enough for white numbers; none of these is near orange.
-_ZONE_COLOURS = ("#7048e8", "#0b7285", "#c2255c", "#447007", "#9c36b5", "#4263eb", "#2b5f6b", "#a61e4d")
 _WITHIN = "within-the-walls"
 _NOISE_BOX = 'fill="none" stroke="#495057" stroke-dasharray="3 3"'
 _PUT_AREA = f'fill="{_PUT}" fill-opacity="0.18" stroke="{_PUT}" stroke-width="1"'
@@ -96,7 +89,7 @@ def picture_of(scenario: Scenario, roster: Roster) -> Picture:
     poses = first_poses(scenario, roster)
     _ground(paper, scenario)
     sections = [
-        _zones(paper, scenario),
+        draw_zones(paper, scenario),
         _placement_areas(paper, scenario, roster, poses),
         _distances(paper, scenario, roster),
         _gates(paper, scenario),
@@ -119,9 +112,9 @@ def _ground(paper: Paper, scenario: Scenario) -> None:
     paper.polygon(floor_of(field), 'fill="#e9f5ec" stroke="#343a40" stroke-width="3"', "the field, inside its walls")
     for name, goal in field.goals.items():
         corners = goal_floor(goal, field)
-        paper.polygon(corners, f'fill="{_colour(goal.colour)}" fill-opacity="0.35"', name)
+        paper.polygon(corners, f'fill="{fill_colour(goal.colour)}" fill-opacity="0.35"', name)
         for start, end in zip(corners[1:], [*corners[2:], corners[0]], strict=True):
-            paper.line(start, end, f'stroke="{_colour(goal.colour)}" stroke-width="3"')
+            paper.line(start, end, f'stroke="{fill_colour(goal.colour)}" stroke-width="3"')
         paper.line(corners[0], corners[1], 'stroke="#ffffff" stroke-width="2"')
     # As on the replay page, the halfway line is one between two goals; without them it is only the axis.
     middle_words = "halfway line, y = 0" if field.goals else "y = 0"
@@ -131,43 +124,6 @@ def _ground(paper: Paper, scenario: Scenario) -> None:
         paper.text_px(paper.px((x, 0))[0], paper.height_px - 5, f"x {x:g}", "axis")
     for y in (-h, 0.0, h):
         paper.text_px(_MARGIN_PX / 2, paper.px((0, y))[1] + 4, f"y {y:g}", "axis")
-
-
-def _zones(paper: Paper, scenario: Scenario) -> Section:
-    entries: list[Entry] = []
-    for k, (name, zone) in enumerate(scenario.zones.items()):
-        marker = _ZONE_COLOURS[k % len(_ZONE_COLOURS)]
-        colour, marker = (_colour(zone.colour), _BLACK) if zone.colour else (marker, marker)
-        dash = "" if zone.drawn else ' stroke-dasharray="6 4"'
-        style = f'fill="{colour}" fill-opacity="0.06" stroke="{colour}" stroke-width="1.5"{dash}'
-        area = shown_outline(zone, scenario.field, paper.bounds)
-        if zone.inverted:
-            whole = corners_of(paper.bounds)
-            both = " ".join(paper.outline(outline) for outline in (whole, area) if outline)
-            paper.path(both, f'{style} fill-rule="evenodd"', f"all but {name}")
-            area = area or whole
-        else:
-            paper.polygon(area, style, name)
-        number = paper.new_number() if area else ""  # what lies beside the paper is only in the legend
-        if area:
-            on_floor = floor_outline(zone, scenario.field)
-            paper.mark(_corner(paper, on_floor if _is_roomy(paper, on_floor) else area), number, name, marker)
-        entries.append(Entry(f"{name}: {zone_words(zone)}", number, marker))
-    return "Zones (m; dashed: not drawn on the field)", entries
-
-
-def _is_roomy(paper: Paper, area: list[Point]) -> bool:
-    """Return whether a marker fits into the box around an area."""
-    xs, ys = [x for x, _ in area], [y for _, y in area]
-    return bool(area) and min(max(xs) - min(xs), max(ys) - min(ys)) * paper.scale > MARKER_PX
-
-
-def _corner(paper: Paper, area: list[Point]) -> Point:
-    """Return a place for a marker inside an area, near its upper left corner."""
-    x, y = min(area, key=lambda point: point[0] - point[1])
-    to_x, to_y = middle(area, paper.bounds)
-    step_m = 0.8 * MARKER_PX / paper.scale
-    return x + max(-step_m, min(step_m, to_x - x)), y + max(-step_m, min(step_m, to_y - y))
 
 
 def _placement_areas(paper: Paper, scenario: Scenario, roster: Roster, poses: dict[str, Pose2 | None]) -> Section:
@@ -194,7 +150,7 @@ def _draw_area(paper: Paper, scenario: Scenario, area: Area, title: str, number:
         if not outline:
             return
         paper.polygon(outline, _PUT_AREA, f"{title} anywhere in here")
-        place = _corner(paper, outline)
+        place = corner_inside(paper, outline)
     elif isinstance(at, OnLine):
         (x1, y1), (x2, y2) = at.on_line
         line = f'stroke="{_PUT}" stroke-width="5" stroke-opacity="0.6"'
@@ -254,7 +210,7 @@ def _obstacles(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None])
         if pose is None:
             entries.append(Entry(f"{name}: {_PLACED}"))
             continue
-        style, at = f'fill="{_colour(obstacle.colour)}" stroke="#212529"', pose[:2]
+        style, at = f'fill="{fill_colour(obstacle.colour)}" stroke="#212529"', pose[:2]
         if isinstance(obstacle, Cylinder):
             reach_m = obstacle.radius_m
             paper.circle(at, reach_m, style, name)
@@ -268,8 +224,8 @@ def _obstacles(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None])
             paper.polygon(turned(shape, at, math.atan2(y2 - y1, x2 - x1)), style, name)
         number, reach_px = paper.new_number(), reach_m * paper.scale
         beside_px = reach_px + _BESIDE_PX if reach_px < MARKER_PX else 0.0  # it would hide a small one
-        paper.mark(at, number, name, _BLACK, offset_px=(0.0, -beside_px))
-        entries.append(Entry(f"{name}: {point_words(at)}", number, _BLACK))
+        paper.mark(at, number, name, BLACK, offset_px=(0.0, -beside_px))
+        entries.append(Entry(f"{name}: {point_words(at)}", number, BLACK))
     return "Obstacles (m)", entries
 
 
@@ -285,7 +241,7 @@ def _spots(paper: Paper, scenario: Scenario) -> Section:
         for dx, dy in ((reach_m, 0.0), (0.0, reach_m)):
             stroke = f'stroke="{_PUT if is_set else "#212529"}" stroke-width="2"'
             paper.line(shifted(at, (-dx, -dy)), shifted(at, (dx, dy)), stroke, name)
-        number, colour = paper.new_number(), _PUT_MARKER if is_set else _BLACK
+        number, colour = paper.new_number(), _PUT_MARKER if is_set else BLACK
         paper.mark(at, number, name, colour, offset_px=(_BESIDE_PX, -_BESIDE_PX))
         words = " when a half starts; rules set it" if is_set else ""
         entries.append(Entry(f"{name}: {_numbers(at)}{words}", number, colour))
@@ -320,10 +276,10 @@ def _robots(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) ->
             paper.text_px(x, y + 5, name, "number" if _ink_on(body) == _WHITE else "number dark")
         else:
             number = paper.new_number()
-            paper.mark(at, number, name, _BLACK, offset_px=(0.0, size_m * 0.7 * paper.scale + _BESIDE_PX))
+            paper.mark(at, number, name, BLACK, offset_px=(0.0, size_m * 0.7 * paper.scale + _BESIDE_PX))
         noise = f", ± {noise_m[0]:g}, {noise_m[1]:g}" if shifts else ""
         boxes = boxes or shifts
-        entries.append(Entry(f"{name}: {_numbers(at)}, turned by {degrees(pose[2])}{noise}", number, _BLACK))
+        entries.append(Entry(f"{name}: {_numbers(at)}, turned by {degrees(pose[2])}{noise}", number, BLACK))
     if boxes:
         entries.append(Entry("chance shifts a start within its box (±)", sample=_NOISE_BOX))
     return "Robots at the start (m)", entries
@@ -337,11 +293,11 @@ def _balls(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) -> 
             entries.append(Entry(f"{name}: {_PLACED}"))
             continue
         at, number = pose[:2], paper.new_number()
-        paper.circle(at, ball.radius_m, f'fill="{_colour(ball.colour)}" stroke="#212529"', name)
+        paper.circle(at, ball.radius_m, f'fill="{fill_colour(ball.colour)}" stroke="#212529"', name)
         paper.keep_free(at, ball.radius_m)
         reach_px = ball.radius_m * paper.scale * 0.7 + _BESIDE_PX
-        paper.mark(at, number, name, _BLACK, offset_px=(-reach_px, -reach_px))
-        entries.append(Entry(f"{name}: {_numbers(at)}", number, _BLACK))
+        paper.mark(at, number, name, BLACK, offset_px=(-reach_px, -reach_px))
+        entries.append(Entry(f"{name}: {_numbers(at)}", number, BLACK))
     return "Balls at the start (m)", entries
 
 
@@ -351,15 +307,10 @@ def _numbers(at: Point) -> str:
 
 def _team_colour(colour: str) -> str:
     """Return a team's colour; blue and yellow are those on which white letters can be read."""
-    return {"blue": "#2563eb", "yellow": "#ca8a04"}.get(colour) or _colour(colour)
+    return {"blue": "#2563eb", "yellow": "#ca8a04"}.get(colour) or fill_colour(colour)
 
 
 def _ink_on(colour: str) -> str:
     """Return black or white, whichever can be read on a colour #rrggbb (luma of ITU-R BT.601)."""
     red, green, blue = (int(colour[k : k + 2], 16) for k in (1, 3, 5))
-    return _BLACK if 0.299 * red + 0.587 * green + 0.114 * blue > 150 else _WHITE
-
-
-def _colour(colour: str) -> str:
-    """Return a colour as a number: programs that render SVG do not know all of CSS's names."""
-    return hex_colour(colour) or "#868e96"
+    return BLACK if 0.299 * red + 0.587 * green + 0.114 * blue > 150 else _WHITE

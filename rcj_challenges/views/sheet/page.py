@@ -13,8 +13,8 @@ from rcj_challenges.rules.phrasing import counted, listed, number, plain, quoted
 from rcj_challenges.rules.placement import placement_words
 from rcj_challenges.rules.values import amount_words
 from rcj_challenges.scenario.halves import clock_may_stop, half_lengths_s
+from rcj_challenges.scenario.models.limits import Limits
 from rcj_challenges.scenario.models.scenario import (
-    Limits,
     RankByCounter,
     RankByScore,
     RankByTime,
@@ -24,8 +24,8 @@ from rcj_challenges.scenario.models.scenario import (
 )
 from rcj_challenges.scenario.placeholders import description_of
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.views.drawing.areas import layouts_of
 from rcj_challenges.views.drawing.field import picture_of
+from rcj_challenges.views.drawing.placement_areas import layouts_of
 from rcj_challenges.views.sheet.course import course_blocks, length_words
 from rcj_challenges.views.sheet.document import Block, Items, Section, Sheet, Table
 from rcj_challenges.views.sheet.field import field_blocks
