@@ -21,8 +21,8 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
 from rcj_challenges.checker.check import CheckOptions, check_file
-from rcj_challenges.checker.reading import MAX_ALL_BYTES, MAX_IMPORTS, MOST_BYTES
-from rcj_challenges.controllers.submission_limits import MAX_DEPTH, MAX_FOLDERS, MOST_FILES
+from rcj_challenges.checker.reading import MAX_ALL_BYTES, MAX_BYTES, MAX_IMPORTS
+from rcj_challenges.controllers.submission_limits import MAX_DEPTH, MAX_FILES, MAX_FOLDERS
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import load, load_text
@@ -42,10 +42,10 @@ def archives() -> Mapping[str, Callable[[], bytes]]:
     """Return what makes each archive, by name."""
     return {
         "deep folders": _deep_folders,
-        "many files": lambda: _packed({f"{_FOLDER}/data/{number}.txt": b"1" for number in range(MOST_FILES - 2)}),
+        "many files": lambda: _packed({f"{_FOLDER}/data/{number}.txt": b"1" for number in range(MAX_FILES - 2)}),
         "nearly equal names of modules": _near_modules,
         "nearly equal names of programs": lambda: _zip({f"{name}/{name}.py": b"1" for name in _near_names(490, 50)}),
-        "statements": lambda: _packed(_files(b"a\n" * (MOST_BYTES // 2 - 10))),
+        "statements": lambda: _packed(_files(b"a\n" * (MAX_BYTES // 2 - 10))),
         "named arguments": lambda: _packed(_files(_filled(b"f(", lambda n: b"a%d=1," % n, b")\n"))),
         "functions in a function": lambda: _packed(
             _files(_filled(b"def f():\n", lambda n: b" def g%d():a%d\n" % (n, n)))
@@ -92,18 +92,18 @@ def _packed(more: Mapping[str, bytes], imports: bytes = b"") -> bytes:
 
 def _files(source: bytes) -> dict[str, bytes]:
     """Return as many different files of such a length as are looked into, with room for the program."""
-    count = MAX_ALL_BYTES // MOST_BYTES
+    count = MAX_ALL_BYTES // MAX_BYTES
     last = source[: -len(_PROGRAM) - 200].rpartition(b"\n")[0] + b"\n"
-    files = {f"{_FOLDER}/m{number}.py": b"#%d\n" % number + source[: MOST_BYTES - 9] for number in range(count - 1)}
+    files = {f"{_FOLDER}/m{number}.py": b"#%d\n" % number + source[: MAX_BYTES - 9] for number in range(count - 1)}
     return files | {f"{_FOLDER}/last.py": last}
 
 
 def _filled(begin: bytes, part: Callable[[int], bytes], end: bytes = b"") -> bytes:
     """Return a source of many parts that is nearly as long as a file may be."""
     parts, size = [begin], len(begin) + len(end)
-    for number in range(MOST_BYTES):
+    for number in range(MAX_BYTES):
         piece = part(number)
-        if size + len(piece) > MOST_BYTES - 400:
+        if size + len(piece) > MAX_BYTES - 400:
             break
         parts.append(piece)
         size += len(piece)
@@ -124,7 +124,7 @@ def _near_names(count: int, letters: int) -> list[str]:
 
 
 def _near_modules() -> bytes:
-    names = _near_names(MOST_FILES - 10, 50)
+    names = _near_names(MAX_FILES - 10, 50)
     imports = "".join(f"import {name}x\n" for name in names[:1000]).encode()
     return _packed({f"{_FOLDER}/{name}.py": b"" for name in names}, imports)
 
@@ -132,7 +132,7 @@ def _near_modules() -> bytes:
 def _deep_folders() -> bytes:
     chains = MAX_FOLDERS // (MAX_DEPTH - 1) - 2
     below = "/".join("abcdefghijklmnopqrstuvwxyz"[: MAX_DEPTH - 2])
-    each = (MOST_FILES - 10) // chains
+    each = (MAX_FILES - 10) // chains
     return _packed({f"{_FOLDER}/{chain}/{below}/{n}.txt": b"1" for chain in range(chains) for n in range(each)})
 
 

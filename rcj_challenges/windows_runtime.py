@@ -23,14 +23,14 @@ PACKAGE = "msvc-runtime"
 def find() -> None:
     """Let Windows look into the folder of the package, unless the system has the runtime; elsewhere do nothing."""
     if sys.platform == "win32":
-        from pathlib import Path  # noqa: PLC0415 - see `packaged_beside`
+        from pathlib import Path  # noqa: PLC0415 - see `packaged_runtime`
 
-        folder = packaged_beside(Path(os.environ.get("SYSTEMROOT", r"C:\Windows")) / "System32")
+        folder = packaged_runtime(Path(os.environ.get("SYSTEMROOT", r"C:\Windows")) / "System32")
         if folder is not None:
             os.add_dll_directory(str(folder))
 
 
-def packaged_beside(system: Path) -> Path | None:
+def packaged_runtime(system: Path) -> Path | None:
     """Return the folder of the packaged runtime; None if the system has its own, or if there is none.
 
     Args:

@@ -11,7 +11,7 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-MOST_LINES = 500
+MAX_LINES = 500
 SUFFIXES = {".py", ".js", ".mjs"}
 EXEMPT_FOLDERS = {"data", "goldens", "generated", "build", "dist", "node_modules", "runs", "__pycache__"}
 
@@ -32,8 +32,8 @@ def too_long(root: Path) -> list[str]:
     complaints = []
     for path in checked_files(root):
         lines = len(path.read_bytes().splitlines())
-        if lines > MOST_LINES:
-            complaints.append(f"{path.relative_to(root).as_posix()}: {lines} lines, at most {MOST_LINES} are allowed")
+        if lines > MAX_LINES:
+            complaints.append(f"{path.relative_to(root).as_posix()}: {lines} lines, at most {MAX_LINES} are allowed")
     return complaints
 
 

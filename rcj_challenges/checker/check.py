@@ -15,7 +15,7 @@ from rcj_challenges.checker.report import FileReport, MatchReport, first_cause, 
 from rcj_challenges.checker.report_files import copy_page
 from rcj_challenges.checker.sources import check_sources
 from rcj_challenges.controllers.disk_names import from_disk
-from rcj_challenges.controllers.private_folders import PrivateFolders, temporary_trouble
+from rcj_challenges.controllers.private_folders import PrivateFolders, temporary_folder_error
 from rcj_challenges.controllers.scratch import ensure_room
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.diagnostics import one_line
@@ -47,8 +47,8 @@ _NEEDS: dict[StageName, tuple[StageName, ...]] = {
 PLAY_S = 10.0
 """As long as the web checker of the original played (reference, section 7)."""
 
-_MOST_OUTPUT_LINES = 200
-_MOST_LOGO_BYTES = 500_000
+_MAX_OUTPUT_LINES = 200
+_MAX_LOGO_BYTES = 500_000
 
 
 @dataclass(frozen=True)
@@ -263,7 +263,7 @@ def _private_folders() -> PrivateFolders:
     try:
         return PrivateFolders()
     except OSError as error:
-        raise temporary_trouble(error) from error
+        raise temporary_folder_error(error) from error
 
 
 def _unless_full(stage: Stage, place: Path) -> Stage:
@@ -276,7 +276,7 @@ def _unless_full(stage: Stage, place: Path) -> Stage:
         try:
             ensure_room(place)
         except OSError as error:
-            raise temporary_trouble(error) from error
+            raise temporary_folder_error(error) from error
     return stage
 
 
@@ -318,9 +318,9 @@ def _raise_if_of_the_host(error: Exception) -> None:
         if isinstance(reason, MemoryError):
             raise HostError("there is not enough memory", code="no-memory") from error
         if isinstance(reason, UnwritableError) and reason.__cause__ is not None:  # a record that is kept there
-            raise temporary_trouble(reason.__cause__) from error
+            raise temporary_folder_error(reason.__cause__) from error
         if reason is not None and is_no_room(reason):
-            raise temporary_trouble(reason) from error
+            raise temporary_folder_error(reason) from error
         if isinstance(reason, HostError):
             raise reason
         if reason is not None and is_of_the_host(reason):
@@ -347,7 +347,7 @@ def _match(match: Rehearsed, named: Called, options: CheckOptions) -> MatchRepor
 
 def _outputs(match: Rehearsed) -> dict[str, str]:
     """Return what programs printed, by robot, safe to show."""
-    return {robot: sanitize_block(match.log(robot), _MOST_OUTPUT_LINES) for robot in match.motions}
+    return {robot: sanitize_block(match.log(robot), _MAX_OUTPUT_LINES) for robot in match.motions}
 
 
 def _keep_replay(match: Rehearsed, named: Called, folder: Path) -> Path:
@@ -367,4 +367,4 @@ def _keep_replay(match: Rehearsed, named: Called, folder: Path) -> Path:
 def _logo(inspection: Inspection | None) -> bytes | None:
     """Return a logo that a page can show."""
     logo = inspection.logo if inspection is not None else None
-    return logo if logo is not None and logo.startswith(PNG_SIGNATURE) and len(logo) <= _MOST_LOGO_BYTES else None
+    return logo if logo is not None and logo.startswith(PNG_SIGNATURE) and len(logo) <= _MAX_LOGO_BYTES else None

@@ -9,10 +9,10 @@ from rcj_challenges.checker.advice.crash_site import unquote
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.sanitize import sanitize
 
-_MOST_LETTERS = 300  # of a path that is looked for
+_MAX_LETTERS = 300  # of a path that is looked for
 _MODULE = re.compile(r"^ModuleNotFoundError: No module named '(?P<module>\w{1,100})")
 _FILE = re.compile(
-    rf"""^FileNotFoundError: \[Errno 2\] No such file or directory: (?P<path>'(?:[^'\\]|\\.){{1,{_MOST_LETTERS}}}')"""
+    rf"""^FileNotFoundError: \[Errno 2\] No such file or directory: (?P<path>'(?:[^'\\]|\\.){{1,{_MAX_LETTERS}}}')"""
 )
 
 
@@ -37,7 +37,7 @@ def help_for_module_beside(team: Team, module: str) -> str:
 
 
 def _help_for(team: Team, name: str) -> str:
-    if not team.leaves_beside(name):
+    if not team.ignores_neighbour(name):
         return ""
     program = next(iter(team.files), PurePosixPath("the program"))
     return (

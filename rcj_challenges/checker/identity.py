@@ -8,8 +8,8 @@ from pathlib import PurePosixPath
 
 from rcj_challenges.checker.findings import Finding
 from rcj_challenges.checker.images import Picture, identify
+from rcj_challenges.controllers.submission_problems import Problem, safe_text
 from rcj_challenges.controllers.team import LOGO_FILE, Opening, may_be_logo
-from rcj_challenges.controllers.troubles import Trouble, told
 from rcj_challenges.records.logos import MAX_LOGO_BYTES, MAX_LOGO_SIDE, LogoError, checked_png
 
 _AS_PNG = "save it as a PNG"
@@ -30,7 +30,7 @@ class Logo:
     findings: tuple[Finding, ...]
 
 
-def finding_of(trouble: Trouble) -> Finding:
+def finding_of(trouble: Problem) -> Finding:
     """Return a trouble as a finding."""
     return Finding(
         trouble.code, trouble.level, trouble.message, trouble.remedy, where=trouble.where, repair=trouble.repair
@@ -55,7 +55,7 @@ def find_logo(files: Mapping[PurePosixPath, bytes]) -> Logo:
     findings = []
     taken = path.name.casefold() == LOGO_FILE
     if path != PurePosixPath(LOGO_FILE):
-        message = f"the logo is {told(path)}" + ("" if taken else ", which is not shown")
+        message = f"the logo is {safe_text(path)}" + ("" if taken else ", which is not shown")
         remedy = f"call it {LOGO_FILE} and put it beside the programs' folders"
         findings.append(_warning("logo_file", message, remedy, path))
     data = files[path]
@@ -71,7 +71,7 @@ def find_logo(files: Mapping[PurePosixPath, bytes]) -> Logo:
 
 
 def _warning(code: str, message: str, remedy: str, path: PurePosixPath) -> Finding:
-    return Finding(f"identity.{code}", "warning", message, remedy, told(path), repair=True)
+    return Finding(f"identity.{code}", "warning", message, remedy, safe_text(path), repair=True)
 
 
 def _logo_file(files: Mapping[PurePosixPath, bytes]) -> PurePosixPath | None:
@@ -83,7 +83,7 @@ def _logo_file(files: Mapping[PurePosixPath, bytes]) -> PurePosixPath | None:
 
 def _refused(path: PurePosixPath, picture: Picture | None, data: bytes, reason: str) -> Finding:
     """Say why a logo is not shown."""
-    name = told(path)
+    name = safe_text(path)
     if picture is None:
         return _warning("logo_no_picture", f"{name} is no picture: {reason}", _AS_PNG, path)
     if picture.kind != "PNG":
@@ -101,6 +101,6 @@ def _accepted(path: PurePosixPath, picture: Picture | None) -> list[Finding]:
     if picture is None or path.name.casefold() != LOGO_FILE:
         return []
     if picture.animated:
-        return [_warning("logo_animated", f"{told(path)} moves: only its first picture is shown", _AS_PNG, path)]
+        return [_warning("logo_animated", f"{safe_text(path)} moves: only its first picture is shown", _AS_PNG, path)]
     message = f"the logo has {picture.width} x {picture.height} pixels"
-    return [Finding("identity.logo", "passed", message, where=told(path))]
+    return [Finding("identity.logo", "passed", message, where=safe_text(path))]

@@ -10,8 +10,8 @@ from rcj_challenges.checker.findings import Finding
 from rcj_challenges.checker.likeness import BLANK, alike, like_an_entry, mentioned
 from rcj_challenges.checker.others import suggest_scenarios
 from rcj_challenges.checker.renaming import all_entries, entries_of, plan_moves
+from rcj_challenges.controllers.submission_problems import safe_text
 from rcj_challenges.controllers.team import Opening, missing_programs
-from rcj_challenges.controllers.troubles import told
 from rcj_challenges.scenario.models.robots import Entrant
 
 _MAX_EMPTY = 10
@@ -72,25 +72,32 @@ def empty_programs(files: Mapping[PurePosixPath, bytes], seats: Sequence[Entrant
 def _folder_findings(opening: Opening) -> list[Finding]:
     found = []
     if opening.contents.kind == "program":
-        message = f"a single program drives all robots: {told(next(iter(opening.files), ''))}"
+        message = f"a single program drives all robots: {safe_text(next(iter(opening.files), ''))}"
         found.append(Finding("layout.single_program", "warning", message, "a submission is a ZIP", repair=True))
     if opening.contents.kind != "zip":
         return found
     top = opening.top
     if opening.within is not None and not top.parts:
-        message = f"the programs are not in a folder {told(opening.within)}"
+        message = f"the programs are not in a folder {safe_text(opening.within)}"
         remedy = "pack that folder, not only what is in it"
         found.append(Finding("layout.no_folder", "warning", message, remedy, repair=True))
     elif opening.within is not None:
-        message = f"the folder of the programs is called {told(top.name)}"
+        message = f"the folder of the programs is called {safe_text(top.name)}"
         found.append(
-            Finding("layout.folder_name", "warning", message, f"call it {told(opening.within)}", told(top), repair=True)
+            Finding(
+                "layout.folder_name",
+                "warning",
+                message,
+                f"call it {safe_text(opening.within)}",
+                safe_text(top),
+                repair=True,
+            )
         )
         top = top.parent
     if top.parts:
-        message = f"everything lies in an extra folder: {told(top)}"
+        message = f"everything lies in an extra folder: {safe_text(top)}"
         remedy = "pack what is in it, not the folder itself"
-        found.append(Finding("layout.top_folder", "warning", message, remedy, told(top), repair=True))
+        found.append(Finding("layout.top_folder", "warning", message, remedy, safe_text(top), repair=True))
     return found
 
 
@@ -101,7 +108,7 @@ def _missing(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) 
     elsewhere = f"{suggest_scenarios(others)}; if it is for this scenario, " if others else ""
     if plan is not None:
         remedy = elsewhere + ", ".join(map(str, plan.moves)) + (f"; {plan.caution}" if plan.caution else "")
-        return [Finding("layout.misnamed", "failure", message, remedy, told(plan.moves[0].old), not plan.caution)]
+        return [Finding("layout.misnamed", "failure", message, remedy, safe_text(plan.moves[0].old), not plan.caution)]
     nested = [trouble for trouble in opening.contents.troubles if trouble.code == "archive.nested"]
     if nested:
         remedy = f"pack what is in {nested[0].where}, not the archive itself"
@@ -113,7 +120,7 @@ def _missing(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) 
 def _empty_findings(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:
     found = []
     for empty in empty_programs(opening.files, seats):
-        name = told(empty.path)
+        name = safe_text(empty.path)
         if empty.started:
             message = f"{name} is empty, and it is what {', '.join(empty.started)} would be started with"
             remedy = "delete it" if empty.spare else "put the program into it"
@@ -132,7 +139,7 @@ def _program_findings(opening: Opening, seats: Sequence[Entrant]) -> list[Findin
         if entry is not None:
             robots.setdefault(entry, []).append(robot)
     return [
-        Finding("layout.program", "passed", f"{', '.join(names)}: {told(entry)}", where=told(entry))
+        Finding("layout.program", "passed", f"{', '.join(names)}: {safe_text(entry)}", where=safe_text(entry))
         for entry, names in robots.items()
     ]
 
@@ -171,18 +178,20 @@ def _never_started_finding(
 ) -> Finding:
     twin = next((entry for entry in entries if _content(files, path) == _content(files, entry)), None)
     if twin is not None:
-        message = f"{told(path)} is never started; what is in its folder is the same as in {told(twin.parent)}"
-        return Finding("layout.same_program", "passed", message, where=told(path))
-    started = [told(entry) for entry in dict.fromkeys(entries)]
+        message = (
+            f"{safe_text(path)} is never started; what is in its folder is the same as in {safe_text(twin.parent)}"
+        )
+        return Finding("layout.same_program", "passed", message, where=safe_text(path))
+    started = [safe_text(entry) for entry in dict.fromkeys(entries)]
     if len(started) > 1:
         why = f"robots are started with {', '.join(started)}"
     else:
         why = f"{started[0]} is what all robots are started with, whatever their colour"
-    message = f"{told(path)} is never started: {why}"
+    message = f"{safe_text(path)} is never started: {why}"
     remedy = (
         "put what it does into the program that is started, which can ask robot.getName() who it is; else delete it"
     )
-    return Finding("layout.never_started", "warning", message, remedy, told(path))
+    return Finding("layout.never_started", "warning", message, remedy, safe_text(path))
 
 
 def _content(files: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> dict[PurePosixPath, bytes]:

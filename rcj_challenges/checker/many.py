@@ -26,7 +26,7 @@ from rcj_challenges.scenario.load import Loaded, load_resolved
 from rcj_challenges.scenario.models.limits import Limits
 
 _SLACK_S = 120.0
-_MOST_SHORT_MATCHES = 12
+_MAX_SHORT_MATCHES = 12
 _START = "import sys; sys.path.append(sys.argv[1]); from rcj_challenges.checker.many import work; work()"
 
 
@@ -148,4 +148,4 @@ def _message(loaded: Loaded, options: CheckOptions) -> dict[str, Any]:
 
 def _patience_s(limits: Limits, robots: int) -> float:
     """Return far more than the limits of all programs of all short matches together let a check last."""
-    return _SLACK_S + _MOST_SHORT_MATCHES * (limits.start_s + robots * limits.half_s)
+    return _SLACK_S + _MAX_SHORT_MATCHES * (limits.start_s + robots * limits.half_s)

@@ -17,7 +17,7 @@ from rcj_challenges.facts.sanitize import sanitize
 ARCHIVES = frozenset({".zip", ".rar", ".7z", ".tar", ".gz", ".tgz", ".bz2", ".xz"})
 """Endings of archives; all but ZIPs fail the check."""
 
-_MOST_OLD_ARCHIVES = 1
+_MAX_OLD_ARCHIVES = 1
 """Beside programs one archive is an older state of them; several are what was handed in."""
 
 
@@ -69,7 +69,7 @@ def in_folders(given: Sequence[Path]) -> Given:
 
 def called(paths: Sequence[Path]) -> list[Called]:
     """Return what the submissions at these paths are called, in their order."""
-    names = _told_apart([Path(from_disk(_place(path))).parts for path in paths])
+    names = _distinct_path_ends([Path(from_disk(_place(path))).parts for path in paths])
     taken: set[str] = set()
     found = []
     for path, name in zip(paths, names, strict=True):
@@ -103,7 +103,7 @@ def _place(path: Path) -> str:
     return os.path.abspath(path)  # noqa: PTH100 - `absolute` leaves ".." as it is
 
 
-def _told_apart(places: Sequence[tuple[str, ...]]) -> list[str]:
+def _distinct_path_ends(places: Sequence[tuple[str, ...]]) -> list[str]:
     """Return the ends of paths, each as long as it takes to be the only one of its kind."""
     lengths = [1] * len(places)
     while True:
@@ -121,7 +121,7 @@ def _in_folder(folder: Path) -> tuple[list[Path], dict[Path, str]]:
     entries = sorted(folder.iterdir())
     archives = [entry for entry in entries if _is_archive(entry)]
     program = _a_program(entries)
-    if archives and (program is None or len(archives) > _MOST_OLD_ARCHIVES):
+    if archives and (program is None or len(archives) > _MAX_OLD_ARCHIVES):
         return archives, {entry: _why_not(entry) for entry in entries if entry not in archives}
     if program is None:
         return [folder], {entry: _why_not(entry) for entry in entries if _is_archive_by_name(entry)}

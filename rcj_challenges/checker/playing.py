@@ -27,7 +27,7 @@ _SLOW_SHARE = 0.5
 _TOO_SLOW_SHARE = 2.0  # this computer may be slower than the tournament's, and is busy with other things
 _MUCH_SHARE = 0.5
 _TOO_MUCH_SHARE = 2.0  # it would be ended before the middle of a half; for less, ten seconds are too short
-_MOST_COMPLAINTS = 5
+_MAX_COMPLAINTS = 5
 # What the controller module writes into a log, and what to do: errors, and those of its warnings behind which there may
 # be a mistake.
 _COMPLAINTS = tuple(
@@ -109,9 +109,9 @@ def check_play(rehearsal: Rehearsal, seconds: float, known: Collection[tuple[str
 def _findings(rehearsal: Rehearsal, match: Rehearsed, side: str, missing: MissingDevices) -> list[Finding]:
     lacking = device_findings("play", missing, rehearsal, side)
     failed = fault_findings("play", rehearsal, match, side)
-    absent = _absent(match)
+    absent = _rarely_stepping(match)
     rest = [
-        *_absent_findings(match, absent, side),
+        *_rare_step_findings(match, absent, side),
         *_standing(rehearsal, match, absent, side),
         *_away_from_ball(rehearsal, match, side),
         *_slow(rehearsal, match, side),
@@ -122,7 +122,7 @@ def _findings(rehearsal: Rehearsal, match: Rehearsed, side: str, missing: Missin
     return [*lacking, *failed, *much, *rest, *logged, _summary(match, side), *_others_failed(match, side)]
 
 
-def _absent(match: Rehearsed) -> dict[str, int]:
+def _rarely_stepping(match: Rehearsed) -> dict[str, int]:
     """Return the robots whose programs did not fail, but called ``step`` very rarely, and how often they did."""
     failed = {fault["robot"] for fault in match.faults}
     ticks = ticks_from_s(match.simulated_s)
@@ -133,7 +133,7 @@ def _absent(match: Rehearsed) -> dict[str, int]:
     }
 
 
-def _absent_findings(match: Rehearsed, absent: Mapping[str, int], side: str) -> list[Finding]:
+def _rare_step_findings(match: Rehearsed, absent: Mapping[str, int], side: str) -> list[Finding]:
     """Return one warning for all robots that took part in equally many ticks."""
     alike: dict[int, list[str]] = {}
     for robot, steps in absent.items():
@@ -293,7 +293,7 @@ def _threads(match: Rehearsed, side: str) -> list[Finding]:
             where=", ".join(robots),
             details=sanitize_block(report),
         )
-        for error, (report, robots) in list(ended.items())[:_MOST_COMPLAINTS]
+        for error, (report, robots) in list(ended.items())[:_MAX_COMPLAINTS]
     ]
 
 
@@ -306,7 +306,7 @@ def _complaints(match: Rehearsed, side: str) -> list[Finding]:
                 said.setdefault(complaint, []).append(robot)
     return [
         Finding("play.complaint", "warning", f"{side}{sanitize(what)}", remedy, ", ".join(robots))
-        for (what, remedy), robots in list(said.items())[:_MOST_COMPLAINTS]
+        for (what, remedy), robots in list(said.items())[:_MAX_COMPLAINTS]
     ]
 
 

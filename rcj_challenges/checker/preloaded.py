@@ -39,7 +39,7 @@ def never_read(files: Iterable[PurePosixPath], entry: PurePosixPath, sandbox: st
     """
     library = Library(files, places_of(entry))
     of_pythons = [name for name in library.names() if name in sys.stdlib_module_names]
-    found = {name: _first_file(library.tops(name)) for name in of_pythons if name in loaded_before(sandbox)}
+    found = {name: _first_file(library.tops(name)) for name in of_pythons if name in preloaded_modules(sandbox)}
     return {name: path for name, path in found.items() if path is not None}
 
 
@@ -48,7 +48,7 @@ def _first_file(modules: Iterable[Module]) -> PurePosixPath | None:
 
 
 @functools.cache
-def loaded_before(sandbox: str) -> frozenset[str]:
+def preloaded_modules(sandbox: str) -> frozenset[str]:
     """Return the modules of Python's library that no file of a team can stand for.
 
     A program is started as in a match and asked: what the start needs differs between systems and versions. Where none
@@ -58,13 +58,13 @@ def loaded_before(sandbox: str) -> frozenset[str]:
         sandbox: ``auto``, ``strict`` or ``off``: layers of the isolation load modules too.
     """
     try:
-        loaded = _asked(sandbox)
+        loaded = _read_from_program(sandbox)
     except (OSError, RcjError):
         loaded = frozenset()
     return (loaded or frozenset(sys.builtin_module_names)) & sys.stdlib_module_names
 
 
-def _asked(sandbox: str) -> frozenset[str]:
+def _read_from_program(sandbox: str) -> frozenset[str]:
     """Return the names that are taken when a program starts; none if it does not report them."""
     with PrivateFolders() as folders:
         folder = folders.place

@@ -35,7 +35,7 @@ _MAY_NOT_BE_RUN = (
     *(*_FUNCTIONS, ast.Lambda, ast.If, ast.While, ast.For, ast.match_case, ast.IfExp, ast.BoolOp),
     *(ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp),
 )
-_MOST_WORDS = 500
+_MAX_WORDS = 500
 
 _CODING = re.compile(rb"[ \t\f]*#.*?coding[:=][ \t]*([-_.a-zA-Z0-9]+)")
 _BLANK_OR_COMMENT = re.compile(rb"[ \t\f]*(?:#|$)")
@@ -127,7 +127,7 @@ def _wrong(source: bytes, name: str) -> dict[str, Any] | None:
     except (RecursionError, MemoryError):
         return {"kind": "depth", "said": "", "line": 0, "column": 0}
     except (ValueError, OverflowError) as error:  # null bytes, before Python 3.12
-        return {"kind": "ValueError", "said": str(error)[:_MOST_WORDS], "line": 0, "column": 0}
+        return {"kind": "ValueError", "said": str(error)[:_MAX_WORDS], "line": 0, "column": 0}
     return _not_utf8(source) if encoding.startswith("utf-8") else None
 
 
@@ -149,7 +149,7 @@ def _declared_encoding(source: bytes) -> tuple[int, str]:
     for number, line in enumerate(lines, 1):
         named = _CODING.match(line.removeprefix(codecs.BOM_UTF8))
         if named is not None:
-            return number, named[1].decode("ascii")[:_MOST_WORDS]
+            return number, named[1].decode("ascii")[:_MAX_WORDS]
     return 0, "utf-8"
 
 
@@ -164,7 +164,7 @@ def _codec_of(encoding: str) -> str:
 def _place(error: SyntaxError) -> dict[str, Any]:
     return {
         "kind": type(error).__name__,
-        "said": str(error.msg)[:_MOST_WORDS],
+        "said": str(error.msg)[:_MAX_WORDS],
         "line": error.lineno or 0,
         "column": error.offset or 0,
     }

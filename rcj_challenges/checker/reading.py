@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-MOST_BYTES = 64_000
+MAX_BYTES = 64_000
 """A longer Python file is not looked into: for some the time that Python takes grows with the square of the length,
 such as calls with thousands of named arguments or f-strings with thousands of braces."""
 MAX_ALL_BYTES = 192_000
@@ -21,7 +21,7 @@ MAX_IMPORTS = 5_000
 _READER = Path(__file__).with_name("reader.py")
 PATIENCE_S = 20.0
 """For so long an answer about files that are read together is waited for: the last resort beside the bounds above."""
-_MOST_ROUNDS = 8
+_MAX_ROUNDS = 8
 """So often the files that are left are begun with, after one that ends the process that reads them."""
 
 
@@ -86,13 +86,13 @@ def read_sources(
     left: list[PurePosixPath] = []
     room = MAX_ALL_BYTES
     for content, (path, *_) in alike.items():
-        if len(content) > min(room, MOST_BYTES):
-            found[path] = Source(wrong="large" if len(content) > MOST_BYTES else "unread", moves_path=True)
+        if len(content) > min(room, MAX_BYTES):
+            found[path] = Source(wrong="large" if len(content) > MAX_BYTES else "unread", moves_path=True)
         else:
             left.append(path)
             room -= len(content)
     imports_left = MAX_IMPORTS
-    for _ in range(_MOST_ROUNDS):
+    for _ in range(_MAX_ROUNDS):
         answers, ended = _ask(left, files, imports_left)
         imports_left -= sum(1 + len(one.names) for answer in answers for one in answer.imports)
         found |= dict(zip(left, answers, strict=False))

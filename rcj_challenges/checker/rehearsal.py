@@ -27,8 +27,8 @@ SEED = 1
 """Two checks of one file see the same match."""
 
 _LEAST_PATIENCE_STEPS = 2.0
-_MOST_OVER = 4.0
-_MOST_LOG_BYTES = 100_000  # at each end
+_MAX_OVER = 4.0
+_MAX_LOG_BYTES = 100_000  # at each end
 OWN_TEAM = "your own team"
 _NOBODY = "robots that stand still"
 _STAND = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
@@ -112,10 +112,10 @@ class Rehearsed:
         """Return what a program printed, and what the match wrote about it: of much the beginning and the end."""
         try:
             with (self.folder / LOGS / f"{robot}.log").open("rb") as file:
-                said = file.read(_MOST_LOG_BYTES)
+                said = file.read(_MAX_LOG_BYTES)
                 left = file.seek(0, os.SEEK_END) - len(said)
-                file.seek(max(len(said), len(said) + left - _MOST_LOG_BYTES))
-                rest = file.read(_MOST_LOG_BYTES)
+                file.seek(max(len(said), len(said) + left - _MAX_LOG_BYTES))
+                rest = file.read(_MAX_LOG_BYTES)
         except OSError:
             return ""
         gap = b"\n...\n" if left > len(rest) else b""
@@ -182,7 +182,7 @@ def shortened(loaded: Loaded, seconds: float) -> Loaded:
     match, limits = loaded.scenario.match, loaded.scenario.limits
     longest_s = longest_half_s(match)
     half_s = min(longest_s, seconds)
-    share = _MOST_OVER * limits.half_s * half_s / longest_s
+    share = _MAX_OVER * limits.half_s * half_s / longest_s
     patience_s = min(limits.half_s, max(_LEAST_PATIENCE_STEPS * limits.step_s, share))
     resolved = {
         **loaded.resolved,

@@ -10,8 +10,8 @@ from pathlib import PurePosixPath
 from rcj_challenges.checker.likeness import BLANK, alike, like_an_entry, mentioned, of_yellow, same_number
 from rcj_challenges.checker.reached import imported_words
 from rcj_challenges.controllers.archive import Files
+from rcj_challenges.controllers.submission_problems import safe_text
 from rcj_challenges.controllers.team import alternatives
-from rcj_challenges.controllers.troubles import told
 from rcj_challenges.scenario.models.robots import Entrant
 
 HIDDEN_ENDING = ".py.txt"
@@ -39,11 +39,11 @@ class Move:
     def __str__(self) -> str:
         """Return what to do, as a sentence."""
         if self.new == PurePosixPath():
-            return f"move what is in {told(self.old)} to the top"
+            return f"move what is in {safe_text(self.old)} to the top"
         kind = "file" if self.new.suffix == ".py" else "folder"
         if kind == "file" and self.old.parent != self.new.parent:
-            return f"move the file {told(self.old)} into a folder {told(self.new.parent)}"
-        return f"rename the {kind} {told(self.old)} to {told(self.new)}"
+            return f"move the file {safe_text(self.old)} into a folder {safe_text(self.new.parent)}"
+        return f"rename the {kind} {safe_text(self.old)} to {safe_text(self.new)}"
 
 
 @dataclass(frozen=True)
@@ -132,7 +132,7 @@ def _caution(files: Files, moves: Sequence[Move], *, is_beside: bool) -> str:
         move.old.stem if move.old.suffix == ".py" else move.old.name for move in moves if move.old.name != move.new.name
     ]
     name = mentioned(files, old_names)
-    return f"the programs mention {told(name)}: change that as well" if name else ""
+    return f"the programs mention {safe_text(name)}: change that as well" if name else ""
 
 
 def _find(entry: PurePosixPath, files: Files, seats: Sequence[Entrant], *, is_only_one: bool) -> PurePosixPath | None:

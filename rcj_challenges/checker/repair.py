@@ -19,9 +19,9 @@ from rcj_challenges.checker.renaming import plan_moves
 from rcj_challenges.controllers.archive import Files
 from rcj_challenges.controllers.paths import clean, folded
 from rcj_challenges.controllers.private_folders import PrivateFolders
+from rcj_challenges.controllers.submission_problems import MAX_OF_A_KIND, MAX_PATH_SHOWN, safe_text, with_help
 from rcj_challenges.controllers.team import LOGO_FILE, Opening, alternatives, called_after, opening_of
 from rcj_challenges.controllers.team_name import NAME_FILE, find_team_name
-from rcj_challenges.controllers.troubles import MOST_OF_A_KIND, MOST_PATH_SHOWN, told, with_remedy
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.errors import RcjError, format_error, room_help
 from rcj_challenges.records.logos import LogoError, checked_png
@@ -106,7 +106,7 @@ def _hopeless(found: Inspection) -> list[str]:
         return [str(trouble) for trouble in contents.refused]
     places = _Places(contents.files)
     return [
-        f"'{told(name)}' would lie where another file is: rename one"
+        f"'{safe_text(name)}' would lie where another file is: rename one"
         for name in contents.unsafe
         if not places.take(clean(name))
     ]
@@ -138,7 +138,7 @@ class _Places:
 
 def _left(found: Inspection) -> list[str]:
     return [
-        with_remedy(finding.message, finding.remedy)
+        with_help(finding.message, finding.remedy)
         for stage in found.stages
         for finding in stage.findings
         if finding.level != "passed"
@@ -182,10 +182,10 @@ def _with_safe_names(opening: Opening, seats: Sequence[Entrant], done: list[str]
         path = clean(name)
         if path is not None:  # see _hopeless
             files[path] = content
-            renamed_files.append(f"renamed '{told(name)}' to {told(path)}")
-    done += renamed_files[:MOST_OF_A_KIND]
-    if len(renamed_files) > MOST_OF_A_KIND:
-        done.append(f"and {counted(len(renamed_files) - MOST_OF_A_KIND, 'more file')}")
+            renamed_files.append(f"renamed '{safe_text(name)}' to {safe_text(path)}")
+    done += renamed_files[:MAX_OF_A_KIND]
+    if len(renamed_files) > MAX_OF_A_KIND:
+        done.append(f"and {counted(len(renamed_files) - MAX_OF_A_KIND, 'more file')}")
     renamed = replace(contents, files=dict(sorted(files.items())), troubles=(), unsafe={})
     source = opening.team.source if opening.team else Path(opening.name.text)
     return opening_of(source, renamed, *seats)
@@ -204,7 +204,7 @@ def _laid_out(opening: Opening, seats: Sequence[Entrant], done: list[str]) -> Fi
         done += _seen_through(opening)
     for empty in empty_programs(files, seats):
         if empty.spare:
-            done.append(f"left out the empty {told(empty.path)}")
+            done.append(f"left out the empty {safe_text(empty.path)}")
             files = {path: content for path, content in files.items() if path != empty.path}
     return files
 
@@ -213,12 +213,12 @@ def _seen_through(opening: Opening) -> list[str]:
     """Tell which folders are not as they were."""
     top, done = opening.top, []
     if opening.within is not None and top.parts:
-        done.append(f"renamed the folder {told(top)} to {told(opening.within)}")
+        done.append(f"renamed the folder {safe_text(top)} to {safe_text(opening.within)}")
         top = top.parent
     elif opening.within is not None:
-        done.append(f"put the programs into the folder {told(opening.within)}")
+        done.append(f"put the programs into the folder {safe_text(opening.within)}")
     if top.parts:
-        done.append(f"took everything out of the extra folder {told(top)}")
+        done.append(f"took everything out of the extra folder {safe_text(top)}")
     return done
 
 
@@ -231,7 +231,7 @@ def _named(files: Files, fallback: str, done: list[str]) -> Files:
     readable = name.given and all(trouble.code != "identity.name_encoding" for trouble in name.troubles)
     content = f"{name.text}\n".encode() if readable else files[name.path]
     if name.path != _NAME_PATH:
-        done.append(f"took the team's name from {told(name.path)} to {NAME_FILE}")
+        done.append(f"took the team's name from {safe_text(name.path)} to {NAME_FILE}")
     if codes - {"identity.name_file"}:
         done.append(f"wrote {NAME_FILE} anew: {name.text}")
     return _placed(files, name.path, _NAME_PATH, content)
@@ -263,12 +263,12 @@ def _with_a_logo(files: Files, done: list[str]) -> Files:
     except PictureError as error:
         if len(path.parts) > 1:
             return files
-        done.append(f"left out {told(path)}: {error}")
+        done.append(f"left out {safe_text(path)}: {error}")
         return {other: data for other, data in files.items() if other != path}
     if not sound:
-        done.append(f"made a PNG of {told(path)} that can be shown")
+        done.append(f"made a PNG of {safe_text(path)} that can be shown")
     if path != _LOGO_PATH:
-        done.append(f"took the logo from {told(path)} to {LOGO_FILE}")
+        done.append(f"took the logo from {safe_text(path)} to {LOGO_FILE}")
     return _placed(files, path, _LOGO_PATH, content)
 
 
@@ -294,7 +294,7 @@ def _zipped(files: Files) -> bytes:
 
 
 def _taken(out: Path) -> RepairError:
-    message = f"{told(out, MOST_PATH_SHOWN)}: there is something already; nothing was written"
+    message = f"{safe_text(out, MAX_PATH_SHOWN)}: there is something already; nothing was written"
     return RepairError(message, "choose another name, or move it away", code="file-exists")
 
 
@@ -311,7 +311,7 @@ def _write(out: Path, data: bytes) -> None:
     except FileExistsError:
         raise _taken(out) from None
     except OSError as error:
-        message = f"{told(out, MOST_PATH_SHOWN)}: cannot be written: {format_error(error)}"
+        message = f"{safe_text(out, MAX_PATH_SHOWN)}: cannot be written: {format_error(error)}"
         raise RepairError(message, room_help(error)) from error
     finally:
         if temporary is not None:

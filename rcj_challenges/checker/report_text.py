@@ -27,7 +27,7 @@ from rcj_challenges.facts.sanitize import sanitize
 _STYLES: dict[Level, str] = {"passed": "green", "warning": "yellow", "failure": "bold red", "unchecked": "bold"}
 _SKIPPED = "skipped"
 _WIDTH = max(map(len, ("warning", "failure", _SKIPPED)))  # the longest word is rare
-_MOST_LEFT_OUT = 30
+_MAX_LEFT_OUT = 30
 _INDENT = _WIDTH + 2
 _LEAST_WIDTH = 30
 _WIDE = 160
@@ -45,7 +45,7 @@ def print_report(console: Console, report: CheckReport) -> None:
         print_table(console, report)
     _print_left_out(console, report)
     if not single:
-        _say(console, Text(summary(report), style="bold"))
+        _print(console, Text(summary(report), style="bold"))
 
 
 def print_file(console: Console, file: FileReport) -> None:
@@ -53,7 +53,7 @@ def print_file(console: Console, file: FileReport) -> None:
     head = Text(file.file, style="bold")
     if file.team:
         head.append(f"  {file.team}", style="not bold")
-    _say(console, head)
+    _print(console, head)
     for line in file.repaired:
         _indented(console, Text(f"repaired: {line}"))
     for stage in file.stages:
@@ -71,8 +71,8 @@ def print_file(console: Console, file: FileReport) -> None:
     for match in file.matches:
         for one in match.robots:
             _print_output(console, one.robot, f"as {', '.join(match.seats)}", one.output)
-    _say(console, Text(verdict(file), style=_STYLES[file.level]))
-    _say(console, Text(""))
+    _print(console, Text(verdict(file), style=_STYLES[file.level]))
+    _print(console, Text(""))
 
 
 def print_table(console: Console, report: CheckReport) -> None:
@@ -89,18 +89,18 @@ def print_table(console: Console, report: CheckReport) -> None:
             Text(WORDS[file.level], style=_STYLES[file.level]),
             Text(file.hindrance or file.cause),
         )
-    _say(console, table)
+    _print(console, table)
 
 
 def _print_left_out(console: Console, report: CheckReport) -> None:
     """Print what was not looked at, and why."""
     if not report.left_out:
         return
-    _say(console, Text("not looked at:"))
-    for other in report.left_out[:_MOST_LEFT_OUT]:
+    _print(console, Text("not looked at:"))
+    for other in report.left_out[:_MAX_LEFT_OUT]:
         _indented(console, Text(f"{other.file}: {other.reason}"))
-    if len(report.left_out) > _MOST_LEFT_OUT:
-        _indented(console, Text(f"and {len(report.left_out) - _MOST_LEFT_OUT} more (all of them: --json or --html)"))
+    if len(report.left_out) > _MAX_LEFT_OUT:
+        _indented(console, Text(f"and {len(report.left_out) - _MAX_LEFT_OUT} more (all of them: --json or --html)"))
 
 
 def _print_stage(console: Console, stage: StageReport) -> None:
@@ -133,7 +133,7 @@ def _print_robots(console: Console, match: MatchReport) -> None:
     """Print a table of a short match's robots; where it has no room a paragraph for each, for no number is cut off."""
     table = _robots(match)
     if Measurement.get(console, console.options.update(max_width=_WIDE), table).maximum <= console.width - _INDENT:
-        _say(console, Padding(table, (0, 0, 0, _INDENT), expand=False))
+        _print(console, Padding(table, (0, 0, 0, _INDENT), expand=False))
         return
     for robot in match.robots:
         numbers = ", ".join(f"{name} {number_of(robot)}" for name, number_of in ROBOT_NUMBERS.items())
@@ -160,12 +160,12 @@ def _robots(match: MatchReport) -> Table:
 
 def _print_output(console: Console, robot: str, when: str, output: str) -> None:
     if output:
-        _say(console, Text(f"{robot} {when} printed:", style="dim"))
+        _print(console, Text(f"{robot} {when} printed:", style="dim"))
         for line in output.split("\n"):
             console.print(Text(f"{robot} | {line}"), soft_wrap=True)
 
 
-def _say(console: Console, content: RenderableType) -> None:
+def _print(console: Console, content: RenderableType) -> None:
     console.print(content, markup=False, highlight=False)
 
 

@@ -28,8 +28,8 @@ from rcj_challenges.controllers.team import Team
 from rcj_challenges.facts.likeness import nearest_name
 from rcj_challenges.facts.sanitize import sanitize
 
-_MOST_FINDINGS = 40
-_MOST_LOOKED_FOR = 30  # of modules that are nowhere: to look through thousands of files for each would take hours
+_MAX_FINDINGS = 40
+_MAX_LOOKED_FOR = 30  # of modules that are nowhere: to look through thousands of files for each would take hours
 
 Unit = tuple[PurePosixPath, int]
 """A file that a program runs, and in how many packages it lies then: relative imports lead as far up, no further."""
@@ -236,7 +236,7 @@ class _Walk:
         quoted = sanitize(name)
         nowhere = f'imports "{quoted}", which is neither part of Python, nor numpy or scipy, nor in the submission'
         self._looked_for += 1
-        if self._looked_for > _MOST_LOOKED_FOR:
+        if self._looked_for > _MAX_LOOKED_FOR:
             return "missing_module", nowhere, f"put {quoted}.py beside the program, or do without it"
         names = self._usual.names()
         other_case = next((near for near in names if near.casefold() == name.casefold()), None)
@@ -407,10 +407,10 @@ def _kind(finding: Finding) -> str:
 def _in_order(found: Iterable[Finding]) -> list[Finding]:
     """Return the gravest first, and not more than anybody reads."""
     ordered = sorted(found, key=lambda finding: finding.level != "failure")
-    if len(ordered) > _MOST_FINDINGS:
-        left_out = len(ordered) - _MOST_FINDINGS
+    if len(ordered) > _MAX_FINDINGS:
+        left_out = len(ordered) - _MAX_FINDINGS
         ordered = [
-            *ordered[:_MOST_FINDINGS],
+            *ordered[:_MAX_FINDINGS],
             Finding("sources.more", "warning", f"{left_out} more of the kind", "start with those above"),
         ]
     return ordered

@@ -5,7 +5,7 @@ from __future__ import annotations
 import platform
 import re
 
-from rcj_challenges.checker.reading import MAX_IMPORTS, MOST_BYTES, Source
+from rcj_challenges.checker.reading import MAX_BYTES, MAX_IMPORTS, Source
 from rcj_challenges.facts.sanitize import sanitize
 
 PYTHON = f"Python {platform.python_version()}"
@@ -44,7 +44,7 @@ _WITHOUT_WORDS = {
     "slow": ("too_slow", "Python takes far too long to read the file", "split it, or put data into a file of its own"),
     "large": (
         "large",
-        f"more than {MOST_BYTES / 1000:g} kB of Python: not looked into",
+        f"more than {MAX_BYTES / 1000:g} kB of Python: not looked into",
         "put large data into a file that is no program",
     ),
     "imports": (

@@ -13,7 +13,7 @@ import typer
 
 from rcj_challenges.cli.completion import complete_scenarios
 from rcj_challenges.cli.help import SUBMIT, Command
-from rcj_challenges.cli.stdio import say_json, say_progress
+from rcj_challenges.cli.stdio import print_json, print_progress
 from rcj_challenges.facts.errors import RcjError, format_error, room_help
 
 if TYPE_CHECKING:
@@ -271,7 +271,7 @@ def _check_many(paths: list[Path], loaded: Loaded, options: CheckOptions, comman
     def on_done(file: FileReport) -> None:
         done.append(file)
         if not command.json:
-            say_progress(console, progress_line(len(done), len(paths), file))
+            print_progress(console, progress_line(len(done), len(paths), file))
 
     try:
         return _Checked(check_many(paths, loaded, options, command.jobs or os.cpu_count() or 1, on_done))
@@ -288,7 +288,7 @@ def _publish(report: CheckReport, command: CheckCommand, console: Console) -> No
     """
     try:
         if command.json:
-            say_json(report.model_dump(mode="json"))
+            print_json(report.model_dump(mode="json"))
         else:
             from rcj_challenges.checker.report_text import print_report
 

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from rcj_challenges.cli.stdio import say_json
+from rcj_challenges.cli.stdio import print_json
 from rcj_challenges.cli.validate import flat, say
 from rcj_challenges.expect.runner import TestResult, run_test
 from rcj_challenges.facts.amounts import counted
@@ -55,7 +55,7 @@ def run_tests(paths: Sequence[str], overrides: Sequence[str], *, as_json: bool =
                 _show(reports[-1])
     if as_json:
         passed = all(report["passed"] for report in reports)
-        say_json({"passed": passed, "files": reports})
+        print_json({"passed": passed, "files": reports})
     else:
         _show_sum(reports)
     return code

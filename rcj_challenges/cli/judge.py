@@ -12,7 +12,7 @@ import typer
 
 from rcj_challenges.cli.completion import complete_scenarios
 from rcj_challenges.cli.help import ORGANIZE, Command
-from rcj_challenges.cli.stdio import say_json
+from rcj_challenges.cli.stdio import print_json
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.diagnostics import render_error
 from rcj_challenges.facts.errors import RcjError
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from rcj_challenges.records.result import RunResult
     from rcj_challenges.scenario.models.scenario import Scenario
 
-_MOST_SHOWN = 40
+_MAX_SHOWN = 40
 """Lines about events that differ: a rule that changes the score changes the payloads of all later goals."""
 
 
@@ -139,7 +139,7 @@ def judge(options: JudgeOptions) -> int:
             for line in _lines(judged, options):
                 console.print(line, markup=False, highlight=False, soft_wrap=True)
     if options.as_json:
-        say_json({"other_rules": options.other_rules, "records": told})
+        print_json({"other_rules": options.other_rules, "records": told})
     else:
         for line in _closing(told, options):
             console.print(line, markup=False, highlight=False, soft_wrap=True)
@@ -222,9 +222,9 @@ def _lines(judged: _Judged, options: JudgeOptions) -> Iterator[str]:
     for line in ranking_lines(scenario.result.rank, names, judgement.ranking, sides_change=swap):
         yield f"            {line}"
     found = judged.differences
-    yield from map(_line, found[:_MOST_SHOWN])
-    if len(found) > _MOST_SHOWN:
-        yield f"  … and {len(found) - _MOST_SHOWN} more: --json has them all"
+    yield from map(_line, found[:_MAX_SHOWN])
+    if len(found) > _MAX_SHOWN:
+        yield f"  … and {len(found) - _MAX_SHOWN} more: --json has them all"
     gone, new = (sum(getattr(one, side) is None for one in found) for side in ("after", "before"))
     changed = len(found) - gone - new
     otherwise = f", {gone} only in the record, {new} only now, {changed} changed" if found else ""

@@ -8,7 +8,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from rcj_challenges.cli.stdio import say_json, shell_quoted
+from rcj_challenges.cli.stdio import print_json, shell_quoted
 from rcj_challenges.cli.team_args import UsageError, assignments, known, open_teams
 from rcj_challenges.facts.timing import TICK_S
 
@@ -77,7 +77,7 @@ def run_scenario(options: RunOptions) -> int:
             outcome = play_match(plan, ObserverGroup(observer, standing, *(() if show is None else (show.observer,))))
             try:
                 played = _Played(plan, outcome, standing.robots())
-                _tell(options, console, played, getattr(observer, "trouble", None))
+                _report(options, console, played, getattr(observer, "trouble", None))
             except BaseException as error:
                 if interruption_behind(error) is None:
                     raise
@@ -88,7 +88,7 @@ def run_scenario(options: RunOptions) -> int:
                 show.match_over(outcome.folder)
                 stay_on_air(show, options.live, console)
     except MatchInterruptedError as error:
-        _tell_of_interruption(options, console, scenario, error)
+        _report_interruption(options, console, scenario, error)
         return INTERRUPTED
     finally:
         for team in plan.teams.values():
@@ -148,11 +148,11 @@ def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Observer]:
     quiet = options.quiet or options.json
     observer = create_observer(console, loaded.scenario, quiet=quiet, shared=bool(options.debug))
     if options.debug and find_spec("debugpy") is None:
-        _say_how_to_debug(console)
+        _print_debug_help(console)
     return plan, console, observer
 
 
-def _say_how_to_debug(console: Console) -> None:
+def _print_debug_help(console: Console) -> None:
     """Say what stops where without the extra that waits for an editor."""
     line = "debug: breakpoint() stops in this terminal; to stop in VS Code too: pip install 'rcj-challenges[debug]'"
     console.print(line, markup=False, highlight=False, soft_wrap=True)
@@ -167,7 +167,7 @@ class _Played:
     standing: Sequence[str]
 
 
-def _tell(options: RunOptions, console: Console, played: _Played, trouble: OSError | None) -> None:
+def _report(options: RunOptions, console: Console, played: _Played, trouble: OSError | None) -> None:
     """Write the replay page, and say how it ended: also if there is no room for the page.
 
     Args:
@@ -184,7 +184,7 @@ def _tell(options: RunOptions, console: Console, played: _Played, trouble: OSErr
     from rcj_challenges.facts.sanitize import sanitize
 
     try:
-        _tell_all(options, console, played)
+        _report_all(options, console, played)
         if trouble is not None:
             raise output_error(trouble)
     except (OSError, HostError) as error:
@@ -201,7 +201,7 @@ def _tell(options: RunOptions, console: Console, played: _Played, trouble: OSErr
         raise HostError(str(found), "; ".join(filter(None, (found.help, whole))), code=found.code) from error
 
 
-def _tell_all(options: RunOptions, console: Console, played: _Played) -> None:
+def _report_all(options: RunOptions, console: Console, played: _Played) -> None:
     from rcj_challenges.cli.advice import advice_on
     from rcj_challenges.facts.errors import interruption_behind
     from rcj_challenges.records.folder import LOGS
@@ -212,7 +212,7 @@ def _tell_all(options: RunOptions, console: Console, played: _Played) -> None:
 
     def say(*, replay: bool) -> None:
         if options.json:
-            _say_result(outcome, hints)
+            _print_result(outcome, hints)
         else:
             _summary(console, scenario, outcome, hints, replay=replay)
 
@@ -234,8 +234,8 @@ def _tell_all(options: RunOptions, console: Console, played: _Played) -> None:
     say(replay=wanted)
 
 
-def _say_result(outcome: PlayedMatch, hints: Sequence[dict[str, Any]]) -> None:
-    say_json({**outcome.result, "hints": hints, "folder": str(outcome.folder)})
+def _print_result(outcome: PlayedMatch, hints: Sequence[dict[str, Any]]) -> None:
+    print_json({**outcome.result, "hints": hints, "folder": str(outcome.folder)})
 
 
 def _has_ticks(outcome: PlayedMatch) -> bool:
@@ -253,7 +253,7 @@ def _open_page(folder: Path, console: Console) -> None:
         console.print(line, markup=False, highlight=False, soft_wrap=True)
 
 
-def _tell_of_interruption(
+def _report_interruption(
     options: RunOptions, console: Console, scenario: Scenario, error: MatchInterruptedError
 ) -> None:  # fmt: skip
     """Say how far the match came, and where that is."""
@@ -262,7 +262,7 @@ def _tell_of_interruption(
     from rcj_challenges.views.sentences import clock
 
     if options.json:
-        _say_result(error.played, [])
+        _print_result(error.played, [])
     result, folder = error.played.result, error.played.folder
     names = {seat: entrant["name"] for seat, entrant in result["entrants"].items()}
     where = "before the first half"
@@ -304,7 +304,7 @@ def _summary(
     swap = changes_sides(scenario)
     lines = [score_line(names, result["score"], sides_change=swap)]
     lines += ranking_lines(scenario.result.rank, names, result["ranking"], sides_change=swap)
-    lines += _told_faults(result["faults"])
+    lines += _fault_lines(result["faults"])
     lines += [f"hint for {', '.join(hint['robots'])}: {hint['remedy']}" for hint in hints]
     lines.append(
         f"{result['simulated_s']:.0f} s played in {result['wall_s']:.1f} s "
@@ -319,7 +319,7 @@ def _summary(
         console.print(line, markup=False, highlight=False, soft_wrap=True)
 
 
-def _told_faults(faults: Sequence[dict[str, Any]]) -> list[str]:
+def _fault_lines(faults: Sequence[dict[str, Any]]) -> list[str]:
     """Return one line for robots that failed alike at the same tick, whichever half it was: mostly all six do."""
     from rcj_challenges.facts.sanitize import sanitize
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.cli import OK, OUR_FAULT, WRONG_INPUT
-from rcj_challenges.cli.stdio import say_json, say_progress
+from rcj_challenges.cli.stdio import print_json, print_progress
 from rcj_challenges.cli.team_args import open_teams
 from rcj_challenges.facts.amounts import counted, times
 from rcj_challenges.facts.errors import RcjError
@@ -28,8 +28,8 @@ if TYPE_CHECKING:
     from rcj_challenges.views.scoreboard import Criterion
 
 _OF_RECORDS = ("folder", "inputs", "states", "digest")
-_MOST_SEEDS = 100_000
-_MOST_DIGITS = 100
+_MAX_SEEDS = 100_000
+_MAX_DIGITS = 100
 """Of a seed: many more than anybody types; Python reads numbers of some thousand."""
 
 
@@ -158,11 +158,11 @@ def parse_seeds(text: str) -> list[int]:
         first, dots, last = part.strip().partition("..")
         if not first.isdecimal() or (dots and not last.isdecimal()):
             raise SeedsError(f"--seeds {sanitize(text)}: not seeds", "write 1..10, 3 or 1,4,7..9")
-        if max(len(first), len(last)) > _MOST_DIGITS:
-            raise SeedsError(f"--seeds {sanitize(text)}: a seed has at most {_MOST_DIGITS} digits")
+        if max(len(first), len(last)) > _MAX_DIGITS:
+            raise SeedsError(f"--seeds {sanitize(text)}: a seed has at most {_MAX_DIGITS} digits")
         end = int(last) if dots else int(first)
-        if not 0 <= end - int(first) < _MOST_SEEDS:
-            raise SeedsError(f"--seeds {sanitize(text)}: {sanitize(part)} is empty or more than {_MOST_SEEDS} seeds")
+        if not 0 <= end - int(first) < _MAX_SEEDS:
+            raise SeedsError(f"--seeds {sanitize(text)}: {sanitize(part)} is empty or more than {_MAX_SEEDS} seeds")
         seeds += range(int(first), end + 1)
     return seeds
 
@@ -259,7 +259,7 @@ class _Progress:
         self._began = time.perf_counter()
         if known and not quiet:
             line = f"{len(known)} of {counted(total, 'match', 'matches')} have been played before, and count"
-            say_progress(console, line)
+            print_progress(console, line)
 
     def done(self, outcome: Outcome) -> None:
         self.outcomes.append(outcome)
@@ -269,7 +269,7 @@ class _Progress:
         left_s = (time.perf_counter() - self._began) / (count - self._known) * (self._total - count)
         score = "could not be played" if outcome.result is None else str(list(outcome.result["score"].values()))
         line = f"{count}/{self._total}  seed {outcome.job.seed}  {score}  done in about {left_s:.0f} s"
-        say_progress(self._console, line)
+        print_progress(self._console, line)
 
 
 def _report(outcomes: Sequence[Outcome], rank: Sequence[Criterion], options: SimulateOptions) -> None:
@@ -280,7 +280,7 @@ def _report(outcomes: Sequence[Outcome], rank: Sequence[Criterion], options: Sim
     if not decided_by_score_alone(rank):
         told["ranking"] = rank_summary(rank, outcomes)
     if options.json:
-        say_json(told)
+        print_json(told)
         return
     console = console_for()
     console.print(_score_table(told))

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from rcj_challenges.cli.help import WATCH, Command
-from rcj_challenges.cli.stdio import say_json
+from rcj_challenges.cli.stdio import print_json
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.diagnostics import render_error
 
@@ -84,7 +84,7 @@ def show_stats(runs: Sequence[Path | None], out: Path, *, as_json: bool, explain
             f"{len(runs) - len(found) - len(complaints)} of the runs are the same as others: counted once"
         )
     if as_json:
-        say_json(stats_as_json(stats))
+        print_json(stats_as_json(stats))
     else:
         _print(console_for(), stats, explain=explain)
     for complaint in complaints if as_json else ():
@@ -94,14 +94,14 @@ def show_stats(runs: Sequence[Path | None], out: Path, *, as_json: bool, explain
 
 def _print(console: Console, stats: Stats, *, explain: bool) -> None:
     from rcj_challenges.facts.sanitize import sanitize
-    from rcj_challenges.views.stats.figures import DEFINITIONS, shown_keys
+    from rcj_challenges.views.stats.figures import DEFINITIONS, figure_keys
 
     _print_table(console, stats)
     _print_calls(console, stats)
     for note in stats.notes:
         console.print(f"note: {sanitize(note, 500)}", markup=False, highlight=False, soft_wrap=True)
     if explain:
-        for key in shown_keys(stats):
+        for key in figure_keys(stats):
             line = f"{DEFINITIONS[key].title}: {DEFINITIONS[key].text}"
             console.print(line, markup=False, highlight=False, soft_wrap=True)
     else:
@@ -115,9 +115,9 @@ def _print_table(console: Console, stats: Stats) -> None:
 
     from rcj_challenges.facts.timing import TICK_S
     from rcj_challenges.views.sentences import clock
-    from rcj_challenges.views.stats.figures import shown_keys
+    from rcj_challenges.views.stats.figures import figure_keys
 
-    keys = [key for key in shown_keys(stats) if key not in ("faults", "calls")]
+    keys = [key for key in figure_keys(stats) if key not in ("faults", "calls")]
     blocks = _blocks(stats, keys)
     told = [cells for block in blocks for _, cells, _ in block]
     widths = [max(map(len, [*_HEADS[key].splitlines(), *(cells[key] for cells in told)])) for key in keys]

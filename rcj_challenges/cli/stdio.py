@@ -23,7 +23,7 @@ from rcj_challenges.facts.letters import READABLE
 from rcj_challenges.facts.sanitize import sanitize
 
 
-def say_json(value: Any) -> None:
+def print_json(value: Any) -> None:
     """Print a value as JSON and nothing else; who reads no more of it changes nothing about a command's exit code.
 
     Letters stand in it as they are where the output is UTF-8, else as JSON's own escapes: it means the same then.
@@ -46,7 +46,7 @@ def say_json(value: Any) -> None:
         raise trouble from error
 
 
-def say_progress(console: Console, line: str) -> None:
+def print_progress(console: Console, line: str) -> None:
     """Say how far something is that takes long. If there is no room for that, it goes on without a word."""
     with contextlib.suppress(OSError):
         console.print(line, markup=False, highlight=False, soft_wrap=True)

@@ -62,12 +62,12 @@ def _opened(path: Path, seats: tuple[Entrant, ...], scenario: Scenario) -> Team:
             raise
         from rcj_challenges.checker.layout import layout_findings
         from rcj_challenges.checker.others import others_that_fit
-        from rcj_challenges.controllers.troubles import MOST_PATH_SHOWN, told
+        from rcj_challenges.controllers.submission_problems import MAX_PATH_SHOWN, safe_text
 
         others = others_that_fit(opening.contents.files, scenario)
         found = next(one for one in layout_findings(opening, seats, others) if one.level == "failure")
         copy = "; rcj-challenge check … --fix NEW.zip makes such a copy" if found.repair else ""
-        message = f"{told(path, MOST_PATH_SHOWN)}: {found.message}"
+        message = f"{safe_text(path, MAX_PATH_SHOWN)}: {found.message}"
         raise TeamError(message, f"{found.remedy}{copy}", code=found.code) from error
 
 
@@ -97,8 +97,8 @@ def _why_no_sample_team(scenario: Scenario, seat: str, bases: Sequence[Scenario]
 
     for base in bases:
         if has_sample_team(base) and (kits := other_kits(scenario, base, seat)):
-            told = ", ".join(f"{robot}: {kit}" for robot, kit in kits.items())
-            return f"The sample team of {base.id} was written for other kits or packets ({told})"
+            kits_text = ", ".join(f"{robot}: {kit}" for robot, kit in kits.items())
+            return f"The sample team of {base.id} was written for other kits or packets ({kits_text})"
     return "There is no sample team for it"
 
 

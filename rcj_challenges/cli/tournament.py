@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from rcj_challenges.cli.help import ORGANIZE, Command, Group
-from rcj_challenges.cli.stdio import say_json
+from rcj_challenges.cli.stdio import print_json
 
 if TYPE_CHECKING:
     from rcj_challenges.tournament.opened import OpenTournament
@@ -253,4 +253,4 @@ def play_job(job: str, data: Path) -> None:
     from rcj_challenges.tournament.playing import play_job as play
 
     played = play(MatchJob.from_json(json.loads(job)), Workplace(data))
-    say_json({**played.result, "folder": str(played.folder)})
+    print_json({**played.result, "folder": str(played.folder)})

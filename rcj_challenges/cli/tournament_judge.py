@@ -8,7 +8,7 @@ from dataclasses import asdict, replace
 from rich.text import Text
 
 from rcj_challenges.cli import OK
-from rcj_challenges.cli.stdio import say_json
+from rcj_challenges.cli.stdio import print_json
 from rcj_challenges.cli.tournament_tables import score_words, stage_tables
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
@@ -47,7 +47,7 @@ def judge_tournament(tournament: OpenTournament, overrides: Sequence[str], *, as
     if as_json:
         outcomes = {one.id: {"recorded": asdict(played[one.id].outcome), "judged": asdict(judged[one.id])}
                     for one in fixtures}  # fmt: skip
-        say_json({"outcomes": outcomes, "stages": [asdict(stage) for stage in after.stages]})
+        print_json({"outcomes": outcomes, "stages": [asdict(stage) for stage in after.stages]})
         return OK
     console = console_for()
     for one in changed:

@@ -10,7 +10,7 @@ from pathlib import Path
 from rich.text import Text
 
 from rcj_challenges.cli import OK
-from rcj_challenges.cli.stdio import say_json
+from rcj_challenges.cli.stdio import print_json
 from rcj_challenges.cli.tournament_tables import team_words
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.errors import RcjError
@@ -50,7 +50,7 @@ def print_plan(tournament: OpenTournament, *, as_json: bool) -> int:
     if as_json:
         stages = [{"stage": one.name, "matches": one.expected_matches, "known": [asdict(f) for f in one.fixtures]}
                   for one in state.stages]  # fmt: skip
-        say_json({"stages": stages, "cost": asdict(cost)})
+        print_json({"stages": stages, "cost": asdict(cost)})
         return OK
     console = console_for()
     for stage in state.stages:

@@ -9,7 +9,7 @@ from typing import Any, Literal
 from rich.text import Text
 
 from rcj_challenges.cli import OK
-from rcj_challenges.cli.stdio import say_json
+from rcj_challenges.cli.stdio import print_json
 from rcj_challenges.cli.tournament_tables import score_words, stage_tables, team_words
 from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.tournament.csv_text import csv_text
@@ -41,7 +41,7 @@ def print_status(tournament: OpenTournament, *, as_json: bool) -> int:
         "withdrawn": sorted(team.id for team in state.teams.values() if team.withdrawn),
     }
     if as_json:
-        say_json(status)
+        print_json(status)
         return OK
     console = console_for()
     lines = [f"{status['title']}: {'is being written to at present' if status['is_running'] else 'nothing is running'}"]
@@ -58,7 +58,7 @@ def print_results(tournament: OpenTournament, *, as_json: bool, as_csv: Literal[
     """Print what came out; returns the exit code."""
     state = tournament.state()
     if as_json:
-        say_json(results_json(tournament, state))
+        print_json(results_json(tournament, state))
     elif as_csv is not None:
         sys.stdout.write(tables_csv(state) if as_csv == "tables" else matches_csv(state))
     else:

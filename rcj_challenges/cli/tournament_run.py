@@ -15,7 +15,7 @@ from rich.table import Table
 from rich.text import Text
 
 from rcj_challenges.cli import OK, OUR_FAULT
-from rcj_challenges.cli.stdio import say_progress
+from rcj_challenges.cli.stdio import print_progress
 from rcj_challenges.cli.tournament_tables import score_words, stage_tables
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
@@ -28,7 +28,7 @@ from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.reconcile import reconcile
 from rcj_challenges.tournament.runner import Progress, Runner
 from rcj_challenges.tournament.season import Fixture, Outcome, SeasonState, Status
-from rcj_challenges.tournament.submissions import Failure, Handed, check_submissions, take_submissions
+from rcj_challenges.tournament.submissions import Failure, Submitted, check_submissions, take_submissions
 from rcj_challenges.views.console import console_for
 
 _NEWEST_SHOWN = 5
@@ -128,10 +128,10 @@ def prepare(tournament: OpenTournament, options: RunOptions, lanes: int, observe
     return jobs
 
 
-def _earlier(tournament: OpenTournament) -> dict[tuple[str, str], Handed]:
+def _earlier(tournament: OpenTournament) -> dict[tuple[str, str], Submitted]:
     """Return the last submissions of all teams: of those that have left, what they played stays comparable."""
     rows = tournament.store.current_submissions()
-    return {key: Handed(*key, row.archive, row.file, row.name) for key, row in rows.items()}
+    return {key: Submitted(*key, row.archive, row.file, row.name) for key, row in rows.items()}
 
 
 def _diagnostic(failure: Failure, place: Workplace) -> Diagnostic:
@@ -178,7 +178,7 @@ class RunLines:
     def note(self, line: str) -> None:
         """Print a line."""
         if not self._quiet:
-            say_progress(self._console, line)
+            print_progress(self._console, line)
 
     def checked(self, team: str, level: str, done: int, total: int) -> None:
         """Print the verdict of a check."""
@@ -191,7 +191,7 @@ class RunLines:
         total = progress.done + progress.left
         doubtful = "  doubtful: a time limit decided something in it" if is_doubtful else ""
         self.note(f"{progress.done}/{total}  {fixture.id}  {score}{doubtful}{_left(progress)}")
-        self._tell_tables(progress.state)
+        self._print_tables(progress.state)
 
     def not_played(self, fixture: Fixture, complaint: str) -> None:
         """Print why a match could not be played."""
@@ -206,7 +206,7 @@ class RunLines:
     def moment(self, progress: Progress) -> None:
         """Nothing has happened for a moment."""
 
-    def _tell_tables(self, state: SeasonState) -> None:
+    def _print_tables(self, state: SeasonState) -> None:
         for stage in state.stages:
             if stage.status is Status.FINISHED and stage.name not in self._finished:
                 self._finished.add(stage.name)

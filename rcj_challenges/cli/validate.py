@@ -6,7 +6,7 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
-from rcj_challenges.cli.stdio import discard_output, say_json
+from rcj_challenges.cli.stdio import discard_output, print_json
 from rcj_challenges.facts.amounts import counted
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError, InFile
 from rcj_challenges.facts.letters import READABLE
@@ -43,7 +43,7 @@ def validate_files(
         code = max(code, one)
         reports.append(report | found)
     if as_json:
-        say_json({"files": reports})
+        print_json({"files": reports})
     return code
 
 

@@ -13,7 +13,7 @@ import typer
 
 from rcj_challenges.cli import OK, OUR_FAULT
 from rcj_challenges.cli.help import ORGANIZE, Command
-from rcj_challenges.cli.stdio import say_json, say_progress
+from rcj_challenges.cli.stdio import print_json, print_progress
 
 if TYPE_CHECKING:
     from rcj_challenges.scenario.models.robots import Entrant
@@ -201,7 +201,7 @@ class VerifyLines:
     def note(self, line: str) -> None:
         """Print a line."""
         if not self._as_json:
-            say_progress(self._console, line)
+            print_progress(self._console, line)
 
     def done(self, verified: Verified) -> None:
         """Print a verdict."""
@@ -213,6 +213,6 @@ class VerifyLines:
     def finish(self) -> int:
         """Print the JSON, if that is asked for; returns the exit code."""
         if self._as_json:
-            say_json([asdict(one) for one in self._verified])
+            print_json([asdict(one) for one in self._verified])
         verdicts = {one.verdict for one in self._verified}
         return _DIFFERS if "differs" in verdicts else OUR_FAULT if "not_played" in verdicts else OK

@@ -13,13 +13,13 @@ from typing import Literal, NoReturn
 from rcj_challenges.controllers import zipped
 from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.controllers.paths import (
-    MOST_PATH_LETTERS,
+    MAX_PATH_LETTERS,
     composed,
     folded,
     ignored,
     ignored_folder,
     is_record,
-    name_troubles,
+    name_problems,
     path_of,
     record_folders,
     spelled_path_of,
@@ -27,13 +27,13 @@ from rcj_challenges.controllers.paths import (
 from rcj_challenges.controllers.submission_limits import (
     FREE_UNPACKED_BYTES,
     MAX_DEPTH,
+    MAX_FILES,
     MAX_FOLDERS,
-    MOST_FILES,
-    MOST_PACKED_BYTES,
-    MOST_RATIO,
-    MOST_UNPACKED_BYTES,
+    MAX_PACKED_BYTES,
+    MAX_RATIO,
+    MAX_UNPACKED_BYTES,
 )
-from rcj_challenges.controllers.troubles import MOST_PATH_SHOWN, Trouble, Troubles, told
+from rcj_challenges.controllers.submission_problems import MAX_PATH_SHOWN, Problem, Problems, safe_text
 from rcj_challenges.facts.errors import RcjError
 
 _KINDS = (
@@ -60,7 +60,7 @@ _TARRED = re.compile(r"\.(tar\.\w+|tgz|tbz2?|txz)$", re.IGNORECASE)
 _DATA_ENDINGS = frozenset({".npz", ".pt", ".pth", ".keras", ".docx", ".xlsx", ".pptx", ".odt", ".ods", ".whl", ".jar"})
 _SHOWN_NAMES = 4
 _DEFLATE_RATIO = 1032
-_MOST_WASTED_BYTES = 300_000_000  # unpacked in vain from damaged entries: a second's work
+_MAX_WASTED_BYTES = 300_000_000  # unpacked in vain from damaged entries: a second's work
 
 
 class TeamError(RcjError):
@@ -87,12 +87,12 @@ class Contents:
 
     kind: Literal["folder", "zip", "program"]
     files: Files
-    troubles: tuple[Trouble, ...] = ()
+    troubles: tuple[Problem, ...] = ()
     complete: bool = True
     unsafe: dict[str, bytes] = field(default_factory=dict)
 
     @property
-    def refused(self) -> list[Trouble]:
+    def refused(self) -> list[Problem]:
         """The troubles for which it is not used."""
         return [trouble for trouble in self.troubles if trouble.level == "failure"]
 
@@ -109,10 +109,12 @@ def read_contents(path: Path) -> Contents:
         if not path.exists():
             # There "my team\\" --blue … is read as one name: the backslash makes the quotation mark a letter.
             swallowed = "leave away the backslash at its end" if os.sep == "\\" and '"' in str(path) else ""
-            message = f"{told(path, MOST_PATH_SHOWN)}: there is no such file or folder"
+            message = f"{safe_text(path, MAX_PATH_SHOWN)}: there is no such file or folder"
             raise TeamError(message, swallowed, code="no-such-team")
         if not path.is_file():
-            raise TeamError(f"{told(path, MOST_PATH_SHOWN)}: this is neither a file nor a folder", code="cannot-open")
+            raise TeamError(
+                f"{safe_text(path, MAX_PATH_SHOWN)}: this is neither a file nor a folder", code="cannot-open"
+            )
         if path.suffix.casefold() == ".py":
             return _from_program(path)
         return _from_zip(path)
@@ -121,33 +123,33 @@ def read_contents(path: Path) -> Contents:
     except (OSError, ValueError, RecursionError) as error:  # the last: folders too deep to be searched
         reason = getattr(error, "strerror", None) or error
         where = getattr(error, "filename", None) or path  # a file or folder in it, perhaps
-        message = f"{told(Path(where), MOST_PATH_SHOWN)}: cannot be read: {reason}"
+        message = f"{safe_text(Path(where), MAX_PATH_SHOWN)}: cannot be read: {reason}"
         raise TeamError(message, code="cannot-open") from error
 
 
-def refusal(path: Path, reasons: list[Trouble]) -> TeamError:
+def refusal(path: Path, reasons: list[Problem]) -> TeamError:
     """Return the error that says why something is not used: the first reason, and how many more there are."""
     more = f" (and {len(reasons) - 1} more)" if len(reasons) > 1 else ""
     first = reasons[0]
-    return TeamError(f"{told(path, MOST_PATH_SHOWN)}: {first.message}{more}", first.remedy, code=first.code)
+    return TeamError(f"{safe_text(path, MAX_PATH_SHOWN)}: {first.message}{more}", first.remedy, code=first.code)
 
 
 def _from_program(path: Path) -> Contents:
-    if path.stat().st_size > MOST_PACKED_BYTES:
+    if path.stat().st_size > MAX_PACKED_BYTES:
         return _unreadable("program", _too_large(path.stat().st_size))
     # ROBOT.PY, as old copies and memory sticks have it, is a program just as well.
     return Contents("program", {composed(from_disk(path.with_suffix(".py").name)): path.read_bytes()})
 
 
-def _too_large(size: int) -> Trouble:
-    message = f"{size / 1e6:.1f} MB is more than the {MOST_PACKED_BYTES // 1_000_000} MB allowed"
-    return Trouble("archive.too_large", "failure", message, "leave out what the programs do not need")
+def _too_large(size: int) -> Problem:
+    message = f"{size / 1e6:.1f} MB is more than the {MAX_PACKED_BYTES // 1_000_000} MB allowed"
+    return Problem("archive.too_large", "failure", message, "leave out what the programs do not need")
 
 
 class _OvergrownError(Exception):
     """A submission has too many folders, or too deep ones."""
 
-    def __init__(self, trouble: Trouble) -> None:
+    def __init__(self, trouble: Problem) -> None:
         super().__init__(trouble)
         self.trouble = trouble
 
@@ -167,28 +169,28 @@ class _Folders:
         if folder in self._known:
             return
         if len(folder.parts) > MAX_DEPTH:
-            message = f"{told(folder)} lies too deep: at most {MAX_DEPTH} folders may lie in one another"
-            raise _OvergrownError(Trouble("archive.too_deep", "failure", message, _FEWER_FOLDERS))
+            message = f"{safe_text(folder)} lies too deep: at most {MAX_DEPTH} folders may lie in one another"
+            raise _OvergrownError(Problem("archive.too_deep", "failure", message, _FEWER_FOLDERS))
         self._known.update((folder, *folder.parents))
         if len(self._known) > MAX_FOLDERS:
             message = f"there are more than {MAX_FOLDERS} folders"
-            raise _OvergrownError(Trouble("archive.too_many_folders", "failure", message, _FEWER_FOLDERS))
+            raise _OvergrownError(Problem("archive.too_many_folders", "failure", message, _FEWER_FOLDERS))
 
 
 _FEWER_FOLDERS = "leave out what the programs do not need"
 
 
-def _no_files() -> Trouble:
-    return Trouble("archive.empty", "failure", "there are no files in it", "is this the folder of the robot programs?")
+def _no_files() -> Problem:
+    return Problem("archive.empty", "failure", "there are no files in it", "is this the folder of the robot programs?")
 
 
-def _unreadable(kind: Literal["folder", "zip", "program"], *troubles: Trouble) -> Contents:
+def _unreadable(kind: Literal["folder", "zip", "program"], *troubles: Problem) -> Contents:
     return Contents(kind, {}, troubles, complete=False)
 
 
 def _from_folder(folder: Path) -> Contents:
     files: Files = {}
-    troubles = Troubles()
+    troubles = Problems()
     total = 0
     inside = folder.resolve()
     for path in _walk(folder):
@@ -202,18 +204,18 @@ def _from_folder(folder: Path) -> Contents:
         if not path.is_file():
             continue
         total += path.stat().st_size
-        if total > MOST_UNPACKED_BYTES or len(files) >= MOST_FILES:
-            message = f"more than {MOST_FILES} files or {MOST_UNPACKED_BYTES // 1_000_000} MB"
+        if total > MAX_UNPACKED_BYTES or len(files) >= MAX_FILES:
+            message = f"more than {MAX_FILES} files or {MAX_UNPACKED_BYTES // 1_000_000} MB"
             remedy = "is this the folder of the robot programs?"
-            return _unreadable("folder", *troubles, Trouble("archive.too_many", "failure", message, remedy))
+            return _unreadable("folder", *troubles, Problem("archive.too_many", "failure", message, remedy))
         if relative in files:
-            message = f"{told(relative)} is there twice, with letters composed and taken apart; one is left out"
-            troubles.add(Trouble("archive.collision", "warning", message, "delete one", told(relative)))
+            message = f"{safe_text(relative)} is there twice, with letters composed and taken apart; one is left out"
+            troubles.add(Problem("archive.collision", "warning", message, "delete one", safe_text(relative)))
         files[relative] = path.read_bytes()
     # What only another computer would object to does not hinder anybody who works in this folder.
-    for trouble in itertools.chain.from_iterable(name_troubles(str(path)) for path in files):
-        troubles.add(Trouble(trouble.code, "warning", trouble.message, trouble.remedy, trouble.where, trouble.repair))
-    _tell_nested(files, troubles)
+    for trouble in itertools.chain.from_iterable(name_problems(str(path)) for path in files):
+        troubles.add(Problem(trouble.code, "warning", trouble.message, trouble.remedy, trouble.where, trouble.repair))
+    _report_nested(files, troubles)
     if not files and not any(trouble.code == "archive.link" for trouble in troubles):
         troubles.add(_no_files())
     return Contents("folder", dict(sorted(files.items())), tuple(troubles))
@@ -229,15 +231,15 @@ def _leads_out(path: Path, inside: Path) -> bool:
     return not path.resolve().is_relative_to(inside)
 
 
-def _link(path: PurePosixPath, *, leads_out: bool, is_folder: bool) -> Trouble:
+def _link(path: PurePosixPath, *, leads_out: bool, is_folder: bool) -> Problem:
     """Return what is wrong with a link; one to another folder inside is left out, whatever leads out is refused."""
-    shown = told(path)
+    shown = safe_text(path)
     if leads_out:
         message = f"{shown} is a link that leads out of the folder"
         remedy = f"copy the {'folder' if is_folder else 'file'} instead"
-        return Trouble("archive.link", "failure", message, remedy, shown)
+        return Problem("archive.link", "failure", message, remedy, shown)
     message = f"{shown} is a link to a folder: it is left out"
-    return Trouble("archive.link_inside", "warning", message, "copy the folder, if programs need it there", shown)
+    return Problem("archive.link_inside", "warning", message, "copy the folder, if programs need it there", shown)
 
 
 def _walk(folder: Path) -> Iterator[Path]:
@@ -268,15 +270,15 @@ def _from_zip(path: Path) -> Contents:
     size = path.stat().st_size
     with path.open("rb") as file:
         head = file.read(_HEAD_BYTES)
-        data = head + file.read(max(0, MOST_PACKED_BYTES + 1 - len(head)))
+        data = head + file.read(max(0, MAX_PACKED_BYTES + 1 - len(head)))
     if not data:
         message, remedy = "the file is empty: this is not a ZIP archive", "pack the folder as a ZIP archive"
-        return _unreadable("zip", Trouble("archive.empty", "failure", message, remedy))
+        return _unreadable("zip", Problem("archive.empty", "failure", message, remedy))
     for at, magic, kind in _KINDS:
         if head[at:].startswith(magic):
             message, remedy = f"this is {kind}, not a ZIP", "pack the folder as a ZIP archive"
-            return _unreadable("zip", Trouble("archive.other_kind", "failure", message, remedy))
-    if max(size, len(data)) > MOST_PACKED_BYTES:
+            return _unreadable("zip", Problem("archive.other_kind", "failure", message, remedy))
+    if max(size, len(data)) > MAX_PACKED_BYTES:
         return _unreadable("zip", _too_large(max(size, len(data))))
     return _ZipReading(data).contents()
 
@@ -286,12 +288,12 @@ class _ZipReading:
 
     def __init__(self, data: bytes) -> None:
         self._data = data
-        self._troubles = Troubles()
+        self._troubles = Problems()
         self._files: Files = {}
         self._unsafe: dict[str, bytes] = {}
         self._complete = True
         self._spelled: dict[str, PurePosixPath] = {}
-        self._most = min(MOST_UNPACKED_BYTES, max(FREE_UNPACKED_BYTES, MOST_RATIO * len(data)))
+        self._most = min(MAX_UNPACKED_BYTES, max(FREE_UNPACKED_BYTES, MAX_RATIO * len(data)))
         self._left = self._most
         self._wasted = 0
 
@@ -302,7 +304,7 @@ class _ZipReading:
         except zipped.UnreadableError as error:
             self._troubles.add(error.trouble)
             return _unreadable("zip", *self._troubles)
-        self._tell_leftovers([entry for entry in entries if ignored(path_of(entry.name).parts)])
+        self._report_leftovers([entry for entry in entries if ignored(path_of(entry.name).parts)])
         used = [entry for entry in entries if not ignored(path_of(entry.name).parts)]
         try:
             self._count_folders(used)
@@ -310,11 +312,11 @@ class _ZipReading:
             self._troubles.add(error.trouble)
             return _unreadable("zip", *self._troubles)
         used = self._without_records(used)
-        self._tell_guessed([entry for entry in used if entry.guessed])
+        self._report_guessed([entry for entry in used if entry.guessed])
         self._read_all([entry for entry in used if not entry.is_folder])
-        self._tell_folders([entry for entry in used if entry.is_folder])
+        self._report_folders([entry for entry in used if entry.is_folder])
         self._refuse_files_in_files()
-        _tell_nested(self._files, self._troubles)
+        _report_nested(self._files, self._troubles)
         if not self._files and not self._unsafe and self._complete:
             self._troubles.add(_no_files())
         files = dict(sorted(self._files.items()))
@@ -328,23 +330,23 @@ class _ZipReading:
         """
         folders = _Folders()
         for entry in entries:
-            if len(entry.name) <= MOST_PATH_LETTERS:
+            if len(entry.name) <= MAX_PATH_LETTERS:
                 path = path_of(entry.name)
                 folders.add(path if entry.is_folder else path.parent)
 
     def _refuse(self, code: str, message: str, remedy: str, where: str = "", *, repair: bool = False) -> None:
-        self._troubles.add(Trouble(code, "failure", message, remedy, where, repair))
+        self._troubles.add(Problem(code, "failure", message, remedy, where, repair))
 
     def _read_all(self, entries: list[zipped.Entry]) -> None:
-        if len(entries) > MOST_FILES:
+        if len(entries) > MAX_FILES:
             self._complete = False
             remedy = "pack the folder of the robot programs only"
-            self._refuse("archive.too_many", f"the archive has more than {MOST_FILES} files", remedy)
+            self._refuse("archive.too_many", f"the archive has more than {MAX_FILES} files", remedy)
             return
         if any("\\" in entry.name for entry in entries):
             message = "folders and files are separated by backslashes, which few programs understand"
             remedy = "pack the folder again with another program"
-            self._troubles.add(Trouble("archive.backslashes", "warning", message, remedy, repair=True))
+            self._troubles.add(Problem("archive.backslashes", "warning", message, remedy, repair=True))
         for entry in entries:
             try:
                 self._read(entry)
@@ -352,21 +354,21 @@ class _ZipReading:
                 self._complete = False
                 self._troubles.add(error.trouble)
                 self._wasted += min(self._left, _DEFLATE_RATIO * entry.packed)
-                if self._wasted > _MOST_WASTED_BYTES:
+                if self._wasted > _MAX_WASTED_BYTES:
                     return
             except zipped.TooMuchError:
                 self._complete = False
-                self._tell_bomb(told(entry.name))
+                self._report_bomb(safe_text(entry.name))
                 return
 
-    def _tell_bomb(self, where: str) -> None:
+    def _report_bomb(self, where: str) -> None:
         message = f"unpacked, it is more than {self._most // 1_000_000} MB"
-        if self._most < MOST_UNPACKED_BYTES:
-            message += f" and more than {MOST_RATIO} times its size"
+        if self._most < MAX_UNPACKED_BYTES:
+            message += f" and more than {MAX_RATIO} times its size"
         self._refuse("archive.bomb", message, "leave out what the programs do not need", where)
 
     def _read(self, entry: zipped.Entry) -> None:
-        shown = told(entry.name)
+        shown = safe_text(entry.name)
         if entry.encrypted:
             self._complete = False
             self._refuse("archive.encrypted", f"'{shown}' is encrypted", "pack the ZIP without a password", shown)
@@ -383,12 +385,12 @@ class _ZipReading:
         self._left -= len(content)
         if lie:
             remedy = "pack the folder again"
-            self._troubles.add(Trouble("archive.headers", "warning", lie, remedy, shown, repair=True))
+            self._troubles.add(Problem("archive.headers", "warning", lie, remedy, shown, repair=True))
         self._take(entry.name, content)
 
     def _take(self, name: str, content: bytes) -> None:
         """Keep a file where its name says, unless that is no place for it."""
-        bad = list(name_troubles(name))
+        bad = list(name_problems(name))
         for trouble in bad:
             self._troubles.add(trouble)
         path, spelled = path_of(name), spelled_path_of(name)
@@ -396,8 +398,8 @@ class _ZipReading:
             self._unsafe[name] = content
         elif path in self._files and self._spelled[folded(path)] == spelled:
             same = self._files[path] == content
-            message = f"'{told(path)}' is in the archive twice" + ("" if same else ", with different contents")
-            self._refuse("archive.duplicate", message, "keep one of them", told(path), repair=same)
+            message = f"'{safe_text(path)}' is in the archive twice" + ("" if same else ", with different contents")
+            self._refuse("archive.duplicate", message, "keep one of them", safe_text(path), repair=same)
         elif self._fits(spelled):
             self._files[path] = content
 
@@ -406,71 +408,73 @@ class _ZipReading:
         for place in (path, *list(path.parents)[:-1]):
             other = self._spelled.setdefault(folded(place), place)
             if other != place:
-                message = f"{told(place)} and {told(other)} are one file on some computers"
-                self._refuse("archive.collision", message, "rename one", told(place))
+                message = f"{safe_text(place)} and {safe_text(other)} are one file on some computers"
+                self._refuse("archive.collision", message, "rename one", safe_text(place))
                 return False
         return True
 
     def _refuse_files_in_files(self) -> None:
         for path in [path for path in self._files if not self._files.keys().isdisjoint(path.parents)]:
             del self._files[path]
-            message = f"{told(path)} lies in a folder that is a file as well"
-            self._refuse("archive.collision", message, "rename one", told(path))
+            message = f"{safe_text(path)} lies in a folder that is a file as well"
+            self._refuse("archive.collision", message, "rename one", safe_text(path))
 
-    def _tell_leftovers(self, entries: list[zipped.Entry]) -> None:
+    def _report_leftovers(self, entries: list[zipped.Entry]) -> None:
         if not entries:
             return
         message = f"other programs left behind what is not used: {_some(entries)}"
         remedy = "delete them before packing"
-        self._troubles.add(Trouble("archive.leftovers", "warning", message, remedy, repair=True))
+        self._troubles.add(Problem("archive.leftovers", "warning", message, remedy, repair=True))
 
     def _without_records(self, entries: list[zipped.Entry]) -> list[zipped.Entry]:
         """Leave out records of runs, and tell of them: who packs the folder that he works in packs them too."""
-        short = [entry for entry in entries if len(entry.name) <= MOST_PATH_LETTERS]  # others are refused as they are
+        short = [entry for entry in entries if len(entry.name) <= MAX_PATH_LETTERS]  # others are refused as they are
         files, folders = ([path_of(entry.name) for entry in short if entry.is_folder is kind] for kind in (False, True))
         records = record_folders(files, folders)
         for record in sorted(records):
-            message, remedy = f"{told(record)} is the record of a run: it is not used", "delete it before packing"
-            self._troubles.add(Trouble("archive.leftovers", "warning", message, remedy, told(record), repair=True))
+            message, remedy = f"{safe_text(record)} is the record of a run: it is not used", "delete it before packing"
+            self._troubles.add(Problem("archive.leftovers", "warning", message, remedy, safe_text(record), repair=True))
         of_records = {
             entry.name for entry in short if not records.isdisjoint([path_of(entry.name), *path_of(entry.name).parents])
         }
         return [entry for entry in entries if entry.name not in of_records]
 
-    def _tell_guessed(self, entries: list[zipped.Entry]) -> None:
+    def _report_guessed(self, entries: list[zipped.Entry]) -> None:
         if not entries:
             return
         message = f"the archive does not tell in which encoding names are; they may be read wrongly: {_some(entries)}"
         remedy = "use plain letters (a to z) in names of files and folders, also where programs import or open them"
-        self._troubles.add(Trouble("archive.name_guessed", "warning", message, remedy))
+        self._troubles.add(Problem("archive.name_guessed", "warning", message, remedy))
 
-    def _tell_folders(self, entries: list[zipped.Entry]) -> None:
+    def _report_folders(self, entries: list[zipped.Entry]) -> None:
         for entry in entries:
-            for trouble in name_troubles(entry.name) if path_of(entry.name).parts else ():  # "./" is harmless
+            for trouble in name_problems(entry.name) if path_of(entry.name).parts else ():  # "./" is harmless
                 if trouble.code == "archive.outside":
                     # A folder without its files is not missed.
                     self._troubles.add(replace(trouble, code="archive.outside_folder", repair=True))
             if entry.special:
-                self._refuse("archive.link", f"'{told(entry.name)}' is a link or a device", "pack the folder itself")
+                self._refuse(
+                    "archive.link", f"'{safe_text(entry.name)}' is a link or a device", "pack the folder itself"
+                )
         have = {path_of(entry.name) for entry in entries}
         needed = {parent for path in self._files for parent in list(path.parents)[:-1]}
         if needed - have:
             message = "the archive has no entries of their own for its folders, which does no harm"
-            self._troubles.add(Trouble("archive.no_folders", "passed", message, repair=True))
+            self._troubles.add(Problem("archive.no_folders", "passed", message, repair=True))
 
 
 def _some(entries: list[zipped.Entry]) -> str:
     """Return the names of the first of them, for a message."""
-    names = list(dict.fromkeys(told(entry.name) for entry in entries))
+    names = list(dict.fromkeys(safe_text(entry.name) for entry in entries))
     return ", ".join(names[:_SHOWN_NAMES]) + (", …" if len(names) > _SHOWN_NAMES else "")
 
 
-def _tell_nested(files: Files, troubles: Troubles) -> None:
+def _report_nested(files: Files, troubles: Problems) -> None:
     for path, content in files.items():
         kinds = (kind for at, magic, kind in _CONTAINERS if content[at : at + len(magic)] == magic)
         kind = next(kinds, "a tar archive" if _TARRED.search(path.name) else "")
         if kind and path.suffix.casefold() not in _DATA_ENDINGS:
-            shown = told(path)
+            shown = safe_text(path)
             message = f"{shown} is {kind} inside the submission, which nobody unpacks"
             remedy = "pack what is in it instead, if the programs need it"
-            troubles.add(Trouble("archive.nested", "warning", message, remedy, shown))
+            troubles.add(Problem("archive.nested", "warning", message, remedy, shown))

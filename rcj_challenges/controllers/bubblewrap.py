@@ -62,7 +62,7 @@ def prefix(python: str, readable: tuple[str, ...], private: Path | None) -> list
     return [*command, "--remount-ro", "/dev", "--remount-ro", "/", "--"]
 
 
-def until_gone_holding(fd: int, command: Sequence[str]) -> list[str]:
+def held_open_until_exit(fd: int, command: Sequence[str]) -> list[str]:
     """Return the command of `prefix` so that bubblewrap keeps a file open as long as one of its own processes lives.
 
     Args:
@@ -72,14 +72,14 @@ def until_gone_holding(fd: int, command: Sequence[str]) -> list[str]:
     return [command[0], "--sync-fd", str(fd), *command[1:]]
 
 
-def wait_until_gone(fd: int) -> None:
+def wait_for_exit(fd: int) -> None:
     """Wait until no process of bubblewrap's lives any more; the program must have ended, and the outermost one as well.
 
     The outermost one does not wait for the first one inside, which lives up to a few hundredths of a second longer on
     a busy machine.
 
     Args:
-        fd: read end of the pipe whose write end `until_gone_holding` was given.
+        fd: read end of the pipe whose write end `held_open_until_exit` was given.
     """
     poll = select.poll()
     poll.register(fd, select.POLLIN)

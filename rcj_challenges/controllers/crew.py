@@ -13,7 +13,7 @@ from typing import Self
 from rcj_challenges.controllers import scratch
 from rcj_challenges.controllers.assignment import Assignment
 from rcj_challenges.controllers.isolation import active_layers
-from rcj_challenges.controllers.private_folders import PrivateFolders, remove_left_overs_once, temporary_trouble
+from rcj_challenges.controllers.private_folders import PrivateFolders, remove_left_overs_once, temporary_folder_error
 from rcj_challenges.controllers.program import CLEAN_UP_S, Program
 from rcj_challenges.controllers.sharing import Sharing
 from rcj_challenges.controllers.team import Team
@@ -21,7 +21,7 @@ from rcj_challenges.controllers.timed_channel import WaitBudget
 from rcj_challenges.facts.traffic import Observation, RobotSpec
 from rcj_challenges.scenario.models.limits import Limits
 
-_MOST_HELD_UP = 4
+_MAX_HELD_UP = 4
 """A half may wait so many times as long as all its programs may be charged together: others have the processors."""
 
 
@@ -105,18 +105,18 @@ class Crew:
             self._folders = PrivateFolders()
             place = self._folders.place
             share_bytes = scratch.share_bytes(place, len(self.programs))
-            sharing = Sharing(place, share_bytes, tuple(self.programs.values()), WaitBudget(self._most_waited_s()))
+            sharing = Sharing(place, share_bytes, tuple(self.programs.values()), WaitBudget(self._max_wait_s()))
         except OSError as error:
-            raise temporary_trouble(error) from error
+            raise temporary_folder_error(error) from error
         for program in sharing.programs:
             program.launch(sharing)
         remove_left_overs_once()
 
-    def _most_waited_s(self) -> float:
+    def _max_wait_s(self) -> float:
         """Return for how long this half may wait for programs, in s of wall time."""
         plan = self._plan
         charged_s = plan.limits.start_s + len(self.programs) * plan.limits.half_s
-        return math.inf if plan.debug else _MOST_HELD_UP * charged_s
+        return math.inf if plan.debug else _MAX_HELD_UP * charged_s
 
     def finish(self, last: Mapping[str, Observation]) -> None:
         """Tell programs that the match is over, give them about 1 s together to clean up, then end all.

@@ -26,7 +26,7 @@ def program_place(assignment: Assignment, unpacked: Path) -> tuple[Path, Path]:
     return own or (unpacked, unpacked.joinpath(*assignment.entry.split("/")))
 
 
-def debugger_told() -> dict[str, Any] | None:
+def debugger_settings() -> dict[str, Any] | None:
     """Return what a debugged program's process needs to wait for an editor; None: ``breakpoint()`` has the terminal.
 
     That is so without debugpy, and if the user says with Python's own variable what ``breakpoint()`` is to call.

@@ -129,7 +129,7 @@ def set_by_process(layers: tuple[str, ...], *, portable: bool) -> list[str]:
     return [layer for layer in layers if layer not in ours]
 
 
-def limits_told(limits: Limits, layers: tuple[str, ...], private: Path, *, portable: bool) -> dict[str, Any]:
+def limit_settings(limits: Limits, layers: tuple[str, ...], private: Path, *, portable: bool) -> dict[str, Any]:
     """Return the limits as the program's process is told them, sizes in bytes.
 
     Args:
@@ -140,7 +140,7 @@ def limits_told(limits: Limits, layers: tuple[str, ...], private: Path, *, porta
     """
     limited = "resource_limits" in layers
     return {
-        **_files_told(layers, private),
+        **_file_settings(layers, private),
         "message_bytes": message_bytes(limits),
         "output_bytes": output_bytes(limits),
         "memory_bytes": memory_bytes(limits),
@@ -154,7 +154,7 @@ def limits_told(limits: Limits, layers: tuple[str, ...], private: Path, *, porta
     }
 
 
-def _files_told(layers: tuple[str, ...], private: Path) -> dict[str, Any]:
+def _file_settings(layers: tuple[str, ...], private: Path) -> dict[str, Any]:
     if "filesystem" not in layers:
         return {}
     readable = [from_disk(path) for path in sight.readable()]

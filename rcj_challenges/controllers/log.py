@@ -26,7 +26,7 @@ _WAITS_FOR_THREADS = re.compile(r'^  File ".*", line [0-9]+ in _wait_for_threads
 ANOTHER_THREAD = "Beside it, another thread was here:\n"
 _THREAD = re.compile(r"^(?P<current>Current thread|Thread) 0x[0-9a-f]+ ")
 _CURRENT = "Current thread"
-_MOST_DUMP_BYTES = 32_768
+_MAX_DUMP_BYTES = 32_768
 _CHUNK = 1 << 16
 _BINARY = getattr(os, "O_BINARY", 0)
 
@@ -126,7 +126,7 @@ class ProgramLog:
         size = self._size_bytes()
         try:
             with self._path.open("rb") as file:
-                file.seek(max(0, size - _MOST_DUMP_BYTES))
+                file.seek(max(0, size - _MAX_DUMP_BYTES))
                 tail = file.read()
         except OSError:
             return ""

@@ -7,12 +7,12 @@ import unicodedata
 from collections.abc import Collection, Iterable, Iterator
 from pathlib import PurePosixPath
 
-from rcj_challenges.controllers.troubles import Trouble, told
+from rcj_challenges.controllers.submission_problems import Problem, safe_text
 from rcj_challenges.facts.file_names import is_device_of_windows
 
-MOST_PATH_LETTERS = 160
+MAX_PATH_LETTERS = 160
 """Windows takes 260 letters for a whole path; the private folder of a program needs up to 100 of them."""
-MOST_PART_BYTES = 255
+MAX_PART_BYTES = 255
 """Longest name of one file or folder on the file systems of Linux and macOS, in bytes of UTF-8."""
 
 _IGNORED_FOLDERS = frozenset(
@@ -92,16 +92,16 @@ def folded(path: PurePosixPath) -> str:
     return unicodedata.normalize("NFC", unicodedata.normalize("NFD", str(path)).casefold())
 
 
-def name_troubles(name: str) -> Iterator[Trouble]:
+def name_problems(name: str) -> Iterator[Problem]:
     """Tell what is wrong with a name in an archive.
 
     Args:
         name: as the archive has it.
     """
-    shown = told(name)
+    shown = safe_text(name)
     path = path_of(name)
     if path.is_absolute() or ".." in path.parts or not path.parts or _DRIVE.match(name):
-        yield Trouble(
+        yield Problem(
             "archive.outside",
             "failure",
             f"'{shown}' leads out of the archive",
@@ -111,18 +111,18 @@ def name_troubles(name: str) -> Iterator[Trouble]:
         )
         name = _without_drive(name)
     mendable = path.suffix.casefold() != ".py"  # programs import each other by name
-    for code, message in _letter_troubles(path_of(name), shown):
-        yield Trouble(code, "failure", message, _RENAME, shown, repair=mendable)
-    if len(str(path)) > MOST_PATH_LETTERS or any(len(_encoded(part)) > MOST_PART_BYTES for part in path.parts):
-        message = f"'{shown}' has too long a name: at most {MOST_PATH_LETTERS} letters with its folders"
-        yield Trouble("archive.name_long", "failure", message, "give files and folders shorter names", shown, mendable)
+    for code, message in _letter_problems(path_of(name), shown):
+        yield Problem(code, "failure", message, _RENAME, shown, repair=mendable)
+    if len(str(path)) > MAX_PATH_LETTERS or any(len(_encoded(part)) > MAX_PART_BYTES for part in path.parts):
+        message = f"'{shown}' has too long a name: at most {MAX_PATH_LETTERS} letters with its folders"
+        yield Problem("archive.name_long", "failure", message, "give files and folders shorter names", shown, mendable)
 
 
 def _without_drive(name: str) -> str:
     return name[2:] if _DRIVE.match(name) else name
 
 
-def _letter_troubles(path: PurePosixPath, shown: str) -> Iterator[tuple[str, str]]:
+def _letter_problems(path: PurePosixPath, shown: str) -> Iterator[tuple[str, str]]:
     letters = frozenset(str(path))
     if any(unicodedata.category(letter) in ("Cc", "Cf", "Zl", "Zp") for letter in letters):
         yield "archive.name_control", f"'{shown}' has control characters in its name"
@@ -144,13 +144,13 @@ def clean(name: str) -> PurePosixPath | None:
     """Return the nearest path inside the archive that every computer takes; None if nothing is left of it."""
     parts: list[str] = []
     given = path_of(_without_drive(name)).parts
-    for part in given if len(given) < MOST_PATH_LETTERS else given[-1:]:
+    for part in given if len(given) < MAX_PATH_LETTERS else given[-1:]:
         if part == "..":
             del parts[-1:]
         elif part.strip("/"):
             parts.append(_clean_part(part))
     path = PurePosixPath(*parts) if parts else None
-    if path is not None and len(str(path)) > MOST_PATH_LETTERS:
+    if path is not None and len(str(path)) > MAX_PATH_LETTERS:
         return _shortened(path)
     return path
 
@@ -161,9 +161,9 @@ def _clean_part(part: str) -> str:
     if is_device_of_windows(cleaned):
         cleaned = f"_{cleaned}"
     suffix = PurePosixPath(cleaned).suffix[:20]
-    if len(cleaned) > MOST_PART_BYTES:
-        cleaned = cleaned[: MOST_PART_BYTES - len(suffix)].rstrip(". ") + suffix
-    while len(cleaned.encode()) > MOST_PART_BYTES:
+    if len(cleaned) > MAX_PART_BYTES:
+        cleaned = cleaned[: MAX_PART_BYTES - len(suffix)].rstrip(". ") + suffix
+    while len(cleaned.encode()) > MAX_PART_BYTES:
         cleaned = cleaned.removesuffix(suffix)[:-1].rstrip(". ") + suffix
     return cleaned
 
@@ -171,7 +171,7 @@ def _clean_part(part: str) -> str:
 def _shortened(path: PurePosixPath) -> PurePosixPath | None:
     """Return a path whose file name is cut, or at last the file name alone."""
     for candidate in (path, PurePosixPath(path.name)):
-        room = MOST_PATH_LETTERS - len(str(candidate.with_name("_"))) + 1 - len(candidate.suffix)
+        room = MAX_PATH_LETTERS - len(str(candidate.with_name("_"))) + 1 - len(candidate.suffix)
         if room > 0:
             return candidate.with_name(candidate.stem[:room].rstrip(". ") + candidate.suffix)
     return None

@@ -32,7 +32,7 @@ _ATTEMPTS = 100  # another match may take a folder for a left-over in the moment
 _FLAGS = os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
 
 
-def temporary_trouble(error: BaseException, trouble: str = "cannot be used") -> HostError:
+def temporary_folder_error(error: BaseException, trouble: str = "cannot be used") -> HostError:
     """Return what is wrong with the temporary folder as an error that says where that is, and what helps.
 
     Args:

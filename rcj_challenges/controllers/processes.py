@@ -31,7 +31,7 @@ if sys.platform == "win32":
 PUPIL_FOLDER = Path(__file__).parent / "pupil"
 _START = "import sys; sys.path.insert(0, sys.argv[4]); from controller._boot import main; main()"
 _DUMP_S = 1.0
-_STATUS_OF_SIGNALS, _MOST_SIGNALS = 128, 64  # one that starts others tells an end by signal n as 128 + n
+_STATUS_OF_SIGNALS, _MAX_SIGNALS = 128, 64  # one that starts others tells an end by signal n as 128 + n
 _NEARLY = 0.9  # of the CPU time that is allowed: it is looked at now and then only
 _EXCEPTIONS_FROM, _NEGATIVE_FROM = 0xC0000000, 0xFFFF0000  # Windows: it tells exit(-1) as 0xffffffff
 
@@ -86,7 +86,7 @@ class Process:
         if sys.platform == "win32":
             return status & 0xFF if status >= _NEGATIVE_FROM else status
         by_signal = status - _STATUS_OF_SIGNALS
-        return -by_signal if 0 < by_signal <= _MOST_SIGNALS else status
+        return -by_signal if 0 < by_signal <= _MAX_SIGNALS else status
 
     def has_ended(self) -> bool:
         """Return whether it is over."""
@@ -153,7 +153,7 @@ class Process:
         if not self.has_ended():
             cpu_policy.apply(self._pid_to_look_at(), share)
 
-    def say_where_it_is(self, lifeline_fd: int | None) -> None:
+    def dump_traceback(self, lifeline_fd: int | None) -> None:
         """Let it write its present traceback to its log and end. It may refuse, so `kill` afterwards.
 
         Args:
@@ -182,7 +182,7 @@ class Process:
             self._popen.kill()
         self._popen.wait()
         if self._sandbox_fd is not None:
-            bubblewrap.wait_until_gone(self._sandbox_fd)
+            bubblewrap.wait_for_exit(self._sandbox_fd)
             os.close(self._sandbox_fd)
             self._sandbox_fd = None
 
@@ -223,7 +223,7 @@ def start(
         theirs_life, lifeline_fd = _pipe(undo) if lifeline else (None, None)
         sandbox_fd, theirs_sync = _pipe(undo) if prefix else (None, None)
         inherited = [fd for fd in (theirs_read, theirs_write, theirs_life, theirs_sync) if fd is not None]
-        wrapping = prefix if theirs_sync is None else bubblewrap.until_gone_holding(theirs_sync, prefix)
+        wrapping = prefix if theirs_sync is None else bubblewrap.held_open_until_exit(theirs_sync, prefix)
         arguments = [*_handles(theirs_read, theirs_write, theirs_life), str(PUPIL_FOLDER)]
         process = _popen(
             [*wrapping, python(), "-s", "-S", "-P", "-B", "-X", "utf8", "-X", "faulthandler", "-c", _START, *arguments],

@@ -19,7 +19,7 @@ from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.controllers.log import ProgramLog
 from rcj_challenges.controllers.pipes import ChannelClosedError, FrameTooLongError, open_channel
 from rcj_challenges.controllers.private_folders import DiskFullError
-from rcj_challenges.controllers.protocol import Codec, Ended, ProtocolError, hello_frame, most_frame_bytes, one_line
+from rcj_challenges.controllers.protocol import Codec, Ended, ProtocolError, hello_frame, max_frame_bytes, one_line
 from rcj_challenges.controllers.sharing import Sharing
 from rcj_challenges.controllers.time_budget import MEASURED_AFTER_S, TimeBudget, TimeLimits
 from rcj_challenges.controllers.timed_channel import TimedChannel, WaitBudget, wait_together
@@ -67,7 +67,7 @@ class Program:
         self._limits = assignment.limits
         message_bytes = isolation.message_bytes(self._limits)
         self._codec = Codec(assignment.spec, message_bytes)
-        self._frame_limit = most_frame_bytes(message_bytes)
+        self._frame_limit = max_frame_bytes(message_bytes)
         limits = TimeLimits(self._limits.start_s, self._limits.step_s, self._limits.half_s)
         self.budget = TimeBudget(
             TimeLimits(math.inf, math.inf, math.inf) if assignment.debug else limits,
@@ -115,7 +115,7 @@ class Program:
             layers = isolation.active_layers("off")
         self._sharing, place = sharing, sharing.place
         self._log = ProgramLog(self._assignment.log_path, self._output_limit, place)
-        self._say(f"--- half {self._assignment.half}: {self._assignment.entry} ---\n")
+        self._append_log(f"--- half {self._assignment.half}: {self._assignment.entry} ---\n")
         try:
             self._start(layers, self._log.fd, place)
         except (OSError, ValueError, RcjError) as error:
@@ -236,7 +236,7 @@ class Program:
     def _broken(self, error: Exception) -> Fault:
         """Tell why the conversation cannot go on."""
         if isinstance(error, ChannelClosedError):
-            return self._gone()
+            return self._closed_fault()
         if isinstance(error, FrameTooLongError):
             return self._fail("protocol", f"the program sent a message of {error.args[0]} bytes")
         return self._fail("protocol", f"the program sent what is no message: {error}")
@@ -329,10 +329,10 @@ class Program:
                 "entry": from_disk(str(entry)),
                 "site": [from_disk(folder) for folder in processes.site_folders()],
             },
-            "limits": isolation.limits_told(self._limits, layers, root.parent, portable=self._portable),
+            "limits": isolation.limit_settings(self._limits, layers, root.parent, portable=self._portable),
             "layers": isolation.set_by_process(layers, portable=self._portable),
             "debug": assignment.debug,
-            "debugger": debugging.debugger_told() if assignment.debug else None,
+            "debugger": debugging.debugger_settings() if assignment.debug else None,
         }
 
     def _wait(self, channel: TimedChannel) -> bytes | None:
@@ -368,10 +368,10 @@ class Program:
             "half_timeout": f"the program used more than {limits.half_s:g} s for all its steps",
         }[kind]
         if self._process is not None:
-            self._process.say_where_it_is(self._lifeline_fd)
+            self._process.dump_traceback(self._lifeline_fd)
         return self._fail(kind, detail, timed=True)
 
-    def _gone(self) -> Fault:
+    def _closed_fault(self) -> Fault:
         """Tell why there is nobody at the other end."""
         status = None if self._process is None else self._process.exit_status(_FAREWELL_S)
         if status is None:
@@ -481,10 +481,10 @@ class Program:
         at = f"tick {self._tick} ({s_from_ticks(self._tick):.3f} s)"
         where = self._log.take_dump(self._folder / _TEAM) if self._log is not None and self._folder is not None else ""
         told = f"It was here, the innermost call first:\n{where}" if where else traceback
-        self._say(f"{told}[{kind}] {self.name} at {at}: {detail}\n")
+        self._append_log(f"{told}[{kind}] {self.name} at {at}: {detail}\n")
         self._remove_folder()  # others may need the room
         return self.fault
 
-    def _say(self, text: str) -> None:
+    def _append_log(self, text: str) -> None:
         if self._log is not None:
             self._log.append(text)

@@ -25,7 +25,7 @@ HELLO, OBSERVATION, REQUEST, FAULT = 0x48, 0x4F, 0x52, 0x46
 OVER, SOON = 1, 2  # flags of an observation
 FAULT_KINDS = ("crash", "exit", "memory", "output_flood", "start")
 
-MOST_EMISSIONS = 1_000
+MAX_EMISSIONS = 1_000
 """Packets that one step may send. At 115200 baud 460 of one byte are on the air in a tick."""
 
 LENGTH = Struct("<I")
@@ -44,7 +44,7 @@ _FAULT = Struct("<BBI")
 
 _ADDRESS = re.compile(r"\b0x[0-9a-fA-F]{6,}")
 _SPEED_TOLERANCE = 1e-9
-_MOST_TRACEBACK = 20_000  # letters
+_MAX_TRACEBACK = 20_000  # letters
 
 
 class ProtocolError(ValueError):
@@ -60,7 +60,7 @@ class Ended:
     traceback: str
 
 
-def most_frame_bytes(message_bytes: int) -> int:
+def max_frame_bytes(message_bytes: int) -> int:
     """Return the size beyond which no message of an honest program is.
 
     A step may carry radio packets of twice the largest packet in all; the rest is room for settings and faults.
@@ -136,7 +136,7 @@ class Codec:
             raise ProtocolError("a request to advance by no tick")
         sampling, channels, frequencies, emissions = others
         settings = max(motors, sampling, channels, frequencies)
-        if settings > len(self._accepts) or emissions > MOST_EMISSIONS:
+        if settings > len(self._accepts) or emissions > MAX_EMISSIONS:
             told = f"{settings} settings and {emissions} packets"
             raise ProtocolError(f"a request with too many settings or packets in one step: {told}")
         at = _REQUEST.size + motors * _MOTOR.size
@@ -268,8 +268,8 @@ def _other_than_request(body: bytes, tick: int) -> Ended:
         raise ProtocolError(f"a farewell of {counted(len(body), 'byte')}") from None
     if kind >= len(FAULT_KINDS) or _FAULT.size + size > len(body):
         raise ProtocolError("a farewell that is none")
-    detail = body[_FAULT.size : _FAULT.size + size][:_MOST_TRACEBACK].decode("utf-8", "replace")
-    trace = body[_FAULT.size + size :][-_MOST_TRACEBACK:].decode("utf-8", "replace")
+    detail = body[_FAULT.size : _FAULT.size + size][:_MAX_TRACEBACK].decode("utf-8", "replace")
+    trace = body[_FAULT.size + size :][-_MAX_TRACEBACK:].decode("utf-8", "replace")
     return Ended(FAULT_KINDS[kind], one_line(detail), _without_addresses(_printable(trace, keep="\n\t")))
 
 

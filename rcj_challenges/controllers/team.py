@@ -12,21 +12,21 @@ from typing import Self
 
 from rcj_challenges.controllers.archive import Contents, Files, TeamError, read_contents, refusal
 from rcj_challenges.controllers.disk_names import from_disk, on_disk
-from rcj_challenges.controllers.private_folders import temporary_trouble
+from rcj_challenges.controllers.private_folders import temporary_folder_error
+from rcj_challenges.controllers.submission_problems import MAX_PATH_SHOWN, safe_text
 from rcj_challenges.controllers.team_name import (
-    MOST_NAME_LETTERS,
+    MAX_NAME_LETTERS,
     NAME_FILE,
     TeamName,
     find_team_name,
     may_be_name_file,
     safe_name,
 )
-from rcj_challenges.controllers.troubles import MOST_PATH_SHOWN, told
 from rcj_challenges.facts.errors import format_error, is_of_the_host
 from rcj_challenges.facts.likeness import MAX_COMPARED, nearest_name
 from rcj_challenges.scenario.models.robots import Entrant, EntryPoints
 
-__all__ = ["MOST_NAME_LETTERS", "Opening", "Team", "TeamError", "alternatives", "look_into", "open_team", "safe_name"]
+__all__ = ["MAX_NAME_LETTERS", "Opening", "Team", "TeamError", "alternatives", "look_into", "open_team", "safe_name"]
 
 LOGO_FILE = "logo.png"
 
@@ -35,7 +35,7 @@ _MISSING = "layout.missing"
 
 _LOGO_STEMS = frozenset({"logo", "teamlogo", "logoteam"})
 _PICTURE_ENDINGS = frozenset({".png", ".jpg", ".jpeg", ".gif", ".bmp", ".webp", ""})
-_MOST_TOP_FOLDERS = 3
+_MAX_TOP_FOLDERS = 3
 _SHOWN_FILES = 12
 _LEAST_LIKENESS = 0.75
 
@@ -83,7 +83,7 @@ class Team:
 
         Args:
             robot: its name.
-            entry_points: those of its seat; needed only for a seat that `open_team` was not told of.
+            entry_points: those of its seat; needed only for a seat that `open_team` was not given.
 
         Raises:
             TeamError: there is no such program.
@@ -92,7 +92,7 @@ class Team:
             found = self._first_of(entry_points)
             if found is None:
                 looked_for = missing_programs(self._files, {robot: alternatives(entry_points)})
-                raise TeamError(f"{told(self.source, MOST_PATH_SHOWN)}: {looked_for}", code=_MISSING)
+                raise TeamError(f"{safe_text(self.source, MAX_PATH_SHOWN)}: {looked_for}", code=_MISSING)
             return found
         if robot not in self._entries:
             raise TeamError(f"{self.source}: opened for {', '.join(self._entries)}, not for {robot}")
@@ -116,11 +116,11 @@ class Team:
                 target.write_bytes(content)
         except (OSError, ValueError) as error:
             if is_of_the_host(error):
-                raise temporary_trouble(error, "cannot take the team's files") from error
+                raise temporary_folder_error(error, "cannot take the team's files") from error
             message = f"{self.source}: {name} cannot be written on this computer: {format_error(error)}"
             raise TeamError(message, code="cannot-write") from error
 
-    def leaves_beside(self, name: str) -> bool:
+    def ignores_neighbour(self, name: str) -> bool:
         """Return whether a file or folder lies beside a program that was given alone, and so was not read.
 
         Args:
@@ -218,7 +218,7 @@ def open_team(path: str | Path, *seats: Entrant) -> Team:
         return opening.team
     if opening.contents.refused:
         raise refusal(source, opening.contents.refused)
-    message = f"{told(source, MOST_PATH_SHOWN)}: {missing_programs(opening.contents.files, opening.missing)}"
+    message = f"{safe_text(source, MAX_PATH_SHOWN)}: {missing_programs(opening.contents.files, opening.missing)}"
     raise TeamError(message, code=_MISSING)
 
 
@@ -306,14 +306,14 @@ class Layout:
         """The files as the programs will see them."""
         below = self.below
         if self.within is not None:
-            below = {path if _beside_programs(path) else self.within / path: data for path, data in below.items()}
+            below = {path if _belongs_to_team(path) else self.within / path: data for path, data in below.items()}
         return dict(sorted((below | self.beside).items()))
 
 
 def without_top_folders(files: Files) -> list[Layout]:
     """Return the files as they are, then without the folder that holds all programs, if one does, and so on."""
     found = [Layout(PurePosixPath(), None, files, {})]
-    for _ in range(_MOST_TOP_FOLDERS):
+    for _ in range(_MAX_TOP_FOLDERS):
         last = found[-1]
         folders = {path.parts[0] for path in last.below if len(path.parts) > 1}
         programs_beside = any(len(path.parts) == 1 and path.suffix == ".py" for path in last.below)
@@ -348,7 +348,7 @@ def _inside_entry_folder(files: Files, seats: Sequence[Entrant]) -> list[Layout]
     ]
 
 
-def _beside_programs(path: PurePosixPath) -> bool:
+def _belongs_to_team(path: PurePosixPath) -> bool:
     """Whether a file belongs beside the folder of the programs: the team's name and logo."""
     return len(path.parts) == 1 and (may_be_name_file(path) or may_be_logo(path))
 
@@ -381,12 +381,12 @@ def missing_programs(
     )
     present = [str(path) for path in files]
     python = ([name for name in present if name.endswith(".py")] or present)[:MAX_COMPARED]
-    found = ", ".join(map(told, python[:_SHOWN_FILES])) + (", …" if len(python) > _SHOWN_FILES else "")
+    found = ", ".join(map(safe_text, python[:_SHOWN_FILES])) + (", …" if len(python) > _SHOWN_FILES else "")
     message = f"no program for {looked_for}; found: {found or 'nothing'}"
     meant = [name for name in python if PurePosixPath(name) not in not_meant]
     nearest = ((near, entry) for entries in wanted for entry in entries if (near := _nearest(entry, meant)))
     for near, entry in nearest if hint else ():
-        return f"{message}; did you mean {told(near)} to be {entry}?"
+        return f"{message}; did you mean {safe_text(near)} to be {entry}?"
     return message
 
 

@@ -8,14 +8,14 @@ from dataclasses import dataclass, replace
 from pathlib import PurePosixPath
 
 from rcj_challenges.controllers.archive import Files
-from rcj_challenges.controllers.troubles import Trouble, told
+from rcj_challenges.controllers.submission_problems import Problem, safe_text
 from rcj_challenges.facts.likeness import likeness_of
 
-MOST_NAME_LETTERS = 32
+MAX_NAME_LETTERS = 32
 """A team's name has at most 32 characters (reference, section 7)."""
 NAME_FILE = "team_name.txt"
 
-_MOST_NAME_FILE_BYTES = 65_536
+_MAX_NAME_FILE_BYTES = 65_536
 _NEAR_STEMS = frozenset({"teamname", "teamsname", "teamnames", "teamnametxt", "team", "name"})
 _NEAR_ENDINGS = frozenset({"", ".txt", ".text", ".md"})
 _DOCUMENT_ENDINGS = frozenset({".rtf", ".doc", ".docx", ".odt", ".pdf", ".pages"})
@@ -40,10 +40,10 @@ class TeamName:
     text: str
     path: PurePosixPath | None
     given: bool
-    troubles: tuple[Trouble, ...]
+    troubles: tuple[Problem, ...]
 
     @property
-    def warnings(self) -> list[Trouble]:
+    def warnings(self) -> list[Problem]:
         """The troubles that change what is shown, or that should be put right."""
         return [trouble for trouble in self.troubles if trouble.level != "passed"]
 
@@ -66,7 +66,7 @@ def find_team_name(files: Files, fallback: str) -> TeamName:
         message = f"{NAME_FILE} is empty: the name is taken from the file's ({instead})"
         more = (*more, _warning("name_empty", message, "write the team's name into it", repair=False))
         return TeamName(instead, path, given=False, troubles=(*troubles, *more))
-    about = _line_troubles(lines, name)
+    about = _line_problems(lines, name)
     if any(trouble.code == "identity.name_encoding" for trouble in more):
         about = [replace(trouble, repair=False) for trouble in about]  # nobody but the team knows what it says
     return TeamName(name, path, given=True, troubles=(*troubles, *more, *about))
@@ -81,34 +81,34 @@ def safe_name(text: str) -> str:
         letter if letter == _JOINER or unicodedata.category(letter)[0] != "C" else " "
         for letter in unicodedata.normalize("NFC", text).translate(_BLANKS)
     )
-    name = " ".join(printable.split())[:MOST_NAME_LETTERS].rstrip()
+    name = " ".join(printable.split())[:MAX_NAME_LETTERS].rstrip()
     return name if any(letter != _JOINER and unicodedata.category(letter)[0] != "M" for letter in name) else ""
 
 
-def _warning(code: str, message: str, remedy: str, *, repair: bool = True) -> Trouble:
-    return Trouble(f"identity.{code}", "warning", message, remedy, NAME_FILE, repair)
+def _warning(code: str, message: str, remedy: str, *, repair: bool = True) -> Problem:
+    return Problem(f"identity.{code}", "warning", message, remedy, NAME_FILE, repair)
 
 
-def _note(code: str, message: str, *, repair: bool = False) -> Trouble:
-    return Trouble(f"identity.{code}", "passed", message, "", NAME_FILE, repair)
+def _note(code: str, message: str, *, repair: bool = False) -> Problem:
+    return Problem(f"identity.{code}", "passed", message, "", NAME_FILE, repair)
 
 
-def _name_file(files: Files) -> tuple[PurePosixPath | None, tuple[Trouble, ...]]:
+def _name_file(files: Files) -> tuple[PurePosixPath | None, tuple[Problem, ...]]:
     """Find the file with the name, or what was meant to be it."""
     exact = [path for path in files if path.name.casefold() == NAME_FILE]
     near = [path for path in files if len(path.parts) == 1 and may_be_name_file(path)]
     for path in sorted(exact, key=lambda path: (len(path.parts), path.name != NAME_FILE)) + sorted(near):
         if path == PurePosixPath(NAME_FILE):
             return path, ()
-        shown = told(path)
+        shown = safe_text(path)
         if path.name == NAME_FILE:
             message, remedy = f"{NAME_FILE} is in a folder: {shown}", "put it beside the folders of the programs"
         else:
             message, remedy = f"the file with the team's name is called {shown}", f"call it {NAME_FILE}"
-        return path, (Trouble("identity.name_file", "warning", message, remedy, shown, repair=True),)
+        return path, (Problem("identity.name_file", "warning", message, remedy, shown, repair=True),)
     document = next((path for path in files if path.suffix.casefold() in _DOCUMENT_ENDINGS and _near_stem(path)), None)
     if document is not None:
-        message = f"{told(document)} is no plain text: the name is taken from the file's"
+        message = f"{safe_text(document)} is no plain text: the name is taken from the file's"
         return None, (_warning("name_document", message, f"save the name as plain text in {NAME_FILE}", repair=False),)
     message = f"there is no {NAME_FILE}: the name is taken from the file's"
     return None, (_warning("name_missing", message, "add it, with the team's name in one line", repair=False),)
@@ -124,16 +124,16 @@ def _near_stem(path: PurePosixPath) -> bool:
     return stem in _NEAR_STEMS or likeness_of(stem, "teamname") >= _LEAST_LIKENESS
 
 
-def _decoded(content: bytes) -> tuple[str, tuple[Trouble, ...]]:
+def _decoded(content: bytes) -> tuple[str, tuple[Problem, ...]]:
     """Return the text of the file, and what is odd about how it is written.
 
     UTF-8, with or without a mark, and UTF-16 with one are what they say. What is neither is guessed.
     """
-    content = content[:_MOST_NAME_FILE_BYTES]
+    content = content[:_MAX_NAME_FILE_BYTES]
     marked = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
     encoding = "utf-16" if marked else _unmarked_utf_16(content) or "utf-8-sig"
     # What was cut off here, or ends in the middle of a letter of UTF-16, is not held against it.
-    cut = len(content) == _MOST_NAME_FILE_BYTES or encoding.startswith("utf-16")
+    cut = len(content) == _MAX_NAME_FILE_BYTES or encoding.startswith("utf-16")
     text = codecs.getincrementaldecoder(encoding)("replace").decode(content, final=not cut)
     troubles = []
     if marked:
@@ -158,7 +158,7 @@ def _decoded(content: bytes) -> tuple[str, tuple[Trouble, ...]]:
     return text, tuple(troubles)
 
 
-def _assumed(encoding: str) -> Trouble:
+def _assumed(encoding: str) -> Problem:
     """Return the warning that a file was read in an encoding that nothing in it tells."""
     message = f"{NAME_FILE} is not in UTF-8: it was read as {encoding}, which may be wrong"
     remedy = 'open it in an editor and save it in UTF-8 (in Windows\' Notepad: "Save as", Encoding "UTF-8")'
@@ -176,19 +176,19 @@ def _unmarked_utf_16(content: bytes) -> str:
     return ""
 
 
-def _line_troubles(lines: list[str], name: str) -> list[Trouble]:
+def _line_problems(lines: list[str], name: str) -> list[Problem]:
     """Tell what is odd about the name itself; its first line is not empty."""
     line = " ".join(lines[0].split())
     found = []
     if len(lines) > 1:
         message = f"{NAME_FILE} has several lines: the first is the name ({name})"
         found.append(_warning("name_lines", message, "leave one line"))
-    if len(line) > MOST_NAME_LETTERS:
-        message = f"the name is longer than {MOST_NAME_LETTERS} letters and is shown as '{name}'"
+    if len(line) > MAX_NAME_LETTERS:
+        message = f"the name is longer than {MAX_NAME_LETTERS} letters and is shown as '{name}'"
         found.append(_warning("name_long", message, "choose a shorter one"))
-    if safe_name(line[:MOST_NAME_LETTERS]) != line[:MOST_NAME_LETTERS].rstrip():
+    if safe_name(line[:MAX_NAME_LETTERS]) != line[:MAX_NAME_LETTERS].rstrip():
         message = f"the name in {NAME_FILE} has letters that cannot be seen; it is shown as '{name}'"
-        found.append(_warning("name_unsafe", message, f"write it with at most {MOST_NAME_LETTERS} printable letters"))
+        found.append(_warning("name_unsafe", message, f"write it with at most {MAX_NAME_LETTERS} printable letters"))
     if name[0] in _QUOTES or name[-1] in _QUOTES:
         found.append(_note("name_quotes", f"the quotation marks are part of the name: {name}"))
     elif any(letter in "./\\<>&!;:|" for letter in name):

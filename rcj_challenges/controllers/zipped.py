@@ -12,10 +12,10 @@ import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from rcj_challenges.controllers.troubles import Trouble, Troubles, told
+from rcj_challenges.controllers.submission_problems import Problem, Problems, safe_text
 from rcj_challenges.facts.amounts import counted
 
-MOST_ENTRIES = 10_000
+MAX_ENTRIES = 10_000
 """Entries of an archive that are looked at; ten thousands of files are no robot's programs."""
 
 _END = struct.Struct("<4s4H2LH")
@@ -23,7 +23,7 @@ _END_64 = struct.Struct("<4sQ2H2L4Q")
 _LOCATOR_64 = struct.Struct("<4sLQL")
 _ENTRY = struct.Struct("<4s6H3L5H2L")
 _LOCAL = struct.Struct("<4s5H3L2H")
-_MOST_ENDS_TRIED = 32
+_MAX_ENDS_TRIED = 32
 _ALL_ONES_16, _ALL_ONES_32 = 0xFFFF, 0xFFFFFFFF
 _ENCRYPTED = 0x1 | 0x40 | 0x2000  # by password, strongly, with hidden local headers
 _SIZES_FOLLOW = 0x8
@@ -91,7 +91,7 @@ class UnreadableError(Exception):
 
     def __init__(self, code: str, message: str, remedy: str = _PACK_AGAIN, where: str = "") -> None:
         super().__init__(message)
-        self.trouble = Trouble(code, "failure", message, remedy, where)
+        self.trouble = Problem(code, "failure", message, remedy, where)
 
 
 class TooMuchError(Exception):
@@ -108,7 +108,7 @@ class _Bounds:
     count: int
 
 
-def read_entries(data: bytes, troubles: Troubles) -> list[Entry]:
+def read_entries(data: bytes, troubles: Problems) -> list[Entry]:
     """Return the entries of an archive.
 
     Args:
@@ -122,7 +122,7 @@ def read_entries(data: bytes, troubles: Troubles) -> list[Entry]:
     entries = list(_entries(data, bounds))
     if len(entries) != bounds.count:
         message = f"the archive says it has {counted(bounds.count, 'entry', 'entries')}, and has {len(entries)}"
-        troubles.add(Trouble("archive.headers", "warning", message, _PACK_AGAIN, repair=True))
+        troubles.add(Problem("archive.headers", "warning", message, _PACK_AGAIN, repair=True))
     _check_overlap(entries, bounds)
     return entries
 
@@ -163,14 +163,14 @@ def unpack(data: bytes, entry: Entry, most: int) -> tuple[bytes, str]:
 
 
 def _damaged(entry: Entry, message: str) -> UnreadableError:
-    shown = told(entry.name)
+    shown = safe_text(entry.name)
     return UnreadableError("archive.damaged", f"'{shown}' is damaged: it {message}", where=shown)
 
 
-def _find_bounds(data: bytes, troubles: Troubles) -> _Bounds:
+def _find_bounds(data: bytes, troubles: Problems) -> _Bounds:
     """Find the archive's end, however much follows it."""
     at = len(data)
-    for _ in range(_MOST_ENDS_TRIED):
+    for _ in range(_MAX_ENDS_TRIED):
         at = data.rfind(b"PK\x05\x06", 0, at)
         if at < 0:
             break
@@ -188,7 +188,7 @@ def _find_bounds(data: bytes, troubles: Troubles) -> _Bounds:
     raise UnreadableError("archive.not_zip", "this is not a ZIP archive", "pack the folder as a ZIP archive")
 
 
-def _bounds_at(data: bytes, at: int, troubles: Troubles) -> _Bounds | None:
+def _bounds_at(data: bytes, at: int, troubles: Problems) -> _Bounds | None:
     """Return what the end of the archive at this place says, if that can be."""
     _, disk, first_disk, here, count, size, offset, comment = _END.unpack_from(data, at)
     end = at
@@ -211,17 +211,17 @@ def _bounds_at(data: bytes, at: int, troubles: Troubles) -> _Bounds | None:
         return None
     if disk or first_disk or here != count:
         raise UnreadableError("archive.split", "this is one part of an archive in several parts", _PACK_AGAIN)
-    if count > MOST_ENTRIES:
+    if count > MAX_ENTRIES:
         raise _too_many()
     rest = len(data) - (at + _END.size + comment)
     if rest:
         message = _stray(rest, "follows", "follow")
-        troubles.add(Trouble("archive.trailing", "warning", message, _PACK_AGAIN, repair=True))
+        troubles.add(Problem("archive.trailing", "warning", message, _PACK_AGAIN, repair=True))
     if offset < start and data.startswith(b"PK\x03\x04"):
         raise UnreadableError("archive.two", "these are two archives in one file", _PACK_AGAIN)
     if offset < start:
         message = _stray(start - offset, "stands before", "stand before")
-        troubles.add(Trouble("archive.prepended", "warning", message, _PACK_AGAIN, repair=True))
+        troubles.add(Problem("archive.prepended", "warning", message, _PACK_AGAIN, repair=True))
     return _Bounds(start, end, start - offset, count)
 
 
@@ -234,7 +234,7 @@ def _stray(count: int, stands: str, stand: str) -> str:
 def _too_many() -> UnreadableError:
     return UnreadableError(
         "archive.too_many",
-        f"the archive has more than {MOST_ENTRIES} entries",
+        f"the archive has more than {MAX_ENTRIES} entries",
         "pack the folder of the robot programs only",
     )
 
@@ -254,7 +254,7 @@ def _wide_end(data: bytes, at: int) -> tuple[int, int, int, int, int] | None:
 
 def _entries(data: bytes, bounds: _Bounds) -> Iterator[Entry]:
     at = bounds.start
-    for number in range(MOST_ENTRIES + 1):
+    for number in range(MAX_ENTRIES + 1):
         if at == bounds.end:
             return
         if at + _ENTRY.size > bounds.end or data[at : at + 4] != b"PK\x01\x02":
@@ -312,7 +312,7 @@ def _check_overlap(entries: list[Entry], bounds: _Bounds) -> None:
     """Refuse entries that share bytes: small archives become large that way, and each program reads them otherwise."""
     end = 0
     for entry in sorted(entries, key=lambda entry: entry.offset):
-        shown = told(entry.name)
+        shown = safe_text(entry.name)
         if entry.offset < end:
             message = f"'{shown}' shares its bytes with another entry"
             raise UnreadableError("archive.overlap", message, where=shown)
@@ -331,7 +331,7 @@ def _content_start(data: bytes, entry: Entry) -> tuple[int, str]:
     start = at + _LOCAL.size + name_size + extra_size
     if start + entry.packed > len(data):
         raise _damaged(entry, "breaks off")
-    shown = told(entry.name)
+    shown = safe_text(entry.name)
     raw_name = data[at + _LOCAL.size : at + _LOCAL.size + name_size]
     if raw_name != entry.raw_name or method != entry.method or (flags ^ entry.flags) & _ENCRYPTED:
         message = f"'{shown}' is called or packed otherwise in the table of contents than where it stands"

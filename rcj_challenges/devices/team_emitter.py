@@ -15,7 +15,7 @@ BACKLOG_PACKETS = 16_384
 BACKLOG_BYTES = 4_194_304
 """Payload that waits to be sent. At 460.8 bytes a tick that is five minutes of sending."""
 
-MOST_ARRIVE_A_TICK = 32
+MAX_ARRIVE_A_TICK = 32
 """Packets of one emitter in one tick; what else has come over the air waits for the next. No real program is known that
 sends so many, and 460 packets of one byte would cost the match ten times its other work."""
 
@@ -117,7 +117,7 @@ class Emitter:
     def arriving(self, tick: int) -> list[tuple[int, bytes]]:
         """Return (channel, data) of the packets that have arrived by ``tick``, in order, but not too many at once."""
         arrived: list[tuple[int, bytes]] = []
-        while self.waiting and self.waiting[0][0] <= tick and len(arrived) < MOST_ARRIVE_A_TICK:
+        while self.waiting and self.waiting[0][0] <= tick and len(arrived) < MAX_ARRIVE_A_TICK:
             _, channel, data = self.waiting.popleft()
             self._bytes -= len(data)
             arrived.append((channel, data))

@@ -102,7 +102,7 @@ def event_differences(
         for place, pair in enumerate(pairs)
         if place not in told_there
         for line in (
-            [_out_of_order(pairs, place, moved[place])] if place in moved else _told_of(pair, expected, ignored)
+            [_out_of_order(pairs, place, moved[place])] if place in moved else _differences_of(pair, expected, ignored)
         )
     ]
     yield from told[:MAX_DIFFERENCES]
@@ -111,11 +111,11 @@ def event_differences(
         yield f"and {counted(more, 'more difference')} of events"
 
 
-def _told_of(pair: _Pair, expected: Sequence[ExpectedEvent], ignored: Sequence[str]) -> Iterator[str]:
+def _differences_of(pair: _Pair, expected: Sequence[ExpectedEvent], ignored: Sequence[str]) -> Iterator[str]:
     event, index = pair
     if index is None:
         if event is not None:
-            yield f"superfluous: {_told(event)}{_no_longer_ignored(event.name, ignored)}"
+            yield f"superfluous: {_format_event(event)}{_no_longer_ignored(event.name, ignored)}"
     elif event is None:
         wanted = expected[index]
         when = "" if wanted.at_s is None else f" at {wanted.at_s:g} s"
@@ -146,7 +146,9 @@ def _out_of_order(pairs: Sequence[_Pair], came: int, lacks: int) -> str:
     at_once = any(other.tick == event.tick for other in others)
     why = "; events of one tick come in the order in which their rules are judged" if at_once else ""
     when = "earlier" if came < lacks else "later"
-    return f"out of order: {_told(event)}, event {number + 1} of the test, came {when} than the test has it{why}"
+    return (
+        f"out of order: {_format_event(event)}, event {number + 1} of the test, came {when} than the test has it{why}"
+    )
 
 
 def _no_longer_ignored(name: str, ignored: Sequence[str]) -> str:
@@ -178,7 +180,7 @@ def _off_s(event: Event, wanted: ExpectedEvent) -> float:
     return 0 if wanted.at_s is None else abs(s_from_ticks(event.tick) - wanted.at_s)
 
 
-def _told(event: Event) -> str:
+def _format_event(event: Event) -> str:
     return f"{event.name} at {s_from_ticks(event.tick):g} s{_payload(event.payload)}"
 
 

@@ -51,7 +51,7 @@ _YET = (
 )
 
 
-def denied_notes(
+def denied_condition_notes(
     denied: Denied,
     scenario: Scenario,
     wanted: Wanted,

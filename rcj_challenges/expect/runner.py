@@ -8,7 +8,7 @@ from math import hypot
 from typing import Any, Protocol
 
 from rcj_challenges.expect.compare import difference, equal, event_differences, sent_difference
-from rcj_challenges.expect.denied import Wanted, denied_notes
+from rcj_challenges.expect.denied import Wanted, denied_condition_notes
 from rcj_challenges.expect.put_inside import put_inside_notes
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.facts.amounts import counted, round_score, times
@@ -104,10 +104,10 @@ def run_test(loaded: HasScenario, name: str) -> TestResult:
             *_no_room(match),
             *_not_drawn(match, expected),
             *match.wrong_ways.notes(),
-            *_true_before(match, fired),
+            *_already_true(match, fired),
             *put_inside_notes(match.placements, scenario, loaded.roster, wanted.missing, fired),
-            *denied_notes(match.referee.denied or {}, scenario, wanted, fired),
-            *_ended_before(match, scenario, expected, wanted),
+            *denied_condition_notes(match.referee.denied or {}, scenario, wanted, fired),
+            *_early_end_notes(match, scenario, expected, wanted),
             *_course(match, differences),
         )
         if differences
@@ -123,9 +123,9 @@ def _no_room(match: ScriptedMatch) -> Iterable[str]:
         yield f"note: from {s_from_ticks(firing.tick):g} s on {firing.says} (rule {firing.rule})"
 
 
-def _true_before(match: ScriptedMatch, fired: Container[str]) -> Iterable[str]:
+def _already_true(match: ScriptedMatch, fired: Container[str]) -> Iterable[str]:
     """Return which rules waited for a condition to come true that held from the beginning."""
-    for rule, tick in match.referee.true_before.items():
+    for rule, tick in match.referee.already_true.items():
         if rule not in fired:
             yield (
                 f"note: {rule} waits for a condition to come true that held already at {s_from_ticks(tick):g} s; "
@@ -148,7 +148,7 @@ def _wanted(differences: Collection[str], match: ScriptedMatch, expected: Expect
     )
 
 
-def _ended_before(match: ScriptedMatch, scenario: Scenario, expected: Expectation, wanted: Wanted) -> Iterable[str]:
+def _early_end_notes(match: ScriptedMatch, scenario: Scenario, expected: Expectation, wanted: Wanted) -> Iterable[str]:
     """Return which rule ended the half or the match, where the test would have gone on."""
     last = ticks_from_s(expected.lasts_s)
     if match.output.ended is None or match.tick >= last:

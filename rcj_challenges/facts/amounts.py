@@ -23,7 +23,7 @@ def round_score(value: float) -> int | float:
     Every score, counter and sum of them comes through here after each change, so that conditions, events, records and
     the ranking see the same number. One that grows beyond `MOST` stays there.
     """
-    return plain(round(within_most(value), _DECIMALS))
+    return plain(round(clamp_to_max(value), _DECIMALS))
 
 
 def counted(number: int, noun: str, plural: str = "") -> str:
@@ -36,6 +36,6 @@ def times(number: int) -> str:
     return {0: "never", 1: "once"}.get(number, f"{number} times")
 
 
-def within_most(value: float) -> int | float:
+def clamp_to_max(value: float) -> int | float:
     """Return a number, or `MOST` or its negative if it is beyond; what is not a number stays what it is."""
     return MOST if value > MOST else max(value, -MOST)

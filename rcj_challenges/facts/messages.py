@@ -7,7 +7,7 @@ import struct
 from collections.abc import Callable
 from math import isfinite
 
-MOST_LETTERS = 200
+MAX_LETTERS = 200
 """Of a message; what is beyond is not heard."""
 
 LARGEST_NUMBER = 1e9
@@ -21,7 +21,7 @@ _ONE_NUMBER = re.compile(_NUMBER, re.ASCII)
 # Two numbers as people and programs write them: "0.1 -0.2", "0.1, -0.2", "[0.1, -0.2]", "(0.1,-0.2)".
 _POSITION = re.compile(rf"[\[(]?\s*({_NUMBER})(?:\s*[,;]\s*|\s+)({_NUMBER})\s*[\])]?", re.ASCII)
 _DOUBLE = 8
-_MOST_DOUBLES = 8
+_MAX_DOUBLES = 8
 _DIGITS = 6
 """To the micrometre: `send([x, y])` is told as "0.31 -0.295637"."""
 _BLANKS = str.maketrans("\t\r\n", "   ")
@@ -35,14 +35,14 @@ def message_text(data: bytes) -> str:
     # A text may end with one zero byte. The bytes of doubles hold more of them as a rule.
     body = data.removesuffix(b"\0")
     text = None if b"\0" in body else _readable(body)
-    if not text and len(data) in range(_DOUBLE, _MOST_DOUBLES * _DOUBLE + 1, _DOUBLE):
+    if not text and len(data) in range(_DOUBLE, _MAX_DOUBLES * _DOUBLE + 1, _DOUBLE):
         numbers = struct.unpack(f"<{len(data) // _DOUBLE}d", data)
         if all(map(isfinite, numbers)):
             return " ".join(repr(round(number, _DIGITS)) for number in numbers)
     if not text:
         text = data.split(b"\0", 1)[0].decode("utf-8", "replace")
         text = "".join(letter if letter.isprintable() else " " for letter in text)
-    return text.strip()[:MOST_LETTERS].strip()
+    return text.strip()[:MAX_LETTERS].strip()
 
 
 def _readable(data: bytes) -> str | None:
@@ -78,7 +78,7 @@ READS: dict[str | None, Callable[[str], object]] = {
 """What a message may have to be, each with what reads it; None is returned of a message that is none."""
 
 
-def is_said(text: str, wanted: str | float | bool) -> bool:
+def matches_text(text: str, wanted: str | float | bool) -> bool:
     """Return whether a message says what is wanted: the same text, or for a number the same number.
 
     Args:

@@ -8,19 +8,19 @@ from __future__ import annotations
 
 import unicodedata
 
-MOST_LETTERS = 200
+MAX_LETTERS = 200
 """A file's name or a message longer than this is cut: nobody reads more of it in a list."""
 
-MOST_BLOCK_LINES = 60
-MOST_BLOCK_LETTERS = 400
+MAX_BLOCK_LINES = 60
+MAX_BLOCK_LETTERS = 400
 
 _JOINER = "\u200d"  # holds some emoji together, and moves nothing
 _BREAKS = frozenset({"\u2028", "\u2029", "\x85"})
-_MOST_MARKS = 4  # combining marks on one letter; more of them cover the lines above
+_MAX_MARKS = 4  # combining marks on one letter; more of them cover the lines above
 _MARKS = frozenset({"Mn", "Me"})
 
 
-def sanitize(text: object, longest: int = MOST_LETTERS) -> str:
+def sanitize(text: object, longest: int = MAX_LETTERS) -> str:
     r"""Return text as one harmless line of at most ``longest`` letters.
 
     Control characters, direction marks, line breaks, lone surrogates, private and unassigned characters become
@@ -34,7 +34,7 @@ def sanitize(text: object, longest: int = MOST_LETTERS) -> str:
     return _cut(_spelled(_cut(said, 2 * longest + 2)), longest)
 
 
-def sanitize_block(text: str, most_lines: int = MOST_BLOCK_LINES) -> str:
+def sanitize_block(text: str, most_lines: int = MAX_BLOCK_LINES) -> str:
     """Return text of several lines, each of them harmless: a traceback, or what a program printed.
 
     Args:
@@ -46,7 +46,7 @@ def sanitize_block(text: str, most_lines: int = MOST_BLOCK_LINES) -> str:
         head = most_lines // 4
         left_out = len(lines) - most_lines
         lines = [*lines[:head], f"… {left_out} lines left out …", *lines[len(lines) - (most_lines - head) :]]
-    return "\n".join(sanitize(line, MOST_BLOCK_LETTERS) for line in lines)
+    return "\n".join(sanitize(line, MAX_BLOCK_LETTERS) for line in lines)
 
 
 def sanitize_lines(text: str) -> str:
@@ -60,7 +60,7 @@ def _spelled(text: str) -> str:
     for letter in text:
         category = unicodedata.category(letter)
         marks = marks + 1 if category in _MARKS else 0
-        if marks > _MOST_MARKS:
+        if marks > _MAX_MARKS:
             continue
         hidden = (category[0] == "C" and letter != _JOINER) or letter in _BREAKS
         letters.append(_escape(letter) if hidden else letter)

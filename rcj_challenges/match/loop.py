@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Protocol
 from rcj_challenges.controllers.cpu_policy import DEFAULT_SHARE, CpuPolicy, CpuShare
 from rcj_challenges.facts.play import Fault, HalfInfo, RefereeOutput, Snapshot
 from rcj_challenges.facts.traffic import Observation, Request
-from rcj_challenges.scenario.halves import MOST_LENGTHS
+from rcj_challenges.scenario.halves import MAX_LENGTHS
 
 if TYPE_CHECKING:
     from rcj_challenges.match.stage import HalfStage
@@ -66,7 +66,7 @@ def should_continue(referee: Referee, output: RefereeOutput, tick: int, half: Ha
     """Return whether another tick follows this one: the clock of the half decides, which a phase may stop."""
     if output.ended is not None or referee.time_is_up:
         return False
-    return tick < MOST_LENGTHS * half.ticks
+    return tick < MAX_LENGTHS * half.ticks
 
 
 class TickLoop:

@@ -54,11 +54,11 @@ def other_kits(scenario: Scenario, base: Scenario, seat: str, *, either_message:
     return {
         name: base.robots[name].kit if name in base.robots else "none"
         for name in scenario.entrants[seat].robots
-        if name not in base.robots or _hears(scenario, name, alike) != _hears(base, name, alike)
+        if name not in base.robots or _radio_layout(scenario, name, alike) != _radio_layout(base, name, alike)
     }
 
 
-def _hears(scenario: Scenario, robot: str, alike: Collection[str]) -> tuple[str, str, tuple[str, ...], bool]:
+def _radio_layout(scenario: Scenario, robot: str, alike: Collection[str]) -> tuple[str, str, tuple[str, ...], bool]:
     """Return what a program must know of its robot's kit to understand it: its name, and how packets are laid out.
 
     Versions of messages that are ``alike`` count as the same.

@@ -11,7 +11,7 @@ from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.referee.binding import RuleBinder
 from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.scenario.models.scenario import Rule
-from rcj_challenges.scenario.placeholders import fill_known
+from rcj_challenges.scenario.placeholders import fill_params
 from rcj_challenges.scenario.touch_rules import for_other, names_other
 from rcj_challenges.tracking.bound_rules import BoundRule
 
@@ -56,7 +56,7 @@ def _bound_rule(name: str, rule: Rule, each: str | None, context: CompileContext
         exclusive=None if rule.exclusive is None else (rule.exclusive, each),
         cooldown=0 if rule.cooldown_s is None else ticks_from_s(rule.cooldown_s),
         max_executions=rule.max_executions,
-        says=fill_known(rule, context.scenario.params),
+        says=fill_params(rule, context.scenario.params),
     )
 
 

@@ -128,14 +128,14 @@ class Referee:
         return self._state.undecided_spots()
 
     @property
-    def true_before(self) -> dict[str, int]:
+    def already_true(self) -> dict[str, int]:
         """By rule the tick at which a `holds` of it held already, so that it could not come true."""
         found: dict[str, int] = {}
         for tracker in self._trackers.trackers:
-            if tracker.true_before is not None:
+            if tracker.already_true is not None:
                 for binding in tracker.bindings:
                     name = binding.rule.name
-                    found[name] = min(tracker.true_before, found.get(name, tracker.true_before))
+                    found[name] = min(tracker.already_true, found.get(name, tracker.already_true))
         return found
 
     @property
@@ -276,7 +276,7 @@ class Referee:
             for hit in self._hits.first_by_rule()
             if hit.binding.rule.is_active_in(phase) and all(test() for test in hit.binding.rule.tests)
         ]
-        denied = self._denied_of(chosen) if self.denied is not None else ()
+        denied = self._denied_rules(chosen) if self.denied is not None else ()
         self._hits.clear()
         won: set[tuple[str, str | None]] = set()
         for hit in chosen:
@@ -284,7 +284,7 @@ class Referee:
         for rule, place in denied:
             self._note_denial(rule, place)
 
-    def _denied_of(self, chosen: list[TriggerHit]) -> list[tuple[BoundRule, int]]:
+    def _denied_rules(self, chosen: list[TriggerHit]) -> list[tuple[BoundRule, int]]:
         """Return the triggered rules that do not fire, each with the place of the condition that does not hold."""
         fire = {hit.binding.rule.rank for hit in chosen}
         triggered = (hit.binding.rule for hit in self._hits.first_by_rule())

@@ -96,10 +96,10 @@ class PlacementSpec:
 
         return PlaceRequest(board, self.entity, mirrored, rng, fits)
 
-    def propose(self, board: PlacementBoard, rng: random.Random, signs: Point, most_attempts: int) -> Pose2 | None:
+    def propose(self, board: PlacementBoard, rng: random.Random, signs: Point, max_attempts: int) -> Pose2 | None:
         """Return a pose at which the entity can stand, or None if so many attempts find none."""
         request, noises = self.request(board, rng, signs), self._noises
-        for _ in range(min(self.attempts, most_attempts) if self.is_random else 1):
+        for _ in range(min(self.attempts, max_attempts) if self.is_random else 1):
             point = self.where.find(request)
             if point is None:
                 return None
@@ -196,7 +196,7 @@ class PlacementJob:
     aimless: bool = False
 
     @property
-    def most_attempts(self) -> int:
+    def max_attempts(self) -> int:
         """How often a random place may be drawn for it in this tick, however many its placement allows."""
         return ATTEMPTS_WAITING if self.is_logged else _ALL_ATTEMPTS
 
@@ -272,7 +272,7 @@ def _try(jobs: list[PlacementJob], state: State, bodies: Bodies) -> tuple[list[_
         if job.spec is None:
             done.append((job.entity, None, _AT_REST))
             continue
-        pose = job.spec.propose(board, state.stream(job.spec.stream), job.signs, job.most_attempts)
+        pose = job.spec.propose(board, state.stream(job.spec.stream), job.signs, job.max_attempts)
         if pose is None:
             return [], job
         board.put(job.entity, pose)

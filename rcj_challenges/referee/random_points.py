@@ -14,7 +14,7 @@ from rcj_challenges.scenario.models import places as models
 Point = tuple[float, float]
 Sampler = Callable[[random.Random], Point]
 
-_MOST_TRIES = 10_000
+_MAX_TRIES = 10_000
 """A sliver of a ten-thousandth of its box would be drawn in vain."""
 
 
@@ -37,7 +37,7 @@ def _of_several(zones: list[models.Zone], samplers: list[Sampler]) -> Sampler:
     regions = [region_of(zone) for zone in zones]
 
     def in_any(rng: random.Random) -> Point:
-        for _ in range(_MOST_TRIES):
+        for _ in range(_MAX_TRIES):
             [sample] = rng.choices(samplers, cum_weights=reach)
             point = sample(rng)
             if rng.random() * sum(region.contains(*point) for region in regions) < 1.0:
@@ -76,7 +76,7 @@ def _polygon_sampler(points: tuple[Point, ...]) -> Sampler:
     xs, ys = [x for x, _ in points], [y for _, y in points]
 
     def in_polygon(rng: random.Random) -> Point:
-        for _ in range(_MOST_TRIES):
+        for _ in range(_MAX_TRIES):
             point = (rng.uniform(min(xs), max(xs)), rng.uniform(min(ys), max(ys)))
             if polygon.contains(*point):
                 return point

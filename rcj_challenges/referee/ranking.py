@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from rcj_challenges.facts.amounts import Score, round_score, within_most
+from rcj_challenges.facts.amounts import Score, clamp_to_max, round_score
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Scenario
 
 
@@ -81,8 +81,10 @@ def _value(
     if isinstance(criterion, RankByCounter):
         return counted_for(scenario, team, criterion.counter, halves)
     time_s = sum(half.time_s for half in halves)
-    added = sum(within_most(part.weight * counted_for(scenario, team, part.counter, halves)) for part in criterion.plus)
-    return round(within_most(time_s + added), 6)
+    added = sum(
+        clamp_to_max(part.weight * counted_for(scenario, team, part.counter, halves)) for part in criterion.plus
+    )
+    return round(clamp_to_max(time_s + added), 6)
 
 
 def _robots(scenario: Scenario, half: Tally, team: str) -> tuple[str, ...]:

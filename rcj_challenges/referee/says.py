@@ -19,8 +19,8 @@ def fill_blanks(says: str, state: State, firing: Firing) -> str:
         "{each}": _named(firing.rule.each),
         "{other}": _named(firing.rule.other),
         "{team}": team_name_of(state, firing, None),
-        "{measured}": _said(firing.measured),
-        "{limit}": _said(firing.limit),
+        "{measured}": _format_number(firing.measured),
+        "{limit}": _format_number(firing.limit),
         "{points}": points,
         "{points} points": counted(points),
     }
@@ -41,5 +41,5 @@ def _named(name: str | None) -> str:
     return (name or "").replace("_", " ")
 
 
-def _said(number: float | None) -> str:
+def _format_number(number: float | None) -> str:
     return "" if number is None else f"{round(number, 3):g}"

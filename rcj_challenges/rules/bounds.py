@@ -70,7 +70,7 @@ def bounds_words(action: Bounded, total: str) -> str:
     return f" ({'; '.join(filter(None, said))})" if any(said) else ""
 
 
-def taken_away(action: Bounded, parts: Any) -> tuple[Any, ...]:
+def subtracted_parts(action: Bounded, parts: Any) -> tuple[Any, ...]:
     """Return what is taken away, where all parts of a sum are; empty where not, or where the sum is bounded itself."""
     is_bounded = action.at_least is not None or action.at_most is not None
     if is_bounded or not isinstance(parts, tuple):

@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, StringConstraints
 
-from rcj_challenges.facts.messages import MOST_LETTERS, READS, is_said
+from rcj_challenges.facts.messages import MAX_LETTERS, READS, matches_text
 from rcj_challenges.rules.fields import Scalar, Strict, described
 from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import listed, number
@@ -13,7 +13,7 @@ from rcj_challenges.rules.values.draw import DrawValue
 
 SaidText = Annotated[
     str,
-    StringConstraints(min_length=1, max_length=MOST_LETTERS, pattern=r"^[^\s]+( [^\s]+)*$"),
+    StringConstraints(min_length=1, max_length=MAX_LETTERS, pattern=r"^[^\s]+( [^\s]+)*$"),
     Field(description="text as a robot says it, with single blanks between its words"),
 ]
 Said = SaidText | int | float
@@ -48,7 +48,7 @@ class Message(Strict):
         def matches(message: str) -> bool:
             if parse(message) is None:
                 return False
-            return text is None or any(is_said(message, one) for one in wanted())
+            return text is None or any(matches_text(message, one) for one in wanted())
 
         return matches
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rcj_challenges.scenario.models.field import Match
 from rcj_challenges.scenario.models.scenario import Scenario
 
-MOST_LENGTHS = 10
+MAX_LENGTHS = 10
 """A half whose clock a phase has stopped for good ends after this many times its length."""
 
 

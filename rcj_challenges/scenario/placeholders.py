@@ -39,7 +39,7 @@ def _points(action: Score) -> float | None:
     return points if most is None else min(points, most)
 
 
-def fill_known(rule: Rule, params: Mapping[str, Scalar]) -> str:
+def fill_params(rule: Rule, params: Mapping[str, Scalar]) -> str:
     """Return what a rule says, with its params filled in, and its points if it gives one plain number."""
     known = {name: _as_text(value) for name, value in params.items() if name not in PLACEHOLDERS}
     points = points_of(rule)

@@ -26,14 +26,14 @@ def set_from_the_start(scenario: Scenario) -> frozenset[str]:
         and name in surely
     }
     drawn = {action.draw for _, action in actions if isinstance(action, DrawAction) and action.as_ is None}
-    return frozenset(setting - drawn - (_asked_at_the_start(scenario) if setting else set()))
+    return frozenset(setting - drawn - (_used_at_start(scenario) if setting else set()))
 
 
 def _fires_at_start(rule: Rule) -> bool:
     return any(isinstance(one, HalfStarted) for one in rule.triggers)
 
 
-def _asked_at_the_start(scenario: Scenario) -> set[str]:
+def _used_at_start(scenario: Scenario) -> set[str]:
     """Return the names in rules that fire at the start, which see what was drawn, and in durations."""
     timers, phases = scenario.timers.values(), scenario.phases.values()
     lasts_s = [*(one.lasts_s for one in timers), *(one.lasts_s for one in phases)]

@@ -209,7 +209,7 @@ def in_names(root: Node, path: Sequence[Step]) -> str:
     return text
 
 
-def shown_path(root: Node, path: Path) -> str:
+def format_path(root: Node, path: Path) -> str:
     """Return a path in names that ends, within a rule, at the trigger, condition or action."""
     words = [i for i in range(1, len(path)) if isinstance(path[i], int) and path[i - 1] in _KINDS]
     return in_names(root, path[: words[-1] + 1] if words and path[0] == "rules" else path)

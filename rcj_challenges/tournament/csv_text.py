@@ -13,9 +13,9 @@ _FORMULA = ("=", "+", "-", "@", "\t", "\r")
 def csv_text(rows: Iterable[Sequence[Any]], line_end: str = "\n") -> str:
     """Return rows as CSV; no text in it is taken for a formula."""
     text = io.StringIO()
-    csv.writer(text, lineterminator=line_end).writerows([_harmless(cell) for cell in row] for row in rows)
+    csv.writer(text, lineterminator=line_end).writerows([_without_formula(cell) for cell in row] for row in rows)
     return text.getvalue()
 
 
-def _harmless(cell: Any) -> Any:
+def _without_formula(cell: Any) -> Any:
     return f"'{cell}" if isinstance(cell, str) and cell.startswith(_FORMULA) else cell

@@ -14,7 +14,7 @@ from rcj_challenges.tournament.models import Challenge
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.scenarios import ScenarioNames, ScenarioUse
 from rcj_challenges.tournament.season import Fixture, Outcome
-from rcj_challenges.tournament.submissions import CheckTask, Handed, Submissions, purpose_of
+from rcj_challenges.tournament.submissions import CheckTask, Submissions, Submitted, purpose_of
 
 
 class JobMaker:
@@ -94,7 +94,7 @@ class JobMaker:
         return list(tasks.values())
 
     def _add_task(
-        self, tasks: dict[tuple[str, str], CheckTask], use: ScenarioUse, purpose: str, handed: Sequence[Handed]
+        self, tasks: dict[tuple[str, str], CheckTask], use: ScenarioUse, purpose: str, handed: Sequence[Submitted]
     ) -> None:
         if handed and (use.source, purpose) not in tasks:
             tasks[use.source, purpose] = CheckTask(*self.scenario(use.source, use.overrides), tuple(handed))

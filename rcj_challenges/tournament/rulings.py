@@ -42,7 +42,7 @@ def decide(
         DiagnosticError: there is no such match or team, the ruling does not fit it, or changes a match played later.
     """
     before = tournament.state()
-    fixture = _known(before, fixture_id)
+    fixture = _fixture(before, fixture_id)
     reason = _checked(reason)
     if kind is RulingKind.FORFEIT:
         scores = _forfeited(tournament, fixture, loser)
@@ -125,7 +125,7 @@ def _is_later_round(fixture: Fixture, ruled: Fixture | None) -> bool:
     return ruled is not None and fixture.stage == ruled.stage and fixture.round > ruled.round
 
 
-def _known(state: SeasonState, fixture_id: str) -> Fixture:
+def _fixture(state: SeasonState, fixture_id: str) -> Fixture:
     fixtures = {one.id: one for one in state.fixtures}
     if fixture_id not in fixtures:
         raise _wrong("unknown-match", f"there is no match '{fixture_id}' (yet)", _near(fixture_id, fixtures))

@@ -16,7 +16,7 @@ from rcj_challenges.checker.report import FileReport, check_report
 from rcj_challenges.checker.report_files import write_page
 from rcj_challenges.checker.report_html import html_page
 from rcj_challenges.controllers.archive import Contents, TeamError, read_contents
-from rcj_challenges.controllers.submission_limits import MOST_PACKED_BYTES
+from rcj_challenges.controllers.submission_limits import MAX_PACKED_BYTES
 from rcj_challenges.controllers.team import opening_of
 from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError, InFile
 from rcj_challenges.facts.errors import format_error
@@ -26,13 +26,13 @@ from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.tournament.entries import TeamEntry
 from rcj_challenges.tournament.store.store import Store
 
-_MAX_PACKED_BYTES = 4 * MOST_PACKED_BYTES
+_MAX_PACKED_BYTES = 4 * MAX_PACKED_BYTES
 """What is larger is not even kept; between the two the check says what is wrong."""
 _EPOCH = (1980, 1, 1, 0, 0, 0)
 
 
 @dataclass(frozen=True)
-class Handed:
+class Submitted:
     """A submission of a team, as it is now.
 
     Attributes:
@@ -50,7 +50,7 @@ class Handed:
     name: str
 
 
-Submissions = Mapping[tuple[str, str], Handed]
+Submissions = Mapping[tuple[str, str], Submitted]
 """By team and purpose."""
 
 
@@ -59,14 +59,14 @@ def purpose_of(entry: TeamEntry, stage: str, challenge: str) -> str:
     return f"{stage}/{challenge}" if entry.challenges.get((stage, challenge)) is not None else ""
 
 
-def take_submissions(entries: Iterable[TeamEntry], store: Store) -> dict[tuple[str, str], Handed]:
+def take_submissions(entries: Iterable[TeamEntry], store: Store) -> dict[tuple[str, str], Submitted]:
     """Keep a copy of what each team hands in now, and note what is new.
 
     Raises:
         DiagnosticError: some cannot be read, or the copies cannot be written.
     """
     before = store.current_submissions()
-    handed: dict[tuple[str, str], Handed] = {}
+    handed: dict[tuple[str, str], Submitted] = {}
     problems: list[Diagnostic] = []
     for entry in entries:
         sources = {purpose_of(entry, *key): source for key, source in entry.challenges.items() if source is not None}
@@ -87,10 +87,10 @@ def take_submissions(entries: Iterable[TeamEntry], store: Store) -> dict[tuple[s
 _REPLACE = "replace it; or take the team out of the tournament with 'tournament decide FILE --withdraw TEAM'"
 
 
-def _take(team: str, purpose: str, source: Path, folder: Path) -> Handed:
+def _take(team: str, purpose: str, source: Path, folder: Path) -> Submitted:
     archive, path = keep_submission(source, folder)
     name = opening_of(path, read_contents(path)).name
-    return Handed(team, purpose, archive, path.relative_to(folder).as_posix(), name.text if name.given else team)
+    return Submitted(team, purpose, archive, path.relative_to(folder).as_posix(), name.text if name.given else team)
 
 
 def keep_submission(source: Path, folder: Path) -> tuple[str, Path]:
@@ -177,7 +177,7 @@ class CheckTask:
 
     scenario: str
     loaded: Loaded
-    handed: tuple[Handed, ...]
+    handed: tuple[Submitted, ...]
 
 
 def check_submissions(
@@ -212,7 +212,7 @@ def check_submissions(
 
 
 def _noting(
-    todo: Sequence[Handed], task: CheckTask, store: Store, observer: CheckObserver
+    todo: Sequence[Submitted], task: CheckTask, store: Store, observer: CheckObserver
 ) -> Callable[[FileReport], None]:
     """Return what is to be done with each report: note the verdict, and keep the report for the team."""
     by_file = {Path(one.file).name: one for one in todo}
@@ -232,7 +232,7 @@ def _noting(
     return on_done
 
 
-def _keep_report(report: FileReport, one: Handed, task: CheckTask, store: Store) -> None:
+def _keep_report(report: FileReport, one: Submitted, task: CheckTask, store: Store) -> None:
     folder = store.place.report_folder(one.archive)
     folder.mkdir(parents=True, exist_ok=True)
     named = report.model_copy(update={"file": f"{one.team}{Path(one.file).suffix}"})

@@ -26,13 +26,13 @@ class Tracker:
         phases: in which it is active; None: in all.
         entities: the indices of those whose placement resets it.
         since: the tick at which it was last reset.
-        true_before: the tick at which it could not come true because it was true already; None: it always could.
+        already_true: the tick at which it could not come true because it was true already; None: it always could.
     """
 
     phases: frozenset[str] | None = None
     entities: tuple[int, ...] = ()
     since = 0
-    true_before: int | None = None
+    already_true: int | None = None
 
     def __init__(self) -> None:
         self.bindings: list[TriggerBinding] = []

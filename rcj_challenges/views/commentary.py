@@ -11,8 +11,8 @@ from rcj_challenges.facts.play import HalfInfo, RefereeOutput
 from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.views.naming import told_apart
-from rcj_challenges.views.payloads import told_beside
+from rcj_challenges.views.naming import distinct_names
+from rcj_challenges.views.payloads import extra_payload_text
 from rcj_challenges.views.sentences import clock
 from rcj_challenges.views.timeline import TimelineBuilder, TimelineEvent
 
@@ -55,7 +55,7 @@ class Commentator:
         """Begin a half."""
         self._builder.begin_half(half)
         self._teams = half.teams
-        self._names = told_apart({seat: sanitize(name, 32) for seat, name in half.team_names.items()})
+        self._names = distinct_names({seat: sanitize(name, 32) for seat, name in half.team_names.items()})
 
     def remarks(self, output: RefereeOutput) -> Iterator[Remark]:
         """Yield what there is to say about one output: its events, then points that were given without one."""
@@ -78,7 +78,7 @@ class Commentator:
 
 def _sentence(event: TimelineEvent) -> Remark:
     says = "" if event.cause is None else event.cause.says
-    told = told_beside(event.name, event.payload, says)
+    told = extra_payload_text(event.name, event.payload, says)
     return Remark(f"{_time(event):>7}  {sanitize(' · '.join(filter(None, (says or _name(event), told))), 300)}")
 
 

@@ -21,10 +21,10 @@ def changes_sides(scenario: Scenario) -> bool:
 def titles(scenario: Scenario, result: RunResult) -> dict[str, str]:
     """Return what teams are called, by their seats of the first half; no two are called the same."""
     names = {team: entrant.name or team for team, entrant in result.entrants.items()}
-    return told_apart(names, sides_change=changes_sides(scenario))
+    return distinct_names(names, sides_change=changes_sides(scenario))
 
 
-def told_apart(names: Mapping[str, str], *, sides_change: bool = False) -> dict[str, str]:
+def distinct_names(names: Mapping[str, str], *, sides_change: bool = False) -> dict[str, str]:
     """Return the names by team; those that look the same with their seats: ``Hanse (blue)``, ``Hanse (blue first)``.
 
     Args:

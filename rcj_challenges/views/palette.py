@@ -25,14 +25,14 @@ _TEAM_COLOURS = {"blue": "#3b82f6", "yellow": "#f2c018"}
 """Brighter than CSS's `blue`, darker than its `yellow`: both must stand out from green, in the light and the dark."""
 
 
-def shown_colour(colour: str) -> str:
+def css_colour(colour: str) -> str:
     """Return the CSS colour in which a colour of a scenario is shown."""
     return _TEAM_COLOURS.get(colour, colour)
 
 
 def rgb(colour: str) -> Rgb:
     """Return a CSS colour as numbers from 0 to 255; grey for a name that CSS does not know."""
-    return _numbers(hex_colour(shown_colour(colour)) or "#868e96")
+    return _numbers(hex_colour(css_colour(colour)) or "#868e96")
 
 
 def text_on(colour: Rgb) -> Rgb:

@@ -23,14 +23,14 @@ _LONGEST = 80
 _DECIMALS = 4
 
 
-def told_beside(event: str, payload: Mapping[str, Any], says: str) -> str:
+def extra_payload_text(event: str, payload: Mapping[str, Any], says: str) -> str:
     """Return ``run 8.48 s, poles 1``: of an event's payload what neither the sentence nor the scoreboard tells."""
     known = _ON_THE_BOARD | _ABOUT_WHOM if says and event in _OFFICIAL else _ON_THE_BOARD
     left = {key: value for key, value in payload.items() if key not in known}
-    return ", ".join(_words(key, value) for key, value in left.items() if not _is_said(key, value, says))
+    return ", ".join(_words(key, value) for key, value in left.items() if not _is_in_sentence(key, value, says))
 
 
-def _is_said(key: str, value: Any, says: str) -> bool:
+def _is_in_sentence(key: str, value: Any, says: str) -> bool:
     """Return whether the sentence has a value: a text as a word, a number only with its unit (others may be alike)."""
     if isinstance(value, bool) or value is None:
         return False

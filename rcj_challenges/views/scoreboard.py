@@ -20,7 +20,7 @@ from rcj_challenges.facts.timing import TICK_S, s_from_ticks
 from rcj_challenges.match.observers import NullObserver, Observer, Progress
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Scenario
 from rcj_challenges.views.commentary import Commentator
-from rcj_challenges.views.naming import told_apart
+from rcj_challenges.views.naming import distinct_names
 from rcj_challenges.views.sentences import clock, fault_line
 
 Criterion = RankByScore | RankByTime | RankByCounter
@@ -46,7 +46,7 @@ def create_observer(console: Console, scenario: Scenario, *, quiet: bool, shared
 
 
 def score_line(names: Mapping[str, str], scores: Mapping[str, int | float], *, sides_change: bool = False) -> str:
-    """Return ``Hanse 2 : 1 Alster`` for two seats, ``Hanse 21`` for one; arguments as of `told_apart`."""
+    """Return ``Hanse 2 : 1 Alster`` for two seats, ``Hanse 21`` for one; arguments as of `distinct_names`."""
     titles = _titles(names, sides_change=sides_change)
     if len(scores) == 2:
         (first, first_score), (second, second_score) = scores.items()
@@ -78,7 +78,7 @@ def _seats(half: HalfInfo) -> str:
 
 def _titles(names: Mapping[str, str], *, sides_change: bool) -> dict[str, str]:
     """Return the names by seat as a line may show them."""
-    return told_apart({seat: sanitize(name, 32) for seat, name in names.items()}, sides_change=sides_change)
+    return distinct_names({seat: sanitize(name, 32) for seat, name in names.items()}, sides_change=sides_change)
 
 
 def decided_by_score_alone(rank: Sequence[Criterion]) -> bool:
@@ -126,7 +126,7 @@ def ranking_lines(
         rank: the scenario's criteria.
         names: by team.
         ranking: as in ``result.json``.
-        sides_change: as of `told_apart`.
+        sides_change: as of `distinct_names`.
     """
     titles = _titles(names, sides_change=sides_change)
     rows = ranking_rows(rank, titles, ranking)

@@ -9,7 +9,7 @@ import pytest
 
 from rcj_challenges.checker import preloaded
 from rcj_challenges.checker.check import CheckOptions, check_file
-from rcj_challenges.checker.preloaded import loaded_before
+from rcj_challenges.checker.preloaded import preloaded_modules
 from rcj_challenges.checker.sources import check_sources
 from rcj_challenges.controllers.private_folders import PREFIX
 from rcj_challenges.controllers.team import open_team
@@ -89,8 +89,8 @@ def test_a_crash_over_a_file_with_the_name_of_a_module_of_python_names_the_file(
 
 
 def test_what_is_loaded_is_asked_of_a_program_as_it_is_started():
-    assert {"sys", "types", "os"} <= loaded_before("auto") <= sys.stdlib_module_names
-    assert not {"random", "json", "math_tools", "controller", "__main__"} & loaded_before("auto")
+    assert {"sys", "types", "os"} <= preloaded_modules("auto") <= sys.stdlib_module_names
+    assert not {"random", "json", "math_tools", "controller", "__main__"} & preloaded_modules("auto")
 
 
 def test_where_no_program_can_be_started_only_what_is_part_of_the_interpreter_counts(monkeypatch):
@@ -98,11 +98,11 @@ def test_where_no_program_can_be_started_only_what_is_part_of_the_interpreter_co
         raise OSError("no space left")
 
     monkeypatch.setattr(preloaded.Crew, "launch", no_room)
-    loaded_before.cache_clear()
+    preloaded_modules.cache_clear()
     try:
-        assert loaded_before("auto") == set(sys.builtin_module_names) & sys.stdlib_module_names
+        assert preloaded_modules("auto") == set(sys.builtin_module_names) & sys.stdlib_module_names
     finally:
-        loaded_before.cache_clear()
+        preloaded_modules.cache_clear()
 
 
 def test_what_a_killed_check_leaves_of_it_is_where_the_next_one_finds_and_removes_it(tmp_path, monkeypatch):
@@ -114,7 +114,7 @@ def test_what_a_killed_check_leaves_of_it_is_where_the_next_one_finds_and_remove
         return open_team(path, *seats)
 
     monkeypatch.setattr(preloaded, "open_team", opened)
-    assert "sys" in preloaded.loaded_before.__wrapped__("auto")
+    assert "sys" in preloaded.preloaded_modules.__wrapped__("auto")
     assert seen
     assert all(folder.name.startswith(PREFIX) for folder in seen)
     assert not list(tmp_path.iterdir())

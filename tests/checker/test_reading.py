@@ -30,7 +30,7 @@ def test_who_stops_waiting_for_the_reader_leaves_none_behind(monkeypatch: pytest
             pytest.fail("this file was to be read for longer")
 
     monkeypatch.setattr(subprocess, "Popen", Interrupted)
-    monkeypatch.setattr(reading, "MOST_BYTES", len(SLOW))
+    monkeypatch.setattr(reading, "MAX_BYTES", len(SLOW))
     monkeypatch.setattr(reading, "MAX_ALL_BYTES", len(SLOW))
     with pytest.raises(KeyboardInterrupt):
         reading.read_sources({NAME: SLOW.encode()})
@@ -83,7 +83,7 @@ def test_of_what_nobody_came_to_no_fault_is_told(monkeypatch: pytest.MonkeyPatch
 
 
 def test_files_beyond_the_bound_are_not_read_and_equal_ones_count_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(reading, "MOST_BYTES", 100)
+    monkeypatch.setattr(reading, "MAX_BYTES", 100)
     monkeypatch.setattr(reading, "MAX_ALL_BYTES", 200)
     names = {"a": "x", "b": "y", "c": "y", "d": "z", "e": "xx", "robot": "w"}
     files = {PurePosixPath(f"{name}.py"): f"{letter} = 1".encode().ljust(90) for name, letter in names.items()}

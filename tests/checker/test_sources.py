@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-from rcj_challenges.checker.reading import MOST_BYTES
+from rcj_challenges.checker.reading import MAX_BYTES
 from rcj_challenges.checker.sources import check_sources
 from rcj_challenges.controllers.team import open_team
 from rcj_challenges.scenario.load import load
@@ -128,7 +128,7 @@ def test_one_more_broken_file_does_not_hide_the_others(check):
 
 
 def test_a_huge_file_is_not_looked_into(check):
-    stage = check("import data\n", rcj_soccer_team_blue__data="x = 1\n" + "#" * MOST_BYTES)
+    stage = check("import data\n", rcj_soccer_team_blue__data="x = 1\n" + "#" * MAX_BYTES)
     assert codes(stage) == ["large"]
     assert stage.level == "warning"
 

@@ -123,7 +123,7 @@ def test_output_that_finds_no_room_is_told_with_the_file_that_it_goes_to(tmp_pat
         stream = Full(file)
         monkeypatch.setattr(sys, "stdout", stream)
         with pytest.raises(HostError) as raised:
-            stdio.say_json({})
+            stdio.print_json({})
         where = f" ({tmp_path / 'told.txt'})" if sys.platform == "linux" else ""
         assert raised.value.code == "cannot-write-output"
         assert raised.value.help

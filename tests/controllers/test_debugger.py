@@ -154,4 +154,4 @@ def test_without_debugpy_or_if_the_user_wants_it_breakpoint_has_the_terminal(mon
     monkeypatch.setenv("PYTHONBREAKPOINT", variable)
     if not installed:
         monkeypatch.setattr(debugging, "find_spec", lambda _: None)
-    assert debugging.debugger_told() is None
+    assert debugging.debugger_settings() is None

@@ -346,8 +346,8 @@ robot.step(32)
 
 @needs_landlock
 def test_a_layer_that_fails_keeps_the_program_from_starting(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    told = isolation.limits_told
-    monkeypatch.setattr(isolation, "limits_told", lambda *args, **kind: {**told(*args, **kind), "readable": ["\0"]})
+    told = isolation.limit_settings
+    monkeypatch.setattr(isolation, "limit_settings", lambda *args, **kind: {**told(*args, **kind), "readable": ["\0"]})
     with only("filesystem"):
         played = FakeMatch(tmp_path).play("print('I am free')\n\n", 1)
     assert played.fault is not None

@@ -123,7 +123,7 @@ def test_a_program_that_kills_itself_has_a_fault_that_is_not_timed(tmp_path: Pat
 def test_a_computer_that_is_too_busy_for_the_match_ends_it_and_blames_no_program(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(crew, "_MOST_HELD_UP", 0.001)  # of 20 s to start and 120 s to play
+    monkeypatch.setattr(crew, "_MAX_HELD_UP", 0.001)  # of 20 s to start and 120 s to play
     match = FakeMatch(tmp_path)
     with pytest.raises(HostError) as raised:
         match.play(f"{SLEEPS}{ROBOT}sleep(3)\n{STEPS}", 3)

@@ -353,7 +353,7 @@ def test_an_encrypted_zip_is_refused(tmp_path: Path) -> None:
 
 
 def test_a_zip_bomb_is_stopped_by_what_comes_out_of_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(archive, "MOST_UNPACKED_BYTES", 1_000_000)
+    monkeypatch.setattr(archive, "MAX_UNPACKED_BYTES", 1_000_000)
     path = zip_of(tmp_path / "t.zip", PRESENT | {"zeros": bytes(3_000_000)})
     assert path.stat().st_size < 10_000
     assert "unpacked, it is more than 1 MB" in refusal(path)
@@ -363,10 +363,10 @@ def test_too_large_an_archive_too_many_files_and_colliding_names_are_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     assert "are one file on some computers" in refusal(zip_of(tmp_path / "c.zip", PRESENT | {"A.py": b"", "a.PY": b""}))
-    monkeypatch.setattr(archive, "MOST_FILES", 2)
+    monkeypatch.setattr(archive, "MAX_FILES", 2)
     assert "more than 2 files" in refusal(zip_of(tmp_path / "n.zip", PRESENT))
     assert "is this the folder of the robot programs?" in refusal(folder_of(tmp_path / "n", PRESENT))
-    monkeypatch.setattr(archive, "MOST_PACKED_BYTES", 100)
+    monkeypatch.setattr(archive, "MAX_PACKED_BYTES", 100)
     assert "is more than the" in refusal(zip_of(tmp_path / "l.zip", PRESENT))
 
 

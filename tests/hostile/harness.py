@@ -62,8 +62,8 @@ _LIMITS = {"start_s": 30.0, "step_s": 10.0, "half_s": 60.0}
 _SHORT_STEP_S = 0.5  # where a program is to exceed it: on a busy machine others do so by mere bad luck
 _MAX_S = 60.0
 _PATIENCE_S = 5.0
-_MOST_OF_THE_MATCH = 150_000  # letters in a log beside what a program may print
-_MOST_TOLD, _MOST_TRACED = 1_000, 20_000  # letters of a fault's detail and traceback
+_MAX_OF_THE_MATCH = 150_000  # letters in a log beside what a program may print
+_MAX_TOLD, _MAX_TRACED = 1_000, 20_000  # letters of a fault's detail and traceback
 
 
 @dataclass(frozen=True)
@@ -413,12 +413,12 @@ def _assert_its_end(entry: Entry, fault: dict[str, Any] | None, log: str) -> Non
     told = f"{entry.name}: {fault}\n{log[-3000:]}"
     assert "BROKEN" not in log, told
     assert PLAN_OF_THE_OTHERS not in log, told
-    assert len(log) <= _output_bytes(entry) + _MOST_OF_THE_MATCH, f"{entry.name}: a log of {len(log)} letters"
+    assert len(log) <= _output_bytes(entry) + _MAX_OF_THE_MATCH, f"{entry.name}: a log of {len(log)} letters"
     assert entry.is_its_end(fault), told
     for pattern in entry.said:
         assert re.search(pattern, log), f"not said: {pattern}: {told}"
     if fault is not None:
         assert re.search(entry.cause, fault["detail"]), told
-        assert len(fault["detail"]) <= _MOST_TOLD, told
-        assert len(fault["traceback"]) <= _MOST_TRACED, told
+        assert len(fault["detail"]) <= _MAX_TOLD, told
+        assert len(fault["traceback"]) <= _MAX_TRACED, told
         assert f"[{fault['kind']}] {fault['robot']} at tick {fault['tick']} " in log, told

@@ -72,9 +72,9 @@ def packaged(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_windows_looks_into_the_package_where_the_system_has_no_runtime(tmp_path, packaged):
     system = tmp_path / "System32"
     system.mkdir()
-    assert windows_runtime.packaged_beside(system) == packaged
+    assert windows_runtime.packaged_runtime(system) == packaged
     (system / "msvcp140_atomic_wait.dll").touch()
-    assert windows_runtime.packaged_beside(system) is None
+    assert windows_runtime.packaged_runtime(system) is None
 
 
 def test_without_the_package_nothing_is_done(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -82,4 +82,4 @@ def test_without_the_package_nothing_is_done(tmp_path: Path, monkeypatch: pytest
         raise metadata.PackageNotFoundError(name)
 
     monkeypatch.setattr(metadata, "distribution", not_installed)
-    assert windows_runtime.packaged_beside(tmp_path) is None
+    assert windows_runtime.packaged_runtime(tmp_path) is None

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.expect.scripted_match import ScriptedMatch
-from rcj_challenges.facts.messages import MOST_LETTERS, is_said, message_text, number_in, position_in
+from rcj_challenges.facts.messages import MAX_LETTERS, matches_text, message_text, number_in, position_in
 from rcj_challenges.scenario.load import load_text
 from tests.referee.building import emitting, payload
 
@@ -212,7 +212,7 @@ class TestMessages:
             (struct.pack("<9d", *range(9)), ""),
             (b"\xff\xfe!", "\ufffd\ufffd!"),
             (b"a\x07b", "a b"),
-            (b"x" * 500, "x" * MOST_LETTERS),
+            (b"x" * 500, "x" * MAX_LETTERS),
         ],
     )
     def test_bytes_are_read_as_text_or_as_one_or_two_doubles(self, data, text):
@@ -221,7 +221,7 @@ class TestMessages:
     @given(st.binary(max_size=600))
     def test_whatever_is_sent_is_one_printable_line(self, data):
         text = message_text(data)
-        assert len(text) <= MOST_LETTERS
+        assert len(text) <= MAX_LETTERS
         assert text.isprintable()
         assert text == text.strip()
 
@@ -255,7 +255,7 @@ class TestMessages:
          ("FALSE", False, True), ("a", "A", False)],
     )  # fmt: skip
     def test_numbers_are_compared_as_numbers_and_text_letter_by_letter(self, text, wanted, same):
-        assert is_said(text, wanted) is same
+        assert matches_text(text, wanted) is same
 
     @pytest.mark.parametrize("text", ["1" * 99 + " " + "1" * 99 + "x", "1" * 66 + "," + " " * 66 + "1" * 66 + "x"])
     def test_what_is_nearly_a_position_is_read_as_fast_as_one(self, text):

@@ -8,7 +8,7 @@ from rcj_challenges.records.result import read_result
 from rcj_challenges.records.testing import write_made_up_run
 from rcj_challenges.scenario.load import load
 from rcj_challenges.views.live.telling import live_facts
-from rcj_challenges.views.naming import told_apart
+from rcj_challenges.views.naming import distinct_names
 from rcj_challenges.views.replay import page
 from rcj_challenges.views.replay.things import visible_things
 from rcj_challenges.views.video.footage import Footage
@@ -25,11 +25,11 @@ TWICE = {"blue": "Hanse", "yellow": "Hanse"}
     ],
 )
 def test_names_that_look_the_same_are_told_with_their_seats(names: dict[str, str], shown: list[str]) -> None:
-    assert list(told_apart(names).values()) == shown
+    assert list(distinct_names(names).values()) == shown
 
 
 def test_a_seat_that_a_team_leaves_is_told_as_its_first() -> None:
-    assert told_apart(TWICE, sides_change=True) == {"blue": "Hanse (blue first)", "yellow": "Hanse (yellow first)"}
+    assert distinct_names(TWICE, sides_change=True) == {"blue": "Hanse (blue first)", "yellow": "Hanse (yellow first)"}
 
 
 def test_replay_live_page_and_pictures_tell_them_apart(tmp_path: Path) -> None:

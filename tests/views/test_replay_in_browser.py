@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from rcj_challenges.records.trajectory import Trajectory
-from rcj_challenges.views.palette import shown_colour
+from rcj_challenges.views.palette import css_colour
 from tests.views.browser_stage import NARROW, NO_WEBGL, WIDE, Stage, picture, settled, shown_moment, until
 from tests.views.replay_play import (
     BACK,
@@ -92,7 +92,7 @@ def test_goal_names_and_colours_the_team_that_scored_after_half_time_too(show: C
     page.click("#filters >> text=GOAL")
     chips = "[...document.querySelectorAll('.team .chip')].map((chip) => chip.style.background)"
     edges = "[...document.querySelectorAll('#events .goal')].map((row) => row.style.getPropertyValue('--team'))"
-    blue, yellow = shown_colour("blue"), shown_colour("yellow")
+    blue, yellow = css_colour("blue"), css_colour("yellow")
     for row, half, team, score, colours in (
         (0, 1, "Alster", ["0", "1"], [yellow, yellow, blue, blue]),  # seen from here Hanse, who scores later, is blue
         (2, 2, "Hanse", ["1", "2"], [blue, blue, yellow, yellow]),
@@ -192,8 +192,8 @@ def test_zones_gates_spots_and_heat_can_be_shown_in_their_owners_colours(show: C
     assert {"blue_goal", "middle", "half_way", "centre"} <= set(page.locator(".label.mark").all_inner_texts())
     assert picture(page) != before
     zones = {zone["name"]: zone["colour"] for zone in page.evaluate("replay.recording.facts.zones")}
-    assert zones["blue_penalty_area"] == zones["blue_goal"] == shown_colour("blue")
-    assert zones["yellow_penalty_area"] == shown_colour("yellow")
+    assert zones["blue_penalty_area"] == zones["blue_goal"] == css_colour("blue")
+    assert zones["yellow_penalty_area"] == css_colour("yellow")
     assert zones["middle"] is None
     page.click("#tab-show")
     page.select_option("#heat", label="ball")

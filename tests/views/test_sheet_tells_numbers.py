@@ -36,7 +36,7 @@ _OF_TESTS = (models.Expectation, models.ExpectedEvent, models.Given, models.Keyf
 _SHIPPED = ("match", "match_2021", "variants/precision_lidar_v2", "variants/fast_shooter_v2", "examples/hot_spot")
 """Beside the examples of the reference: what these do not show."""
 
-_MOST_LEAVES = 6
+_MAX_LEAVES = 6
 """So many leaves of a field are changed, one after the other, until one is told."""
 
 _NEEDS_NO_TELLING = {
@@ -291,7 +291,7 @@ def test_a_changed_number_is_on_the_sheet(field):
             return
         if tried:
             untold.append((leaf.path, leaf.value, tried))
-        if len(untold) >= _MOST_LEAVES:
+        if len(untold) >= _MAX_LEAVES:
             break
     assert untold, "nothing that is shipped shows this field"
     assert field in _NEEDS_NO_TELLING, untold

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from rcj_challenges.records.testing import write_made_up_run
-from rcj_challenges.views.palette import PALETTE, rgb, shown_colour
+from rcj_challenges.views.palette import PALETTE, css_colour, rgb
 from rcj_challenges.views.video.footage import Footage
 from rcj_challenges.views.video.scene import build_scene
 from tests.views.video_scenes import JUDGED_GATE, NO_GOALS, playing
@@ -64,7 +64,7 @@ def test_only_field_with_goals_has_a_halfway_line(footage, text, expected):
 def test_penalty_areas_have_their_owners_colours(footage):
     shown = playing(footage, "")
     for colour, y in (("blue", 0.59), ("yellow", -0.59)):
-        assert has_line(shown, (-0.35, y), (0.35, y), rgb(shown_colour(colour)))
+        assert has_line(shown, (-0.35, y), (0.35, y), rgb(css_colour(colour)))
 
 
 def test_each_robot_has_a_lid_with_its_number_and_a_shadow_on_the_floor(footage):

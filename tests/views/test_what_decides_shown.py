@@ -21,7 +21,7 @@ from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.live.feed import Feed
 from rcj_challenges.views.live.pace import MAX_SPEED, Pace
 from rcj_challenges.views.live.telling import LiveObserver
-from rcj_challenges.views.payloads import told_beside
+from rcj_challenges.views.payloads import extra_payload_text
 from rcj_challenges.views.replay import write_replay
 from rcj_challenges.views.standing import Counting, shows_score
 from rcj_challenges.views.video.footage import Footage
@@ -81,7 +81,7 @@ def test_a_number_has_no_superfluous_zeros(value: float, words: str) -> None:
 def test_a_payload_is_told_where_neither_sentence_nor_scoreboard_has_it(
     event: str, payload: dict[str, Any], says: str, told: str
 ) -> None:
-    assert told_beside(event, payload, says) == told
+    assert extra_payload_text(event, payload, says) == told
 
 
 def _scenario(**more: Any) -> Scenario:

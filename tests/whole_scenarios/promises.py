@@ -37,7 +37,7 @@ from tests.whole_scenarios.playing import played, puppet_show
 from tests.whole_scenarios.rewriting import says_more_of_rows, written_out
 from tests.whole_scenarios.wholes import without_what_is_refused
 
-MOST_CPU_S = 2.0
+MAX_CPU_S = 2.0
 FILE = "made_up.yaml"
 _SCHEMA = jsonschema.Draft202012Validator(scenario_schema())
 _OURS = re.compile(
@@ -57,7 +57,7 @@ class BrokenPromiseError(AssertionError):
 
 
 @contextmanager
-def promised(what: str, text: str, most_cpu_s: float = MOST_CPU_S) -> Iterator[None]:
+def promised(what: str, text: str, most_cpu_s: float = MAX_CPU_S) -> Iterator[None]:
     """Turn whatever goes wrong, and what takes too long, into a broken promise."""
     began = time.process_time()
     try:

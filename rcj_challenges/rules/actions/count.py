@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 from rcj_challenges.facts.amounts import round_score
 from rcj_challenges.rules.base import Action
 from rcj_challenges.rules.binder import Binder
-from rcj_challenges.rules.bounds import amount_bound, bounds_words, change_bound, taken_away
+from rcj_challenges.rules.bounds import amount_bound, bounds_words, change_bound, subtracted_parts
 from rcj_challenges.rules.fields import Name, described
 from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import COUNTER, WHOSE
@@ -90,6 +90,6 @@ expect:
             return f"{counter} is set to {amount_words(phrases, self.to)}{bounds}"
         if isinstance(self.by, int | float) and self.by < 0:
             return f"{counter} falls by {amount_words(phrases, -self.by)}{bounds}"
-        if taken := taken_away(self, self.by):
+        if taken := subtracted_parts(self, self.by):
             return f"{counter} falls by {amount_words(phrases, taken)}{bounds}"
         return f"{counter} grows by {amount_words(phrases, 1 if self.by is None else self.by)}{bounds}"

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 from rcj_challenges.facts.amounts import round_score
 from rcj_challenges.rules.base import Action
 from rcj_challenges.rules.binder import Binder
-from rcj_challenges.rules.bounds import bounds_words, change_bound, taken_away
+from rcj_challenges.rules.bounds import bounds_words, change_bound, subtracted_parts
 from rcj_challenges.rules.fields import Name, Strict, described
 from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import counted, plain
@@ -110,7 +110,7 @@ expect:
     def describe(self, phrases: Phrases) -> str:
         """Return the action as a clause: ``yellow gets 1 point``."""
         who, points, bounds = self.receiver(phrases), self.points, bounds_words(self, "score")
-        if taken := taken_away(self, points):
+        if taken := subtracted_parts(self, points):
             return f"{who} loses points: {amount_words(phrases, taken)}{bounds}"
         if not isinstance(points, int | float):
             return f"{who} gets points: {amount_words(phrases, points)}{bounds}"

@@ -110,9 +110,9 @@ class HoldTracker(TickTracker):
         if self._for == 0:
             self._next = self._next_after(tick, tick)
             if self._began is not None and self._every_s is None:
-                self.true_before = tick
-            elif self.true_before == tick:  # what begins with the half is put in its place in the same tick
-                self.true_before = None
+                self.already_true = tick
+            elif self.already_true == tick:  # what begins with the half is put in its place in the same tick
+                self.already_true = None
 
     def moved(self) -> None:
         """Reset, unless the condition is about several entities and held throughout."""

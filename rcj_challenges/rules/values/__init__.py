@@ -9,7 +9,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from rcj_challenges.facts.amounts import plain, round_score, within_most
+from rcj_challenges.facts.amounts import clamp_to_max, plain, round_score
 from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.rules.base import FormVocabulary, ValueWord
 from rcj_challenges.rules.binder import Scope
@@ -99,7 +99,7 @@ def compile_points(points: Points, to: Scope) -> Callable[[Firing], Number]:
     def total(firing: Firing) -> Number:
         summed: Number = 0
         for read, weight in parts:
-            summed += within_most(read(firing) * weight)  # each part: ∞ - ∞ would be no number
+            summed += clamp_to_max(read(firing) * weight)  # each part: ∞ - ∞ would be no number
         return round_score(summed)
 
     return total

@@ -21,9 +21,9 @@ MAX_NOISE_M = 5.0
 """Half of the largest field: from anywhere on it a place may be noised to anywhere else."""
 FARTHEST_M = 1000.0
 """A hundred times the largest field, for zones that shall have no end; squares of it are far from any overflow."""
-MOST_RAD = 1000.0
+MAX_RAD = 1000.0
 """159 turns; angles are kept as float32, and of a much larger one no digit would tell the direction."""
-MOST_SHARE = 1000.0
+MAX_SHARE = 1000.0
 """Of a noise as a share of what is measured: nothing of that is left at a hundredth of it."""
 SMALLEST_M, LARGEST_M = 0.001, 10.0
 """Of bodies, walls and goals: a millimetre, which contacts still resolve, to the largest field."""
@@ -40,7 +40,7 @@ _SIZES = frozenset(
 _PLACES = frozenset({"point", "on_line", "choice", "to", "from_", "towards", "distance", "tells"})
 """Fields that may hold points, and do not say so by their unit."""
 _Range = tuple[float, float, str]
-_ANGLE: _Range = (-MOST_RAD, MOST_RAD, " rad")
+_ANGLE: _Range = (-MAX_RAD, MAX_RAD, " rad")
 _BY_NAME: dict[str, _Range] = {
     "noise_m": (0.0, MAX_NOISE_M, " m"),
     # Durations that may be 0; all others have their bounds in the models.
@@ -48,7 +48,7 @@ _BY_NAME: dict[str, _Range] = {
     "facing": _ANGLE,
     # Of a keyframe: x and y in m, and yaw in rad.
     **dict.fromkeys(("place", "move"), (-FARTHEST_M, FARTHEST_M, "")),
-    **dict.fromkeys(("noise", "strength_noise"), (0.0, MOST_SHARE, "")),
+    **dict.fromkeys(("noise", "strength_noise"), (0.0, MAX_SHARE, "")),
 }
 
 

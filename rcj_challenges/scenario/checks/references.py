@@ -32,13 +32,13 @@ from rcj_challenges.rules.values.term import term_of
 from rcj_challenges.rules.values.timer import NumberTimer
 from rcj_challenges.scenario.checks.removal import of_removed
 from rcj_challenges.scenario.errors import MAX_FOUND, choice_of, listing
-from rcj_challenges.scenario.messages.wording import found_text, quoted, spelled
+from rcj_challenges.scenario.messages.wording import format_node, quoted, spelled
 from rcj_challenges.scenario.models import places, state
 from rcj_challenges.scenario.models.robots import Entrant, Kit
 from rcj_challenges.scenario.models.scenario import Expectation, Rule, Scenario
 from rcj_challenges.scenario.roster import BOUND, EACH, OTHER, Roster, texts, touched
 from rcj_challenges.scenario.shape import Shape, bare, chosen, fields, is_model, step_into
-from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, child, node_at, shown_path
+from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, child, format_path, node_at
 from rcj_challenges.scenario.walk import Issue
 
 _UNKNOWN = {
@@ -121,7 +121,7 @@ class _Walker:
         """Add what is wrong with a value of a draw, once for all the words that use it."""
         if (*path, message) not in self.reported:
             self.reported.add((*path, message))
-            self.add(code, path, f"{message} (needed by {shown_path(self.root, user)})", help_)
+            self.add(code, path, f"{message} (needed by {format_path(self.root, user)})", help_)
 
     # --- one mapping --------------------------------------------------------------------------------------------------
 
@@ -287,7 +287,7 @@ class _Walker:
         plain = Ref(reference.noun, reference.kinds) if isinstance(reference, Ref) else reference
         for at, value in self._values_of(Leaf(draw, self.root.mark)):
             if not isinstance(value.value, str):
-                self._add_once("wrong-value", at, f"expected {_a(reference.noun)}, found {found_text(value)}", user)
+                self._add_once("wrong-value", at, f"expected {_a(reference.noun)}, found {format_node(value)}", user)
             elif wrong := self._wrong(plain, value.value, at, Scope()):
                 self._add_once(wrong[0], at, wrong[1], user, wrong[2])
 
@@ -319,7 +319,7 @@ class _Walker:
         if not any(type(value.value) is type(one) and value.value == one for one in known):
             names = [quoted(one) if isinstance(one, str) else spelled(one) for one in known]
             help_ = choice_of(spelled(value.value), names)
-            self.add("never-drawn", path, f"{found_text(value)} is never drawn", help_)
+            self.add("never-drawn", path, f"{format_node(value)} is never drawn", help_)
 
     # --- what a reference cannot say ----------------------------------------------------------------------------------
 
@@ -457,13 +457,13 @@ _RELATIONS: dict[Any, Callable[[_Walker, Entries, Path, Scope], None]] = {
 
 
 def _no_number(value: Leaf) -> str:
-    return f"expected a number, found {found_text(value)}" if isinstance(value.value, (str, bool)) else ""
+    return f"expected a number, found {format_node(value)}" if isinstance(value.value, (str, bool)) else ""
 
 
 def _within(least: float, most: float, what: str) -> Callable[[Leaf], str]:
     def wrong(value: Leaf) -> str:
         is_within = isinstance(value.value, int | float) and least <= value.value <= most
-        return _no_number(value) or ("" if is_within else f"{what}, found {found_text(value)}")
+        return _no_number(value) or ("" if is_within else f"{what}, found {format_node(value)}")
 
     return wrong
 

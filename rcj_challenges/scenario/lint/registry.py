@@ -11,7 +11,7 @@ from rcj_challenges.scenario.lint.base import LintRule
 from rcj_challenges.scenario.lint.context import LintContext
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.scenario.reading.repeated_rules import merged
-from rcj_challenges.scenario.tree import Leaf, mark_of, node_at, shown_path
+from rcj_challenges.scenario.tree import Leaf, format_path, mark_of, node_at
 
 LINT_RULES: tuple[LintRule, ...] = (
     flow.PhaseNeverEntered(),
@@ -62,7 +62,7 @@ def lint(loaded: Loaded) -> list[Diagnostic]:
             mark = mark_of(tree, suspicion.path, at_key=suspicion.at_key)
             leaf = node_at(tree, suspicion.path)
             note = f" ({leaf.note})" if isinstance(leaf, Leaf) and leaf.note else ""
-            path = shown_path(tree, suspicion.path)
+            path = format_path(tree, suspicion.path)
             one = mark.error(suspicion.code, suspicion.message + note, suspicion.help, path)
             found.append(replace(one, severity="warning"))
     # What holds for several rules that came from one repeated rule is reported once, of that one.

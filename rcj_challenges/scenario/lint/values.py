@@ -25,7 +25,7 @@ from rcj_challenges.rules.triggers.no_progress import NoProgress
 from rcj_challenges.rules.triggers.stays_in import StaysIn
 from rcj_challenges.rules.triggers.time_reached import TimeReached
 from rcj_challenges.scenario.errors import choice_of
-from rcj_challenges.scenario.halves import MOST_LENGTHS, clock_may_stop, longest_half_s
+from rcj_challenges.scenario.halves import MAX_LENGTHS, clock_may_stop, longest_half_s
 from rcj_challenges.scenario.lint.base import LintRule, Suspicion
 from rcj_challenges.scenario.lint.context import LintContext, is_active_in, longest_s
 from rcj_challenges.scenario.models.places import Placing
@@ -46,7 +46,7 @@ class LimitTooLong(LintRule):
     def check(self, ctx: LintContext) -> Iterator[Suspicion]:
         """Yield durations that the half, or the phases of a rule, cannot contain."""
         longest_half = longest_half_s(ctx.scenario.match)
-        playing_s = longest_half * (MOST_LENGTHS if clock_may_stop(ctx.scenario) else 1)
+        playing_s = longest_half * (MAX_LENGTHS if clock_may_stop(ctx.scenario) else 1)
         for model, path in ctx.models:
             for key, seconds in _durations(model, ctx):
                 after_s = longest_half if isinstance(model, TimeReached) else playing_s

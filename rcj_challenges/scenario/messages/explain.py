@@ -19,7 +19,7 @@ from rcj_challenges.rules.places import At
 from rcj_challenges.rules.triggers import AnyTrigger
 from rcj_challenges.scenario.errors import MAX_FOUND, choice_of, did_you_mean, nearest
 from rcj_challenges.scenario.messages.synonyms import OTHER_KEYS, OTHER_WORDS
-from rcj_challenges.scenario.messages.wording import NAME_RULE, expected, found_text, is_fixed, quoted, refusal
+from rcj_challenges.scenario.messages.wording import NAME_RULE, expected, format_node, is_fixed, quoted, refusal
 from rcj_challenges.scenario.shape import (
     Shape,
     bare,
@@ -257,7 +257,7 @@ class _Explainer:
         if tag is None:
             help_ = _with_its_key(mistake.shape, node) or choice_of("", words)
             return self._at(mistake.path, "missing-key", f"'{discriminator}' is missing", help_)
-        written = str(tag.value) if isinstance(tag, Leaf) else found_text(tag)
+        written = str(tag.value) if isinstance(tag, Leaf) else format_node(tag)
         help_ = (
             OTHER_WORDS.get((discriminator, written.casefold()))
             or _of_another_list(written, discriminator)

@@ -32,7 +32,7 @@ _SPECIAL: tuple[tuple[Any, str], ...] = (
 )
 
 
-def found_text(node: Node | None) -> str:
+def format_node(node: Node | None) -> str:
     """Return a value as authors write it, for ``found …``."""
     if isinstance(node, Entries):
         return f"a mapping with {listing(map(cut, node.entries), 6)}" if node.entries else "an empty mapping"
@@ -57,7 +57,7 @@ def quoted(text: str) -> str:
 
 def expected(shape: Shape, node: Node | None) -> str:
     """Return the message about a value of the wrong form."""
-    return f"expected {expectation(shape)}, found {found_text(node)}"
+    return f"expected {expectation(shape)}, found {format_node(node)}"
 
 
 def expectation(shape: Shape) -> str:  # noqa: PLR0911 - one for each kind of shape
@@ -128,16 +128,16 @@ def refusal(kind: str, details: Mapping[str, Any], shape: Shape, node: Node | No
         bound = _BOUNDS[kind](context)
         if context.get("ge") == TICK_S:
             bound = f"a duration must be at least one tick ({TICK_S} s)"
-        return f"{bound}, found {found_text(node)}", ""
+        return f"{bound}, found {format_node(node)}", ""
     if kind in ("string_pattern_mismatch", "unknown_colour"):
         return _wrong_form(shape, node)
     if kind in _LENGTHS and not is_fixed(shape):
         bound, key, unit = _LENGTHS[kind]
-        return f"must have {bound} {counted(context[key], *unit)}, found {found_text(node)}", ""
+        return f"must have {bound} {counted(context[key], *unit)}, found {format_node(node)}", ""
     if kind.endswith(("_type", "_error", "_parsing", "_from_float", "too_long", "too_short")):
         return expected(shape, node), as_it_is_written(shape, node)
     message = str(details["msg"])
-    return f"{message[:1].lower()}{message[1:]}, found {found_text(node)}", ""
+    return f"{message[:1].lower()}{message[1:]}, found {format_node(node)}", ""
 
 
 def is_fixed(shape: Shape) -> bool:
@@ -189,7 +189,7 @@ def _literals(shape: Shape) -> tuple[Any, ...]:
 
 
 def _wrong_form(shape: Shape, node: Node | None) -> tuple[str, str]:
-    shape, shown = without_none(shape), found_text(node)
+    shape, shown = without_none(shape), format_node(node)
     if shape == EventName:
         return f"{shown} is not an event's name", "capitals, digits and _, such as GOAL"
     if shape == Colour:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from rcj_challenges.facts.amounts import plain
 from rcj_challenges.scenario.errors import choice_of
-from rcj_challenges.scenario.messages.wording import expected, found_text
+from rcj_challenges.scenario.messages.wording import expected, format_node
 from rcj_challenges.scenario.reading.yaml_strict import INT_LIMIT
 from rcj_challenges.scenario.tree import Entries, Leaf, Mark, Node
 
@@ -50,12 +50,12 @@ def param_value(use: Entries, name: str, value: Leaf) -> tuple[Leaf, list[Refusa
     factors = {key: use.entries[key] for key in (TIMES, PLUS) if key in use.entries}
     number = value.value
     if factors and (isinstance(number, (str, bool)) or number is None):
-        message = f"param '{name}' is {found_text(value)}"
+        message = f"param '{name}' is {format_node(value)}"
         refused.append(Refusal(mark, "", message, "times and plus are for numbers"))
     # A number that was left empty, or is null, has been reported already.
     if refused or any(isinstance(one, Leaf) and one.value is None for one in factors.values()):
         return unknown, refused
-    formula = "".join(f" {key} {found_text(one)}" for key, one in factors.items())
+    formula = "".join(f" {key} {format_node(one)}" for key, one in factors.items())
     if isinstance(number, (int, float)) and factors:
         number = _result(number, _number(factors.get(TIMES), 1), _number(factors.get(PLUS), 0))
         if not (-INT_LIMIT <= number < INT_LIMIT if isinstance(number, int) else isfinite(number)):

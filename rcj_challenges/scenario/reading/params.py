@@ -12,7 +12,7 @@ from typing import get_origin
 
 from rcj_challenges.facts.diagnostics import Diagnostic
 from rcj_challenges.scenario.errors import ScenarioError, choice_of, cut, listing
-from rcj_challenges.scenario.messages.wording import found_text
+from rcj_challenges.scenario.messages.wording import format_node
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.reading.merge import Merger, is_param, make_way, of_repeated
 from rcj_challenges.scenario.reading.param_value import KEYS, param_value
@@ -250,7 +250,7 @@ class Resolver:
     def _listed(self, node: Entries, name: str, value: Items, path: Path) -> Leaf | Items:
         mark = node.entries["param"].mark
         if len(node.entries) > 1:
-            message = f"param '{name}' is {found_text(value)}"
+            message = f"param '{name}' is {format_node(value)}"
             self._add("wrong-param-use", path, mark, message, "nothing can stand beside it")
             return Leaf(None, mark, note="unknown param")
         leaves = (item for item in value.items if isinstance(item, Leaf))

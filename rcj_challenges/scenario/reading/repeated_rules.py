@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 from rcj_challenges.facts.diagnostics import Diagnostic
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.errors import listing, nearest, place_of
-from rcj_challenges.scenario.messages.wording import NAME_RULE, found_text, quoted
+from rcj_challenges.scenario.messages.wording import NAME_RULE, format_node, quoted
 from rcj_challenges.scenario.models.scenario import MAX_ROWS, Rule
 from rcj_challenges.scenario.placeholders import PLACEHOLDERS, filled, placeholders_in
 from rcj_challenges.scenario.reading.merge import Merger, Repeated, is_param
@@ -142,17 +142,17 @@ def _fill(root: Entries, name: str, values: Mapping[str, Leaf | Items], merger: 
     if isinstance(says, Leaf) and isinstance(says.value, str):
         written = says.value
         # As for params, a placeholder that is filled in when the rule fires takes precedence over a value of its name.
-        known = {key: _spoken(value) for key, value in values.items() if key not in PLACEHOLDERS}
+        known = {key: _as_words(value) for key, value in values.items() if key not in PLACEHOLDERS}
         says.value = filled(says.value, {key: value for key, value in known.items() if value is not None})
         begins = known.get(THIS)
         if isinstance(begins, str) and written.startswith(f"{{{THIS}}}"):
             says.value = begins[:1].upper() + says.value[1:]
 
 
-def _spoken(value: Leaf | Items) -> Scalar | list[Scalar] | None:
+def _as_words(value: Leaf | Items) -> Scalar | list[Scalar] | None:
     """Return a value as it stands in a sentence, names with blanks."""
     if isinstance(value, Items):
-        words = (_spoken(one) for one in value.items if isinstance(one, Leaf))
+        words = (_as_words(one) for one in value.items if isinstance(one, Leaf))
         return [one for one in words if one is not None and not isinstance(one, list)]
     return value.value.replace("_", " ") if isinstance(value.value, str) else value.value
 
@@ -178,13 +178,13 @@ class _Reader:
             return []
         if isinstance(node, Leaf):
             if node.value is not None:  # else it has been reported as an empty value, or as a null
-                self._add((), node.mark, f"expected names, found {found_text(node)}", f"write {_FORMS}")
+                self._add((), node.mark, f"expected names, found {format_node(node)}", f"write {_FORMS}")
             return []
         rows = list(self._listed(node) if isinstance(node, Items) else self._by_name(node))
         count = len(node.items if isinstance(node, Items) else node.entries)
         if not 1 <= count <= MAX_ROWS:
             amount = f"at most {MAX_ROWS} names" if count else "at least one name"
-            self._add((), node.mark, f"must have {amount}, found {found_text(node)}", f"write {_FORMS}")
+            self._add((), node.mark, f"must have {amount}, found {format_node(node)}", f"write {_FORMS}")
             return []
         self._hidden(rows)
         self._same_keys(rows)
@@ -199,7 +199,7 @@ class _Reader:
             if isinstance(item, Leaf) and item.value is None:
                 continue  # reported as an empty entry
             if not isinstance(item, Leaf) or not isinstance(item.value, str):
-                self._add((index,), item.mark, f"expected a name, found {found_text(item)}")
+                self._add((index,), item.mark, f"expected a name, found {format_node(item)}")
             elif item.value in seen:
                 self._add((index,), item.mark, f"'{item.value}' stands here twice")
             elif self._is_name(item.value, (index,), item.mark):
@@ -215,7 +215,7 @@ class _Reader:
                 if self._is_name(name, (name,), mark):
                     yield _Row(name, mark, name, inner.entries, inner.key_marks)
             elif not isinstance(inner, Leaf) or inner.value is not None:
-                message = f"expected a mapping with the values of '{name}', found {found_text(inner)}"
+                message = f"expected a mapping with the values of '{name}', found {format_node(inner)}"
                 self._add((name,), inner.mark, message)
 
     def _is_name(self, name: str, at: Path, mark: Mark) -> bool:
@@ -282,7 +282,7 @@ class _Reader:
         if isinstance(node, Entries) and is_param(node):
             value = Resolver(self.root, self.params, self.problems).stood_for(node, self._path(at))
             return value if isinstance(value, Leaf) else Leaf(None, node.mark)
-        self._add(at, node.mark, f"expected {wanted}, found {found_text(node)}")
+        self._add(at, node.mark, f"expected {wanted}, found {format_node(node)}")
         return Leaf(None, node.mark)
 
     def _is_free(self, row: _Row, taken: dict[str, Mark]) -> bool:

@@ -33,7 +33,7 @@ from rcj_challenges.views.replay.page import page_text
 from rcj_challenges.views.sentences import clock
 from rcj_challenges.views.stats import DEFINITIONS, run_stats, stats_as_json
 
-_MOST_EVENTS = 400
+_MAX_EVENTS = 400
 _FIGURES = tuple(key for key in DEFINITIONS if key not in ("faults", "calls"))
 _ROUTINE = ("MATCH_START", "MATCH_FINISH", "KICKOFF")
 """Events that a reader of a report does not miss; the replay has them."""
@@ -187,7 +187,7 @@ def moments(replay: ReplayData | None, result: Mapping[str, Any]) -> list[Moment
             )
             for event in result.get("events", ())
         ]
-    return [moment for moment in found if moment.name not in _ROUTINE][:_MOST_EVENTS]
+    return [moment for moment in found if moment.name not in _ROUTINE][:_MAX_EVENTS]
 
 
 def _about(event: Mapping[str, Any]) -> str:

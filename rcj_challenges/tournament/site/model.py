@@ -16,7 +16,7 @@ from rcj_challenges.tournament.played import PlayedMatch
 from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Ruled, Side, StageState, humanized
 from rcj_challenges.tournament.site.public import fault_counts
 from rcj_challenges.tournament.site.source import SiteSource
-from rcj_challenges.views.naming import told_apart
+from rcj_challenges.views.naming import distinct_names
 
 _LONGEST_NAME = 60
 _LONGEST_SLUG = 120
@@ -32,7 +32,7 @@ def slug(identifier: str) -> str:
     return f"{_NOT_IN_SLUGS.sub('_', name)[:_LONGEST_SLUG]}.{digest}"
 
 
-def _shown(name: str) -> str:
+def _clean_name(name: str) -> str:
     """Return a name without what would move its surroundings, or what UTF-8 cannot hold."""
     return sanitize(name, _LONGEST_NAME).encode("utf-8", "replace").decode().strip()
 
@@ -146,8 +146,8 @@ class Season:
         self.source = source
         self.state = source.state
         self.teams = source.state.teams
-        shown = {team.id: _shown(team.name) or team.id for team in self.teams.values()}
-        self._names = told_apart(shown)
+        shown = {team.id: _clean_name(team.name) or team.id for team in self.teams.values()}
+        self._names = distinct_names(shown)
 
     def name(self, team: str) -> str:
         """Return what a team is called: without control characters, never empty, no two alike."""

@@ -11,8 +11,8 @@ from rcj_challenges.facts.measures import number_words
 from rcj_challenges.tournament.site.render import escaped, fitted
 
 _WIDTH = 360
-_MOST_LABEL_LETTERS = 16
-_MOST_TICKS_Y = 5
+_MAX_LABEL_LETTERS = 16
+_MAX_TICKS_Y = 5
 
 
 def score_plot(names: Sequence[str], halves: Sequence[tuple[float, Sequence[tuple[float, Sequence[float]]]]]) -> Markup:
@@ -107,7 +107,7 @@ def distribution_plot(values: Mapping[str, Sequence[float]], unit: str) -> Marku
         y = top + row * (at + 0.5)
         parts.append(
             f'<text class="name" x="{left - 8}" y="{y + 4:.1f}" text-anchor="end">'
-            f"{escaped(fitted(name, _MOST_LABEL_LETTERS))}</text>"
+            f"{escaped(fitted(name, _MAX_LABEL_LETTERS))}</text>"
         )
         parts += [
             f'<circle class="dot" cx="{x(value):.1f}" cy="{y:.1f}" r="4">'
@@ -132,11 +132,11 @@ def _picture(content: str, wide: float, tall: float, about: str) -> Markup:
 
 
 def _ticks(low: float, high: float, least_step: float = 1e-6) -> list[float]:
-    """Return up to `_MOST_TICKS_Y` round numbers of a range; ``least_step`` is a power of ten."""
+    """Return up to `_MAX_TICKS_Y` round numbers of a range; ``least_step`` is a power of ten."""
     step = least_step
     factors = (2, 2.5, 2)
     at = 0
-    while (high - low) / step > _MOST_TICKS_Y - 1:
+    while (high - low) / step > _MAX_TICKS_Y - 1:
         step *= factors[at % 3]
         at += 1
     first = -(-low // step)

@@ -12,7 +12,7 @@ from rcj_challenges.tournament.season import humanized
 from rcj_challenges.tournament.site.model import MatchView, Season, slug
 
 _FOLD_BYTES = 73
-_MOST_NEWS = 100
+_MAX_NEWS = 100
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,7 +124,7 @@ def as_feed(season: Season) -> str:
         feed["description"] = source.description
     if source.url:
         feed |= {"home_page_url": f"{source.url}index.html", "feed_url": f"{source.url}feed.json"}
-    feed["items"] = [_item(season, match) for match in season.latest[:_MOST_NEWS]]
+    feed["items"] = [_item(season, match) for match in season.latest[:_MAX_NEWS]]
     return json.dumps(feed, ensure_ascii=False, indent=1) + "\n"
 
 

@@ -26,8 +26,8 @@ from rcj_challenges.views.drawing.shapes import (
     goal_floor,
     point_words,
     shifted,
-    shown_line,
     turned,
+    visible_line,
     zone_outline,
 )
 from rcj_challenges.views.drawing.zones import BLACK, corner_inside, draw_zones, fill_colour
@@ -185,7 +185,7 @@ def _gates(paper: Paper, scenario: Scenario) -> Section:
         if gate.anchor is not None:
             x_m, y_m, yaw_rad = start_pose(scenario, gate.anchor)
             ends = turned(ends, (x_m, y_m), yaw_rad)
-        shown = shown_line(ends[0], ends[1], scenario.field)
+        shown = visible_line(ends[0], ends[1], scenario.field)
         number = "" if shown is None else paper.new_number()
         if shown is not None:
             paper.line(*shown, f'stroke="{_GATE}" stroke-width="3"', name)

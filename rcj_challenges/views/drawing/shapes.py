@@ -23,7 +23,7 @@ def zone_outline(zone: Zone, bounds: Box) -> list[Point]:
     return outline
 
 
-def shown_outline(zone: Zone, field: FieldModel, paper: Box) -> list[Point]:
+def visible_outline(zone: Zone, field: FieldModel, paper: Box) -> list[Point]:
     """Return the part of a zone's outline that is drawn, without regard to ``inverted``; empty if there is none.
 
     A zone with an open side ends at the walls, because it would cover the goals and everything around the field. If it
@@ -131,7 +131,7 @@ def corners_of(bounds: Box) -> list[Point]:
     return [(left, top), (right, top), (right, bottom), (left, bottom)]
 
 
-def shown_line(start: Point, end: Point, field: FieldModel) -> tuple[Point, Point] | None:
+def visible_line(start: Point, end: Point, field: FieldModel) -> tuple[Point, Point] | None:
     """Return the part of a line inside the walls; None if there is none.
 
     A line that ends outside is cut at the walls, or where the goals end if none of it is on the floor.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rcj_challenges.facts.colours import hex_colour
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.drawing.paper import MARKER_PX, Entry, Paper, Section
-from rcj_challenges.views.drawing.shapes import Point, corners_of, floor_outline, middle, shown_outline, zone_words
+from rcj_challenges.views.drawing.shapes import Point, corners_of, floor_outline, middle, visible_outline, zone_words
 
 BLACK = "#161c24"
 # Dark enough for white numbers; none of these is near orange.
@@ -20,7 +20,7 @@ def draw_zones(paper: Paper, scenario: Scenario) -> Section:
         colour, marker = (fill_colour(zone.colour), BLACK) if zone.colour else (marker, marker)
         dash = "" if zone.drawn else ' stroke-dasharray="6 4"'
         style = f'fill="{colour}" fill-opacity="0.06" stroke="{colour}" stroke-width="1.5"{dash}'
-        area = shown_outline(zone, scenario.field, paper.bounds)
+        area = visible_outline(zone, scenario.field, paper.bounds)
         if zone.inverted:
             whole = corners_of(paper.bounds)
             both = " ".join(paper.outline(outline) for outline in (whole, area) if outline)

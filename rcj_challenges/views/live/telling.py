@@ -21,7 +21,7 @@ from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.live.feed import Feed, poses, said
 from rcj_challenges.views.live.pace import Pace
 from rcj_challenges.views.live.senses import HalfSenses
-from rcj_challenges.views.naming import changes_sides, told_apart
+from rcj_challenges.views.naming import changes_sides, distinct_names
 from rcj_challenges.views.replay.packing import FINEST_M, put_at_start, rounded_poses, units
 from rcj_challenges.views.replay.page import fault_detail, team_facts
 from rcj_challenges.views.replay.story import EventFacts, half_facts
@@ -44,7 +44,7 @@ def live_facts(scenario: Scenario, titles: dict[str, str], seed: int) -> dict[st
         seed: of the match.
     """
     names = {team: titles.get(team) or team for team in scenario.entrants}
-    apart = told_apart(names, sides_change=changes_sides(scenario))
+    apart = distinct_names(names, sides_change=changes_sides(scenario))
     return {
         "tick_s": TICK_S,
         **visible_things(scenario),
@@ -110,7 +110,7 @@ class LiveObserver(NullObserver):
             self._builder.begin_half(half)
             named = {half.teams[seat]: name for seat, name in half.team_names.items() if name}
             self._event_facts = EventFacts(
-                self._scenario, told_apart(named, sides_change=changes_sides(self._scenario))
+                self._scenario, distinct_names(named, sides_change=changes_sides(self._scenario))
             )
             self._feed.append(said({"say": "half", "facts": self._half_facts(half)}))
 

@@ -41,9 +41,9 @@ from rcj_challenges.views.scoreboard import ranking_rows
 from rcj_challenges.views.timeline import HalfTimeline, timeline_of
 
 SCRIPTS = (
-    "element", "maths", "colourMaths", "recording", "embedded", "mesh", "ground", "bodies", "overlays", "painter",
-    "scene", "canvas2d", "camera", "pointerInput", "labels", "board", "player", "transport", "eventlist", "robotlist", "sensors",
-    "output", "heat", "logos", "panels", "app", "start",
+    "element", "maths", "colourMaths", "recording", "embedded", "mesh", "ground", "bodies", "overlays",
+    "painter", "scene", "canvas2d", "camera", "pointerInput", "labels", "board", "player", "transport",
+    "eventlist", "robotlist", "sensors", "output", "heat", "logos", "panels", "app", "start",
 )  # fmt: skip
 """The parts of the viewer in the order in which they are joined: what is used stands before what uses it."""
 

@@ -78,7 +78,7 @@ def robot_facts(robot: SensedRobot) -> dict[str, Any]:
             {
                 "name": device.name,
                 "kind": device.kind,
-                "columns": _shown_width(device),
+                "columns": _panel_width(device),
                 "facts": _page_facts(device),
             }
             for device in robot.devices
@@ -158,7 +158,7 @@ def _floats(track: SensorTrack, at: int) -> Array:
     return track.motors[:, at - robot.values - FLOATS_PER_PACKET * robot.packets]
 
 
-def _shown_width(device: DeviceSpec) -> int:
+def _panel_width(device: DeviceSpec) -> int:
     return -(-device.width // _stride(device)) + device_of_class(device.kind).SHOWS_SPEED
 
 

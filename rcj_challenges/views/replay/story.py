@@ -16,14 +16,14 @@ from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.phrasing import quoted
 from rcj_challenges.rules.triggers import TRIGGERS
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.views.palette import shown_colour
-from rcj_challenges.views.payloads import told_beside
+from rcj_challenges.views.palette import css_colour
+from rcj_challenges.views.payloads import extra_payload_text
 from rcj_challenges.views.sentences import fault_sentence
 from rcj_challenges.views.timeline import POINTS, HalfTimeline, Timeline, TimelineEvent
 
 _QUIET = ("MATCH_START", "MATCH_FINISH", "KICKOFF")
 _LONGEST_TEXT = 2_000
-_MOST_CHANGES = 2_000
+_MAX_CHANGES = 2_000
 """Of what is counted in a half, so many changes are on the page: about 40 bytes each."""
 
 _UNITS = {
@@ -37,7 +37,7 @@ _UNITS = {
 def half_facts(half: HalfTimeline, ticks: int) -> dict[str, Any]:
     """Return what changed in a half, as the page has it: a list for each thing, ``[tick, value]`` in order."""
     # A rule that counts in each tick would fill the page: of each stretch only the last value is kept.
-    stretch = 1 if len(half.counted) <= _MOST_CHANGES else ticks // _MOST_CHANGES + 1
+    stretch = 1 if len(half.counted) <= _MAX_CHANGES else ticks // _MAX_CHANGES + 1
     return {
         "sides": dict(half.teams),
         "scores": dict(half.first_score),
@@ -62,7 +62,7 @@ class EventFacts:
         self._seats = tuple(scenario.entrants)
         self._names = {seat: entrant.title or seat for seat, entrant in scenario.entrants.items()} | dict(names)
         self._colours = {
-            seat: shown_colour(scenario.robots[next(iter(entrant.robots))].colour)
+            seat: css_colour(scenario.robots[next(iter(entrant.robots))].colour)
             for seat, entrant in scenario.entrants.items()
             if next(iter(entrant.robots), None) in scenario.robots
         }
@@ -82,7 +82,7 @@ class EventFacts:
         payload = self._points(event, teams) if name == POINTS and cause is not None else event.payload
         says, reason = _short(cause.says if cause is not None else ""), self._reason(cause)
         about = reason if reason and self._leaves_open(cause) else says
-        beside = [reason if about != reason else "", told_beside(name, payload, says)]
+        beside = [reason if about != reason else "", extra_payload_text(name, payload, says)]
         if fault is not None:
             about, says, beside = fault_sentence(fault), _short(fault.traceback or fault.detail), []
         told = _short(" · ".join(filter(None, beside)), 300)

@@ -12,7 +12,7 @@ from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.set_spots import fixed_spots
 from rcj_challenges.scenario.walk import walk
-from rcj_challenges.views.palette import shown_colour
+from rcj_challenges.views.palette import css_colour
 from rcj_challenges.views.standing import counted_names, shows_score
 
 
@@ -56,12 +56,12 @@ def zone_colour(scenario: Scenario, name: str) -> str | None:
     seat = name.partition("_")[0]
     if own is None and seat in scenario.entrants:
         return _seat_colour(scenario, seat)
-    return None if own is None else shown_colour(own)
+    return None if own is None else css_colour(own)
 
 
 def _coloured(thing: BaseModel) -> dict[str, Any]:
     fields = thing.model_dump(mode="json")
-    return {**fields, "colour": shown_colour(fields["colour"])}
+    return {**fields, "colour": css_colour(fields["colour"])}
 
 
 def _used_gates(scenario: Scenario, roster: Roster) -> set[str]:
@@ -90,7 +90,7 @@ def _entity(scenario: Scenario, name: str) -> dict[str, Any]:
         return _robot(scenario, name)
     if name in scenario.balls:
         ball = scenario.balls[name]
-        return {"name": name, "kind": "ball", "radius_m": ball.radius_m, "colour": shown_colour(ball.colour)}
+        return {"name": name, "kind": "ball", "radius_m": ball.radius_m, "colour": css_colour(ball.colour)}
     obstacle = scenario.obstacles[name]
     if isinstance(obstacle, Wall):  # a roster has movable obstacles only, and a wall is none
         raise TypeError(f"{name} is a wall and cannot move")
@@ -106,7 +106,7 @@ def _robot(scenario: Scenario, name: str) -> dict[str, Any]:
         "name": name,
         "kind": "robot",
         "number": robot.number,
-        "colour": shown_colour(robot.colour),
+        "colour": css_colour(robot.colour),
         "seat": seat,
         "idle": robot.idle,
         "front": 1 if kit.looks_along == "+x" else -1,
@@ -120,7 +120,7 @@ def _robot(scenario: Scenario, name: str) -> dict[str, Any]:
 def _seat_colour(scenario: Scenario, name: str) -> str:
     robots = scenario.entrants[name].robots
     colours = [scenario.robots[robot].colour for robot in robots if robot in scenario.robots]
-    return shown_colour(colours[0] if colours else "grey")
+    return css_colour(colours[0] if colours else "grey")
 
 
 def _seat(scenario: Scenario, name: str) -> dict[str, Any]:

@@ -32,13 +32,13 @@ from rcj_challenges.views.sheet.field import field_blocks
 from rcj_challenges.views.sheet.phrasebook import Phrasebook
 from rcj_challenges.views.sheet.programs import program_sections
 from rcj_challenges.views.sheet.robots import has, robot_blocks
-from rcj_challenges.views.sheet.rules import rule_blocks, shown_rules, when_words
+from rcj_challenges.views.sheet.rules import rule_blocks, rules_on_sheet, when_words
 from rcj_challenges.views.sheet.spoken import spoken
 
 
 def sheet_of(scenario: Scenario, roster: Roster) -> Sheet:
     """Return the rule sheet of a scenario."""
-    phrases, rules = Phrasebook(scenario, roster), shown_rules(scenario)
+    phrases, rules = Phrasebook(scenario, roster), rules_on_sheet(scenario)
     lead = [
         Section("The match", tuple(_match(scenario))),
         Section("Scoring", tuple(_scoring(scenario, phrases, rules))),

@@ -7,7 +7,7 @@ import struct
 from collections.abc import Iterator, Mapping, Sequence
 
 from rcj_challenges.devices.supervisor_receiver import SupervisorReceiverDevice
-from rcj_challenges.facts.messages import MOST_LETTERS
+from rcj_challenges.facts.messages import MAX_LETTERS
 from rcj_challenges.facts.timing import TICK_MS
 from rcj_challenges.robots.channels import entrant_of, listening_channels
 from rcj_challenges.rules.actions.emit import Emit
@@ -155,7 +155,7 @@ def _sent(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
         who, where = phrases.all_of(tuple(names)).text, listed([str(channel) for channel in channels], "or")
         yield (
             f"The referee receives what {who} {'sends' if len(names) == 1 else 'send'} with the team emitter on "
-            f"channel {where}: text of up to {MOST_LETTERS} letters, or one or two numbers. In a tick it receives one "
+            f"channel {where}: text of up to {MAX_LETTERS} letters, or one or two numbers. In a tick it receives one "
             "message of each robot, the tick after it is sent at the earliest; other robots do not receive it. In "
             "Python: "
             f'emitter.setChannel({channels[0]}), emitter.send("…"), then back to the own channel.'

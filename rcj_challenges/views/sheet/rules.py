@@ -58,7 +58,7 @@ _NOTES: dict[str, tuple[type, ...]] = {
 """What holds for all rules that use one of some words."""
 
 
-def shown_rules(scenario: Scenario) -> dict[str, Rule]:
+def rules_on_sheet(scenario: Scenario) -> dict[str, Rule]:
     """Return the rules that are on the sheet, in the order in which they are judged.
 
     Those with ``sheet: false`` are left out, and helpers: they have no sentence and only keep books.

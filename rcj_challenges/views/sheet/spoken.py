@@ -6,7 +6,7 @@ import re
 
 from rcj_challenges.rules.phrasing import number, plain
 from rcj_challenges.scenario.models.scenario import Rule
-from rcj_challenges.scenario.placeholders import fill_known
+from rcj_challenges.scenario.placeholders import fill_params
 from rcj_challenges.scenario.roster import as_tuple, has_other
 from rcj_challenges.scenario.touch_rules import written_others
 from rcj_challenges.views.sheet.phrasebook import Phrasebook
@@ -24,7 +24,7 @@ _BESIDE_A_NAME = rf"(?:\b(?:the|an?|this|that) )?(?:\b(?:{_KIND}) )?{{}}(?: (?:{
 
 def spoken(phrases: Phrasebook, rule: Rule) -> str:
     """Return what a rule says as a whole sentence; an empty text if it says nothing."""
-    words = fill_known(rule, phrases.scenario.params).strip()
+    words = fill_params(rule, phrases.scenario.params).strip()
     if not words:
         return ""
     kind = phrases.kinds_of(rule.for_each) if rule.for_each is not None else ""

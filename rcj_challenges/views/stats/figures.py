@@ -76,7 +76,7 @@ DEFINITIONS: dict[str, Definition] = {
 """By the key in JSON, in the order of the table."""
 
 
-def shown_keys(stats: Stats) -> list[str]:
+def figure_keys(stats: Stats) -> list[str]:
     """Return the figures that make sense here.
 
     Touches need a ball, possession two teams as well; shots need a ball and goals, halves need sides.
@@ -111,12 +111,12 @@ def figures(tally: Tally, stats: Stats) -> dict[str, Any]:
         "faults": dict(sorted(tally.faults.items())),
         "calls": dict(sorted(tally.calls.items())),
     }
-    return {key: found[key] for key in shown_keys(stats)}
+    return {key: found[key] for key in figure_keys(stats)}
 
 
 def stats_as_json(stats: Stats) -> dict[str, Any]:
     """Return everything as JSON-able data, the definitions included."""
-    keys = shown_keys(stats)
+    keys = figure_keys(stats)
     return {
         "runs": stats.runs,
         "simulated_s": round(stats.ticks * TICK_S, 3),

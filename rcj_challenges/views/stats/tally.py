@@ -129,7 +129,7 @@ def together(several: Iterable[Stats]) -> Stats:
             mine.runs += team.runs
             mine.ball_ticks += team.ball_ticks
             mine.programs |= team.programs
-            _add_all(mine.robots, {_as_before(label, mine.robots): tally for label, tally in team.robots.items()})
+            _add_all(mine.robots, {_known_label(label, mine.robots): tally for label, tally in team.robots.items()})
         _add_all(total.balls, one.balls)
     for name, team in total.teams.items():
         if len(team.programs) > 1:
@@ -138,7 +138,7 @@ def together(several: Iterable[Stats]) -> Stats:
     return total
 
 
-def _as_before(label: str, known: Iterable[str]) -> str:
+def _known_label(label: str, known: Iterable[str]) -> str:
     """Return what a robot is called already: ``B1/Y1`` drove as yellow first in another run, where it was ``Y1/B1``."""
     names = sorted(label.split("/"))
     return next((one for one in known if sorted(one.split("/")) == names), label)

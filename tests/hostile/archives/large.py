@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rcj_challenges.checker.reading import MAX_ALL_BYTES, MAX_IMPORTS, MOST_BYTES
+from rcj_challenges.checker.reading import MAX_ALL_BYTES, MAX_IMPORTS, MAX_BYTES
 from rcj_challenges.controllers.submission_limits import MAX_DEPTH, MAX_FOLDERS
 from tests.hostile.archives.building import Member, pack, with_folders
 from tests.hostile.archives.case import Case
@@ -35,7 +35,7 @@ SOURCES: dict[str, Case] = {
         lambda: importing(b"# coding: punycode\n#" + b"a" * 30_000 + b"-" + b"z" * 30_000),
         "sources.odd_encoding", says="punycode",
     ),
-    "a_long_program": Case(lambda: importing(b"#" * MOST_BYTES), "sources.large", "warning"),
+    "a_long_program": Case(lambda: importing(b"#" * MAX_BYTES), "sources.large", "warning"),
     "long_programs": Case(
         lambda: sound_with(**{f"part{k}.py": b"%d\n" % k + b"#" * (MAX_ALL_BYTES // 5) for k in range(5)}),
         "sources.unread", "warning",

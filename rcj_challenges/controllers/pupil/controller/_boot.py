@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from ._hooks import Patch
 
 _RESERVE_BYTES = 4 << 20  # of addresses, never touched; Python 3.14 needs more than 1 MB to tell of an error
-_MOST_TOLD = 2_000  # letters
+_MAX_TOLD = 2_000  # letters
 _PYTHONS_HOOK = sys.excepthook
 _SWITCH_S = 0.000_2
 """How long a thread of a program may compute while the one that steps wants to go on, as it does twice in a step.
@@ -127,7 +127,7 @@ class Boot:
         code = left.code
         if type(code) is str:
             _print_quietly(code)
-            self._ended("exit", f"the program called sys.exit: {code[:_MOST_TOLD]}")
+            self._ended("exit", f"the program called sys.exit: {code[:_MAX_TOLD]}")
         else:
             self._ended("exit", f"the program called sys.exit({'' if code is None else _told(code)})")
 
@@ -244,7 +244,7 @@ def _debugger_quit(left: SystemExit) -> bool:
 def _told(code: object) -> str:
     """Return what a program left with as text, whatever it is."""
     try:
-        return str(code)[:_MOST_TOLD]
+        return str(code)[:_MAX_TOLD]
     except BaseException:  # noqa: BLE001 - it may raise anything
         return "…"
 

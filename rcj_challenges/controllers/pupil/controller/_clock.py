@@ -32,7 +32,7 @@ _WAITS_FROM_NS = 100_000
 second: with ``datetime.now`` that would take longer than a step may. Nor need who plans until 10 ms have passed go
 round a thousand times: that would take longer than the 6 ms that a step may in the long run."""
 _WAITING_NS = 50_000
-_MOST_MISSED = 2**31 - 1
+_MAX_MISSED = 2**31 - 1
 _ENDLESS_S = float("inf")
 _LEAST_SLICE_S, _FIRST_SLICE_S, _LONGEST_SLICE_S = 0.001, 0.002, 0.1
 
@@ -128,8 +128,8 @@ class Clock:
 
     def pass_time(self, seconds: float) -> None:
         """Let simulated time pass for the thread that steps."""
-        passed_ns = int(min(seconds * 1e9, _MOST_MISSED * self._tick_ns))
-        self._since_ns = min(self._since_ns + passed_ns, _MOST_MISSED * self._tick_ns)
+        passed_ns = int(min(seconds * 1e9, _MAX_MISSED * self._tick_ns))
+        self._since_ns = min(self._since_ns + passed_ns, _MAX_MISSED * self._tick_ns)
         self.beside.caught_up(passed_ns)
 
     def missed_ticks(self) -> int:

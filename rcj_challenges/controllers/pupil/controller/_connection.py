@@ -40,7 +40,7 @@ QUEUE_BYTES = 16 << 20
 """What the unread packets of one receiver may take, about 80 000 small ones; honest programs leave up to 20 000. It is
 looked at now and then: meanwhile there may be some thousand small ones more."""
 
-MOST_EMISSIONS = 1_000
+MAX_EMISSIONS = 1_000
 """Packets that one step may send. At 115200 baud 460 of one byte are on the air in a tick."""
 
 EMITTED_BYTES = 1 << 15
@@ -52,8 +52,8 @@ _TRIMMED_EVERY_BYTES = 1 << 19  # that arrive: of thousands of ticks, if packets
 _TOLD_TIMES = 10
 """So often one complaint is told; then only the 100th, the 1000th: who errs in each step of a half does so 18750 times,
 and would not find what the program itself prints."""
-_MOST_TICKS = 2**31 - 1
-_MOST_DEPTH, _REHEARSALS = 150, 60  # `check` plays 10 s, the 60th part of a half
+_MAX_TICKS = 2**31 - 1
+_MAX_DEPTH, _REHEARSALS = 150, 60  # `check` plays 10 s, the 60th part of a half
 
 
 class PacketQueue:
@@ -166,7 +166,7 @@ class Connection:
 
     def ticks_from_ms(self, duration_ms: float) -> int:
         """Return the ticks that cover a duration: at least one, rounded up."""
-        return int(min(max(1, -(-duration_ms // self.tick_ms)), _MOST_TICKS))
+        return int(min(max(1, -(-duration_ms // self.tick_ms)), _MAX_TICKS))
 
     def duration_ms(self, *given: float | None) -> float:
         """Return the duration of a step that was given by any of its names, or else the basic one."""
@@ -213,7 +213,7 @@ class Connection:
         size = len(data)
         if size > self.message_bytes or self._emitted_bytes + size > max(EMITTED_BYTES, 2 * self.message_bytes):
             return False
-        if len(self._emissions) >= MOST_EMISSIONS:
+        if len(self._emissions) >= MAX_EMISSIONS:
             return False
         self._has_others = True
         self._emitted_bytes += size
@@ -297,7 +297,7 @@ class Connection:
         while frame.f_back is not None:
             depth, frame = depth + 1, frame.f_back
         limit = sys.getrecursionlimit()
-        if depth > _MOST_DEPTH and depth * _REHEARSALS > limit:
+        if depth > _MAX_DEPTH and depth * _REHEARSALS > limit:
             ends_s = self.time_s() * limit / depth
             complain(
                 f"Warning: step was called {depth} calls deep: a function that steps goes on by calling itself. At "

@@ -13,17 +13,17 @@ from rcj_challenges.facts.sanitize import sanitize
 
 Level = Literal["passed", "warning", "failure"]
 
-MOST_OF_A_KIND = 10
-"""Of one kind of trouble so many are told one by one; the rest is counted."""
+MAX_OF_A_KIND = 10
+"""Of one kind of trouble so many are listed one by one; the rest is counted."""
 
-MOST_PATH_SHOWN = 1000
+MAX_PATH_SHOWN = 1000
 """The path that was given on the command line is shown as it was given, unless it is absurd."""
 
-_MOST_LETTERS = 120
+_MAX_LETTERS = 120
 
 
 @dataclass(frozen=True)
-class Trouble:
+class Problem:
     """One odd thing.
 
     Attributes:
@@ -45,36 +45,36 @@ class Trouble:
 
     def __str__(self) -> str:
         """Return message and remedy as one sentence."""
-        return with_remedy(self.message, self.remedy)
+        return with_help(self.message, self.remedy)
 
 
 @dataclass
-class Troubles:
+class Problems:
     """A list of troubles that stays short, however many there are."""
 
-    _found: list[Trouble] = field(default_factory=list)
+    _found: list[Problem] = field(default_factory=list)
     _count: Counter[str] = field(default_factory=Counter)
 
-    def add(self, trouble: Trouble) -> None:
+    def add(self, trouble: Problem) -> None:
         """Note one."""
         self._count[trouble.code] += 1
-        if self._count[trouble.code] <= MOST_OF_A_KIND:
+        if self._count[trouble.code] <= MAX_OF_A_KIND:
             self._found.append(trouble)
 
-    def __iter__(self) -> Iterator[Trouble]:
+    def __iter__(self) -> Iterator[Problem]:
         yield from self._found
         for code, count in self._count.items():
-            if count > MOST_OF_A_KIND:
+            if count > MAX_OF_A_KIND:
                 first = next(trouble for trouble in self._found if trouble.code == code)
-                more = f"and {count - MOST_OF_A_KIND} more of this kind ({code})"
-                yield Trouble(code, first.level, more, first.remedy, repair=first.repair)
+                more = f"and {count - MAX_OF_A_KIND} more of this kind ({code})"
+                yield Problem(code, first.level, more, first.remedy, repair=first.repair)
 
 
-def with_remedy(message: str, remedy: str) -> str:
+def with_help(message: str, remedy: str) -> str:
     """Return what was found and what to do as one sentence."""
     return f"{message}{'' if message.endswith('?') else ':'} {remedy}" if remedy else message
 
 
-def told(name: object, longest: int = _MOST_LETTERS) -> str:
+def safe_text(name: object, longest: int = _MAX_LETTERS) -> str:
     """Return a strange name as one harmless line, shorter than `sanitize` makes it: several stand in one message."""
     return sanitize(from_disk(str(name)) if isinstance(name, Path) else name, longest)
