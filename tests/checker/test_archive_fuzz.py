@@ -17,10 +17,10 @@ from rcj_challenges.checker.findings import STAGES
 from rcj_challenges.checker.identity import find_logo
 from rcj_challenges.checker.images import PictureError, as_png, identify
 from rcj_challenges.checker.repair import repair
-from rcj_challenges.controllers.paths import clean, name_troubles
+from rcj_challenges.controllers.paths import clean, name_problems
+from rcj_challenges.controllers.submission_problems import told
 from rcj_challenges.controllers.team import TeamError, open_team
 from rcj_challenges.controllers.team_name import find_team_name
-from rcj_challenges.controllers.troubles import told
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.scenario import Scenario
 from tests.hostile.archives import pictures
@@ -203,9 +203,9 @@ def test_an_archive_that_lies_gives_a_verdict(tmp_path: Path, odd: list[Member],
 def test_a_cleaned_name_is_a_good_one(name: str) -> None:
     path = clean(name)
     if path is not None:
-        assert list(name_troubles(str(path))) == []
+        assert list(name_problems(str(path))) == []
         assert clean(str(path)) == path
-    if not list(name_troubles(name)):
+    if not list(name_problems(name)):
         assert path is not None
 
 
