@@ -1,7 +1,9 @@
-"""For all tests: what they start can be interrupted, examples may take their time, nothing is parsed or searched twice."""
+"""For all tests: what they start can be interrupted, examples may take their time, nothing is compiled or parsed twice."""
 
 import gc
+import os
 import signal
+import sys
 from collections.abc import Iterator
 
 import pytest
@@ -15,6 +17,10 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
+
+# Without bytecode each worker, and each of the hundreds of commands and matches that are started, compiles everything.
+sys.dont_write_bytecode = False
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 
 # A busy machine is no failure: by default an example may take 200 ms of real time, and ten may take 1 s to generate.
 # Examples of one test share its folder: each writes what it reads.
