@@ -9,6 +9,7 @@ from rcj_challenges.controllers.team import Team, open_team
 from rcj_challenges.match.runner import MatchPlan, PlayedMatch, play_match
 from rcj_challenges.records.folder import replaced
 from rcj_challenges.records.lines import json_line
+from rcj_challenges.records.run_record import read_run
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.tournament.jobs import MatchJob, Program, Workplace, data_file_error, entrants_of
 from rcj_challenges.tournament.records import STATS, trim_record
@@ -41,9 +42,10 @@ def play_job(job: MatchJob, place: Workplace) -> PlayedMatch:
         )
         played = play_match(plan)
     if job.records != "result" and any(half["ticks"] for half in played.result["halves"]):
-        write_replay(played.folder)
+        run = read_run(played.folder)
+        write_replay(played.folder, run)
         with replaced(played.folder / STATS) as file:
-            file.write(json_line(stats_as_json(run_stats(played.folder))))
+            file.write(json_line(stats_as_json(run_stats(played.folder, run))))
     trim_record(played.folder, job.records)
     return played
 

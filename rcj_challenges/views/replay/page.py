@@ -78,13 +78,17 @@ LIVE_PAGE = PageKind(LIVE_SCRIPTS, ("style.css", "live.css"), connects_to="'self
 PREMIERE_PAGE = PageKind(PREMIERE_SCRIPTS, ("style.css", "live.css", "premiere.css"), "'self'", "'self'")
 
 
-def write_replay(folder: Path) -> Path:
+def write_replay(folder: Path, run: RunRecord | None = None) -> Path:
     """Write ``replay.html`` of a run: finished, still going on, or killed. Returns its path.
+
+    Args:
+        folder: of the record.
+        run: what `read_run` returned for it, if it was read already.
 
     Raises:
         RecordError: there is nothing in the folder that could be shown.
     """
-    text = _text_of(read_run(folder), folder)
+    text = _text_of(run or read_run(folder), folder)
     path = folder / REPLAY
     with replaced(path) as file:
         file.write(text.encode())

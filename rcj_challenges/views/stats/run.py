@@ -24,13 +24,17 @@ NO_CALLS = frozenset({"MATCH_START", "MATCH_FINISH", "KICKOFF", PROGRAM_FAULT, P
 """Events that are not calls of the referee; an event that scores is not one either."""
 
 
-def run_stats(folder: Path) -> Stats:
+def run_stats(folder: Path, run: RunRecord | None = None) -> Stats:
     """Return the sums of one run: finished, going on, killed or damaged.
+
+    Args:
+        folder: of the record.
+        run: what `read_run` returned for it, if it was read already.
 
     Raises:
         RecordError: there is nothing in the folder that could be counted.
     """
-    run, written = read_run(folder), read_referee_log(folder)
+    run, written = run or read_run(folder), read_referee_log(folder)
     notes = [*run.problems, *([f"{written.damage}."] if written.damage else [])]
     if not written.ticks and not written.damage:
         notes.append("The referee's log is missing: no calls are counted, and what awaits a kick-off counts as play.")
