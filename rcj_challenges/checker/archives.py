@@ -20,7 +20,7 @@ __all__ = ["Inspection", "TeamError", "inspect"]
 
 @dataclass(frozen=True)
 class Inspection:
-    """What a submission is, before any of its programs is looked at.
+    """A submission before its programs are inspected.
 
     Attributes:
         stages: archive, layout, identity.
@@ -29,7 +29,7 @@ class Inspection:
         logo: the logo as a PNG without anything that a picture does not need; None without one that may be shown.
         digest: SHA-256 over the team's files as records name it; empty if it cannot play.
         seats: the entrants whose robots it was checked for.
-        opening: what came of opening it.
+        opening: the result of opening it.
     """
 
     stages: list[Stage]
@@ -42,7 +42,7 @@ class Inspection:
 
 
 def inspect(path: Path, scenario: Scenario) -> Inspection:
-    """Look at a submission: any bytes, or a folder.
+    """Inspect a submission: any bytes, or a folder.
 
     Args:
         path: a ZIP, a folder or a single program.

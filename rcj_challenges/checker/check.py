@@ -53,7 +53,7 @@ _MAX_LOGO_BYTES = 500_000
 
 @dataclass(frozen=True)
 class CheckOptions:
-    """What a check is to do.
+    """The options of a check.
 
     Attributes:
         sandbox: ``auto``, ``strict`` or ``off``.
@@ -72,7 +72,7 @@ class CheckOptions:
 
 @dataclass
 class _Findings:
-    """What is known so far."""
+    """The results so far."""
 
     stages: dict[StageName, Stage] = field(default_factory=dict)
     started: dict[str, str] = field(default_factory=dict)
@@ -82,7 +82,7 @@ class _Findings:
     our_fault: bool = False
 
     def obstacle(self, name: StageName) -> str:
-        """Return why a stage makes no sense, if it does not."""
+        """Return why a stage must be skipped; empty if it need not."""
         failed = next((need for need in _NEEDS[name] if need in self.stages and self.stages[need].failed), None)
         if failed is None:
             return ""
@@ -103,8 +103,8 @@ def check_file(
         path: a ZIP, a folder or a ``.py`` file that exists.
         loaded: the scenario that it is for.
         options: what to do.
-        repaired: what was put right in it before, safe to show.
-        named: what it is called, where there are others; None: as its file.
+        repaired: earlier repairs of it, safe to show.
+        named: its name among several; None: that of its file.
 
     Raises:
         TeamError: there is nothing at this path that can be opened.
@@ -150,7 +150,7 @@ def _unknown(found: _Findings) -> str:
 
 
 def crashed_report(named: Called, message: str, details: str = "") -> FileReport:
-    """Return the report on a submission whose check itself came to a bad end: nothing is known about it."""
+    """Return the report on a submission whose check itself failed: nothing is known about it."""
     block = sanitize_block(details) if details else ""
     finding = Finding("check.broken", "unchecked", sanitize(message, 400), _OUR_REMEDY, details=block)
     return _report_without_check(named, finding, finding.message)
@@ -207,7 +207,7 @@ def _inspected(path: Path, loaded: Loaded, found: _Findings) -> Inspection | Non
 def _examined(
     inspection: Inspection, team: Team, loaded: Loaded, options: CheckOptions, found: _Findings, named: Called
 ) -> None:
-    """Look at the programs of a team, and run them.
+    """Read the programs of a team, and run them.
 
     Raises:
         HostError: this computer cannot do it.
@@ -246,7 +246,7 @@ def _run(found: _Findings, options: CheckOptions, named: Called, rehearsal_in: C
         def start() -> Stage:
             started = check_start(rehearsal)
             missing.extend(started.missing)
-            if options.show_output and started.stage.failed:  # else what is played shows it
+            if options.show_output and started.stage.failed:  # otherwise the match shows it
                 found.started = _outputs(started.match)
             return _unless_full(started.stage, folders.place)
 
@@ -300,7 +300,7 @@ def _carried_out(found: _Findings, name: StageName, stage: Callable[[], Stage]) 
         remedy = _OUR_REMEDY if ours else _IMPOSSIBLE_REMEDY
         impossible = Finding(f"{name}.impossible", "unchecked", sanitize(one_line(error), 400), remedy)
         found.stages[name] = Stage(name, [impossible])
-    except Exception as error:  # whatever a program does to us, the others are checked
+    except Exception as error:  # whatever one program causes, the others are checked
         if interruption_behind(error) is not None:
             raise KeyboardInterrupt from error
         _raise_if_of_the_host(error)

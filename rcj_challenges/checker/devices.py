@@ -1,4 +1,4 @@
-"""Findings on devices that the programs of a team asked for and their robots do not have."""
+"""Findings on devices that the programs of a team requested and their robots lack."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def missing_by_device(match: Rehearsed) -> MissingDevices:
 
 
 def device_findings(stage: StageName, missing: MissingDevices, rehearsal: Rehearsal, side: str = "") -> list[Finding]:
-    """Return a warning for each device that a program asked for in vain.
+    """Return a warning for each missing device that a program requested.
 
     Args:
         stage: in which it was found.

@@ -25,7 +25,7 @@ def fault_findings(stage: StageName, rehearsal: Rehearsal, match: Rehearsed, sid
     """
     alike: dict[tuple[Any, ...], list[dict[str, Any]]] = {}
     for fault in match.faults:
-        # All that come to their end do so in the same words, each program perhaps for a reason of its own.
+        # All that end have the same message, but each program may have its own reason.
         ended = fault["kind"] == "exit"
         why = hint_for(rehearsal.loaded.scenario, rehearsal.team, fault) if ended else None
         alike.setdefault((fault["kind"], fault["detail"], fault["traceback"], why), []).append(fault)
@@ -35,10 +35,10 @@ def fault_findings(stage: StageName, rehearsal: Rehearsal, match: Rehearsed, sid
 def _finding(
     stage: StageName, rehearsal: Rehearsal, match: Rehearsed, side: str, faults: list[dict[str, Any]]
 ) -> Finding:
-    """Return the finding on faults that are alike."""
+    """Return the finding on equal faults."""
     first, robots = faults[0], [fault["robot"] for fault in faults]
     kind, detail, traceback = first["kind"], first["detail"], first["traceback"]
-    # Of robots that hang, each was somewhere else when its patience ended: one place is enough.
+    # Robots that hang are stopped at different places: one is enough.
     places = (whereabouts_in(match.log(robot)) for robot in robots if not traceback)
     whereabouts = next(filter(None, places), "")
     hint = hint_for(rehearsal.loaded.scenario, rehearsal.team, first, match.log(first["robot"]), whereabouts)

@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 Level = Literal["passed", "warning", "failure", "unchecked"]
-"""How grave something is; ``unchecked``: it is not known, and says nothing about the submission."""
+"""How serious something is; ``unchecked``: unknown, and no verdict on the submission."""
 
 RANKS: tuple[Level, ...] = ("passed", "warning", "failure", "unchecked")
 """All levels; of many, the last one is that of all."""

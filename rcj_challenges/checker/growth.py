@@ -17,7 +17,7 @@ EVERY_TICKS = 32
 
 @dataclass
 class Growth:
-    """An amount that grows, as it was noted now and then.
+    """A growing amount, sampled now and then.
 
     Attributes:
         noted: ticks and bytes, in order.
@@ -26,12 +26,12 @@ class Growth:
     noted: list[tuple[int, int]] = field(default_factory=list)
 
     def note(self, tick: int, total_bytes: int) -> None:
-        """Take note of how much it is by now."""
+        """Record the current amount."""
         self.noted.append((tick, total_bytes))
 
     @property
     def total_bytes(self) -> int:
-        """How much it was in the end."""
+        """The last amount."""
         return self.noted[-1][1] if self.noted else 0
 
     @property
@@ -40,7 +40,7 @@ class Growth:
         return s_from_ticks(self.noted[-1][0]) if self.noted else 0.0
 
     def at_bytes(self, tick: int) -> float:
-        """Return how much it would be at a later tick, if it went on as since the middle of what was noted.
+        """Extrapolate the amount to a later tick, from the growth since the middle of the samples.
 
         What a program writes once when it starts does not count again.
         """
@@ -48,7 +48,7 @@ class Growth:
         return last_bytes + self._bytes_per_tick() * max(0, tick - last_tick)
 
     def reaches_s(self, limit_bytes: float) -> float:
-        """Return after how many s it would be more than a limit that it comes to."""
+        """Return after how many s it would exceed a limit that it reaches."""
         last_tick, last_bytes = self.noted[-1]
         rate = self._bytes_per_tick()
         return s_from_ticks(last_tick + (round((limit_bytes - last_bytes) / rate) if rate else 0))
@@ -62,7 +62,7 @@ class Growth:
 
 
 class FollowedTeam(Team):
-    """A team of which it is known where the private folders of its programs are."""
+    """A team that records where the private folders of its programs are."""
 
     def __init__(self, team: Team) -> None:
         """Be the same team, with the same files in memory."""
@@ -70,7 +70,7 @@ class FollowedTeam(Team):
         self._folders: list[Path] = []
 
     def unpack(self, folder: Path) -> None:
-        """Write a copy of the team's files, and take note where."""
+        """Write a copy of the team's files, and record where."""
         super().unpack(folder)
         self._folders.append(folder.parent)
 
@@ -86,7 +86,7 @@ class FollowedTeam(Team):
         limit_bytes = limits.scratch_mb * 1_000_000 + own_bytes
         if not folders:
             return 0
-        # What cannot be looked at is the match's to judge: it ends such a program.
+        # The match handles unreadable files: it ends such a program.
         return max(0, int(min(scratch.bytes_below(folders[-1], limit_bytes), limit_bytes)) - own_bytes)
 
 
@@ -105,12 +105,12 @@ class Amounts:
         self._team, self._limits = team, limits
 
     def said(self, robot: str, text: str) -> None:
-        """Take note of what a program printed."""
+        """Record what a program printed."""
         if robot in self._so_far:
             self._so_far[robot] += len(text.encode("utf-8", "replace"))
 
     def ticked(self, tick: int) -> None:
-        """Take note of everything, if it is time."""
+        """Record all amounts, if it is time."""
         if tick % EVERY_TICKS != 1:  # just after a match has passed on what was printed, which it does every 16 ticks
             return
         for robot, so_far_bytes in self._so_far.items():

@@ -38,7 +38,7 @@ def finding_of(trouble: Problem) -> Finding:
 
 
 def name_findings(opening: Opening) -> list[Finding]:
-    """Tell what is odd about the team's name, and what it is."""
+    """Return the team's name with findings on it."""
     found = [finding_of(trouble) for trouble in opening.name.troubles]
     if opening.name.given:
         found.append(Finding("identity.name", "passed", f"the team is called {opening.name.text}"))
@@ -82,7 +82,7 @@ def _logo_file(files: Mapping[PurePosixPath, bytes]) -> PurePosixPath | None:
 
 
 def _refused(path: PurePosixPath, picture: Picture | None, data: bytes, reason: str) -> Finding:
-    """Say why a logo is not shown."""
+    """Return why a logo is not shown."""
     name = safe_text(path)
     if picture is None:
         return _warning("logo_no_picture", f"{name} is no picture: {reason}", _AS_PNG, path)

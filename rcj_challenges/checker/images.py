@@ -29,7 +29,7 @@ class PictureError(RcjError):
 
 @dataclass(frozen=True)
 class Picture:
-    """What the first bytes of a picture say.
+    """The facts in the first bytes of a picture.
 
     Attributes:
         kind: ``PNG``, ``JPEG``, ``GIF``, ``BMP`` or ``WebP``.

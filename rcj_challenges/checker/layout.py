@@ -1,4 +1,4 @@
-"""Whether folders and programs are where the scenario asks for them."""
+"""Checks whether folders and programs are where the scenario looks for them."""
 
 from __future__ import annotations
 
@@ -34,10 +34,10 @@ class Empty:
 
 
 def layout_findings(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) -> list[Finding]:
-    """Tell what is odd about the places of a submission's files.
+    """Return findings on the places of a submission's files.
 
     Args:
-        opening: what came of opening it.
+        opening: the result of opening it.
         seats: the entrants for which it was opened.
         others: the shipped scenarios that it fits, if it does not fit this one.
     """
@@ -52,7 +52,7 @@ def layout_findings(opening: Opening, seats: Sequence[Entrant], others: Sequence
 
 
 def empty_programs(files: Mapping[PurePosixPath, bytes], seats: Sequence[Entrant]) -> list[Empty]:
-    """Find files that look like entry points and hold nothing."""
+    """Find empty files that look like entry points."""
     chosen = entries_of(files, seats)
     asked = all_entries(seats)
     found: list[Empty] = []

@@ -15,7 +15,7 @@ BLANK = b" \t\r\n\f\v\xef\xbb\xbf"
 _LEAST_LIKENESS = 0.75
 _LEAST_LETTERS = 5
 _LETTERS_OF_ITS_OWN = 9
-"""So long a name that is asked for is in no other one by chance; ``robot`` is in that of each of three robots."""
+"""A name of this length is not part of another one by chance; ``robot`` is part of the names of three robots."""
 _IMPORT_OR_TEXT = re.compile(
     rb"""(?<![\w.])(?:from|import)[ \t](?:[^\n#\\(;:"']|\\\r?\n|\([^()]*\))*"""
     rb"""|(?P<text>"[^"\n]{0,200}"|'[^'\n]{0,200}')"""
@@ -67,7 +67,7 @@ def mentioned(files: Mapping[PurePosixPath, bytes], names: Iterable[str]) -> str
 
 
 class _Mentions:
-    """What a program mentions. It is read once, however many names are looked for."""
+    """The names that a program mentions. It is read once, however many names are looked for."""
 
     def __init__(self, content: bytes) -> None:
         self._content = content

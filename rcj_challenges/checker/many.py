@@ -51,7 +51,7 @@ class _Job:
         return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 
     def interrupt(self, process: subprocess.Popen[bytes]) -> None:
-        """Let a check end so that it can remove its files from the disk."""
+        """End a check in a way that lets it remove its files."""
         if os.name == "posix":
             process.send_signal(signal.SIGINT)
         else:
@@ -131,7 +131,7 @@ def _dead_report(named: Called, status: int, said: str) -> FileReport:
 
 
 def _report(out: bytes) -> FileReport | None:
-    """Return the report that a process wrote, if it came that far."""
+    """Return the report that a process wrote, if it wrote one."""
     try:
         said = json.loads(out)
         logo = None if said["logo"] is None else base64.b64decode(said["logo"])
@@ -147,5 +147,5 @@ def _message(loaded: Loaded, options: CheckOptions) -> dict[str, Any]:
 
 
 def _patience_s(limits: Limits, robots: int) -> float:
-    """Return far more than the limits of all programs of all short matches together let a check last."""
+    """Return a time far above what the limits of all programs in all short matches together allow."""
     return _SLACK_S + _MAX_SHORT_MATCHES * (limits.start_s + robots * limits.half_s)

@@ -23,7 +23,7 @@ _MAX_OLD_ARCHIVES = 1
 
 @dataclass(frozen=True)
 class Called:
-    """What a submission is called; no two of one check are called the same.
+    """The unique names of a submission within one check.
 
     Attributes:
         name: its file's name, with as many folders before it as make it unique; safe to show.
@@ -36,11 +36,11 @@ class Called:
 
 @dataclass(frozen=True)
 class Given:
-    """What is to be checked.
+    """The submissions to check.
 
     Attributes:
         paths: the submissions, none of them twice.
-        left_out: what lies beside them and is not looked at.
+        left_out: other things beside them, which are not checked.
     """
 
     paths: list[Path]

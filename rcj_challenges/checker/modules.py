@@ -1,8 +1,8 @@
 """Resolves imports: which file of the submission, Python itself, what is installed for programs, or nowhere.
 
-The same places in the same order as `controllers` gives a program: its own folder, the folder above (which holds all
-of a team's programs), Python's library, then numpy and scipy. A program that changes ``sys.path`` may find modules in
-any of its folders; there only running it can show.
+The same places in the same order as `controllers` gives a program: its own folder, the folder above (which holds all of
+a team's programs), Python's library, then numpy and scipy. A program that changes ``sys.path`` may find modules in any
+of its folders; then only running it can show where they are.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ WELL_KNOWN = frozenset(
 
 _TOP = PurePosixPath()
 _ALL_PROGRAMS = "controllers"
-"""What the folder is called that holds all of a team's programs, as in the original: `Robot.getProjectPath`."""
+"""Name of the folder with all of a team's programs, as in the original: `Robot.getProjectPath`."""
 COMPILED = frozenset({".so", ".pyd"})
 _MAX_OF_A_NAME = 20
 """Modules of one name that are looked at, where a program may find them in any folder."""
@@ -87,7 +87,7 @@ class Library:
         return Library(self._files, (*self.places, *sorted(self._folders)), is_everywhere=True)
 
     def tops(self, name: str) -> list[Module]:
-        """Return what ``import name`` can find in the submission, before Python's own are asked: the first counts."""
+        """Return what ``import name`` can find in the submission, before Python's own modules: the first counts."""
         if name not in self._found:
             found = (self.inside(place, name, namespace=False) for place in self._places_with.get(name, ()))
             self._found[name] = list(islice(filter(None, found), _MAX_OF_A_NAME))
@@ -145,7 +145,7 @@ class Library:
 
 
 def places_of(entry: PurePosixPath) -> tuple[PurePosixPath, ...]:
-    """Return the folders from which a program can import without further ado: its own, and the one above."""
+    """Return the folders from which a program can import by default: its own, and the one above."""
     own = entry.parent
     return (own,) if own == _TOP else (own, own.parent)
 

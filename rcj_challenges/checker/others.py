@@ -1,4 +1,4 @@
-"""Which shipped scenario a submission seems to be made for, if not for the one that it is checked for."""
+"""Finds the shipped scenario for which a submission seems to be made, if not the one that it is checked for."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def others_that_fit(
     Args:
         files: of the submission.
         asked: the scenario that it is checked for, which is never among them.
-        suits: which scenarios come into question.
+        suits: which scenarios to consider.
     """
     contents = Contents("folder", dict(files))
     return [

@@ -53,7 +53,7 @@ _WRITE_LESS = 'write less: in every 30th step, or start the file again now and t
 
 @dataclass(frozen=True)
 class _Kind:
-    """Something of which programs may take so much in a half.
+    """A resource that is limited per half.
 
     Attributes:
         does: what they do.
@@ -82,7 +82,7 @@ class Played:
 
 
 def check_play(rehearsal: Rehearsal, seconds: float, known: Collection[tuple[str, str]] = ()) -> Played:
-    """Play on each side that the team can take, and say how its robots did.
+    """Play on each side that the team can take, and report on its robots.
 
     Args:
         rehearsal: what is to be played.
@@ -98,7 +98,7 @@ def check_play(rehearsal: Rehearsal, seconds: float, known: Collection[tuple[str
         side = f"as {seat}, " if len(seats) > 1 else ""
         match = rehearse(rehearsal, (seat,), seconds)
         if _slow(rehearsal, match, side) and not match.faults:
-            # Play the same match again: a busy computer is probably not busy twice.
+            # Play the same match again: the computer is probably less busy then.
             match.waits.update(_shorter(match.waits, rehearse(rehearsal, (seat,), seconds).waits))
         played.matches.append(match)
         missing = {found: robots for found, robots in missing_by_device(match).items() if found not in known}
@@ -118,7 +118,7 @@ def _findings(rehearsal: Rehearsal, match: Rehearsed, side: str, missing: Missin
     ]
     much = _much(rehearsal, match, side)
     logged = [*_threads(match, side), *_complaints(match, side)]
-    # What would end a program comes before what may be as it should, and after what it may come from.
+    # Findings that would end a program come before those that may be intended, and after their possible causes.
     return [*lacking, *failed, *much, *rest, *logged, _summary(match, side), *_others_failed(match, side)]
 
 
@@ -181,7 +181,7 @@ def _away_from_ball(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[F
 
 
 def _is_about_a_ball(loaded: Loaded) -> bool:
-    """Return whether any rule speaks of a ball: in a race through gates it may lie where it lies."""
+    """Return whether any rule mentions a ball: in a race through gates it may stay untouched."""
     balls = {*loaded.scenario.balls, "balls"}
     balls |= {group for group, members in loaded.roster.groups.items() if balls.intersection(members)}
     return any(word in balls for part in ("rules", "sequences") for word in _words(loaded.resolved.get(part)))
@@ -233,7 +233,7 @@ def _much(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding]:
 def _too_much(
     rehearsal: Rehearsal, match: Rehearsed, grown: Mapping[str, Growth], kind: _Kind, side: str
 ) -> list[Finding]:
-    """Return what to say of robots whose programs come near a limit: of all of one level at once, by the worst."""
+    """Return findings on robots whose programs come near a limit: one for each level, by the worst."""
     half_ticks = ticks_from_s(longest_half_s(rehearsal.loaded.scenario.match))
     failed, limit_bytes = {fault["robot"] for fault in match.faults}, kind.limit_mb * 1e6
     near = {
@@ -327,7 +327,7 @@ def _summary(match: Rehearsed, side: str) -> Finding:
 
 
 def _others_failed(match: Rehearsed, side: str) -> list[Finding]:
-    """Tell of the opponent's programs that failed: no fault of this team's, but then it played against less."""
+    """Report failed programs of the opponent: not this team's fault, but then it played against fewer robots."""
     if not match.faults_of_others:
         return []
     first = match.faults_of_others[0]

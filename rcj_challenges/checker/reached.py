@@ -1,4 +1,4 @@
-"""Which files of a submission a program may import."""
+"""Finds the files of a submission that a program may import."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Reads Python files of strangers: whether each is Python, and what it imports.
+"""Reads untrusted Python files: whether each is valid Python, and what it imports.
 
 A program of its own (``python -I reader.py``), standard library only: source that makes Python's parser eat all memory
 or crash takes this process with it and nothing else. Nothing of what is read is ever run.
@@ -81,7 +81,7 @@ def main() -> None:
 
 
 def amount_of(found: dict[str, Any]) -> int:
-    """Return what an import counts for: the module and each name that is taken from it."""
+    """Return the count of an import: the module and each name taken from it."""
     return 1 + len(found["names"])
 
 
@@ -115,7 +115,7 @@ def read_source(source: bytes, name: str, max_imports: int = sys.maxsize) -> dic
 
 
 def _wrong(source: bytes, name: str) -> dict[str, Any] | None:
-    """Return why a file is no Python; None if it is."""
+    """Return why a file is not valid Python; None if it is."""
     line, declared = _declared_encoding(source)
     encoding = _codec_of(declared)
     if encoding and not _ENCODINGS.fullmatch(encoding):

@@ -20,9 +20,9 @@ MAX_IMPORTS = 5_000
 
 _READER = Path(__file__).with_name("reader.py")
 PATIENCE_S = 20.0
-"""For so long an answer about files that are read together is waited for: the last resort beside the bounds above."""
+"""Timeout for an answer about files that are read together: the last resort beside the bounds above."""
 _MAX_ROUNDS = 8
-"""So often the files that are left are begun with, after one that ends the process that reads them."""
+"""How often reading restarts with the remaining files, after one that ends the reading process."""
 
 
 @dataclass(frozen=True)
@@ -97,7 +97,7 @@ def read_sources(
         imports_left -= sum(1 + len(one.names) for answer in answers for one in answer.imports)
         found |= dict(zip(left, answers, strict=False))
         left = left[len(answers) :]
-        # Of many files any may be in hand when patience ends: one is slow if it alone took all of it.
+        # At the timeout any of many files may be in progress: one is slow only if it alone took all the time.
         if left and not (ended == "slow" and answers):
             found[left.pop(0)] = Source(wrong=ended)
         if not left:
@@ -110,7 +110,7 @@ def read_sources(
 def _ask(
     paths: Sequence[PurePosixPath], files: Mapping[PurePosixPath, bytes], max_imports: int
 ) -> tuple[list[Source], str]:
-    """Return what the reader says of the files until it ends, and why it did if it was too early."""
+    """Return what the reader reports on the files until it ends, and why if it ended too early."""
     if not paths:
         return [], ""
     index = [(path.name.encode("utf-8", "replace").decode(), len(files[path])) for path in paths]

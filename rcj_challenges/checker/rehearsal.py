@@ -1,4 +1,4 @@
-"""A short match with a team's programs, played by the engine of the tournament; stages read what it left.
+"""A short match with a team's programs, played by the engine of the tournament; stages read its record.
 
 There is no second way to start or to supervise a program: this calls `play_match` as ``run`` does.
 """
@@ -36,7 +36,7 @@ _STAND = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) !=
 
 @dataclass(frozen=True)
 class Rehearsal:
-    """What is played, and which team plays.
+    """What is played, and by which team.
 
     Attributes:
         loaded: the scenario in its full length.
@@ -176,8 +176,8 @@ def rehearse(rehearsal: Rehearsal, seats: tuple[str, ...], seconds: float) -> Re
 def shortened(loaded: Loaded, seconds: float) -> Loaded:
     """Return a scenario of one short half.
 
-    What a program may let others wait in a half shrinks too, but not in proportion: only one that would go far beyond
-    the limit of a whole half is stopped here, so that its check comes to an end.
+    The time limit of a half shrinks too, but not in proportion: only a program that would go far beyond the limit of a
+    whole half is stopped here, so that its check ends.
     """
     match, limits = loaded.scenario.match, loaded.scenario.limits
     longest_s = longest_half_s(match)
@@ -209,7 +209,7 @@ def _other(rehearsal: Rehearsal, seat: str, stack: ExitStack) -> tuple[Team, str
 
 
 class _Observer(NullObserver):
-    """Takes note of how robots move, what they touch, and what their programs took: time, and room for what they say.
+    """Records how robots move, what they touch, and how much time and output their programs used.
 
     Args:
         loaded: what is played.
@@ -244,11 +244,11 @@ class _Observer(NullObserver):
                 self._last[placement.entity] = (placement.x_m, placement.y_m, placement.yaw_rad)
 
     def printed(self, robot: str, text: str) -> None:
-        """Take note of how much a program printed."""
+        """Record how much a program printed."""
         self.amounts.said(robot, text)
 
     def half_ended(self, half: object, waits: tuple[ProgramTimes, ...]) -> None:
-        """Take note of how long programs were waited for."""
+        """Record how long the match waited for programs."""
         self.waits = waits
 
 

@@ -1,4 +1,4 @@
-"""Which moves of files and folders put every program where the scenario asks for it."""
+"""Finds the moves of files and folders that put every program where the scenario looks for it."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class Move:
 
 @dataclass(frozen=True)
 class Plan:
-    """How files with other names than asked for would serve.
+    """How misnamed files would work after moves.
 
     Attributes:
         moves: in this order.
@@ -62,7 +62,7 @@ class Plan:
 
 
 def plan_moves(files: Files, seats: Sequence[Entrant]) -> Plan | None:
-    """Return the moves after which every robot has its program, if exactly one way suggests itself.
+    """Return the moves after which every robot has its program, if there is exactly one plausible way.
 
     Args:
         files: of the submission, with its extra folders.
@@ -100,7 +100,7 @@ def _roots(files: Files) -> Iterator[list[PurePosixPath]]:
 
 
 def _plan_from(folder: PurePosixPath, files: Files, seats: Sequence[Entrant]) -> Plan | None:
-    """Return how the files would serve if the content of a folder, maybe the top itself, were moved to the top."""
+    """Return the moves needed if the content of a folder, maybe the top itself, were moved to the top."""
     up = (Move(folder, PurePosixPath()),) if folder.parts else ()
     raised = _moved(files, up)
     if raised is None or _is_complete(raised, seats):

@@ -33,7 +33,7 @@ _FIRST_DAY = (1980, 1, 1, 0, 0, 0)  # the earliest that a ZIP can say
 _FILE_MODE, _FOLDER_MODE = 0o100644 << 16, 0o040755 << 16
 _FOLDER_MARK = 0x10
 _UNIX = 3
-# What a new archive repairs by itself, and how to say so.
+# What writing a new archive repairs, and the message about it.
 _BY_WRITING = {
     "archive.leftovers": "left out what is none of the team's work (of the system, of editors, records of runs)",
     "archive.backslashes": "separated folders and files by /",
@@ -54,7 +54,7 @@ class RepairError(RcjError):
 
 @dataclass
 class Repaired:
-    """What a repair came to.
+    """The result of a repair.
 
     Attributes:
         out: the archive that was written; None if the submission cannot be read well enough to write any.
@@ -210,7 +210,7 @@ def _laid_out(opening: Opening, seats: Sequence[Entrant], done: list[str]) -> Fi
 
 
 def _seen_through(opening: Opening) -> list[str]:
-    """Tell which folders are not as they were."""
+    """Return which folders have changed."""
     top, done = opening.top, []
     if opening.within is not None and top.parts:
         done.append(f"renamed the folder {safe_text(top)} to {safe_text(opening.within)}")
@@ -223,7 +223,7 @@ def _seen_through(opening: Opening) -> list[str]:
 
 
 def _named(files: Files, fallback: str, done: list[str]) -> Files:
-    """Return the files with the team's name where it belongs, as it is shown."""
+    """Return the files with the team's name in its proper place, as it is shown."""
     name = find_team_name(files, fallback)
     codes = {trouble.code for trouble in name.troubles if trouble.repair}
     if name.path is None or not codes:

@@ -1,4 +1,4 @@
-"""What a check says, as data: the one shape behind terminal, JSON and HTML (``schemas/check.schema.json``)."""
+"""The report of a check as data: the common form of terminal, JSON and HTML (``schemas/check.schema.json``)."""
 
 from __future__ import annotations
 
@@ -148,8 +148,8 @@ class CheckReport(_Part):
     def exit_code(self) -> int:
         """0: all pass, with warnings perhaps; 1: at least one does not.
 
-        2: this computer could not do all of it; 3: we could not, by a fault of our own. What is not known comes first:
-        after it is mended, everything has to be checked again.
+        2: this computer could not do all of it; 3: we could not, by a fault of our own. Unknown results come first:
+        after they are fixed, everything has to be checked again.
         """
         if any(file.our_fault for file in self.files):
             return 3
@@ -165,7 +165,7 @@ def check_report(
     *,
     interrupted: bool = False,
 ) -> CheckReport:
-    """Put the reports of all submissions together.
+    """Combine the reports of all submissions.
 
     Args:
         scenario: id of the scenario.
@@ -242,14 +242,14 @@ def match_report(match: Rehearsed, replay: str, no_replay: str, outputs: dict[st
 
 
 def schema_text() -> str:
-    """Return the text of ``schemas/check.schema.json``; CI fails when the committed file differs from it."""
+    """Return the text of ``schemas/check.schema.json``; CI fails if the committed file differs from it."""
     schema = CheckReport.model_json_schema(mode="serialization")
     schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
     return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"
 
 
 WORDS: dict[Level, str] = {"passed": "ok", "warning": "warning", "failure": "failure", "unchecked": "not checked"}
-"""What levels are called in the report."""
+"""Names of the levels in the report."""
 
 
 def is_single(report: CheckReport) -> bool:

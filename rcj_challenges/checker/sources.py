@@ -36,7 +36,7 @@ Unit = tuple[PurePosixPath, int]
 
 
 class _Weight(Enum):
-    """What becomes of a program when something that it runs fails; the gravest first."""
+    """The effect on a program when something that it runs fails; the most serious first."""
 
     FATAL = "it ends, for it comes there at once"
     CAUGHT = "it is ready for that"
@@ -44,7 +44,7 @@ class _Weight(Enum):
 
 
 def check_sources(team: Team, sandbox: str = "auto") -> Stage:
-    """Look at the Python files of a team without running them.
+    """Check the Python files of a team without running them.
 
     Failures are reported for what a program certainly runs when it is started, by itself or by importing; for all else
     warnings: the stages that run it decide.
@@ -285,7 +285,7 @@ class _Walk:
         return "missing_part", message, "add the file to the submission, or correct the import"
 
     def _say(self, unit: Unit, wanted: Import, code: str, message: str, remedy: str) -> None:
-        """Tell of an import that fails: the end of the program, unless it is ready for that or never comes there."""
+        """Report an import that fails: it ends the program, unless it is caught or never reached."""
         weight = _weight(wanted)
         if weight is _Weight.CAUGHT:
             message += "; the program has a way out (try … except)"
@@ -318,7 +318,7 @@ def _counted(wanted: Import, weight: _Weight) -> Import:
 def _unreadable(
     files: Mapping[PurePosixPath, bytes], sources: Mapping[PurePosixPath, Source], used: Mapping[PurePosixPath, bool]
 ) -> Iterable[Finding]:
-    """Tell of files that are no Python.
+    """Report files that are not valid Python.
 
     Args:
         files: contents by path.
@@ -360,7 +360,7 @@ def _empty(sources: Mapping[PurePosixPath, Source], entries: set[PurePosixPath])
 def _shadowing(
     files: Iterable[PurePosixPath], entries: set[PurePosixPath], unread: Mapping[PurePosixPath, str]
 ) -> Iterable[Finding]:
-    """Tell of files that a program gets in place of what it means, and of those that it never gets.
+    """Report files that a program imports by mistake, and those that it never gets.
 
     Args:
         files: all files.
@@ -405,7 +405,7 @@ def _kind(finding: Finding) -> str:
 
 
 def _in_order(found: Iterable[Finding]) -> list[Finding]:
-    """Return the gravest first, and not more than anybody reads."""
+    """Return the most serious first, and at most as many as are readable."""
     ordered = sorted(found, key=lambda finding: finding.level != "failure")
     if len(ordered) > _MAX_FINDINGS:
         left_out = len(ordered) - _MAX_FINDINGS

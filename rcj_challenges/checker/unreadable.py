@@ -1,4 +1,4 @@
-"""Files that Python cannot read: why, and what to do about it."""
+"""Explains why Python cannot read a file, and what to do about it."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _SYNTAX_HELP = (
         "delete this character (it may be invisible) and type it on the keyboard: web pages use other ones",
     ),
 )
-"""By what Python says: what to do."""
+"""Help by Python's message."""
 
 _SAVE_AS_UTF8 = "save the file as UTF-8 text in your editor"
 _TOO_DEEP = (
@@ -37,7 +37,7 @@ _TOO_DEEP = (
     "brackets or expressions lie so deep in one another that Python cannot read the file",
     _SMALLER_STEPS,
 )
-# What ended the reading without a word of Python's own.
+# Reasons why reading ended without a message from Python.
 _WITHOUT_WORDS = {
     "depth": _TOO_DEEP,
     "crash": _TOO_DEEP,
@@ -57,7 +57,7 @@ _WITHOUT_WORDS = {
 
 
 def what_is_wrong(source: Source, content: bytes) -> tuple[str, str, str]:
-    """Return code, message and remedy of a file that is no Python.
+    """Return code, message and remedy of a file that is not valid Python.
 
     Args:
         source: what the reader says of it.

@@ -1,7 +1,7 @@
-"""Where a program's memory lies: at the same addresses in every run, where the system allows it (Linux).
+"""Places a program's memory at the same addresses in every run, if the system allows it (Linux).
 
-The hash of an object without one of its own comes from its address, in Python 3.11 that of ``None`` too, and so does
-the order in which a set of such objects is gone through. At random addresses the same program would play another match.
+The default hash of an object comes from its address (in Python 3.11 also that of ``None``), and the iteration order of
+a set comes from the hashes. With random addresses the same program would play a different match.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ _ASK = 0xFFFFFFFF
 
 @contextlib.contextmanager
 def fixed() -> Iterator[None]:
-    """Let what this thread starts meanwhile have its memory at fixed addresses; this process keeps its own.
+    """Start processes with fixed addresses from this thread meanwhile; this process keeps its own.
 
-    A container may refuse it, and other systems have nothing like it: then the addresses stay random.
+    If a container refuses it, or the system does not support it, addresses stay random.
     """
     before = _personality(_ASK)
     if before < 0 or _personality(before | _NOT_AT_RANDOM) < 0:
@@ -34,7 +34,7 @@ def fixed() -> Iterator[None]:
 
 
 def _personality(wanted: int) -> int:
-    """Set how this thread starts others, unless it is only asked for; return how it was, negative if refused."""
+    """Set the personality of this thread's processes, or only query it; return the old one, negative if refused."""
     call = _system_call()
     return int(call(wanted)) if call is not None else -1
 

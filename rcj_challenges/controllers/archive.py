@@ -98,7 +98,7 @@ class Contents:
 
 
 def read_contents(path: Path) -> Contents:
-    """Read the files of a folder, of a ZIP or, for a single ``.py``, that one file; tell all that is odd about them.
+    """Read a folder, a ZIP or a single ``.py`` file, and report everything odd about the files.
 
     Raises:
         TeamError: there is nothing at this path that can be opened.
@@ -137,7 +137,7 @@ def refusal(path: Path, reasons: list[Problem]) -> TeamError:
 def _from_program(path: Path) -> Contents:
     if path.stat().st_size > MAX_PACKED_BYTES:
         return _unreadable("program", _too_large(path.stat().st_size))
-    # ROBOT.PY, as old copies and memory sticks have it, is a program just as well.
+    # ROBOT.PY, as on old copies and memory sticks, is also a program.
     return Contents("program", {composed(from_disk(path.with_suffix(".py").name)): path.read_bytes()})
 
 
@@ -212,7 +212,7 @@ def _from_folder(folder: Path) -> Contents:
             message = f"{safe_text(relative)} is there twice, with letters composed and taken apart; one is left out"
             troubles.add(Problem("archive.collision", "warning", message, "delete one", safe_text(relative)))
         files[relative] = path.read_bytes()
-    # What only another computer would object to does not hinder anybody who works in this folder.
+    # Names that only another computer refuses do not matter to somebody who works in this folder.
     for trouble in itertools.chain.from_iterable(name_problems(str(path)) for path in files):
         troubles.add(Problem(trouble.code, "warning", trouble.message, trouble.remedy, trouble.where, trouble.repair))
     _report_nested(files, troubles)
@@ -245,7 +245,7 @@ def _link(path: PurePosixPath, *, leads_out: bool, is_folder: bool) -> Problem:
 def _walk(folder: Path) -> Iterator[Path]:
     """Return all files, and the links to folders: those are not followed, for they may lead in a circle.
 
-    Records of runs are left out: who works in the team's folder has them there.
+    Records of runs are left out: people who run matches in the team's folder have them there.
 
     Raises:
         OSError: a folder cannot be read.
@@ -284,7 +284,7 @@ def _from_zip(path: Path) -> Contents:
 
 
 class _ZipReading:
-    """Going through an archive's entries once, noting everything odd."""
+    """Goes through an archive's entries once and notes everything odd."""
 
     def __init__(self, data: bytes) -> None:
         self._data = data
@@ -389,7 +389,7 @@ class _ZipReading:
         self._take(entry.name, content)
 
     def _take(self, name: str, content: bytes) -> None:
-        """Keep a file where its name says, unless that is no place for it."""
+        """Keep a file under its name, unless that is not allowed."""
         bad = list(name_problems(name))
         for trouble in bad:
             self._troubles.add(trouble)
@@ -427,7 +427,7 @@ class _ZipReading:
         self._troubles.add(Problem("archive.leftovers", "warning", message, remedy, repair=True))
 
     def _without_records(self, entries: list[zipped.Entry]) -> list[zipped.Entry]:
-        """Leave out records of runs, and tell of them: who packs the folder that he works in packs them too."""
+        """Leave out records of runs, and report them: they get packed with a team's working folder."""
         short = [entry for entry in entries if len(entry.name) <= MAX_PATH_LETTERS]  # others are refused as they are
         files, folders = ([path_of(entry.name) for entry in short if entry.is_folder is kind] for kind in (False, True))
         records = record_folders(files, folders)

@@ -1,8 +1,8 @@
-"""Bubblewrap, where it is installed (Linux): a program sees a file system, processes and network of its own.
+"""Bubblewrap, if installed (Linux): gives a program its own file system, process list and network.
 
-It comes on top of what a process sets itself (``pupil/controller/_confine.py``): where that refuses to open a file,
-here the file has no name; folders that are not the program's are read-only for everything; there are no other processes
-to be seen. https://github.com/containers/bubblewrap
+It adds to the layers that a process sets itself (``pupil/controller/_confine.py``): those refuse to open a file, here
+the file has no name; all folders but the program's own are read-only; other processes are invisible.
+https://github.com/containers/bubblewrap
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def works(python: str, readable: tuple[str, ...]) -> bool:
 
 
 def prefix(python: str, readable: tuple[str, ...], private: Path | None) -> list[str]:
-    """Return what comes before the command of a program.
+    """Return the arguments that precede the command of a program.
 
     Args:
         python: the interpreter, as the command names it.

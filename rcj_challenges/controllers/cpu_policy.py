@@ -23,7 +23,7 @@ from rcj_challenges.facts.timing import TICK_S
 ENABLED = sys.platform == "linux"
 """The switch: False leaves all programs to the system's scheduler."""
 
-SOON_S = 0.001  # longer ticks, in which a program computes or the match waits, are slept through
+SOON_S = 0.001  # programs sleep through longer ticks, in which another computes or the match waits
 LITTLE = 0.4  # share of a CPU; programs that use less would not be done sooner on the match's CPU (ADR 10)
 UNHURRIED_S = TICK_S / 2  # in longer ticks it does not matter who is on which CPU
 _POLL_INTERVAL_TICKS = 64
@@ -88,7 +88,7 @@ class CpuPolicy:
         busy = sum(max(0.0, self._computed_s[robot] - before_s[robot]) for robot in counted) / lasted_s
         ours, tick_s = (self._ours_s - ours_s) / lasted_s, lasted_s / _POLL_INTERVAL_TICKS
         self._busy_waiting.clear()
-        # All of the computer, not those granted to us: others may be busy elsewhere on a large one.
+        # Of the whole computer, not only those granted to us: on a large one others may be busy elsewhere.
         self._was_full = running >= self._all_cpus > 0
         share = DEFAULT_SHARE
         if 0 < running < self._granted_cpus:

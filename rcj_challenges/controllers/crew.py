@@ -22,7 +22,8 @@ from rcj_challenges.facts.traffic import Observation, RobotSpec
 from rcj_challenges.scenario.models.limits import Limits
 
 _MAX_HELD_UP = 4
-"""A half may wait so many times as long as all its programs may be charged together: others have the processors."""
+"""A half may wait this many times as long as all its programs may be charged together, because others may have the
+processors."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +60,7 @@ class Crew:
         """Prepare a half without programs.
 
         Raises:
-            IsolationError: the plan demands what cannot be had here.
+            IsolationError: the plan requires layers that are missing here.
         """
         self._plan = plan
         active_layers(plan.sandbox)  # refuses what cannot be had
@@ -95,7 +96,7 @@ class Crew:
     def launch(self) -> None:
         """Start all programs; they run to their first ``step`` side by side.
 
-        What matches that were killed have left behind is removed meanwhile.
+        Meanwhile the leftovers of killed matches are removed.
 
         Raises:
             OSError: a log cannot be written.

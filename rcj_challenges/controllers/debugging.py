@@ -29,7 +29,7 @@ def program_place(assignment: Assignment, unpacked: Path) -> tuple[Path, Path]:
 def debugger_settings() -> dict[str, Any] | None:
     """Return what a debugged program's process needs to wait for an editor; None: ``breakpoint()`` has the terminal.
 
-    That is so without debugpy, and if the user says with Python's own variable what ``breakpoint()`` is to call.
+    None without debugpy, or if the user sets ``PYTHONBREAKPOINT``.
     """
     spec = find_spec("debugpy")
     if spec is None or spec.origin is None or os.environ.get("PYTHONBREAKPOINT"):

@@ -1,9 +1,9 @@
-"""Names of files as Python spells them where the system names files otherwise than in UTF-8.
+"""File names as Python spells them if the system's encoding of names is not UTF-8.
 
-Under an ASCII or Latin-1 locale Python reads and writes the bytes of a name in that encoding; most files were named in
-UTF-8 all the same, and robots' programs always run with it. So a team's names are in Unicode everywhere in here, and
-their bytes on the disk are UTF-8, wherever a match is played. Where the system's encoding is UTF-8 (Windows and macOS
-among them), nothing changes.
+Under an ASCII or Latin-1 locale Python reads and writes the bytes of a name in that encoding; but most files are named
+in UTF-8, and robots' programs always use it. So this package keeps a team's names in Unicode, and their bytes on disk
+are UTF-8, wherever a match is played. Where the system's encoding is UTF-8 (Windows and macOS among them), nothing
+changes.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""How a team's program is kept from everything that is not its own: which layers, and how each is asked for.
+"""Isolation of a team's program from everything else: its layers, and how each is requested.
 
-The one seam for isolation. A layer is either how the parent starts the process (its environment, folder, session) or
-something that the process sets itself before the program's first line (``pupil/controller/_confine.py``). What a
-platform cannot do is missing from `active_layers`, and records say so.
+The only place that decides about isolation. A layer is either set by the parent when it starts the process (its
+environment, folder, session) or by the process itself before the program's first line
+(``pupil/controller/_confine.py``). Layers that a platform lacks are missing from `active_layers`, and records say so.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ LAYERS: dict[str, str] = {
 EXTRA_LAYERS: dict[str, str] = {
     "bubblewrap": "no sight of names, processes and network outside either; where it is installed",
 }
-"""What comes on top where it is there; no run demands it."""
+"""Layers that are added if available; no run requires them."""
 
 _ALWAYS = ("clean_environment", "private_folder", "ends_with_parent")
 _OPEN_FILES = 256
@@ -50,7 +50,7 @@ _NOT_HERE = {
 
 
 class IsolationError(RcjError):
-    """Strict isolation was asked for and cannot be had."""
+    """Strict isolation was requested but layers are missing."""
 
     CODE = "isolation-missing"
 
@@ -80,7 +80,7 @@ def active_layers(sandbox: str, platform: str = sys.platform) -> tuple[str, ...]
 
 
 def missing_layers(platform: str = sys.platform) -> dict[str, str]:
-    """Return the layers that cannot be had on a platform, each with the reason, in the order of `LAYERS`."""
+    """Return the layers that a platform lacks, each with the reason, in the order of `LAYERS`."""
     if platform == "linux":
         return dict(_missing_on_linux())
     why = _NOT_HERE.get(platform, f"nothing is known of {platform}")
@@ -105,7 +105,7 @@ def _has_bubblewrap() -> bool:
 
 
 def prefix(layers: tuple[str, ...], private: Path) -> list[str]:
-    """Return what comes before the command that starts a program.
+    """Return the arguments that precede the command that starts a program.
 
     Args:
         layers: the active ones.
@@ -130,7 +130,7 @@ def set_by_process(layers: tuple[str, ...], *, portable: bool) -> list[str]:
 
 
 def limit_settings(limits: Limits, layers: tuple[str, ...], private: Path, *, portable: bool) -> dict[str, Any]:
-    """Return the limits as the program's process is told them, sizes in bytes.
+    """Return the limits as sent to the program's process, sizes in bytes.
 
     Args:
         limits: those of the scenario.
@@ -209,14 +209,14 @@ def environment(folder: Path) -> dict[str, str]:
     told = {
         "HOME": place,
         "TMPDIR": place,
-        # Where nobody is known by a number: `getpass.getuser` looks here first.
+        # In case the user's number has no name: `getpass.getuser` looks here first.
         "USER": "robot",
         "LOGNAME": "robot",
         "LANG": "C.UTF-8",
         "LC_ALL": "C.UTF-8",
         "TZ": "UTC",
         "PATH": os.defpath,
-        # Programs append folders of it to their path; there is nothing in it that they could need.
+        # Programs append its folders to their path; it contains nothing that they need.
         "WEBOTS_HOME": str(folder / "webots"),
         # Sets iterate in the same order in every run.
         "PYTHONHASHSEED": "0",
@@ -229,7 +229,7 @@ def environment(folder: Path) -> dict[str, str]:
         "VECLIB_MAXIMUM_THREADS": "1",
     }
     if sys.platform == "win32":
-        # Without these, Windows starts no program and finds no temporary folder.
+        # Windows needs these to start programs and to find the temporary folder.
         told |= {"SYSTEMROOT": os.environ.get("SYSTEMROOT", r"C:\Windows"), "TEMP": place, "TMP": place}
         told |= {"USERPROFILE": place, "USERNAME": "robot", "APPDATA": place}
     return told

@@ -16,11 +16,11 @@ _DUMP_BEGINS = b"Fatal Python error:"
 _DUMP_OF_WINDOWS = re.compile(
     rb"Windows fatal exception: .*\n(?:\n|(?:  |Thread |Current thread(?:'s)? |Extension modules: ).*\n)*\Z"
 )
-"""There the interpreter also dumps what a program then catches and goes on: only what stands at the end counts."""
+"""The interpreter also dumps errors there that a program then catches, so only a dump at the end counts."""
 _ESCAPED = re.compile(r"\\(?:x([0-9a-f]{2})|u([0-9a-f]{4})|U([0-9a-f]{8}))")
-"""In a dump the interpreter writes each letter beyond ASCII so."""
+"""How the interpreter writes letters beyond ASCII in a dump."""
 AFTER_ITS_END = "  after its last line: it waited there for its threads to end"
-"""What is told of a program of which only threads beside the main one go on."""
+"""Logged for a program whose main thread has ended while others run."""
 _WAITS_FOR_THREADS = re.compile(r'^  File ".*", line [0-9]+ in _wait_for_threads$')
 """What the dump says then, of the code that started the program."""
 ANOTHER_THREAD = "Beside it, another thread was here:\n"
@@ -34,9 +34,9 @@ _BINARY = getattr(os, "O_BINARY", 0)
 class ProgramLog:
     """A file to which the match appends its own lines and what the program printed.
 
-    The program itself never has this file: it writes into one without a name, from which everything is taken over.
-    So it can neither find the record by its output nor cut, overwrite or lock what stands in it, and what it does to
-    its file (moves the place, makes a hole of a terabyte) harms nobody.
+    The program never has this file open: it writes into an unnamed one, from which everything is copied. So it can
+    neither find the record through its output nor truncate, overwrite or lock the log, and nothing that it does to its
+    file (seeking, a hole of a terabyte) has an effect elsewhere.
 
     Attributes:
         fd: for the program's output; -1 when closed.
@@ -80,7 +80,7 @@ class ProgramLog:
         return self._taken_bytes + max(0, self._seen_bytes - self._at)
 
     def take_over(self) -> None:
-        """Take over what the program has printed since. A full disk is no reason to stop a match."""
+        """Copy what the program has printed since. A full disk does not stop a match."""
         if self.fd < 0:
             return
         size = self._seen_bytes = os.fstat(self._output_fd).st_size
@@ -120,7 +120,7 @@ class ProgramLog:
         """Take the interpreter's dump of a dying process from the end; return its lines about files in ``folder``.
 
         Args:
-            folder: of the program's files; paths are told relative to it.
+            folder: of the program's files; paths are written relative to it.
         """
         self.take_over()
         size = self._size_bytes()
@@ -179,8 +179,8 @@ def _place_of_dump(tail: bytes) -> int:
 def _threads_of_dump(lines: list[str]) -> list[list[str]]:
     """Return the lines of each thread of a dump: of the current one first, then of the oldest, which began the program.
 
-    A dump tells of the newest thread first, wherever the current one stands. Current is the one that broke the
-    interpreter, or took the signal by which the match asked (that is the oldest one).
+    A dump begins with the newest thread, wherever the current one is. The current thread is the one that broke the
+    interpreter, or received the match's signal (the oldest one).
     """
     threads, current = [list[str]()], -1
     for line in lines:

@@ -1,4 +1,4 @@
-"""Names of files in a submission: which of them mean one and the same place on every computer."""
+"""File names in a submission: which of them are valid and unambiguous on every computer."""
 
 from __future__ import annotations
 
@@ -41,8 +41,8 @@ def ignored(parts: tuple[str, ...]) -> bool:
 def is_record(folders: Iterable[str], files: Collection[str]) -> bool:
     """Return whether a folder with these in it is the record of a run, from its first moment on.
 
-    Other matches may begin or end while a team is read, so this does not wait for the files that come a little later.
-    A folder with a program anywhere in it is none, whatever else is there: that is for the caller to look for.
+    Other matches may begin or end while a team is read, so this does not wait for the files that come a little later. A
+    folder with a program anywhere in it is not a record, whatever else is there: the caller checks this.
     """
     return "logs" in set(folders) and "trajectory.chunks" in files
 
@@ -88,12 +88,12 @@ def composed(name: str) -> PurePosixPath:
 
 
 def folded(path: PurePosixPath) -> str:
-    """Return what two paths share if they are one file on a computer that knows no case or composes letters."""
+    """Return a key that is equal for paths that are one file on a computer that ignores case or composes letters."""
     return unicodedata.normalize("NFC", unicodedata.normalize("NFD", str(path)).casefold())
 
 
 def name_problems(name: str) -> Iterator[Problem]:
-    """Tell what is wrong with a name in an archive.
+    """Return what is wrong with a name in an archive.
 
     Args:
         name: as the archive has it.

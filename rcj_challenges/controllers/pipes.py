@@ -17,16 +17,16 @@ from typing import Protocol
 from rcj_challenges.controllers.protocol import LENGTH
 
 MOMENT_S = 0.0002
-"""For so long a side is looked at again and again before we sleep until it answers: to sleep and be woken takes longer
-than most programs think (ADR 10)."""
+"""How long a side is polled before we sleep until it answers: sleeping and waking take longer than most programs
+compute (ADR 10)."""
 
 _LOOKS_LEFT_OUT = 16
-"""One who has not answered within `MOMENT_S` is slept for at once the next so many times, then looked at again."""
+"""After a side has not answered within `MOMENT_S`, the next so many waits sleep at once; then it is polled again."""
 
 _CHUNK = 1 << 16
 _USUAL = 4096
 
-# Whoever has work to do goes first. Where the system has no such call, asking for no sleep at all is one.
+# Yields to others that have work to do. Systems without this call yield on a sleep of 0 s.
 _let_others_run = getattr(os, "sched_yield", lambda: time.sleep(0))
 
 
@@ -53,7 +53,7 @@ class Channel(Protocol):
         """
 
     def receive_now(self) -> bytes | None:
-        """Return the next frame if it is here already, as `receive` does; else None. Costs less than not waiting."""
+        """Return the next frame if it is here already, as `receive` does; else None. Cheaper than `receive`."""
 
     def receive_soon(self) -> bytes | None:
         """Return the next frame if it is here, or comes at once, as this side's frames do; else None.
@@ -117,7 +117,7 @@ class PolledPipes:
     def send(self, frame: bytes) -> None:
         """See `Channel`. What the pipe does not take at once is sent while receiving."""
         if self._unsent:
-            # One that answers before it has read what it was told does not listen: nothing is kept for it.
+            # A side that answers before it has read the last frame does not listen: nothing is kept for it.
             self._broken = True
             return
         try:
@@ -170,7 +170,7 @@ class PolledPipes:
         return body
 
     def register(self, poll: select.poll) -> None:
-        """Let somebody else's ``poll`` return when a frame may be here, or when the pipe takes what is not sent yet."""
+        """Register with a ``poll``: it returns when a frame may be here, or when the pipe takes unsent bytes."""
         poll.register(self._read_fd, select.POLLIN)
         if self._unsent:
             poll.register(self._write_fd, select.POLLOUT)
@@ -180,7 +180,7 @@ class PolledPipes:
         deadline = began + timeout_s
         wait_s = max(0.0, timeout_s)  # poll takes a negative one for eternity
         while True:
-            # A side that does not listen any more may still have said why: that is here already, or never comes.
+            # A side that has stopped listening may have sent the reason: that is here already, or never comes.
             ready = self._poll.poll(0 if self._broken else wait_s * 1000)
             for fd, _ in ready:
                 if fd == self._read_fd:
@@ -210,7 +210,7 @@ class PolledPipes:
             self._poll.register(self._write_fd, select.POLLOUT)
 
     def _left_of(self, data: bytes) -> bytes:
-        """Write what the pipe takes at once, and return the rest; nothing of it if the other side is gone."""
+        """Write what the pipe takes at once, and return the rest; return nothing if the other side is gone."""
         try:
             sent = os.write(self._write_fd, data)
         except BlockingIOError:
@@ -273,7 +273,7 @@ class ThreadedPipes:
         return self.receive(0.0)
 
     def receive_soon(self) -> bytes | None:
-        """See `Channel`. To be woken by a thread is the only way to hear of a frame: this does not wait."""
+        """See `Channel`. Only a thread can report a frame, so this does not wait."""
         return self.receive(0.0)
 
     def close(self) -> None:
@@ -283,7 +283,7 @@ class ThreadedPipes:
         give_up = time.perf_counter() + _CLOSING_S
         while any(thread.is_alive() for thread in self._threads):
             if time.perf_counter() > give_up:
-                return  # something that the program started escaped and holds the pipes: leave them to it
+                return  # a process that the program started has escaped and holds the pipes: leave them to it
             for thread in self._threads:
                 thread.join(0.001)
         os.close(self._read_fd)
@@ -337,7 +337,7 @@ def open_channel(read_fd: int, write_fd: int, limit_bytes: int, *, portable: boo
 
 
 def wait_for_any(channels: Sequence[Channel], timeout_s: float) -> None:
-    """Wait until a frame may be at one of the channels, at most ``timeout_s``. It may return for nothing."""
+    """Wait until a frame may be at one of the channels, at most ``timeout_s``. It may return without one."""
     polled = [channel for channel in channels if isinstance(channel, PolledPipes)]
     if len(polled) < len(channels):
         _arrived.wait(timeout_s)

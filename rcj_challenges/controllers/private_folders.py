@@ -1,4 +1,4 @@
-"""The place of one half's private folders, and how those that dead matches left behind go.
+"""Creates the private folders of a half, and removes those that killed matches left behind.
 
 A match or a check that is killed (``kill -9``, a power cut) cannot remove what it made. So all that it makes in the
 temporary folder is in one folder with a file that it holds locked while it lives: the system gives the lock back
@@ -33,7 +33,7 @@ _FLAGS = os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_
 
 
 def temporary_folder_error(error: BaseException, trouble: str = "cannot be used") -> HostError:
-    """Return what is wrong with the temporary folder as an error that says where that is, and what helps.
+    """Return an error about the temporary folder that says where it is, and what helps.
 
     Args:
         error: what the system said.
@@ -143,7 +143,7 @@ def _made() -> tuple[Path, int]:
         try:
             held = try_lock(fd)
         except OSError:
-            held = True  # a file system without locks: nobody else gets one either
+            held = True  # a file system without locks: other processes get none either
         if held and _is_in_its_place(fd, folder):
             return folder, fd
         os.close(fd)

@@ -31,9 +31,9 @@ if sys.platform == "win32":
 PUPIL_FOLDER = Path(__file__).parent / "pupil"
 _START = "import sys; sys.path.insert(0, sys.argv[4]); from controller._boot import main; main()"
 _DUMP_S = 1.0
-_STATUS_OF_SIGNALS, _MAX_SIGNALS = 128, 64  # one that starts others tells an end by signal n as 128 + n
-_NEARLY = 0.9  # of the CPU time that is allowed: it is looked at now and then only
-_EXCEPTIONS_FROM, _NEGATIVE_FROM = 0xC0000000, 0xFFFF0000  # Windows: it tells exit(-1) as 0xffffffff
+_STATUS_OF_SIGNALS, _MAX_SIGNALS = 128, 64  # a process that starts others reports an end by signal n as 128 + n
+_NEARLY = 0.9  # of the CPU time that is allowed, because it is checked only now and then
+_EXCEPTIONS_FROM, _NEGATIVE_FROM = 0xC0000000, 0xFFFF0000  # Windows reports exit(-1) as 0xffffffff
 
 NEEDS_LIFELINE = sys.platform != "linux"
 """True where the kernel does not end children with their parent."""
@@ -44,10 +44,10 @@ class Ends:
     """The parent's ends of the pipes to a process.
 
     Attributes:
-        read_fd: what the process says.
-        write_fd: what it is told.
-        lifeline_fd: the process notices when it closes, and tells where it is when it is written to. None where the
-            kernel does the one and a signal asks for the other.
+        read_fd: for frames from the process.
+        write_fd: for frames to the process.
+        lifeline_fd: the process notices when it closes, and writes its traceback when it is written to. None where the
+            kernel ends it and a signal requests the traceback.
     """
 
     read_fd: int
@@ -76,8 +76,8 @@ class Process:
     def exit_status(self, timeout_s: float) -> int | None:
         """Wait for its end up to ``timeout_s``; return its exit status (negative: minus a signal), None if it runs.
 
-        On POSIX 128 + n means signal n as well, as in shells, so that it means the same with bubblewrap and without.
-        Of a negative number that a program left with, Windows tells what POSIX does: 255 for -1.
+        On POSIX 128 + n also means signal n, as in shells, so that it means the same with and without bubblewrap. If a
+        program exits with a negative number, Windows reports the same as POSIX: 255 for -1.
         """
         try:
             status = self._popen.wait(timeout_s)
@@ -97,11 +97,11 @@ class Process:
         return tasks.has_lost_main_thread(self._pid_to_look_at()) and self.exit_status(_DUMP_S) is None
 
     def remember_program(self) -> None:
-        """Find out for good which process is the program's. To be called when it has said something: it is there."""
+        """Find the program's process and remember it. Called when the program has sent something, so it exists."""
         self._looked_at_pid = self._innermost_pid()
 
     def threads(self) -> int:
-        """Return how many threads it has; 0 where that cannot be told."""
+        """Return how many threads it has; 0 if that is unknown."""
         return tasks.threads_of(self._pid_to_look_at()) if sys.platform == "linux" else 0
 
     def times(self) -> ProcessTimes | None:
@@ -131,21 +131,21 @@ class Process:
                 os.kill(self._innermost_pid(), number)
 
     def nameless_bytes(self, output_fd: int, folder: Path, *, in_memory: bool) -> float:
-        """Return what it holds in files that it has deleted and still uses; 0 where that cannot be told.
+        """Return what it holds in files that it has deleted and still uses; 0 if that is unknown.
 
         Infinite if it has lost its main thread: then the system does not show its open files.
 
         Args:
             output_fd: open here: the file of its output.
             folder: its private one.
-            in_memory: whether those count that it only has in its memory.
+            in_memory: whether files count that are only mapped into its memory.
         """
         if self.has_lost_main_thread():
             return math.inf
         return scratch.nameless_bytes(self._pid_to_look_at(), output_fd, folder, in_memory=in_memory)
 
     def computed_s(self) -> float:
-        """Return for how long it has computed, all its threads together; 0 where only `usage` tells, or nobody."""
+        """Return the CPU time of all its threads; 0 if that is unknown, or only `usage` knows it."""
         return tasks.computed_s(self._pid_to_look_at())
 
     def share_cpus(self, share: CpuShare) -> None:
@@ -187,7 +187,7 @@ class Process:
             self._sandbox_fd = None
 
     def _pid_to_look_at(self) -> int:
-        """Return the program's process, which may have ended: not to be killed by this. Finding out takes long."""
+        """Return the program's process, which may have ended, so do not kill by this id. The search takes long."""
         return self._innermost_pid() if self._looked_at_pid is None else self._looked_at_pid
 
     def _innermost_pid(self) -> int:
@@ -287,7 +287,7 @@ def _handles(*fds: int | None) -> list[str]:
 
 
 def python() -> str:
-    """Return the interpreter. On Windows that of a virtual environment only starts another one: take that."""
+    """Return the interpreter. On Windows that of a virtual environment only starts the real one: return that."""
     if sys.platform == "win32":
         return str(getattr(sys, "_base_executable", sys.executable))
     return sys.executable

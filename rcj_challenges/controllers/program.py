@@ -33,29 +33,29 @@ CLEAN_UP_S = 1.0
 """How long a program may go on after its ``step`` returned -1 (reference, section 3)."""
 
 BACKGROUND_S = 20.0
-"""A program that used more CPU time than that outside its intervals is suspended there from then on (POSIX): else the
-threads of one team could keep all processors from the match until ``processor_s`` ends them."""
+"""A program that has used more CPU time than this outside its intervals is suspended there from then on (POSIX):
+otherwise the threads of one team could keep all processors from the match until ``processor_s`` ends them."""
 
-_SLICE_S = 0.25  # how often a program that lets us wait is looked at
+_SLICE_S = 0.25  # how often a program is checked while the match waits for it
 _LOOKS_PER_STEP_LIMIT = 8
 _LOG_LOOKED_AT_EVERY = 16  # requests
 _FOLDER_LOOKED_AT_EVERY = 256  # ticks; walking through a folder takes 100 µs and more
 _MEMORY_LOOKED_AT_EVERY = 1024  # ticks; so does reading what a process has in its memory
 _TOO_MUCH_TO_WAIT = 2.0
-"""What a program takes is looked at when it calls ``step``, at ticks that are the same in every run: there its limits
-count. By wall time it is looked at as well, or it could fill a disk in between: there so many times the limits."""
+"""A program's use is checked when it calls ``step``, at ticks that are the same in every run: there its limits count.
+It is also checked by wall time, or it could fill a disk in between: there this many times the limits count."""
 _OUTPUT_SLACK_BYTES = 65_536  # what the interpreter and the match itself add to a log
 _FAREWELL_S = 1.0
 _LAST_WORDS_S = 1.0  # a thread reads them where pipes cannot be polled
 _NO_ROOM = re.compile(rf"\[Errno ({errno.ENOSPC}|{getattr(errno, 'EDQUOT', errno.ENOSPC)})\]|\[WinError 112\]")
-"""What errors of a full disk, or of a quota, have in their words in every language."""
+"""Texts that an error of a full disk or a quota contains in every language."""
 
 _TEAM = "controllers"
 """The folder of the team's files, by its name in Webots, where ``getProjectPath() + "/controllers/…"`` is a file."""
 
 
 class Program:
-    """A team's program in a process of its own. After its first `Fault` it is gone until the next half.
+    """A team's program in its own process. After its first `Fault` it is gone until the next half.
 
     Attributes:
         fault: how it failed; None while it has not.
@@ -106,7 +106,7 @@ class Program:
             sharing: where its private folder is made, and who else has one there.
 
         Raises:
-            IsolationError: strict isolation cannot be had here.
+            IsolationError: layers of strict isolation are missing here.
             OSError: the log cannot be written.
             HostError: this computer cannot start one more program.
         """
@@ -140,7 +140,7 @@ class Program:
             self._process.share_cpus(share)
 
     def computed_s(self) -> float:
-        """Return for how long its process has computed; 0 where nobody tells at once."""
+        """Return the CPU time of its process; 0 if that is not known at once."""
         return 0.0 if self._process is None else self._process.computed_s()
 
     def collect(self, if_long: Callable[[], None] | None = None) -> Request | Fault:
@@ -217,7 +217,7 @@ class Program:
             self._process.suspend()
 
     def overstepped(self, tick: int) -> Fault | None:
-        """Look whether it takes more than it may while nobody waits for it; end it then.
+        """Check its limits while the match does not wait for it; end it if it exceeds one.
 
         Args:
             tick: of the match, now.
@@ -234,7 +234,7 @@ class Program:
         return self._fail(*trespass)
 
     def _broken(self, error: Exception) -> Fault:
-        """Tell why the conversation cannot go on."""
+        """Return why the conversation cannot go on."""
         if isinstance(error, ChannelClosedError):
             return self._closed_fault()
         if isinstance(error, FrameTooLongError):
@@ -271,7 +271,7 @@ class Program:
             self._lifeline_fd = None
 
     def close(self) -> None:
-        """End it and remove its private folder. `new_output` still tells what it said last."""
+        """End it and remove its private folder. `new_output` still returns its last output."""
         self.kill()
         self._remove_folder()
         if self._log is not None:
@@ -339,13 +339,13 @@ class Program:
         """Return the program's next message, None if it reached a limit. All other programs are charged meanwhile."""
         longest_s = min(_SLICE_S, self._limits.step_s / _LOOKS_PER_STEP_LIMIT)
         slice_s = min(MEASURED_AFTER_S, longest_s)
-        channel.look(math.inf)  # since the last look the match did something else: that time is its own
+        channel.look(math.inf)  # since the last look the match did something else: no program is charged for that
         while (body := channel.receive(0.0)) is None:
             if self.budget.exceeded is not None:
                 return None
             if self.budget.waited_s >= self._look_at_s and self._trespass(_TOO_MUCH_TO_WAIT) is not None:
                 return None
-            # What it started may hold its pipes open after it ended. Its last words may still be on their way.
+            # Processes that it started may hold its pipes open after its end. Its last message may still be on its way.
             if self.has_ended():
                 body = channel.receive(_LAST_WORDS_S)
                 if body is None:
@@ -372,7 +372,7 @@ class Program:
         return self._fail(kind, detail, timed=True)
 
     def _closed_fault(self) -> Fault:
-        """Tell why there is nobody at the other end."""
+        """Return why the other end is gone."""
         status = None if self._process is None else self._process.exit_status(_FAREWELL_S)
         if status is None:
             return self._fail("protocol", "the program closed its connection to the match")
@@ -382,7 +382,7 @@ class Program:
         return self._ended("exit", f"the program ended itself (exit status {status})")
 
     def _ended(self, kind: str, detail: str, traceback: str = "", *, timed: bool = False) -> Fault:
-        """Tell how a program ended, or what made it end: at the system's limit for files a flood ends in a crash.
+        """Return how a program ended, or what made it end: at the system's limit for files a flood ends in a crash.
 
         Its threads do not count: how many of them have ended by now is another thing in each run.
         """
@@ -402,7 +402,7 @@ class Program:
         This one is ended first, so that files which it only held open take no room.
 
         Returns:
-            Their names; none if there is room, for a program may say what it likes.
+            Their names; none if there is room, because a program's message may be false.
 
         Raises:
             HostError: it is full, and no program has written more than its share.
@@ -434,7 +434,7 @@ class Program:
         return True
 
     def _trespass(self, times: float = 1.0, *, closely: bool = True) -> tuple[str, str] | None:
-        """Return of what it took more than so many times its limit, if of anything: kind and detail of the fault."""
+        """Return kind and detail of the fault if it exceeds so many times one of its limits, else None."""
         return self._prints_too_much(times) or self._holds_too_much(times, closely=closely)
 
     def _prints_too_much(self, times: float = 1.0) -> tuple[str, str] | None:
@@ -454,7 +454,7 @@ class Program:
         written = self._writes_too_much(times, closely=closely)
         if written is not None:
             return written
-        # Beside those that it may start it has its first one, and the one that watches over it.
+        # Besides those that it may start it has its main thread and the watching one.
         if self._process.threads() > times * self._limits.processes + 2:
             return "memory", f"the program runs more than {self._limits.processes} threads"
         return None

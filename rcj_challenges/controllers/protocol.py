@@ -1,7 +1,7 @@
 """The match's end of the protocol: what goes to a program and what is taken from it (``docs/protocol.md``).
 
-Whatever comes from a program is judged here, strictly: a message that is not exactly as described, or asks for what
-cannot be, is a `ProtocolError`, and nothing of it is carried out.
+Messages from programs are validated strictly: one that is not exactly as described, or asks for something impossible,
+raises a `ProtocolError`, and nothing of it is carried out.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ class ProtocolError(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class Ended:
-    """A program's own word about its end: kind of `Fault`, one line, traceback."""
+    """A program's own report of its end: kind of `Fault`, one line, traceback."""
 
     kind: str
     detail: str
@@ -61,7 +61,7 @@ class Ended:
 
 
 def max_frame_bytes(message_bytes: int) -> int:
-    """Return the size beyond which no message of an honest program is.
+    """Return the largest size of a message from an honest program.
 
     A step may carry radio packets of twice the largest packet in all; the rest is room for settings and faults.
     """
@@ -98,7 +98,7 @@ class Codec:
         if not packets:
             return form.pack(form.size - 4, OBSERVATION, tick, flags, self._values, 0, *values)
         first = packets[0]
-        if first is not self._first_packet:  # the referee says the very same for minutes, and before all others
+        if first is not self._first_packet:  # the referee's packet comes first and stays the same for minutes
             self._first_packet, self._first_bytes = first, _packed(first)
         tail = self._first_bytes
         if len(packets) > 1:
@@ -118,7 +118,7 @@ class Codec:
         """
         if body[:5] != _REQUEST_BEGINS.pack(REQUEST, tick):
             return _other_than_request(body, tick)
-        # Most ask for what they asked for before.
+        # Most requests repeat the one before.
         asked = body[5:]
         if asked != self._asked_last:
             self._request = self._requested(body)
@@ -221,7 +221,7 @@ class Codec:
         return tuple(sent)
 
     def _must_be(self, device: int, named_in: str, wanted: str) -> None:
-        """Refuse a device that may not be named in a list of the request."""
+        """Raise if a device may not appear in a list of the request."""
         if named_in not in self._accepts.get(device, ()):
             raise ProtocolError(f"device {device} is not {wanted}")
 
@@ -232,7 +232,7 @@ def _packed(packet: Packet) -> bytes:
 
 
 class _Tail:
-    """The part of a message that has no fixed size, taken piece by piece.
+    """The part of a message of variable size, read piece by piece.
 
     Attributes:
         at: how much of the message has been taken.

@@ -1,7 +1,7 @@
-"""A program's private folder: how much is in it, and how it goes.
+"""A program's private folder: its size, and its removal.
 
-The program does there what it likes, while it is looked at. So nothing here follows a link, recurses into folders as
-deep as somebody else made them, or trusts that a file which was listed is still there.
+The program may change it at any time, even during an inspection. So nothing here follows links, recurses to an
+unlimited depth, or trusts that a listed file still exists.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _ENTRY_BYTES = 4096
 """What an entry counts at least: files cost a block and an inode even when they are empty."""
 
 _LONGEST_PATH = 512
-"""Letters of a path below the private folder. Longer ones are nobody's honest work, and soon no call takes them."""
+"""Letters of a path below the private folder. No honest program needs more, and soon no system call accepts more."""
 
 _ROOM_BYTES = 1_000_000
 """More than a program writes at once, than a page of some teams needs, and a replay of ten seconds."""
@@ -28,7 +28,7 @@ _BLOCK_BYTES = 512
 """Unit of ``st_blocks``. A deleted folder has size 0, but keeps the blocks of all names that were in it."""
 
 _DELETED = b" (deleted)"
-"""How Linux tells of a file in a process's memory that it has no name any more."""
+"""How Linux marks a file mapped into a process's memory that has been deleted."""
 
 _OF_FILES = 0.9
 """Part of a disk that files take, as they are counted here: the rest is lists of them and halves of blocks."""
@@ -46,7 +46,7 @@ def ensure_room(folder: Path) -> None:
 
 
 def share_bytes(folder: Path, sharers: int) -> float:
-    """Return how much each of several may write into a folder's disk until it is full; infinite if it is so already.
+    """Return how much each of several may write into a folder's disk until it is full; infinite if it is full already.
 
     When it is full (`ensure_room`) and only they have written, at least one of them has written more than this.
     """
@@ -104,13 +104,13 @@ def nameless_bytes(pid: int, output_fd: int, folder: Path, *, in_memory: bool = 
 
     Its threads must share one table of open files, which the layer ``system_calls`` enforces.
 
-    Infinite if there is one that it keeps only by having it in its memory: nobody tells how large that is.
+    Infinite if there is one that is only mapped into its memory, because its size is unknown.
 
     Args:
         pid: of the process.
         output_fd: open here: the file of its output, which is counted elsewhere.
         folder: its private one.
-        in_memory: whether to look for such ones as well, which takes longer than all the rest.
+        in_memory: whether to look for such ones too, which takes longer than all the rest.
     """
     total = 0
     if sys.platform == "linux":

@@ -18,7 +18,7 @@ class Sharing:
 
     Attributes:
         place: in the temporary folder, where each has its private folder.
-        share_bytes: whoever has written more than this has filled it, when it is full.
+        share_bytes: when it is full, programs that have written more than this have filled it.
         programs: all of them.
         wait_budget: of the match for all of them together.
     """

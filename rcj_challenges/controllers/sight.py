@@ -21,7 +21,7 @@ from rcj_challenges.controllers.processes import PUPIL_FOLDER, site_folders
 _LIBRARIES = ("/lib", "/lib32", "/lib64", "/usr/lib", "/usr/lib32", "/usr/lib64", "/usr/local/lib", "/nix/store")
 _MORE_LIBRARIES = ("/gnu/store", "/etc/ld.so.cache")
 # What the C library, OpenBLAS and `zoneinfo` ask the system: how many processors there are, how memory is given out,
-# time zones. Nothing of it tells of other processes.
+# time zones. None of it reveals other processes.
 _SYSTEM = (
     "/proc/cpuinfo",
     "/proc/sys/vm/overcommit_memory",
@@ -49,7 +49,7 @@ def standard_library() -> list[str]:
 
 
 def can_be_narrow() -> bool:
-    """Return whether Python's own folders can be shown without showing what is not meant."""
+    """Return whether Python's own folders can be shown without exposing anything else."""
     protected = _protected()
     return not any(is_too_wide(os.path.realpath(path), protected) for path in [*standard_library(), str(PUPIL_FOLDER)])
 
@@ -59,7 +59,7 @@ def is_too_wide(path: str, protected: tuple[str, ...]) -> bool:
 
     Args:
         path: the folder, absolute and without symbolic links.
-        protected: these, likewise.
+        protected: absolute paths without symbolic links.
     """
     return any(os.path.commonpath([path, place]) == path for place in protected)
 

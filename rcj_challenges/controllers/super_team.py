@@ -1,4 +1,4 @@
-"""A SuperTeam: the robots of one side are driven by programs of several teams."""
+"""A SuperTeam: programs of several teams drive the robots of one side."""
 
 from __future__ import annotations
 

@@ -16,13 +16,13 @@ _GRANTS = (
     ("/sys/fs/cgroup/cpu.max",),
     ("/sys/fs/cgroup/cpu/cpu.cfs_quota_us", "/sys/fs/cgroup/cpu/cpu.cfs_period_us"),
 )
-"""Where Linux tells how much processor time a container is granted, in µs, and of how many: the newer and older way."""
+"""Where Linux shows a container's share of processor time (µs, and of how many): cgroup versions 2 and 1."""
 
 _LINKS_OF_A_FOLDER = 2  # itself and its parent; each further one is a folder in it, here a thread
 
 
 def threads_of(pid: int) -> int:
-    """Return how many threads a process has; 0 where that cannot be told, or if there is no such process."""
+    """Return how many threads a process has; 0 if that is unknown, or if there is no such process."""
     try:
         return max(0, os.stat(f"/proc/{pid}/task").st_nlink - _LINKS_OF_A_FOLDER)  # noqa: PTH116 - called while a match waits
     except OSError:
@@ -106,7 +106,7 @@ def is_runnable(pid: int, thread: int) -> bool:
 
 
 def held_up_here_s() -> float:
-    """Return for how long this thread was ready to compute and had no processor, in s; 0 where nobody tells."""
+    """Return for how long this thread was ready to compute and had no processor, in s; 0 if that is unknown."""
     if sys.platform == "linux":
         with contextlib.suppress(OSError, ValueError, IndexError), open("/proc/thread-self/schedstat", "rb") as file:  # noqa: PTH123
             return int(file.read().split()[1]) / 1e9
@@ -114,7 +114,7 @@ def held_up_here_s() -> float:
 
 
 def running() -> int:
-    """Return how many threads of the whole system have a processor, or wait for one; 0 where nobody tells."""
+    """Return how many threads of the whole system have a processor, or wait for one; 0 if that is unknown."""
     if sys.platform == "linux":
         with contextlib.suppress(OSError, ValueError, IndexError), open("/proc/loadavg", "rb", buffering=0) as file:  # noqa: PTH123
             return int(file.read().split()[3].partition(b"/")[0])
@@ -122,15 +122,15 @@ def running() -> int:
 
 
 def all_processors() -> int:
-    """Return how many processors the computer has, whoever may use them; 0 where nobody tells."""
+    """Return how many processors the computer has, usable or not; 0 if that is unknown."""
     return os.cpu_count() or 0
 
 
 def processors() -> int:
-    """Return how many processors this process may keep busy; 0 where nobody tells.
+    """Return how many processors this process may keep busy; 0 if that is unknown.
 
-    A container sees all processors of its computer, and may have been granted the time of fewer: who takes more of it
-    is stopped for the rest of each tenth of a second.
+    A container sees all processors of its computer, and may have been granted the time of fewer: a process that uses
+    more is stopped for the rest of each tenth of a second.
     """
     if sys.platform != "linux":
         return 0
@@ -144,7 +144,7 @@ def processors() -> int:
 
 
 def seconds_of(told: str) -> float:
-    """Return a time as ``ps`` tells it, in s: ``2-03:04:05``, ``4:05.06``."""
+    """Parse a time as ``ps`` prints it, in s: ``2-03:04:05``, ``4:05.06``."""
     days, _, clock = told.strip().rpartition("-")
     seconds = 0.0
     for part in clock.split(":"):

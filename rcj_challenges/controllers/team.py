@@ -47,7 +47,7 @@ class Team:
         source: where it was opened.
         name: its name, safe to show: one line of at most 32 printable characters.
         digest: SHA-256 over names and contents of its files, the same for a folder and its ZIP.
-        notes: what is not as a submission should be, but does not hinder play.
+        notes: flaws of the submission that do not prevent play.
     """
 
     def __init__(
@@ -223,7 +223,7 @@ def open_team(path: str | Path, *seats: Entrant) -> Team:
 
 
 def look_into(path: Path, *seats: Entrant) -> Opening:
-    """Open a submission as `open_team` does, and tell everything about it instead of stopping at the first trouble.
+    """Open a submission as `open_team` does, but report everything instead of stopping at the first trouble.
 
     Args:
         path: where it is.
@@ -236,7 +236,7 @@ def look_into(path: Path, *seats: Entrant) -> Opening:
 
 
 def called_after(name: str) -> str:
-    """Return what a team that gives itself no name is called, by the name of its file or folder."""
+    """Return the default name of a team, from the name of its file or folder."""
     for suffix in (".zip", ".py"):  # as .ZIP just as well
         if name.casefold().endswith(suffix):
             name = name[: -len(suffix)]
@@ -354,7 +354,7 @@ def _belongs_to_team(path: PurePosixPath) -> bool:
 
 
 def may_be_logo(path: PurePosixPath) -> bool:
-    """Whether a file is the logo, or meant to be."""
+    """Whether a file is the logo, or probably intended as the logo."""
     stem = "".join(letter for letter in path.stem.casefold() if letter.isalnum())
     return stem in _LOGO_STEMS and path.suffix.casefold() in _PICTURE_ENDINGS
 
@@ -366,7 +366,7 @@ def missing_programs(
     hint: bool = True,
     not_meant: Collection[PurePosixPath] = (),
 ) -> str:
-    """Say which programs are missing, what was looked for, what is there and, as a hint, what comes nearest.
+    """Return a message: missing programs, what was looked for, what is there and, as a hint, the nearest name.
 
     Args:
         files: of the submission.

@@ -1,4 +1,4 @@
-"""The team's name: where it is looked for, and how it becomes one line that can be shown anywhere."""
+"""Finds the team's name and makes it one line that can be shown anywhere."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def find_team_name(files: Files, fallback: str) -> TeamName:
         return TeamName(instead, path, given=False, troubles=(*troubles, *more))
     about = _line_problems(lines, name)
     if any(trouble.code == "identity.name_encoding" for trouble in more):
-        about = [replace(trouble, repair=False) for trouble in about]  # nobody but the team knows what it says
+        about = [replace(trouble, repair=False) for trouble in about]  # only the team knows what it says
     return TeamName(name, path, given=True, troubles=(*troubles, *more, *about))
 
 
@@ -94,7 +94,7 @@ def _note(code: str, message: str, *, repair: bool = False) -> Problem:
 
 
 def _name_file(files: Files) -> tuple[PurePosixPath | None, tuple[Problem, ...]]:
-    """Find the file with the name, or what was meant to be it."""
+    """Find the file with the name, or one that was probably intended for it."""
     exact = [path for path in files if path.name.casefold() == NAME_FILE]
     near = [path for path in files if len(path.parts) == 1 and may_be_name_file(path)]
     for path in sorted(exact, key=lambda path: (len(path.parts), path.name != NAME_FILE)) + sorted(near):
@@ -115,7 +115,7 @@ def _name_file(files: Files) -> tuple[PurePosixPath | None, tuple[Problem, ...]]
 
 
 def may_be_name_file(path: PurePosixPath) -> bool:
-    """Whether a file holds the team's name, or was meant to."""
+    """Whether a file holds the team's name, or was probably intended to."""
     return path.suffix.casefold() in _NEAR_ENDINGS and _near_stem(path)
 
 
@@ -127,7 +127,7 @@ def _near_stem(path: PurePosixPath) -> bool:
 def _decoded(content: bytes) -> tuple[str, tuple[Problem, ...]]:
     """Return the text of the file, and what is odd about how it is written.
 
-    UTF-8, with or without a mark, and UTF-16 with one are what they say. What is neither is guessed.
+    UTF-8, with or without a mark, and UTF-16 with one are recognized. Any other encoding is guessed.
     """
     content = content[:_MAX_NAME_FILE_BYTES]
     marked = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
@@ -159,7 +159,7 @@ def _decoded(content: bytes) -> tuple[str, tuple[Problem, ...]]:
 
 
 def _assumed(encoding: str) -> Problem:
-    """Return the warning that a file was read in an encoding that nothing in it tells."""
+    """Return the warning that the encoding of a file was guessed."""
     message = f"{NAME_FILE} is not in UTF-8: it was read as {encoding}, which may be wrong"
     remedy = 'open it in an editor and save it in UTF-8 (in Windows\' Notepad: "Save as", Encoding "UTF-8")'
     return _warning("name_encoding", message, remedy, repair=False)
@@ -177,7 +177,7 @@ def _unmarked_utf_16(content: bytes) -> str:
 
 
 def _line_problems(lines: list[str], name: str) -> list[Problem]:
-    """Tell what is odd about the name itself; its first line is not empty."""
+    """Return what is odd about the name itself; its first line is not empty."""
     line = " ".join(lines[0].split())
     found = []
     if len(lines) > 1:

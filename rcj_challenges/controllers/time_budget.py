@@ -1,4 +1,4 @@
-"""What time one program is charged in a half: CPU time and idle time, but never the time that others hold it up.
+"""Charges one program's time in a half: CPU time and idle time, but never delays caused by others.
 
 An interval lasts from a program's release to its answer (the first one from its launch). In it the program is charged
 
@@ -6,7 +6,7 @@ An interval lasts from a program's release to its answer (the first one from its
 - idle time: wall time less the longest running plus ready time of any single thread.
 
 So a program pays for computing and for real waits, and a busy computer changes nothing. All numbers come from the
-kernel, which a program cannot make lie. Reading them costs more than most programs compute, so an interval is measured
+kernel, so a program cannot fake them. Reading them costs more than most programs compute, so an interval is measured
 only from `MEASURED_AFTER_S` on. Until then it is charged the CPU time that was used since the last reading, at most
 `MEASURED_AFTER_S` for each interval.
 """
@@ -31,7 +31,8 @@ class ThreadTimes(NamedTuple):
 
     Attributes:
         running_s: how long it has computed, in s.
-        ready_s: how long it was ready to compute but waited for a processor, in s. The present wait is not in it yet.
+        ready_s: how long it was ready to compute but waited for a processor, in s. The current wait is not included
+        yet.
         runs: how many times it was given a processor.
     """
 
@@ -68,7 +69,7 @@ class TimeBudget:
         started_s: what it was charged until its first step, in s.
         charged_s: what it was charged in its later steps, in s; exact after `close`.
         slowest_s: the most that it was charged in one of them, in s; 0 if no answer had to be waited for.
-        quick_answers: how many answers were here at once since the last reading; counted by whoever takes them.
+        quick_answers: how many answers were here at once since the last reading; the caller that receives them counts.
         background_s: CPU time that it used outside its intervals, in s.
         waited_s: wall time in which it was waited for, in s, up to the last look.
     """

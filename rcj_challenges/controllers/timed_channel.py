@@ -78,7 +78,7 @@ class TimedChannel:
         if not self.is_awaited:
             return
         now_s, held_up_s = time.perf_counter(), tasks.held_up_here_s()
-        # If the match stood still, or had no processor, the answer may have been here for long.
+        # If the match stood still, or had no processor, the answer may have arrived long before.
         lost_s = 0.0 if self._held_up_s is None else max(0.0, overslept_s, held_up_s - self._held_up_s)
         self._held_up_s = held_up_s
         try:

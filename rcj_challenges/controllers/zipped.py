@@ -1,7 +1,7 @@
 """Reading a ZIP archive that may be damaged or made to deceive.
 
-The table of contents at the archive's end is read by ourselves: a reader that forgives cannot tell a pupil what is
-wrong, nor see that two programs would unpack one archive differently. Numbers: APPNOTE.TXT of PKWARE, 4.3 and 4.5.
+This module reads the table of contents at the archive's end itself: a forgiving reader could not report what is wrong,
+nor notice that two programs would unpack one archive differently. Numbers: APPNOTE.TXT of PKWARE, 4.3 and 4.5.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from rcj_challenges.controllers.submission_problems import Problem, Problems, sa
 from rcj_challenges.facts.amounts import counted
 
 MAX_ENTRIES = 10_000
-"""Entries of an archive that are looked at; ten thousands of files are no robot's programs."""
+"""How many entries of an archive are read; no team needs tens of thousands of files."""
 
 _END = struct.Struct("<4s4H2LH")
 _END_64 = struct.Struct("<4sQ2H2L4Q")
@@ -36,7 +36,7 @@ _PACK_AGAIN = "pack the folder again, as an ordinary ZIP archive"
 
 @dataclass(frozen=True)
 class Entry:
-    """One entry of the table of contents, as it says of itself.
+    """One entry of the table of contents, as it describes itself.
 
     Attributes:
         name: with slashes or backslashes between its parts.
@@ -67,7 +67,7 @@ class Entry:
 
     @property
     def guessed(self) -> bool:
-        """Whether its name is read in code page 437, which the format prescribes and Windows hardly ever writes."""
+        """Whether its name is read in code page 437, which the format prescribes and Windows rarely writes."""
         return not self.flags & _UTF_8 and not _is_utf_8(self.raw_name)
 
     @property
@@ -116,7 +116,7 @@ def read_entries(data: bytes, troubles: Problems) -> list[Entry]:
         troubles: takes what is odd about it as a whole.
 
     Raises:
-        UnreadableError: it is no ZIP, or its table of contents is damaged.
+        UnreadableError: it is not a ZIP, or its table of contents is damaged.
     """
     bounds = _find_bounds(data, troubles)
     entries = list(_entries(data, bounds))
@@ -128,12 +128,12 @@ def read_entries(data: bytes, troubles: Problems) -> list[Entry]:
 
 
 def unpack(data: bytes, entry: Entry, most: int) -> tuple[bytes, str]:
-    """Return an entry's content, and what its local header says otherwise than the table of contents.
+    """Return an entry's content, and how its local header differs from the table of contents.
 
     Args:
         data: the whole file.
         entry: which.
-        most: bytes that may come out of it; what the entry says about its size is not believed.
+        most: bytes that may come out of it, whatever the entry says about its size.
 
     Raises:
         UnreadableError: it is damaged.
@@ -309,7 +309,7 @@ def _widened(extra: bytes, packed: int, size: int, offset: int) -> tuple[int, in
 
 
 def _check_overlap(entries: list[Entry], bounds: _Bounds) -> None:
-    """Refuse entries that share bytes: small archives become large that way, and each program reads them otherwise."""
+    """Refuse entries that share bytes: small archives become large that way, and programs read them differently."""
     end = 0
     for entry in sorted(entries, key=lambda entry: entry.offset):
         shown = safe_text(entry.name)

@@ -1,4 +1,4 @@
-"""Scores, counters and their sums as numbers that people write: whole ones without a point, decimal ones exact."""
+"""Scores, counters and their sums as people write them: whole numbers without a point, decimal numbers exact."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ Score = int | float
 """Points of a team, or what a counter counts: decimal points are allowed."""
 
 MOST = 10**15
-"""Scores and counters stay between this and its negative: up to there every whole number is a float of its own, here
+"""Scores and counters stay between this and its negative: up to there floats represent every whole number exactly, here
 and in a browser."""
 
 
@@ -18,7 +18,7 @@ def plain(value: float) -> int | float:
 
 
 def round_score(value: float) -> int | float:
-    """Return a score or counter as it would be on paper: three times 0.1 is 0.3, not 0.30000000000000004.
+    """Round a score or counter to what it would be on paper: three times 0.1 is 0.3, not 0.30000000000000004.
 
     Every score, counter and sum of them comes through here after each change, so that conditions, events, records and
     the ranking see the same number. One that grows beyond `MOST` stays there.
@@ -27,15 +27,15 @@ def round_score(value: float) -> int | float:
 
 
 def counted(number: int, noun: str, plural: str = "") -> str:
-    """Return so many of a thing in words: ``1 rule``, ``3 rules``; with ``plural`` where that takes more than an s."""
+    """Format a count of things in words: ``1 rule``, ``3 rules``; with ``plural`` where that takes more than an s."""
     return f"{number} {noun if number == 1 else plural or f'{noun}s'}"
 
 
 def times(number: int) -> str:
-    """Return how often: ``never``, ``once``, ``3 times``."""
+    """Format how often: ``never``, ``once``, ``3 times``."""
     return {0: "never", 1: "once"}.get(number, f"{number} times")
 
 
 def clamp_to_max(value: float) -> int | float:
-    """Return a number, or `MOST` or its negative if it is beyond; what is not a number stays what it is."""
+    """Clamp a number to `MOST` and its negative; return everything else unchanged."""
     return MOST if value > MOST else max(value, -MOST)

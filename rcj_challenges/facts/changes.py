@@ -1,4 +1,4 @@
-"""What is different after a tick: phase, score, counters, held robots. Records and views learn it only from here."""
+"""Changes in a tick: phase, score, counters, held robots. The only source of them for records and views."""
 
 from __future__ import annotations
 

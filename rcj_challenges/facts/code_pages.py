@@ -1,4 +1,4 @@
-"""The pages of codes that several rooms report: what this computer lacks, and files that cannot be read or written."""
+"""The pages of codes that several rooms report: missing resources, and files that cannot be read or written."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The colours that scenarios may name: those of CSS, as numbers that every program that paints understands."""
+"""The colours that scenarios may name: those of CSS, as hexadecimal numbers."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _TABLE = """
 _WORDS = _TABLE.split()
 
 CSS_COLOURS: dict[str, str] = {name: f"#{rgb}" for name, rgb in zip(_WORDS[::2], _WORDS[1::2], strict=True)}
-"""The named colours of CSS Color Module Level 4, as ``#rrggbb``. ``transparent`` is none: nobody would see it."""
+"""The named colours of CSS Color Module Level 4, as ``#rrggbb``. Without ``transparent``, which would be invisible."""
 
 
 def hex_colour(colour: str) -> str | None:

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 
 class RcjError(Exception):
-    """Something given to us is wrong; the message says what, where, and what would be right.
+    """Wrong input; the message says what is wrong, where, and what would be right.
 
     Attributes:
         exit_code: what the command line exits with.
@@ -26,7 +26,7 @@ class RcjError(Exception):
 
 
 class HostError(RcjError):
-    """This computer cannot do what is needed: no space, too many open files. No program and no team is to blame."""
+    """A failure of this computer: no space, too many open files. Neither a program nor a team is to blame."""
 
     CODE = "host-error"
 
@@ -37,28 +37,28 @@ _OF_THE_HOST = frozenset(
     if hasattr(errno, name)  # Windows has no quotas
 )
 _OF_THE_HOST_ON_WINDOWS = frozenset({14, 39, 1450, 1455})
-"""Those of Windows (``winerror``) that ``errno`` tells as EINVAL: no memory, a full disk, no system resources, and a
+"""Those of Windows (``winerror``) that ``errno`` reports as EINVAL: no memory, a full disk, no system resources, and a
 paging file that is too small."""
 
 
 def is_of_the_host(error: BaseException) -> bool:
-    """Return whether an error tells of this computer's own limits."""
+    """Return whether an error is about this computer's own limits."""
     if not isinstance(error, OSError):
         return False
     return error.errno in _OF_THE_HOST or getattr(error, "winerror", None) in _OF_THE_HOST_ON_WINDOWS
 
 
 _HELD = frozenset({5, 32})
-"""What Windows says (``winerror``) where another program has a file open: access denied, sharing violation."""
+"""Error codes of Windows (``winerror``) if another program has a file open: access denied, sharing violation."""
 
 
 def is_held(error: OSError) -> bool:
-    """Return whether an error may mean that another program has the file open; only on Windows it does."""
+    """Return whether an error may mean that another program has the file open, which happens only on Windows."""
     return getattr(error, "winerror", None) in _HELD
 
 
 def format_error(error: BaseException) -> str:
-    """Return what an error says, of the system's errors without paths: they go into records that are published."""
+    """Format an error; errors of the system come without paths, because records are published."""
     return (error.strerror if isinstance(error, OSError) else None) or str(error)
 
 
@@ -71,12 +71,12 @@ def is_no_room(error: BaseException) -> bool:
 
 
 def error_hint(error: BaseException) -> str:
-    """Return what the system says of a file that cannot be written, and what helps if there is no room for it."""
+    """Format the system's error about a file that cannot be written, with help if the disk is full."""
     return format_error(error) + ("; make room there, or write it elsewhere" if is_no_room(error) else "")
 
 
 def room_help(error: BaseException) -> str:
-    """Return what helps where something could not be written; empty unless there was no room for it."""
+    """Return help for something that could not be written; empty unless the disk is full."""
     return "make room there, or write it elsewhere" if is_no_room(error) else ""
 
 

@@ -1,4 +1,4 @@
-"""What files cannot be called."""
+"""Invalid file names."""
 
 from __future__ import annotations
 
@@ -8,5 +8,5 @@ _DEVICES = re.compile(r"con|prn|aux|nul|conin\$|conout\$|(com|lpt)[0-9¹²³]", 
 
 
 def is_device_of_windows(name: str) -> bool:
-    """Return whether no file on Windows may be called so, whatever its ending."""
+    """Return whether Windows reserves this name, whatever its ending."""
     return _DEVICES.fullmatch(name.partition(".")[0].rstrip()) is not None

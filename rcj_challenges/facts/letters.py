@@ -1,11 +1,11 @@
-"""Letters that a terminal or a file does not have: on Windows, what is piped has those of one country's code page."""
+"""Letters that the encoding of a terminal or a file lacks: on Windows, pipes use the code page of one country."""
 
 from __future__ import annotations
 
 import codecs
 
 READABLE = "rcj.readable"
-"""For ``errors=`` of a text stream: what its encoding lacks is written in plain letters or as ``?``, never an error."""
+"""Error handler of text streams: writes letters that the encoding lacks as plain letters or ``?``, never raises."""
 
 _PLAIN = {
     "→": "->",

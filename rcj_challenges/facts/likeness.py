@@ -1,4 +1,4 @@
-"""Names that are nearly another one: the only place that compares them letter by letter.
+"""Similar names: the only place that compares names letter by letter.
 
 Comparing costs the product of two lengths, times the number of names. Names come from strangers, so both are bounded.
 """
@@ -10,19 +10,19 @@ from difflib import SequenceMatcher, get_close_matches
 from itertools import islice
 
 MAX_COMPARED = 150
-"""Known names that a misspelt one is compared with; among more the intended one is a guess."""
+"""How many known names a misspelt one is compared with; among more the intended one would be a guess."""
 
 MAX_LETTERS = 32
-"""Letters of a name that are compared; what differs only behind them is no typing mistake."""
+"""How many letters of a name are compared; a difference only after them is not a typing mistake."""
 
 
 def nearest_name(word: str, known: Iterable[str], likeness: float = 0.6) -> str | None:
-    """Return the known name that is most like a misspelt one; None if none is like it.
+    """Return the known name that is most similar to a misspelt one; None if none is similar.
 
     Args:
         word: as it was written.
-        known: the names that there are; the first `MAX_COMPARED` count.
-        likeness: how like it a name must be, from 0 to 1.
+        known: the existing names; the first `MAX_COMPARED` count.
+        likeness: the required similarity, from 0 to 1.
     """
     by_beginning: dict[str, str] = {}
     for name in islice(known, MAX_COMPARED):
@@ -32,5 +32,5 @@ def nearest_name(word: str, known: Iterable[str], likeness: float = 0.6) -> str 
 
 
 def likeness_of(one: str, other: str) -> float:
-    """Return how like each other two names are, from 0 to 1."""
+    """Return how similar two names are, from 0 to 1."""
     return SequenceMatcher(None, one[:MAX_LETTERS], other[:MAX_LETTERS]).ratio()

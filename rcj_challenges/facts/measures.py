@@ -1,4 +1,4 @@
-"""Names that carry a unit, as people say them: ``best_s`` is ``best (s)``, and with a value ``best 10.48 s``."""
+"""Names that carry a unit, as people write them: ``best_s`` is ``best (s)``, and with a value ``best 10.48 s``."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ _UNITS = {
 
 
 def measure(name: str) -> tuple[str, str]:
-    """Return what a name says and its unit: ``("best", "s")`` of ``best_s``, ``("laps", "")`` of ``laps``."""
+    """Split a name into text and unit: ``("best", "s")`` of ``best_s``, ``("laps", "")`` of ``laps``."""
     words, _, last = name.rpartition("_")
     if words and last in _UNITS:
         return words.replace("_", " "), _UNITS[last]
@@ -29,7 +29,7 @@ def measured_words(name: str, value: str) -> str:
 
 
 def number_words(value: float, decimals: int = 6) -> str:
-    """Return a number without superfluous zeros; nothing of it is rounded away that decides: ``10.48``."""
+    """Format a number without superfluous zeros and without rounding away digits that decide: ``10.48``."""
     number = f"{value:.{decimals}f}"
     number = number.rstrip("0").rstrip(".") if "." in number else number
     return "0" if number == "-0" else number

@@ -1,4 +1,4 @@
-"""What robots tell the referee by radio: from the bytes of a packet to text, a number or a position."""
+"""Messages from robots to the referee by radio: from the bytes of a packet to text, a number or a position."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from collections.abc import Callable
 from math import isfinite
 
 MAX_LETTERS = 200
-"""Of a message; what is beyond is not heard."""
+"""Of a message; the rest is ignored."""
 
 LARGEST_NUMBER = 1e9
 FURTHEST_M = 10.0
-"""Beyond these a number or a position is none: what is reckoned with them must stay a number, and nothing is put where
-no field can be. Up to there all around a field is solid, so that nothing finds room."""
+"""Larger numbers and positions are refused: results computed with them must stay finite, and nothing may be placed
+where no field can be. Up to there everything around a field is solid, so that nothing finds room."""
 
-# Digits can be read in one way only: else what is nearly a number takes a hundred times as long to be refused.
+# Digits match in one way only: otherwise refusing a near-number takes a hundred times as long.
 _NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d{1,3})?"
 _ONE_NUMBER = re.compile(_NUMBER, re.ASCII)
 # Two numbers as people and programs write them: "0.1 -0.2", "0.1, -0.2", "[0.1, -0.2]", "(0.1,-0.2)".
@@ -23,14 +23,14 @@ _POSITION = re.compile(rf"[\[(]?\s*({_NUMBER})(?:\s*[,;]\s*|\s+)({_NUMBER})\s*[\
 _DOUBLE = 8
 _MAX_DOUBLES = 8
 _DIGITS = 6
-"""To the micrometre: `send([x, y])` is told as "0.31 -0.295637"."""
+"""To the micrometre: `send([x, y])` arrives as "0.31 -0.295637"."""
 _BLANKS = str.maketrans("\t\r\n", "   ")
 
 
 def message_text(data: bytes) -> str:
-    """Return what a packet says: text without the blanks around it, and without what cannot be read.
+    """Return the text of a packet, without surrounding blanks and unreadable characters.
 
-    Packets of a few doubles (``send([0.1, -0.2])``) are numbers; a packet that is text as well is text.
+    Packets of a few doubles (``send([0.1, -0.2])``) are numbers; a packet that is also valid text is text.
     """
     # A text may end with one zero byte. The bytes of doubles hold more of them as a rule.
     body = data.removesuffix(b"\0")
@@ -46,7 +46,7 @@ def message_text(data: bytes) -> str:
 
 
 def _readable(data: bytes) -> str | None:
-    """Return the text that bytes are, None if they are none."""
+    """Decode bytes as text; None if they are not text."""
     try:
         text = data.decode()
     except UnicodeDecodeError:
@@ -56,13 +56,13 @@ def _readable(data: bytes) -> str | None:
 
 
 def number_in(text: str) -> float | None:
-    """Return the number that a message is; None if it is none."""
+    """Parse a message as a number; None if it is not one."""
     number = float(text) if _ONE_NUMBER.fullmatch(text) else None
     return number if number is not None and abs(number) <= LARGEST_NUMBER else None
 
 
 def position_in(text: str) -> tuple[float, float] | None:
-    """Return the position [x, y] in m that a message is; None if it is none."""
+    """Parse a message as a position [x, y] in m; None if it is not one."""
     found = _POSITION.fullmatch(text)
     if found is None:
         return None
@@ -75,11 +75,11 @@ READS: dict[str | None, Callable[[str], object]] = {
     "number": number_in,
     "position": position_in,
 }
-"""What a message may have to be, each with what reads it; None is returned of a message that is none."""
+"""The kinds of messages with their parsers, which return None for other messages."""
 
 
 def matches_text(text: str, wanted: str | float | bool) -> bool:
-    """Return whether a message says what is wanted: the same text, or for a number the same number.
+    """Return whether a message equals the wanted value: the same text, or the same number.
 
     Args:
         text: of the message.

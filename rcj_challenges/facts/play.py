@@ -21,7 +21,7 @@ Pose2 = tuple[float, float, float]
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """A program's failure: it is silent with wheels at 0 from ``tick`` on.
+    """A program's failure: from ``tick`` on it sends nothing and its wheels are commanded 0.
 
     Attributes:
         robot: the robot's name, ``Y1``.
@@ -44,7 +44,7 @@ class Fault:
 
 
 class Snapshot(NamedTuple):
-    """All that the referee may see of one tick. The trajectory holds exactly this, so old matches can be judged again.
+    """Everything that the referee may see of one tick. The trajectory stores exactly this, for judging again.
 
     Attributes:
         tick: 1 for the tick that the first four sub-steps lead to.
@@ -54,8 +54,8 @@ class Snapshot(NamedTuple):
         uprights: ``[entity] -> `` cosine of the tilt (the body's z axis on the world's); 1.0 is upright. 1.0 for balls.
         touches: ``[sub-step] -> `` pairs of thing indices, the smaller first, that touched in this sub-step.
         faults: programs that failed since the last snapshot.
-        heard: what robots have told the referee by radio since the last snapshot: (entity, text), in the order of
-            robots, one message of each at most. Empty where no rule listens.
+        heard: messages from robots to the referee since the last snapshot: (entity, text), in the order of robots, at
+            most one of each. Empty if no rule uses them.
     """
 
     tick: int
@@ -108,7 +108,7 @@ class Firing:
         other: what it touched, in a rule that names ``other``, else None.
         trigger: the word that fired (``enters``, ``no_progress`` …).
         measured: what was measured (m, s, m/s or a count; None where the word measures nothing).
-        limit: the limit it was held against, in the same unit.
+        limit: the limit it was compared with, in the same unit.
         scored: points by entrant that this firing gave.
         suppressed: None if its actions ran, else why not (``exclusive``, ``cooldown``, ``max_executions``, ``phase``,
             or ``no_room``: what was to be placed waits).
@@ -130,18 +130,18 @@ class Firing:
 
 @dataclass(frozen=True, slots=True)
 class RefereeOutput:
-    """The referee's answer to one snapshot.
+    """The referee's output for one snapshot.
 
     Attributes:
-        events: to the reflog, in order.
-        firings: to the referee's own log, in order.
-        placements: to be carried out now: all lifted first, then set down in this order.
+        events: for the reflog, in order.
+        firings: for the referee's own log, in order.
+        placements: to be carried out now: all things are lifted first, then placed in this order.
         phase: the phase after the actions.
-        waiting_for_kickoff: the flag that programs are told, after the actions.
+        waiting_for_kickoff: the flag sent to programs, after the actions.
         ended: None, or the reason for which an ``end`` action ended the half.
         ends_match: True if that action ended the whole match: no half follows.
-        broadcast: the JSON object that programs are told beyond the official packet, or None.
-        private_broadcasts: by index of a robot, what it alone is sent besides; None: nothing.
+        broadcast: the JSON object sent to programs in addition to the official packet, or None.
+        private_broadcasts: by index of a robot, the values sent to it alone; None: nothing.
         robots_held: whether the phase holds all robots: their wheels stand braked from the next tick on, whatever
             programs command.
         held: indices of the robots that rules hold, in the same way; the same object as long as nothing changes.

@@ -1,4 +1,4 @@
-r"""Text of strangers, made safe to show: what cannot be seen, or would move what stands beside it, is spelled out.
+r"""Makes untrusted text safe to show: characters that are invisible or move others are written as escapes.
 
 A name such as ``"\x1b[2J"`` or one with a right-to-left mark is data. On a terminal, in JSON and in HTML it appears as
 the same visible letters; HTML adds its own escaping where a page is written.
@@ -9,7 +9,7 @@ from __future__ import annotations
 import unicodedata
 
 MAX_LETTERS = 200
-"""A file's name or a message longer than this is cut: nobody reads more of it in a list."""
+"""File names and messages longer than this are cut: in a list more is useless."""
 
 MAX_BLOCK_LINES = 60
 MAX_BLOCK_LETTERS = 400
@@ -35,11 +35,11 @@ def sanitize(text: object, longest: int = MAX_LETTERS) -> str:
 
 
 def sanitize_block(text: str, most_lines: int = MAX_BLOCK_LINES) -> str:
-    """Return text of several lines, each of them harmless: a traceback, or what a program printed.
+    """Make text of several lines harmless: a traceback, or the output of a program.
 
     Args:
-        text: what was said.
-        most_lines: of more, the first few and the last ones are kept: that is where a traceback says what went wrong.
+        text: the original.
+        most_lines: of longer texts the first few and the last lines are kept: there a traceback says what went wrong.
     """
     lines = text.expandtabs(4).replace("\r\n", "\n").strip("\n").split("\n")
     if len(lines) > most_lines:

@@ -17,5 +17,5 @@ def stream_seed(match_seed: int, name: str) -> int:
 
 
 def random_stream(match_seed: int, name: str) -> random.Random:
-    """Return a generator of its own for the use ``name``; two calls give two generators with equal draws."""
+    """Return a new generator for the use ``name``; two calls return two generators with equal draws."""
     return random.Random(stream_seed(match_seed, name))  # noqa: S311 - a reproducible draw, not a secret

@@ -1,7 +1,7 @@
-"""What passes between the devices of a robot and the program that drives it.
+"""The data exchanged between the devices of a robot and the program that drives it.
 
 The devices room makes `Observation`s and consumes `Request`s; the controllers room carries both over pipes. Neither
-knows the other: this file is all they share.
+imports the other: this file is all they share.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 @dataclass(frozen=True, slots=True)
 class DeviceSpec:
-    """One device of one robot, as its program will find it.
+    """One device of one robot, as its program sees it.
 
     Attributes:
         name: as the program asks for it, ``distancesensor left``.
@@ -34,7 +34,7 @@ class DeviceSpec:
 
 @dataclass(frozen=True, slots=True)
 class RobotSpec:
-    """All that a program's process is told when it starts.
+    """Everything that a program's process receives at its start.
 
     Attributes:
         name: ``B1``.
@@ -70,14 +70,14 @@ class Packet(NamedTuple):
 
 
 class Observation(NamedTuple):
-    """What one program is told when its ``step`` returns.
+    """What one program receives when its ``step`` returns.
 
     Attributes:
         tick: tick of the half; simulated time is ``tick * 0.032`` s.
         values: all numbers of all devices (NaN before the first sample), by slot. Lidar ranges stand here too.
         packets: those that arrived since the last observation, in order.
         over: True in the last one: ``step`` returns -1.
-        soon: True if the next one follows soon, so that its process had better not fall asleep meanwhile.
+        soon: True if the next one follows soon, so that its process should busy-wait.
     """
 
     tick: int
@@ -96,7 +96,7 @@ class MotorCommand(NamedTuple):
 
 
 class Request(NamedTuple):
-    """What a program asked for when it called ``step``. Trusted in form (decoded and range-checked), not in content.
+    """A program's request when it calls ``step``. Trusted in form (decoded and range-checked), not in content.
 
     Attributes:
         advance_ticks: ``step(ms)`` in ticks, >= 1.

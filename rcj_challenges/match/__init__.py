@@ -1,4 +1,4 @@
-"""The loop of a match: halves and seeds, programs in lockstep, everything recorded.
+"""Runs matches: halves and seeds, programs in lockstep, everything recorded.
 
 Belongs here: the order of what happens in a tick, and the calls of observers. Does not belong here: rules (referee),
 physics (world), what a sensor reads (devices), how a program is started or stopped (controllers), what a record looks

@@ -78,7 +78,7 @@ class Job:
             process.cut_lifeline()
 
     def read_outcome(self, process: MatchProcess) -> Attempt[Outcome]:
-        """Wait for the match to end and read its result; not final if the process died of anything but wrong input."""
+        """Wait for the match to end and read its result; final unless the process died, other than by wrong input."""
         try:
             out, complaint = process.communicate()
         finally:
@@ -106,7 +106,7 @@ class Outcome:
         job: the job.
         result: as in ``result.json``; None if the match could not be played.
         complaint: what its process wrote to stderr, if it could not.
-        wrong_input: True if the input was at fault, so that trying again is useless.
+        wrong_input: True if the input was wrong, so that a retry is useless.
     """
 
     job: Job

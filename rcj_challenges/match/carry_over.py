@@ -1,4 +1,4 @@
-"""What passes from half to half of a match, whether it is played or judged again."""
+"""State carried over from half to half of a match, whether it is played or judged again."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:  # it is loaded while programs start
 
 
 class CarryOver:
-    """Points, what is kept for the next half, and what was counted until now.
+    """Points, the values kept for the next half, and the totals so far.
 
     Attributes:
         scores: points by team.
@@ -24,7 +24,7 @@ class CarryOver:
     """
 
     def __init__(self, scenario: Scenario) -> None:
-        """Begin a match without points."""
+        """Begin a match with 0 points."""
         self.scores: dict[str, Score] = dict.fromkeys(scenario.entrants, 0)
         self.kept: dict[str, Any] = {}
         self._scenario = scenario

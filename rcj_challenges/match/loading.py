@@ -1,4 +1,4 @@
-"""Loads the physics, which nothing else of a match needs; where that fails, the computer lacks something."""
+"""Loads the physics; an error means that the computer lacks something."""
 
 from __future__ import annotations
 

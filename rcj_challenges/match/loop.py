@@ -23,16 +23,16 @@ class Driver(Protocol):
         """Wait for its next request, or learn that it failed. A wait that turns out to be long calls ``if_long``."""
 
     def collect_soon(self) -> Request | Fault | None:
-        """Return the same if it is here, or comes at once; None: `collect` has to wait for it."""
+        """Return the request if it is here or comes at once; None: `collect` has to wait for it."""
 
     def release(self, observation: Observation) -> None:
         """Let its ``step`` return."""
 
     def share_cpus(self, share: CpuShare) -> None:
-        """Let it share the CPUs with the match like that from now on."""
+        """Set how it shares the CPUs with the match from now on."""
 
     def computed_s(self) -> float:
-        """Return for how long it has computed; 0 if that is not known at once."""
+        """Return its CPU time in s; 0 if that is not known at once."""
 
     def overstepped(self, tick: int) -> Fault | None:
         """Return a fault if its threads use more than they may during a long ``step``."""
@@ -56,7 +56,7 @@ class LoopResult:
 
 
 _LOOKED_AFTER_EVERY = 64
-"""Ticks between looks at programs that stay away for longer than that."""
+"""Ticks between checks of programs in longer steps."""
 
 OnTick = Callable[[Snapshot, RefereeOutput, bytes, bytes], None]
 """Takes a snapshot, the referee's output, and from the world `state_bytes` and `poses_bytes`."""
@@ -92,8 +92,8 @@ class TickLoop:
             half: what is played.
             on_tick: called with every judged tick, while the programs compute the next.
             on_fault: called for programs that fail.
-            before_tick: asked before each simulated tick, when all programs that were due have answered. It may wait:
-                that counts for no program's limits, and no program computes meanwhile.
+            before_tick: called before each simulated tick, when all programs that were due have answered. It may wait:
+                that does not count towards limits, and no program computes meanwhile.
         """
         self._before_tick = before_tick
         self._stage = stage
@@ -120,7 +120,7 @@ class TickLoop:
         while should_continue(self._stage.referee, output, self.tick, self._half):
             self._before_tick(self.tick + 1)
             output = self._one_tick(self.tick + 1)
-        self._share_cpus(DEFAULT_SHARE)  # what they do at the end they all do at once, and the match has nothing to do
+        self._share_cpus(DEFAULT_SHARE)  # at the end all programs compute at once, and the match does not
         closing = self._stage.referee.finish()
         # A half that is over cannot be ended once more, the match can.
         ended = closing.ended if closing.ends_match else output.ended
@@ -181,10 +181,10 @@ class TickLoop:
                 self._take(robot, fault)
 
     def _sense_and_release(self, tick: int, *, plays_on: bool) -> list[int]:
-        """Let each robot look around, and release its program if it is due; returns those released."""
+        """Update each robot's sensors, and release its program if it is due; return those released."""
         devices, alive = self._stage.devices, self._alive
         due = [robot for robot in devices.specs if self._due.get(robot) == tick] if plays_on else []
-        # The one that is released first finds its CPU awake, and so do the others after it.
+        # The first released program finds its CPU awake, and so do the others after it.
         awake = due[0] if due and self._cpu_policy.should_busy_wait(due[0]) else None
         self._share_cpus(self._cpu_policy.share)
         for robot in devices.specs:
@@ -194,7 +194,7 @@ class TickLoop:
         return due
 
     def _share_cpus(self, share: CpuShare) -> None:
-        """Let all programs share the CPUs like that from now on."""
+        """Set how all programs share the CPUs from now on."""
         if share is not self._cpu_share:
             self._cpu_share = share
             for driver in self._alive.values():
@@ -206,13 +206,13 @@ class TickLoop:
         self._share_cpus(self._cpu_policy.share)
 
     def _computed_s(self) -> dict[int, float]:
-        """Return for how long each program has computed."""
+        """Return the CPU time of each program in s."""
         return {robot: driver.computed_s() for robot, driver in self._alive.items()}
 
     def _collect(self, due: list[int]) -> None:
         """Carry out the requests of the programs that were released, in their order."""
         alive, taken = self._alive, 0
-        # What the first have asked for is carried out while the last still think.
+        # The requests of the first are carried out while the last still compute.
         for robot in due:
             answer = alive[robot].collect_soon()
             if answer is None:
@@ -220,13 +220,13 @@ class TickLoop:
             self._take(robot, answer)
             taken += 1
         waiting = due[taken:]
-        # Sleeping until the last answers, we mostly find the others' answers ready: one sleep instead of six.
+        # After a sleep until the last answer, the others are mostly ready: one sleep instead of six.
         answers = [alive[robot].collect(self._give_all_cpus) for robot in reversed(waiting)]
         for robot in waiting:
             self._take(robot, answers.pop())
 
     def _take(self, robot: int, answer: Request | Fault) -> None:
-        """Carry out a request, now or after the ticks its program slept through; or remove a program that failed."""
+        """Carry out a request, now or after the ticks that its program slept through; or remove a failed program."""
         if isinstance(answer, Fault):
             del self._alive[robot], self._due[robot]
             self._stage.devices.silence(robot)

@@ -35,12 +35,12 @@ class Progress:
 
 @dataclass(frozen=True, slots=True)
 class ProgramTimes:
-    """What time one program was charged in a half (`TimeBudget`); it differs from run to run.
+    """The time charged to one program in a half (`TimeBudget`); it differs from run to run.
 
     Attributes:
         robot: whose program.
         steps: how many times it called ``step``.
-        started_s: until its first ``step``, in s; 0: it never came to that.
+        started_s: until its first ``step``, in s; 0: it never called it.
         waited_s: for all its later steps together, in s.
         slowest_s: for the slowest of them, in s.
     """
@@ -61,7 +61,7 @@ class Observer(Protocol):
         """A half begins."""
 
     def sensing(self, half: HalfInfo, robots: Sequence[SensedRobot]) -> Sequence[SensorListener]:
-        """A half begins; return the listeners that get what is recorded of its programs as it comes."""
+        """A half begins; return the listeners that receive the recorded data of its programs."""
 
     def progressed(self, progress: Progress) -> None:
         """Another ``progress_every_ticks`` ticks are played."""
@@ -82,17 +82,17 @@ class Observer(Protocol):
         """A tick is about to be simulated. The one call that may wait: programs that are due have all answered.
 
         Returns:
-            How long it waited in s: that is not the time that the match took.
+            How long it waited in s, which does not count as time of the match.
         """
 
     def closing(self, output: RefereeOutput, half: HalfInfo) -> None:
-        """What came of the rules after the last tick of a half; its events are also passed to `event`."""
+        """The output of the rules after the last tick of a half; its events are also passed to `event`."""
 
     def half_ended(self, half: HalfInfo, waits: tuple[ProgramTimes, ...]) -> None:
         """A half is over, and its programs are gone."""
 
     def finished(self, result: dict[str, Any]) -> None:
-        """The match is over, or was broken off (the result is not ``complete``), and its record is closed."""
+        """The match is over or was interrupted (the result is not ``complete``), and its record is closed."""
 
 
 class NullObserver:
@@ -139,7 +139,7 @@ class NullObserver:
 
 
 class ObserverGroup:
-    """Several observers as one; the first decides how often the progress is reported."""
+    """Combines several observers; the first decides how often the progress is reported."""
 
     def __init__(self, *observers: Observer) -> None:
         self._observers = observers

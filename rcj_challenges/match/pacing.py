@@ -29,7 +29,7 @@ class TickEffects:
         observer: that is called.
         crew: whose output is shown.
         show_output: robots whose output is shown.
-        real_time: True: no tick is judged before the clock, which starts with the first one, has come to it.
+        real_time: True: no tick is judged before its time on a clock that starts with the first one.
     """
 
     def __init__(
@@ -58,7 +58,7 @@ class TickEffects:
         """Take a judged tick, while the programs compute the next."""
         self._record.tick(snapshot, output, state, poses)
         tick = snapshot.tick
-        if tick <= 1:  # after tick 0 it is waited until all programs have started
+        if tick <= 1:  # after tick 0 the match waits until all programs have started
             self._began_s = time.perf_counter()
         self._observer.ticked(snapshot, output)
         for event in output.events:
@@ -73,7 +73,7 @@ class TickEffects:
                 time.sleep(ahead_s)
 
     def closed(self, closing: RefereeOutput) -> None:
-        """Pass on what came of the rules after the last tick, and show the last output."""
+        """Pass on the output of the rules after the last tick, and show the programs' last output."""
         self._observer.closing(closing, self._half)
         for event in closing.events:
             self._observer.event(event, self._half)

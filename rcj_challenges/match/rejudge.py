@@ -1,4 +1,4 @@
-"""Judging a recorded match again: its poses, by its own rules or by others. No physics and no programs take part."""
+"""Judges a recorded match again: its poses, by its own rules or by others, without physics and programs."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ Score = int | float
 
 
 class MisfitError(DiagnosticError):
-    """A record that a scenario cannot judge: others took part in it."""
+    """A record with other participants than the scenario, which therefore cannot judge it."""
 
     def __init__(self, scenario: Scenario, what: str, played: Sequence[str], wanted: Sequence[str]) -> None:
-        """Compare who took part.
+        """Compare the participants.
 
         Args:
             scenario: that was to judge.
@@ -63,14 +63,14 @@ class JudgedHalf:
 
 @dataclass(frozen=True)
 class Judgement:
-    """What the rules say of a whole match.
+    """The verdict of the rules on a whole match.
 
     Attributes:
         scores: points by team.
         ranking: as in ``result.json``.
         events: as in ``result.json``, in order.
         halves: those that were judged.
-        complete: whether all halves that these rules ask for were judged to their end.
+        complete: whether all halves that these rules require were judged to their end.
     """
 
     scores: dict[str, Score]
@@ -97,7 +97,7 @@ class Difference:
     after: dict[str, Any] | None
 
     def as_json(self) -> dict[str, Any]:
-        """Return it for programs, with the match time in s."""
+        """Return it as JSON data, with the match time in s."""
         return {
             "half": self.half,
             "tick": self.tick,
@@ -111,14 +111,14 @@ class Difference:
 def rejudge(trajectory: Trajectory, scenario: Scenario) -> Judgement:
     """Judge a recorded match by the rules of a scenario; scores and what is kept pass from half to half by these.
 
-    The poses stay those that were recorded: what these rules put elsewhere goes on from where it was.
+    The poses stay those that were recorded: placements of these rules have no effect on them.
 
     Args:
         trajectory: of the match.
         scenario: that it was played by, or one with the same robots, balls, obstacles and entrants.
 
     Raises:
-        MisfitError: others took part in the match than in the scenario.
+        MisfitError: match and scenario have different participants.
     """
     roster = Roster.of(scenario)
     _must_fit(trajectory, scenario, roster)
@@ -143,7 +143,7 @@ def rejudge(trajectory: Trajectory, scenario: Scenario) -> Judgement:
 
 @dataclass(frozen=True)
 class Recorded:
-    """What the record of a match says, as far as its poses go.
+    """The verdict in the record of a match, as far as its poses go.
 
     Attributes:
         scores: points by team.
@@ -155,7 +155,7 @@ class Recorded:
 
 
 def recorded(trajectory: Trajectory, log: RefereeLog, scores: Mapping[str, Score]) -> Recorded:
-    """Return what is to be compared with a judgement.
+    """Return the data to be compared with a judgement.
 
     Of a match that was killed, or is still played, poses are written later than the referee's log, and the score when
     a half is over: events and score are taken from the log, up to the last pose.
@@ -174,7 +174,7 @@ def recorded(trajectory: Trajectory, log: RefereeLog, scores: Mapping[str, Score
 
 
 def differences(before: Sequence[Mapping[str, Any]], after: Sequence[Mapping[str, Any]]) -> list[Difference]:
-    """Return the events that stand in one list alone, or with another payload, in the order of time.
+    """Return the events that are only in one list, or have different payloads, in the order of time.
 
     Args:
         before: as in ``result.json``.
@@ -202,7 +202,7 @@ def _by_moment(events: Iterable[Mapping[str, Any]]) -> dict[tuple[int, int, str]
 
 
 def _must_fit(trajectory: Trajectory, scenario: Scenario, roster: Roster) -> None:
-    """Refuse a scenario in which others take part than in the match.
+    """Raise if scenario and match have different participants.
 
     Raises:
         MisfitError: other things or entrants took part.
@@ -218,7 +218,7 @@ def _must_fit(trajectory: Trajectory, scenario: Scenario, roster: Roster) -> Non
 
 
 def _info(recorded: HalfInfo, scenario: Scenario, carry_over: CarryOver) -> HalfInfo:
-    """Return the facts of a half for these rules: the seats stay, scores and what is kept are theirs."""
+    """Return the facts of a half for these rules: the recorded seats, with scores and kept values by these rules."""
     return replace(
         recorded,
         halves=scenario.match.halves,
@@ -229,7 +229,7 @@ def _info(recorded: HalfInfo, scenario: Scenario, carry_over: CarryOver) -> Half
 
 
 def _judge_half(track: HalfTrack, referee: Referee, info: HalfInfo) -> tuple[JudgedHalf, list[Event], bool]:
-    """Judge a half; returns what became of it, the events, and whether the match is over with it."""
+    """Judge a half; return its judgement, its events, and whether it ends the match."""
     assert track.start is not None  # noqa: S101 - the caller has looked
     output = referee.start(track.start)
     told = list(events_of(track.start, output))

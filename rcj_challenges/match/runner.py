@@ -35,13 +35,13 @@ from rcj_challenges.scenario.seats import by_seat, teams_by_seat
 
 @dataclass(frozen=True)
 class MatchPlan:
-    """All that decides a match, and where its record goes.
+    """Everything that decides a match, and where its record goes.
 
     Attributes:
         loaded: the scenario.
         teams: by seat of the first half; a SuperTeam has a team for each robot of the seat.
         team_names: as shown and logged, by seat of the first half; overrides what the teams call themselves.
-        seed: of everything that chance decides.
+        seed: of all random streams.
         match_id: as printed in MATCH_START.
         out: the folder in which the record's folder is made.
         record_name: name of the record's folder; left out: time and scenario.
@@ -89,11 +89,11 @@ class PlayedMatch:
 
 
 class MatchInterruptedError(KeyboardInterrupt):
-    """Ctrl-C during a match, or while its end was shown. Its record is closed and holds all that was played.
+    """Ctrl-C during a match, or while its end was shown. Its record is closed and contains everything that was played.
 
     Attributes:
         played: as far as it went.
-        trouble: why the record could not be closed as it should, empty if it was.
+        trouble: why the record could not be closed properly; empty if it was.
     """
 
     def __init__(self, played: PlayedMatch, trouble: str) -> None:
@@ -165,7 +165,7 @@ class _MatchRunner:
         return played
 
     def _break_off(self, record: RecordWriter, error: BaseException) -> str:
-        """Close the record of a match that is not played to its end; returns why it could not be, if so."""
+        """Close the record of an unfinished match; return why that failed, or an empty text."""
         try:
             if not record.result["complete"]:
                 record.break_off(type(error), self._times())
@@ -178,7 +178,7 @@ class _MatchRunner:
         return {"wall_s": round(wall_s, 3), "start_up_s": round(self._start_up_s or 0.0, 3)}
 
     def _play_half(self, number: int, record: RecordWriter) -> LoopResult:
-        """Play one half with a world and processes of its own; programs start while the world is compiled."""
+        """Play one half with a fresh world and fresh processes; programs start while the world is compiled."""
         plan, scenario, roster = self._plan, self._scenario, self._roster
         half = self._half_info(number)
         specs = robot_specs(scenario, roster, fit(scenario, roster))
@@ -186,7 +186,7 @@ class _MatchRunner:
         recording = SensorRecording(scenario, record, number, specs, sensors=plan.record_sensors)
         with recording, Crew(crew_plan) as crew:
             drivers = self._launch(crew, specs, half)
-            # While programs start, and not before: loading the physics takes as long as they do.
+            # Not before programs start: loading the physics takes as long as they do.
             stage = load_stage()(scenario, roster, half, recording.wrap(drivers))
             referee, devices = stage.referee, stage.devices
             later_ticks = sum(ticks_from_s(half_s) for half_s in half_lengths_s(scenario.match)[number:])
@@ -210,7 +210,7 @@ class _MatchRunner:
         return outcome
 
     def _before_tick(self, tick: int) -> None:
-        """Wait for the observer; how long is not the time that the match took."""
+        """Wait for the observer; this does not count as time of the match."""
         if self._start_up_s is None:
             self._start_up_s = time.perf_counter() - self._began
         self._held_up_s += self._observer.before_tick(tick)

@@ -1,4 +1,4 @@
-"""Sample teams: they play where no team was named."""
+"""Sample teams, which play if no team was named."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def has_sample_team(scenario: Scenario) -> bool:
 def other_kits(scenario: Scenario, base: Scenario, seat: str, *, either_message: bool = False) -> dict[str, str]:
     """Return the robots of a seat that have another kit, or other packets, in what is extended: that kit by robot.
 
-    A robot that the base does not know has the kit "none" there.
+    A robot that the base lacks has the kit "none" there.
 
     Args:
         scenario: what is played.
@@ -59,7 +59,7 @@ def other_kits(scenario: Scenario, base: Scenario, seat: str, *, either_message:
 
 
 def _radio_layout(scenario: Scenario, robot: str, alike: Collection[str]) -> tuple[str, str, tuple[str, ...], bool]:
-    """Return what a program must know of its robot's kit to understand it: its name, and how packets are laid out.
+    """Return what a program depends on in its robot's kit: the kit's name, and the layout of packets.
 
     Versions of messages that are ``alike`` count as the same.
     """

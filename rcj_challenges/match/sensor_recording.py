@@ -1,4 +1,4 @@
-"""Records what programs print, see and set: it stands between the loop and its drivers, which do not know of it."""
+"""Records what programs print, see and set, between the loop and its drivers, which are unaware of it."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _READ_BYTES = 1 << 16
 
 
 class LogTail:
-    """What is appended to a program's log from now on, without the line with which the match heads a half."""
+    """The text appended to a program's log from now on, without the match's heading of a half."""
 
     def __init__(self, path: Path) -> None:
         self._path = path
@@ -64,7 +64,7 @@ class LoggingDriver(Driver, Protocol):
     """A driver with a log: a program."""
 
     def keep_output(self) -> int:
-        """Put into its log what it has printed until now; returns how many bytes were appended to the log."""
+        """Append its output so far to its log; return how many bytes were appended."""
 
 
 class _RecordedDriver:
@@ -83,15 +83,15 @@ class _RecordedDriver:
         self._driver.release(observation)
 
     def share_cpus(self, share: CpuShare) -> None:
-        """Let it share the CPUs like that."""
+        """Set how it shares the CPUs."""
         self._driver.share_cpus(share)
 
     def computed_s(self) -> float:
-        """Return for how long it has computed."""
+        """Return its CPU time in s."""
         return self._driver.computed_s()
 
     def overstepped(self, tick: int) -> Fault | None:
-        """Look whether it takes more than it may."""
+        """Check its limits."""
         return self._driver.overstepped(tick)
 
     def collect(self, if_long: Callable[[], None] | None = None) -> Request | Fault:
@@ -147,7 +147,7 @@ class SensorRecording:
         }
 
     def tell(self, observer: Observer, half: HalfInfo) -> None:
-        """Hand what is recorded from now on to an observer that wants it."""
+        """Pass on the data recorded from now on to an observer."""
         self._writer.tell(observer.sensing(half, self._robots))
 
     def __enter__(self) -> Self:

@@ -1,4 +1,4 @@
-"""Which robots never set off: an observer for hints."""
+"""Finds robots that never moved: an observer for hints."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A pool of worker processes: matches and checks of submissions run in it, each job in a process of its own."""
+"""A pool of worker processes for matches and checks of submissions, each job in its own process."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ Outcome_co = TypeVar("Outcome_co", covariant=True)
 
 
 class Attempt(NamedTuple, Generic[Outcome_co]):
-    """What one process of a job came to.
+    """The result of one process of a job.
 
     Attributes:
         outcome: the job's outcome, if this is the last attempt.
@@ -50,7 +50,7 @@ class Job(Protocol[Process, Outcome_co]):
         """Ask a process to clean up and end; runs while `read_outcome` waits for the same process."""
 
     def read_outcome(self, process: Process) -> Attempt[Outcome_co]:
-        """Wait for a process to end, and return what came of it."""
+        """Wait for a process to end, and return its result."""
 
     def start_failed(self, error: OSError) -> Outcome_co:
         """Return the outcome of a job whose process could not be started."""

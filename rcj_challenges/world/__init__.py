@@ -1,5 +1,5 @@
 """The physics: scenario to MuJoCo model, sub-steps, snapshots, placements; contact parameters with their source.
 
-Belongs here: what bodies do. Does not belong here: what a program can sense or set (devices), what a rule makes of it
-(referee), where something is to be put (the referee decides, this room sets it down).
+Belongs here: the motion of bodies. Does not belong here: what a program can sense or set (devices), rules (referee),
+where something is placed (the referee decides, this room only moves it).
 """

@@ -1,4 +1,4 @@
-"""Scenario to `MjSpec`: solver settings, and everything on the field in the order of the roster."""
+"""Builds the `MjSpec` of a scenario: solver settings, and everything on the field in the order of the roster."""
 
 from __future__ import annotations
 

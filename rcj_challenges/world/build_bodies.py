@@ -1,4 +1,4 @@
-"""What moves: robots, balls and movable obstacles.
+"""Builds the moving bodies: robots, balls and movable obstacles.
 
 A robot is a cube on two wheels that moves in the plane: it cannot tip, lean or climb (ADR 2). Its outline against
 ball, walls and other robots is the cube and both wheels as cylinders. Its grip on the floor is dry friction in three
@@ -23,8 +23,8 @@ WHEEL_BELOW_CUBE_M = 0.0001
 """How much lower the wheels reach than the cube. Source: reference, section 2 (0.0376 and 0.0375 below the centre)."""
 
 MOTOR_INERTIA_KGM2 = 100.0
-"""Of a wheel's drive: so much that nothing turns it but its motor. The original's motors have 10 N·m, five hundred
-times what grip can resist."""
+"""Of a wheel's drive: so large that only its motor turns it. The original's motors have 10 N·m, five hundred times what
+grip can resist."""
 
 WHEELS = ("left", "right")
 """Left is +y of a body that looks along +x."""
@@ -53,7 +53,7 @@ def add_robot(spec: mujoco.MjSpec, name: str, chassis: Chassis, friction: float)
 
 
 def add_ball(spec: mujoco.MjSpec, name: str, ball: Ball, friction: float, softness: contact.Softness) -> None:
-    """Add a ball at the origin; body and geom bear its name."""
+    """Add a ball at the origin; body and geom have its name."""
     body = spec.worldbody.add_body(name=name, pos=[0, 0, ball.radius_m])
     body.add_freejoint(name=name)
     geom = body.add_geom(
@@ -70,14 +70,14 @@ def add_ball(spec: mujoco.MjSpec, name: str, ball: Ball, friction: float, softne
 
 
 def add_ball_robot_contact(spec: mujoco.MjSpec, ball: str, robot: str, friction: float, rigidity: float) -> None:
-    """Let a ball meet a robot with parameters of their own."""
+    """Give the contact of a ball with a robot its own parameters."""
     softness = replace(contact.SOLIDS, rigidity=rigidity)
     for part in ("cube", "left_wheel", "right_wheel"):
         add_ball_contact(spec, ball, f"{robot}/{part}", softness, friction)
 
 
 def add_ball_contact(spec: mujoco.MjSpec, ball: str, other: str, softness: contact.Softness, friction: float) -> None:
-    """Let a ball meet another geom with parameters of their own."""
+    """Give the contact of a ball with another geom its own parameters."""
     pair = spec.add_pair(geomname1=other, geomname2=ball)
     pair.condim = 3
     slides = min(friction, contact.BALL_ON_MOVING_FRICTION)
@@ -87,7 +87,7 @@ def add_ball_contact(spec: mujoco.MjSpec, ball: str, other: str, softness: conta
 
 
 def add_movable_obstacle(spec: mujoco.MjSpec, name: str, obstacle: Box | Cylinder, friction: float) -> None:
-    """Add an obstacle that robots can push, at the origin; body and geom bear its name. It glides and cannot tip."""
+    """Add an obstacle that robots can push, at the origin; body and geom have its name. It glides and cannot tip."""
     height = obstacle.height_m / 2
     friction_n = obstacle.mass_kg * contact.GRAVITY_MPS2 * min(friction, contact.OBSTACLE_GLIDES)
     if isinstance(obstacle, Box):
@@ -127,8 +127,8 @@ def _add_planar_body(
 def _add_wheel(body: mujoco.MjsBody, name: str, way: int, chassis: Chassis, friction: float) -> None:
     """Add a wheel that turns forward about +y. ``way`` is 1 on the left, -1 on the right.
 
-    Its outline does not turn with it: what a rim rubs up or down cannot move a robot that stays in the plane. MuJoCo's
-    friction would make a push of it that drives two robots apart with 0.3 m/s (ADR 2).
+    Its outline does not turn with it: vertical friction at the rim cannot move a robot that stays in the plane.
+    MuJoCo's friction would make a push of it that drives two robots apart with 0.3 m/s (ADR 2).
     """
     radius, width, mass = chassis.wheel_radius_m, chassis.wheel_width_m, chassis.wheel_mass_kg
     below_centre = radius - chassis.size_m / 2 - WHEEL_BELOW_CUBE_M
@@ -153,9 +153,9 @@ def _add_wheel(body: mujoco.MjsBody, name: str, way: int, chassis: Chassis, fric
 def _add_grip(spec: mujoco.MjSpec, name: str, chassis: Chassis, grip: contact.Grip) -> None:
     """Add the grip of wheels and cube on the floor, for yaw 0.
 
-    The velocity of ``left_grip`` is how fast the left wheel's lowest point slips along the robot: forward speed of
-    the cube, less what turning takes off at the wheel, less what the wheel rolls. ``side_grip`` is the speed of the
-    axle's middle to the left. Dry friction in each is bounded on its own (a box, as in the original).
+    The velocity of ``left_grip`` is how fast the left wheel's lowest point slips along the robot: forward speed of the
+    cube, less what turning takes off at the wheel, less what the wheel rolls. ``side_grip`` is the speed of the axle's
+    middle to the left. Dry friction in each is bounded separately (a box, as in the original).
     """
     x, y, yaw = (f"{name}/{joint}" for joint in ("x", "y", "yaw"))
     arm_m, radius_m = chassis.wheel_track_m / 2, chassis.wheel_radius_m
@@ -172,6 +172,6 @@ def _add_grip(spec: mujoco.MjSpec, name: str, chassis: Chassis, grip: contact.Gr
 
 
 def _dry_friction() -> tuple[list[float], list[float]]:
-    """`solref` and `solimp` of dry friction: what slips is asked to stop within one sub-step."""
+    """`solref` and `solimp` of dry friction: slipping should stop within one sub-step."""
     softness = contact.Softness(restitution=0.0, stiffness_ps2=0.0, rigidity=contact.GRIP_RIGIDITY)
     return softness.solref, softness.solimp

@@ -1,4 +1,4 @@
-"""What never moves: floor, walls, goals, fixed obstacles.
+"""Builds everything that never moves: floor, walls, goals, fixed obstacles.
 
 Inner faces are where the scenario says; all walls are thickened outwards, away from the field. (Of the original's
 walls of 1 cm, MuJoCo let one ball in eight through at 4 m/s.)
@@ -49,7 +49,7 @@ class Block:
 
 
 def add_floor(spec: mujoco.MjSpec, field: FieldModel) -> None:
-    """Add the floor: a whole plane, also outside the field. Only balls touch it: robots and obstacles glide."""
+    """Add the floor: an infinite plane, also outside the field. Only balls touch it: robots and obstacles glide."""
     floor = spec.worldbody.add_geom(
         name=FLOOR_GEOM,
         type=mujoco.mjtGeom.mjGEOM_PLANE,
@@ -109,8 +109,8 @@ def wall_blocks(field: FieldModel) -> Iterator[Block]:
 def _end_blocks(end: str, sign: int, goal: Goal | None, field: FieldModel) -> Iterator[Block]:
     """The end wall, in two halves beside the goal if there is one, and the goal's walls.
 
-    Beside the goal the end wall is as deep as the goal and so is its side wall, without a seam at the post; only
-    what of the goal's walls is higher than the end wall needs blocks of its own.
+    Beside the goal the end wall is as deep as the goal and so is its side wall, without a seam at the post; only the
+    parts of the goal's walls above the end wall need separate blocks.
     """
     half_y, outer_x = field.length_m / 2, field.width_m / 2 + WALL_THICKNESS_M
     height = (0.0, field.wall_height_m)

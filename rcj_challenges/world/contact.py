@@ -1,8 +1,9 @@
 """Contact, grip and collision parameters, each with its source: the reference (section 2) or a measurement (ADR 2).
 
-MuJoCo solves contacts on accelerations. A contact of depth r that closes at the speed v asks for the acceleration
-``-b v - k r`` (`solref` = [-k, -b]) and gets the share `solimp` of it. With b = (1 + e) / sub-step, one sub-step turns
-the speed v into -e v: that is restitution e at every speed, wherever within a sub-step the bodies meet.
+MuJoCo solves contacts on accelerations. For a contact of depth r that closes at the speed v, the target is the
+acceleration ``-b v - k r`` (`solref` = [-k, -b]), of which the share `solimp` is enforced. With b = (1 + e) / sub-step,
+one sub-step turns the speed v into -e v: that is restitution e at every speed, wherever within a sub-step the bodies
+meet.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ GRAVITY_MPS2 = 9.81
 ON_FLOOR = 1
 AMONG_SOLIDS = 2
 FIXED = 4
-"""Of walls and fixed obstacles: what moves meets them."""
+"""Of walls and fixed obstacles: everything that moves collides with them."""
 
 # --- geom groups: what a ray can select -------------------------------------------------------------------------------
 GROUP_FLOOR = 0
@@ -45,7 +46,7 @@ class Softness:
 
     Attributes:
         restitution: share of the closing speed that is given back.
-        stiffness_ps2: how hard it pushes bodies apart that overlap, in 1/s² (acceleration per depth).
+        stiffness_ps2: how hard it pushes overlapping bodies apart, in 1/s² (acceleration per depth).
         rigidity: share of the wanted acceleration that is enforced; the rest yields to standing forces.
     """
 
@@ -83,7 +84,7 @@ _LEAST_FRICTION_MADE_UP_FOR = 0.5
 """On a smoother floor the ball sinks in by less: as soft a floor as 0.1 mm would need does not carry it."""
 
 _USUAL_SHARE = Ball().mass_kg / Chassis().mass_kg
-"""How heavy the usual ball is beside the usual robot."""
+"""Ratio of the masses of the usual ball and the usual robot."""
 
 OBSTACLE_GLIDES = 0.1
 """Highest friction between a movable obstacle and the floor: no robot could push the default 0.5 kg at 1 (ADR 2)."""
@@ -98,11 +99,11 @@ GRIP_RIGIDITY = 0.999
 
 
 def ball_on_floor(friction: float) -> tuple[Softness, float]:
-    """Return the ball's contact with a floor of the given friction, and the friction that MuJoCo is told.
+    """Return the ball's contact with a floor of the given friction, and the friction to set in MuJoCo.
 
-    No bounce. MuJoCo's pyramid bounds the sum of the forces along x and y: told 1, a ball that slides at 45° to both is
-    held by 0.71 of its weight, and a hit in that direction sent it off 4 % slower. Told more, the pyramid holds the
-    whole of Coulomb's cone; it is then the original's own bound, each of both forces by itself, turned by 45° (ADR 2).
+    No bounce. MuJoCo's pyramid bounds the sum of the forces along x and y: with 1, a ball that slides at 45° to both is
+    held by 0.71 of its weight, and a hit in that direction sent it off 4 % slower. With √2, the pyramid contains the
+    whole of Coulomb's cone; it is then the original's bound, on each of both forces separately, turned by 45° (ADR 2).
 
     A pyramid of friction m yields to its load in proportion to m² (1 + m²). Rigidity makes up for that: the ball
     sinks in by 0.1 mm, so that its centre rests 0.0209 above the floor (reference, section 2).
@@ -121,7 +122,7 @@ def ball_on_solid(restitution: float, rigidity: float = SOLIDS.rigidity) -> Soft
 def ball_rigidity(ball_kg: float, robot_kg: float) -> float:
     """Return how rigid a ball's contacts are, by its mass and that of the heaviest robot that may pin it to a wall.
 
-    A contact yields to a standing push in proportion to the push and to what is light in it. With the same rigidity for
+    A contact yields to a constant push in proportion to the push, more for light bodies. With the same rigidity for
     all, a ball of 5 g that a robot of 1.5 kg pins sank into the wall by 19 mm (ADR 2). So the lighter the ball is
     beside the robot, the less its contacts yield.
     """

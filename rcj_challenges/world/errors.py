@@ -1,4 +1,4 @@
-"""What can go wrong in the physics."""
+"""Errors of the physics."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What devices need of the world: a narrow view of `rcj_challenges.world.World`."""
+"""The part of the world that devices use: a narrow view of `rcj_challenges.world.World`."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rcj_challenges.devices.base import Side
 class Ground(Protocol):
     """The physics under the robots.
 
-    Bodies bear the names of their entities; robots move in the plane or freely, balls freely. The joints of wheels are
+    Bodies have the names of their entities; robots move in the plane or freely, balls freely. The joints of wheels are
     called ``B1/left_wheel``, and their angles grow while the robot drives along its +x. Geoms are in the groups of
     `rcj_challenges.world.contact`.
     """

@@ -13,7 +13,7 @@ from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world.ground import Ground
 
 BALL_SINKS_M = 0.0001
-"""How much lower than its radius a resting ball's centre is. Source: reference, section 2 (0.0209 for r 0.021)."""
+"""How much lower than its radius the centre of a resting ball is. Source: reference, section 2 (0.0209 for r 0.021)."""
 
 
 class Poses:

@@ -1,4 +1,4 @@
-"""Rays for sensors: what each may see, by the world's groups of geoms. What is parked is out of reach of any ray."""
+"""Rays for sensors: groups of geoms define what each may see. Parked things are out of reach of any ray."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _SENSORS_ON = ~int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
 def add_fixed_rays(spec: mujoco.MjSpec, rays: Iterable[FixedRay]) -> None:
     """Add rays to a model: a site and a rangefinder each, on the robot's body.
 
-    The sensor stage is switched off in the model, for the rays are wanted once a tick and not in every sub-step; it is
+    The sensor stage is switched off in the model, because rays are needed once a tick and not in every sub-step; it is
     switched on while they are measured.
     """
     spec.option.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
@@ -84,7 +84,7 @@ class WorldRays:
         return int(self._ground.model.sensor(_name(robot_name, device_name)).id)
 
     def fixed(self, height_m: float) -> _FixedRays:
-        """Return the fixed rays, which see what rays at this height see."""
+        """Return the fixed rays, for rays at this height."""
         return _FixedRays(self._ground, self._seen_at(height_m))
 
     def fan(self, robot_name: str, height_m: float, max_m: float, rays: int) -> _Fan:
@@ -119,7 +119,7 @@ def _flags(groups: tuple[int, ...]) -> NDArray[np.uint8]:
 class _FixedRays:
     """All rangefinders.
 
-    They cannot select groups, but pass through what is fully transparent: for a moment all else is.
+    They cannot select groups, but pass through transparent geoms: for a moment all others are made transparent.
     """
 
     def __init__(self, ground: Ground, groups: tuple[int, ...]) -> None:

@@ -55,7 +55,7 @@ class Recorder:
         self._known: dict[bytes, Touches] = {b"": ()}
 
     def note(self, substep: int, pattern: bytes) -> None:
-        """Take down a sub-step that has just been made; ``pattern`` is the geoms of its contacts in memory."""
+        """Record the sub-step just made; ``pattern`` is the geoms of its contacts in memory."""
         self._rows[substep] = self._qpos.tobytes()
         self._patterns[substep] = pattern
 
@@ -82,7 +82,7 @@ class Recorder:
         return self.snapshot(0, ())
 
     def _turned_back(self, numbers: Numbers) -> Numbers:
-        """Bring all yaws into half a turn: a whole turn more or less changes nothing."""
+        """Normalize all yaws to half a turn; whole turns do not matter."""
         # In the world as well, so that the next ticks find them in order.
         for at in self._yaws_at:
             self._qpos[at] = _within_half_a_turn(self._qpos[at])
@@ -105,7 +105,7 @@ class Recorder:
 
 
 def _all_poses(tables: WorldTables, numbers: int) -> tuple[Callable[[bytes], Numbers], Callable[..., bytes]]:
-    """Return what reads the numbers of all poses from the `qpos` of all sub-steps, and what packs them as x, y, yaw.
+    """Return functions that read all poses from the `qpos` of all sub-steps, and pack them as x, y, yaw.
 
     Args:
         tables: entities stand in `qpos` in their order.

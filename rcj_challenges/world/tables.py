@@ -1,4 +1,4 @@
-"""Names to MuJoCo's numbers, once, after the model is compiled."""
+"""Maps names to MuJoCo's numbers, once, after the model is compiled."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world.build_field import FLOOR_GEOM, OBSTACLE
 
 NO_THING = -1
-"""In place of a thing's index: the floor, which never counts as touched."""
+"""Stands for the floor, which never counts as touched, in place of a thing's index."""
 
 ROBOT_YAW = 2
 """Where the yaw of a robot or an obstacle stands after its first number in `qpos` and `qvel`: x, y, yaw; of robots the
@@ -23,7 +23,7 @@ Numbers = NDArray[np.float64]
 
 
 def one_by_one(numbers: Any) -> memoryview[float]:
-    """Return numbers of MuJoCo to be read and written singly: that costs a third of what numpy takes for it.
+    """Return a view of MuJoCo's numbers for single reads and writes, which take a third of numpy's time.
 
     Args:
         numbers: an array of float64 in one dimension, whose memory stays where it is.

@@ -32,7 +32,7 @@ _SETTLING_SUBSTEPS = 100
 
 
 class World:
-    """All bodies of a scenario, and what the referee and the devices need of them.
+    """All bodies of a scenario, with views for the referee and the devices.
 
     Attributes:
         model, data: MuJoCo's. `data.xpos`, `data.xmat` and the poses of geoms and sites are up to date after `reset`,
@@ -88,7 +88,7 @@ class World:
         self.place(self._starts)
 
     def place(self, placements: Sequence[Placement]) -> None:
-        """Lift all that is to be moved, then set it down in order: standing, contact memory cleared, at rest.
+        """Lift all things to be placed, then put them down in order: standing, contact memory cleared, at rest.
 
         A ball that is placed with a velocity rolls off with it, without slipping.
         Wheels keep their angles and their commands. A parked entity is far away, with its wheels stopped, until it is
@@ -99,7 +99,7 @@ class World:
         mujoco.mj_kinematics(self.model, self.data)
 
     def set_wheel(self, robot: int, side: Side, velocity_radps: float, position_rad: float) -> None:
-        """Command a wheel. It goes on until the next command, also where the robot is put elsewhere meanwhile.
+        """Command a wheel. The command holds until the next one, even if the robot is placed meanwhile.
 
         Args:
             robot: its index.
@@ -110,7 +110,7 @@ class World:
         self._wheel_grip.set_wheel(robot, side, velocity_radps, position_rad)
 
     def hold_robots(self, held: Collection[int]) -> None:
-        """Brake the wheels of these robots until they are let go; all others are. What is commanded acts then."""
+        """Brake the wheels of these robots until they are released; release all others. Commands act after that."""
         self._held = frozenset(held)
         for robot in range(self.tables.robots):
             self._wheel_grip.set_stopped(robot, stopped=robot in self._held or self.parked[robot])

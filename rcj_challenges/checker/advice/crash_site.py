@@ -11,7 +11,7 @@ OF_NONE = re.compile(r"AttributeError: 'NoneType' object has no attribute '(?P<a
 
 _PLACE = re.compile(r" \((?P<file>[^()]{1,300}), line (?P<line>[0-9]{1,7})\)$")
 _MAX_CODE_BYTES = 500
-_MAX_VALUE_LETTERS = 300  # of a line full of "=" each could be looked at as often as there are letters
+_MAX_VALUE_LETTERS = 300  # in a line full of "=" each could be tried as often as there are letters
 _MAX_SETTINGS = 1000
 
 

@@ -23,7 +23,7 @@ _NO_DEVICE = re.compile(
     r'^Warning: "(?P<asked>.{0,300})" device not found\. This robot has: (?P<has>.{0,8000})\.$', re.MULTILINE
 )
 _IGNORED = re.compile(r"^Warning: (\w{1,100}) is ignored and gives None", re.MULTILINE)
-# Methods of Webots' devices. A ball that is not in sight is asked for other attributes.
+# Methods of Webots' devices. Crashes over an unseen ball concern other attributes.
 _OF_DEVICES = re.compile(
     r"(?:get|set|is|has|next|image|draw|fill|load|play|stop|reset|remove|add|export|enable|disable)[A-Z]\w*"
     r"|enable|disable|send"
@@ -37,7 +37,7 @@ _KITS = {_OF_2021: ("soccersim_2021.yaml", "legacy_2021"), _SINCE: ("soccersim_v
 
 
 def missing_devices(log: str) -> dict[str, str]:
-    """Return the names that a program asked for in vain, in order, each with what the robot has instead."""
+    """Return the missing names that a program requested, in order, each with the devices that the robot has."""
     return {found["asked"]: found["has"] for found in _NO_DEVICE.finditer(log)}
 
 
@@ -74,7 +74,7 @@ def none_hint(scenario: Scenario, team: Team, robot: str, detail: str, log: str)
 
 
 def _may_be_a_device(origins: str, attribute: str) -> bool:
-    """Return whether None may stand for a device: not if another one was asked for there, or it was set to None."""
+    """Return whether None may come from a device: not if another one was requested there, or it was set to None."""
     if _ASKS_BY_NAME.search(origins) or re.search(r"=[ \t]{0,4}None\b", origins):
         return False
     return re.search(_ASKS, origins) is not None or _OF_DEVICES.fullmatch(attribute) is not None
@@ -85,7 +85,7 @@ def _list_calls(calls: Sequence[str]) -> str:
 
 
 class DeviceAdvice:
-    """What to do about devices that a team's programs asked for in vain.
+    """Help for missing devices that a team's programs requested.
 
     Args:
         scenario: what was played.
@@ -101,7 +101,7 @@ class DeviceAdvice:
         self._theirs = _devices_of_other_years(scenario, team, self._missing, self._years)
 
     def made_for(self, name: str) -> str:
-        """Return for which robots the programs seem to be written, if those have the device; else empty."""
+        """Return the robots for which the programs seem to be written, if those have the device; else empty."""
         return f"this program seems to be written for the robots of {self._years}" if name in self._theirs else ""
 
     def remedy(self, name: str, robot: str, has: str) -> str:

@@ -1,4 +1,4 @@
-"""What to do about a program that failed: asks the table and the special cases in turn."""
+"""Finds help for a failed program: tries the table and the special cases in turn."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.scenario.models.scenario import Scenario
 
 WHEREABOUTS = "It was here, the innermost call first:\n"
-"""What the match writes into a program's log when it had to stop it."""
+"""What the match writes into a program's log after stopping it."""
 
 _BETWEEN = (ANOTHER_THREAD.strip(), AFTER_ITS_END)
 """What stands between the places that a log names."""
@@ -36,7 +36,7 @@ REMEDIES = {
     "protocol": "leave the channel to the match alone: let the controller module do the talking",
     "start": "if the files are in order, this computer may be the reason: ask the organizers",
 }
-"""By the kind of a fault: what to do where nothing more special is known."""
+"""Help by the kind of fault, if nothing more specific is known."""
 _STANDS = 'if it waits on purpose, all is well; else call setPosition(float("inf")) and setVelocity on both motors'
 
 _MAX_CODE_LETTERS = 80
@@ -61,7 +61,7 @@ _THREADS_ALONE = (
 def hint_for(
     scenario: Scenario, team: Team, fault: Mapping[str, Any], log: str = "", whereabouts: str = ""
 ) -> Hint | None:
-    """Return what is behind a fault, if the evidence is clear.
+    """Return the cause of a fault, if the evidence is clear.
 
     Args:
         scenario: what was played.

@@ -1,4 +1,4 @@
-"""Programs that were written for other packets of the referee than those that it sends here."""
+"""Recognizes programs that expect other packets than the referee sends here."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def _reads_json(team: Team, code: str) -> bool:
 
 def _expects_bytes(team: Team, detail: str, code: str) -> bool:
     if _mentions(team, _KNOWS_JSON) and not _mentions(team, _READS_A_FLAG):
-        return False  # it reads the referee's JSON: bytes of its own fail
+        return False  # it reads the referee's JSON, so other bytes failed
     if detail.startswith("UnicodeDecodeError: "):
         return _TEXT_OF_BYTES.search(code) is not None
     return _BYTES_EXPECTED.search(detail) is not None and _mentions(team, _READS_PACKET)

@@ -1,4 +1,4 @@
-"""The hints that need nothing but the last line of a traceback, as data.
+"""The hints that need only the last line of a traceback, as data.
 
 The first row whose pattern is found in that line gives the hint. ``{name}`` in a help text is the group of that name.
 """
@@ -17,7 +17,7 @@ _NAME = r"(?P<name>\w{1,100})"
 
 @dataclass(frozen=True)
 class Hint:
-    """What is behind a fault.
+    """The cause of a fault.
 
     Attributes:
         code: identifies the hint.

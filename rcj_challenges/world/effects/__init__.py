@@ -1,4 +1,4 @@
-"""What bodies do beyond MuJoCo's own step, one file each (ADR 2)."""
+"""Effects on bodies beyond MuJoCo's own step, one file each (ADR 2)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What all effects share: what they are made of, and when they act."""
+"""The base of all effects: what they are built from, and when they act."""
 
 from __future__ import annotations
 
@@ -29,15 +29,15 @@ class Scene:
 
 
 class Effect:
-    """Something that the physics is to do and MuJoCo does not, or does otherwise. Each hook may be left out."""
+    """A physical effect that MuJoCo lacks, or computes differently. Each hook is optional."""
 
     @property
     def is_needed(self) -> bool:
-        """Whether it may ever do something in this world."""
+        """Whether it can have an effect in this world."""
         return True
 
     def reset(self) -> None:
-        """Forget what was commanded: the half begins."""
+        """Reset commands at the beginning of a half."""
 
     def before_substep(self, substep: int) -> None:
         """Act on the state from which MuJoCo steps.

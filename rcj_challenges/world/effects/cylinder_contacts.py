@@ -1,9 +1,9 @@
-"""Robots at poles: while a robot may touch a round obstacle, bodies touch at one point of their curved sides.
+"""Contacts of robots with poles: near a round obstacle, MuJoCo uses one point per contact of curved sides.
 
-MuJoCo looks for several points wherever two convex bodies touch, and then takes the flat side of a wheel for what
-touches, also where its rim meets a pole: the wheel sank in by 8 mm, and the robot drove past. With one point only, a
-braked robot that is pushed at the flat side of its wheel creeps away. So it is one point as long as a robot stands so
-near to a pole that the two could touch (ADR 2).
+By default MuJoCo looks for several points if two convex bodies touch, and then uses the flat side of a wheel even if
+its rim meets a pole: the wheel sank in by 8 mm, and the robot drove past. With only one point, a braked robot that is
+pushed at the flat side of its wheel creeps away. So one point is used only while a robot is so close to a pole that the
+two could touch (ADR 2).
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ class CylinderContacts(Effect):
         return bool(self._fixed or self._movable)
 
     def before_substep(self, _substep: int) -> None:
-        """Say how many points of contact MuJoCo looks for, by where things stand now."""
+        """Set how many contact points MuJoCo looks for, from the current positions."""
         self._options.disableflags = self._several | _ONE_POINT if self._any_near() else self._several
 
     def _any_near(self) -> bool:

@@ -9,7 +9,7 @@ from rcj_challenges.world.effects.base import Effect, Scene
 from rcj_challenges.world.tables import one_by_one
 
 _TURNING_ALONG = 7 / 5
-"""A ball that rolls resists like this many times its mass: its turning must be slowed down too."""
+"""A rolling ball has the inertia of this many times its mass: its rotation must be slowed down too."""
 
 _AT_REST_MPS = 1e-9
 
@@ -19,9 +19,9 @@ obstacle is then the whole friction (0.89 along x or y, 1.26 along a diagonal)."
 
 
 def mean_distance_m(size_x_m: float, size_y_m: float) -> float:
-    """Return how far the points of a rectangle are from its middle, in the mean.
+    """Return the mean distance of the points of a rectangle from its middle.
 
-    Friction under even pressure resists turning on the spot with so much of an arm.
+    It is the lever arm with which friction under even pressure resists turning on the spot.
     """
     across = math.hypot(size_x_m, size_y_m)
     by_x = size_x_m**2 / size_y_m * math.log((size_y_m + across) / size_x_m)
@@ -32,7 +32,7 @@ def mean_distance_m(size_x_m: float, size_y_m: float) -> float:
 class GlidingFriction(Effect):
     """Friction of movable obstacles acts against their motion, whichever way they glide.
 
-    MuJoCo's friction of joints acts along x and along y, each bounded by itself. With the whole of Coulomb's force in
+    MuJoCo's joint friction acts along x and along y, each bounded separately. With the whole of Coulomb's force in
     each, an obstacle is held 1.4 times as hard along a diagonal, and one that is pushed in any other direction glides
     off along x or y (ADR 2). So before each sub-step the force is shared out by the direction in which the obstacle
     glides.
@@ -47,7 +47,7 @@ class GlidingFriction(Effect):
         for entity in range(tables.ball_range.stop, len(tables.bodies)):
             first, mass_kg = int(tables.dofs[entity][0]), float(model.body_mass[tables.bodies[entity]])
             friction_n = self._limits_n[first]
-            if friction_n > 0.0:  # on ice there is nothing to share out
+            if friction_n > 0.0:  # without friction there is nothing to divide
                 self._obstacles.append((first, friction_n, friction_n / mass_kg * SUBSTEP_S))
 
     @property
@@ -56,12 +56,12 @@ class GlidingFriction(Effect):
         return bool(self._obstacles)
 
     def before_substep(self, _substep: int) -> None:
-        """Share out the friction by the present velocities."""
+        """Divide the friction by the current velocities."""
         qvel, limits_n = self._qvel, self._limits_n
         for first, friction_n, stops_mps in self._obstacles:
             x, y = abs(qvel[first]), abs(qvel[first + 1])
             speed_mps = math.hypot(x, y)
-            # What friction can stop within this sub-step has no direction that would still count at its end.
+            # If friction can stop it within this sub-step, its direction does not matter.
             whole_mps = max(speed_mps, stops_mps)
             held_n = _HOLDS * friction_n * (1 - speed_mps / whole_mps)
             limits_n[first] = held_n + friction_n * x / whole_mps
@@ -72,7 +72,7 @@ class RollingFriction(Effect):
     """Balls that slow down while they roll; in the original they do not.
 
     MuJoCo's own friction of rolling is a soft contact: a ball at 0.3 m/s that should stop within 1.5 s still rolls at
-    0.07 after 2.5 s. So a force is laid on the ball, computed again for each tick.
+    0.07 after 2.5 s. So a force acts on the ball, computed for each tick.
     """
 
     def __init__(self, scene: Scene) -> None:
@@ -91,7 +91,7 @@ class RollingFriction(Effect):
         return bool(self._balls)
 
     def before_substep(self, substep: int) -> None:
-        """Lay on each ball the force that takes its speed away; one that would come to rest in this tick does."""
+        """Apply to each ball the force that slows it down; stop one that would come to rest in this tick."""
         if substep:
             return
         for at, inertia_kg, slows_mps2 in self._balls:

@@ -1,9 +1,9 @@
-"""Balls that glance off walls and obstacles: no faster than restitution says, and rubbed by Coulomb's friction.
+"""Corrects balls that glance off walls and obstacles: restitution bounds their speed, friction follows Coulomb.
 
 MuJoCo's friction is convex: a ball that slides along a wall is also pushed off it, in proportion to its sliding speed.
-One that met a wall at 85° from the normal left it five times too fast (ADR 2). So after each sub-step what a contact
-pushed too much is taken back, and so is what it rubbed beyond friction times the push that is left. What moves when a
-ball meets it gets back the same.
+One that met a wall at 85° from the normal left it five times too fast (ADR 2). So after each sub-step the excess
+impulse of a contact is taken back, and so is friction beyond its coefficient times the remaining impulse. A movable
+obstacle receives the opposite impulse.
 """
 
 from __future__ import annotations
@@ -29,16 +29,17 @@ _REMEMBERED = 4096
 """How many patterns of touching geoms are remembered. Most sub-steps repeat the pattern of the one before."""
 
 _HELD = 1e-3
-"""What friction holds still moves a little, as it is not quite rigid: by less than this share of what it could stop."""
+"""Things held by friction still move a little, as it is not quite rigid: by less than this share of what it could
+stop."""
 
 Vector = tuple[float, float, float]
 
 
 class _Recoil:
-    """One movable obstacle, in a sub-step in which a single ball touches it: how it answers to another push.
+    """One movable obstacle, in a sub-step in which a single ball touches it: its response to another impulse.
 
-    An obstacle glides and turns in the plane, and each of its three degrees of freedom has dry friction of its own
-    (`friction`). So what it does under the push of one ball, and of nothing else, can be computed exactly.
+    An obstacle glides and turns in the plane, and each of its three degrees of freedom has its own dry friction
+    (`friction`). So its motion under the push of one ball, and of nothing else, can be computed exactly.
     """
 
     def __init__(self, scene: Scene, entity: int) -> None:
@@ -55,7 +56,7 @@ class _Recoil:
         return sum(self._qvel[self._first + k] * arm for k, arm in enumerate(self._arms(point, way)))
 
     def yields_per_kg(self, point: Vector, way: Vector) -> float:
-        """Return by how much its surface gives way to an impulse, in m/s for each N·s; not where friction holds it."""
+        """Return how fast its surface moves per impulse, in m/s for each N·s, excluding degrees held by friction."""
         given = 0.0
         for k, arm in enumerate(self._arms(point, way)):
             inertia = self._inertias[k]
@@ -111,7 +112,7 @@ class Restitution(Effect):
         self._known: dict[bytes, tuple[Bounce, ...]] = {b"": ()}
 
     def after_substep(self, pattern: bytes) -> None:
-        """Mend the bounces of this sub-step.
+        """Correct the bounces of this sub-step.
 
         Args:
             pattern: the geoms of all contacts, as `data.contact.geom` has them in its memory.
@@ -127,8 +128,8 @@ class Restitution(Effect):
     def _find(self, pattern: bytes) -> tuple[Bounce, ...]:
         """Return which contacts to look at.
 
-        They are those of balls that touch one fixture, or one movable obstacle which only they touch, and, but for the
-        floor, nothing else: what else touches may well drive a ball off a wall, or hold an obstacle against it.
+        They are those of balls that touch one fixture, or one movable obstacle that nothing else touches, and, except
+        for the floor, nothing else: other contacts may drive a ball off a wall, or hold an obstacle against it.
         """
         if len(self._known) >= _REMEMBERED:
             self._known = {b"": ()}
@@ -148,7 +149,7 @@ class Restitution(Effect):
         return self._known[pattern]
 
     def _mend(self, touch: Any, ball: int, towards: int, obstacle: _Recoil | None) -> None:
-        """Take back what a contact pushed and rubbed too much."""
+        """Take back the excess of a contact's impulse and friction."""
         row, softness = int(touch.efc_address), self._softness
         edges = slice(row, row + _EDGES)
         forces_n = self._data.efc_force[edges].tolist()
@@ -194,7 +195,7 @@ class Restitution(Effect):
         at, first, radius_m, mass_kg = self._balls[ball]
         qpos, qvel = self._qpos, self._qvel
         turned_back = (qpos[at + 3], (-qpos[at + 4], -qpos[at + 5], -qpos[at + 6]))
-        # MuJoCo tells the turning of a free body about its own axes.
+        # MuJoCo gives the rotation of a free body about the body's own axes.
         about = _turned(*turned_back, _cross(out, impulse_ns))
         for axis in range(3):
             qvel[first + axis] += impulse_ns[axis] / mass_kg

@@ -1,4 +1,4 @@
-"""Small, fast balls: what would be through a thing, or deep in it, within one sub-step is stopped at the near side.
+"""Stops small, fast balls at the near side of a thing that they would pass, or sink into, within one sub-step.
 
 MuJoCo looks for contacts where things are before each sub-step, and pushes what is inside a thing out on the nearest
 side. A marble of 5 mm at 2 m/s moves 16 mm in a sub-step: one in two was through a wall of 5 mm, and of those that met
@@ -23,13 +23,13 @@ _FASTEST_MPS = 4.0
 """Up to here field walls are tested (ADR 2); kicks go up to 3 m/s."""
 
 _TOUCHES = 0.05
-"""By this share of its radius a stopped ball is in what it met: MuJoCo then finds it there, and lets it bounce."""
+"""A stopped ball overlaps the thing by this share of its radius: then MuJoCo finds the contact and lets it bounce."""
 
 _SOLIDS = (contact.GROUP_FIXTURES, contact.GROUP_CUBES, contact.GROUP_WHEELS)
 
 
 class Tunneling(Effect):
-    """Balls that can be too deep in something, within a sub-step, to be pushed out where they came from."""
+    """Balls that can sink too deep into something, within a sub-step, to be pushed out on the near side."""
 
     def __init__(self, scene: Scene) -> None:
         """Find them."""
@@ -54,7 +54,7 @@ class Tunneling(Effect):
         return bool(self._balls)
 
     def after_substep(self, _pattern: bytes) -> None:
-        """Stop what has just gone into or through something."""
+        """Stop balls that have just gone into or through something."""
         qvel = self._qvel
         for body, at, first, radius_m, stops_m in self._balls:
             x, y, z = (qvel[first + axis] * SUBSTEP_S for axis in range(3))
@@ -63,7 +63,7 @@ class Tunneling(Effect):
                 self._look_back(body, at, radius_m, np.array((x, y, z)) / moved_m, moved_m)
 
     def _look_back(self, body: int, at: int, radius_m: float, way: Any, moved_m: float) -> None:
-        """Look from where the ball was along the way that it went."""
+        """Cast a ray from the ball's last position along its path."""
         # Euler's integrator moves a ball by its new velocity.
         was = np.array(self._qpos[at : at + 3]) - way * moved_m
         met_m = mujoco.mj_ray(

@@ -1,4 +1,4 @@
-"""Wheels: what they are commanded, and how their grip follows the robot's yaw.
+"""Wheels: their commands, and how their grip follows the robot's yaw.
 
 A motor is as in the original: so strong that only grip limits the robot. The wheel therefore turns exactly as
 commanded, and dry friction between wheel and floor (the grip tendons of `build_bodies`) does the rest.
@@ -28,14 +28,14 @@ ARRIVED_RAD = 1e-6
 _TENDONS_PER_ROBOT = 3
 _COEFFICIENTS_PER_ROBOT = 10
 _FIRST_TURNING = 2
-"""Which of a robot's coefficients is the first of the six that turn with it: left wheel x, y; across x, y; right
-wheel x, y."""
+"""Index of the first of a robot's six coefficients that turn with it: left wheel x, y; across x, y; right wheel x,
+y."""
 _TURNING = Struct("6d")
 
 _QUARTER_TURN_RAD = math.pi / 2
 
 _FASTER_MPS = 1e-3
-"""What moves on by so much faster than its wheel turns is slowed down by it."""
+"""A robot that is faster than its wheel by more than this is slowed down by it."""
 
 
 class Wheel:
@@ -109,10 +109,10 @@ class WheelGrip(Effect):
         ]
         self._turning = [(at + ROBOT_YAW, self._coefficients.itemsize * turning) for at, turning, _ in self._robots]
         self._reversed: list[Wheel] = []
-        # What all its grip stops in this time; on ice it stops nothing.
+        # The speed that its whole grip stops in this time; without friction 0.
         self._stops_in_tick_mps = max(friction * contact.GRAVITY_MPS2 * TICK_S, 1e-9)
         self._stops_in_substep_mps = self._stops_in_tick_mps / SUBSTEPS_PER_TICK
-        # What a robot does within a tick is too short to be looked at more closely. These take longer.
+        # Manoeuvres within a tick need no closer look. These take longer.
         self._fast = [
             robot
             for robot, one in zip(self._robots, chassis, strict=True)
@@ -130,7 +130,7 @@ class WheelGrip(Effect):
         """Command a wheel: by velocity (position ``inf``), or to an angle at this velocity at most."""
         index = 2 * robot + SIDES[side]
         wheel = self._wheels[index]
-        if position_rad == wheel.target_rad == math.inf and not wheel.stopped:  # nearly always: just another speed
+        if position_rad == wheel.target_rad == math.inf and not wheel.stopped:  # nearly always only the speed changes
             wheel.commanded_radps = velocity_radps
             self._turn(index, velocity_radps)
         else:
@@ -174,7 +174,7 @@ class WheelGrip(Effect):
             write(coefficients, first_byte, ahead, aside, cos(yaw + _QUARTER_TURN_RAD), ahead, ahead, aside)
 
     def _speeds_along(self) -> list[float]:
-        """Return how fast each wheel's place moves along its robot, by where the robot looked a sub-step ago."""
+        """Return how fast each wheel's position moves along its robot, by the robot's heading a sub-step ago."""
         qvel, coefficients = self._qvel, self._coefficients
         along_mps: list[float] = []
         for x_at, y_at, yaw_at, ahead, aside, left_arm_m, right_arm_m in self._ways:
@@ -184,7 +184,7 @@ class WheelGrip(Effect):
         return along_mps
 
     def _choose_grip(self, all_along_mps: list[float]) -> None:
-        """A wheel that pushes its robot on has less grip than one that slows or holds it, see `contact.grip_of`."""
+        """A driving wheel has less grip than one that slows or holds its robot, see `contact.grip_of`."""
         for wheel, along_mps in zip(self._wheels, all_along_mps, strict=True):
             turns = wheel.turns_radps
             if turns == 0.0:

@@ -1,15 +1,15 @@
-"""The clock of the threads that do not step: how far it is ahead of that of the one that does.
+"""The clock of the threads that do not step: how far it is ahead of the stepping thread's clock.
 
-They wait for the time of the match. It stands still while the thread that steps computes, or waits for one of them: for
-a result, for its end. So that nobody waits for ever, their clock then goes on by itself:
+They wait for match time, which stands still while the stepping thread computes, or waits for one of them (for a result,
+or for its end). To prevent a deadlock, their clock then goes on by itself:
 
-* in real time, from the moment at which the one that steps is found to be stuck: it is at the same place as before, and
-  nobody in the program computes; or else when no tick has begun for a while;
-* by each of their readings, while it is stuck: who looks at the clock in a loop until it is time waits for it.
+* in real time, from the moment at which the stepping thread is found to be stuck: it is at the same place as before,
+  and no thread of the program computes; or else when no tick has begun for a while;
+* by each of their readings, while it is stuck: a loop that reads the clock is a wait.
 
-What it is ahead is taken back as the match catches up, so that it never stands wrong for long, and never runs back.
-While the program is inside ``step``, the next tick comes by itself: how long the match takes to bring it, because other
-programs start or compute, counts for nobody.
+The lead shrinks as the match catches up, so that the clock is never wrong for long, and never runs backwards. While the
+program is inside ``step``, the next tick comes by itself: how long the match takes to bring it, because other programs
+start or compute, does not count.
 """
 
 from __future__ import annotations
@@ -24,20 +24,19 @@ if TYPE_CHECKING:
     from typing import Any
 
 _STANDSTILL_S = 0.1
-"""Where no tick has begun for so long, real time counts. In a match that is played at the pace of the clock on the
-wall, one begins every 0.032 s."""
+"""If no tick has begun for this long, real time counts. In a match played in real time, one begins every 0.032 s."""
 _READINGS = 100
-"""Who has looked at the clock as often since the tick began waits for it."""
+"""A thread that has read the clock this often since the tick began is waiting."""
 _READING_NS = 50_000
-"""By so much each reading moves the clock on while the thread that steps is stuck."""
+"""How far each reading advances the clock while the stepping thread is stuck."""
 _GLANCE_S = 0.000_2
 _IDLE_SHARE = 0.2
-"""Of the time that has passed: a program that has computed for less of it does not compute."""
+"""Share of the elapsed time: a program that used less CPU time does not compute."""
 
 real_monotonic = time.perf_counter  # on Windows `monotonic` goes on every 16 ms only, up to Python 3.12
 real_process_time = time.process_time
 _real_sleep = time.sleep
-_IS_TOLD_FINELY = sys.platform != "win32"  # there what was computed is told every 16 ms only
+_IS_TOLD_FINELY = sys.platform != "win32"  # Windows updates CPU times only every 16 ms
 
 
 class BackgroundClock:
@@ -52,12 +51,12 @@ class BackgroundClock:
         self._stepping, self._known_to_system = get_ident(), get_native_id()
         self._ticks = 0
         self._ahead_ns = 0
-        self._counts_from_s: float | None = None  # in real time; None: nobody has asked since the tick began
+        self._counts_from_s: float | None = None  # in real time; None: not read since the tick began
         self._is_stuck = False
         self._readings = 0
 
     def read_ns(self) -> int:
-        """Return how far it is ahead, in ns; somebody looks at it."""
+        """Return how far it is ahead, in ns; this counts as a reading."""
         if not self.in_match:
             self._readings += 1
             if self._readings % _READINGS == 0:
@@ -134,7 +133,7 @@ class BackgroundClock:
 
 
 def others_would_run() -> bool | None:
-    """Return whether another thread of the program has a processor or waits for one; None where nobody tells that."""
+    """Return whether another thread of the program has a processor or waits for one; None if that is unknown."""
     if sys.platform != "linux":
         return None
     own = str(get_native_id())
@@ -142,7 +141,7 @@ def others_would_run() -> bool | None:
         threads = os.listdir("/proc/self/task")  # noqa: PTH208 - pathlib would cost each program its import
     except OSError:
         return None
-    # One that waits for Python's lock is woken by these calls, which give it away, and counts as well.
+    # These calls release Python's lock, so they wake a thread that waits for it, which then also counts.
     return any(thread != own and _would_run(int(thread)) for thread in threads)
 
 

@@ -1,9 +1,9 @@
 """Waits with a limit: for threads, conditions, queues, files and events of ``asyncio``.
 
-A wait of the thread that steps which ends because its time is over takes that time of the simulated clock, as ``sleep``
-does. Where the program has no other thread, nobody could have ended it: then it takes no real time. With other threads
-it really waits, for only so much time may they take. Those measure their own limits by the match (`Clock.others_s`).
-Locks themselves are not among them: ``Lock.acquire(timeout=…)`` is a method of a class that cannot be changed.
+When a wait of the stepping thread times out, that time passes on the simulated clock, as with ``sleep``. If the program
+has no other thread, nothing can end the wait early, so it takes no real time. With other threads it really waits, for
+at most that time. Their own timeouts are measured in match time (`Clock.others_s`). Locks themselves are not among
+them: ``Lock.acquire(timeout=…)`` is a method of a class that cannot be changed.
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ if TYPE_CHECKING:
     from ._hooks import Patch
 
     Wait = Callable[[Any, Any], Any]
-    """A method with a limit in s, or None, that returns what is true if what was waited for came."""
+    """A method with a timeout in s, or None, that returns something true if the wait succeeded."""
 
 
 _SHORT_S = 0.032
 _SLICE_S = 0.001
 _HELD_UP_S = 0.003
-"""Who comes back so late from waiting for 0.001 s had no processor: that tells nothing about the other threads."""
+"""A thread that returns this late from waiting 0.001 s had no processor: this says nothing about the other threads."""
 _SLICE_BESIDE_S = 0.002
 _IDLE_SHARE = 0.2
 
@@ -43,7 +43,7 @@ class BlockingCalls:
         clock.count_our_threads()
 
     def patches(self) -> dict[str, Patch]:
-        """Return what makes them show the clock, by module."""
+        """Return the patches that make them use the clock, by module."""
         return {
             "threading": self._of_threading,
             "queue": self._of_queue,
@@ -163,9 +163,9 @@ def _wait_beside_others(clock: Clock, real: Wait, waiting: Any, timeout: float) 
 def _for_others(real: Wait, waiting: Any, timeout: float) -> Any:
     """Really wait for other threads.
 
-    Who waits for less than a tick in every step, beside threads that themselves wait for work, would use up a half's
-    time for nothing: such a wait is over when nobody computes, or would if there were a processor. Time in which other
-    programs had it does not count: the thread that is waited for had none of it either.
+    A program that waits for less than a tick in every step, while its threads themselves wait for work, would waste its
+    time budget: such a wait ends when no thread computes or is ready to. Time in which other programs had the processor
+    does not count, because the awaited thread could not use it.
     """
     if timeout > _SHORT_S or sys.platform == "win32":  # there what was computed is told every 16 ms only
         return real(waiting, timeout)
@@ -177,7 +177,7 @@ def _for_others(real: Wait, waiting: Any, timeout: float) -> Any:
         is_idle = computed_s < _IDLE_SHARE * passed_s
         would_run = others_would_run() if is_idle else None
         left_s -= computed_s if would_run else min(passed_s, _SLICE_S + computed_s)
-        if would_run is None:  # where nobody tells, others are taken to be held up if this one has just been
+        if would_run is None:  # if that is unknown, assume that others are delayed if this one has just been
             would_run = passed_s >= _HELD_UP_S
         if came or left_s <= 0 or (is_idle and not would_run):
             return came

@@ -20,12 +20,12 @@ if TYPE_CHECKING:
 
     from ._hooks import Patch
 
-_RESERVE_BYTES = 4 << 20  # of addresses, never touched; Python 3.14 needs more than 1 MB to tell of an error
+_RESERVE_BYTES = 4 << 20  # of addresses, never touched; Python 3.14 needs more than 1 MB to report an error
 _MAX_TOLD = 2_000  # letters
 _PYTHONS_HOOK = sys.excepthook
 _SWITCH_S = 0.000_2
-"""How long a thread of a program may compute while the one that steps wants to go on, as it does twice in a step.
-Python's own 5 ms would, with one that computes for ever, use up more than a half allows."""
+"""How long a thread may compute while the stepping thread is ready to run, which happens twice in a step. With Python's
+default of 5 ms, a thread that computes for ever would use up more than a half allows."""
 
 
 class Boot:
@@ -47,12 +47,12 @@ class Boot:
         self._connection.root = self._root
 
     def confine(self) -> None:
-        """Isolate this process, as long as it has but one thread: all that it starts inherits the layers."""
+        """Isolate this process while it has only one thread: everything that it starts inherits the layers."""
         try:
             _confine.confine(self._hello["layers"], self._limits)
         except OSError as error:
             self._end("start", f"the program could not be isolated: {error}")
-        sys.modules.pop("resource", None)  # a team may have a file of that name, and gets its own
+        sys.modules.pop("resource", None)  # a team may have a file of that name, which it then imports
 
     def run(self) -> None:
         """Run the program and tell the match how it ended, unless the match ended it."""
@@ -63,7 +63,7 @@ class Boot:
         if debugger:
             _debugger.wait_for_editor(self._hello["robot"]["name"], **debugger)
         self._prepare_modules()
-        reserve = bytearray(_RESERVE_BYTES)  # given back before a lack of memory is told
+        reserve = bytearray(_RESERVE_BYTES)  # released before a lack of memory is reported
         try:
             self._run_entry()
             _wait_for_threads()
@@ -82,7 +82,7 @@ class Boot:
         _flush_output()
 
     def out_of_memory(self) -> None:
-        """The program holds more memory than it may (told by the watch)."""
+        """The program holds more memory than it may (called by the watch)."""
         self._end("memory", "the program takes more memory than it may")
 
     def _run_entry(self) -> None:
@@ -150,14 +150,14 @@ class Boot:
         leave(1)
 
     def _end(self, kind: str, detail: str, trace: str = "") -> None:
-        """Tell the match why this is the end, after all output is written. Never returns."""
+        """Report the reason for the end to the match, after all output is written. Never returns."""
         _flush_output()
         self._wire.send(fault_frame(kind, detail, trace))
         leave(1)
 
 
 def _tell_of_same_processors() -> None:
-    """Let a program be told all along on how many processors it may be: meanwhile that depends on what else runs."""
+    """Show a program the initial set of processors for ever: the actual one depends on what else runs."""
     real = getattr(os, "sched_getaffinity", None)
     if real is not None:
         pid, ours = os.getpid(), frozenset(real(0))
@@ -194,11 +194,11 @@ def _in_turn(first: Patch, then: Patch) -> Patch:
 
 
 def _wait_for_threads() -> None:
-    """Wait for the threads that the program has started and left to themselves, as the interpreter does at its end."""
+    """Wait for the threads that the program has started and not joined, as the interpreter does at its end."""
     threading: Any = sys.modules.get("threading")
-    if hasattr(threading, "enumerate"):  # the library's, or a file of the team of that name
+    if hasattr(threading, "enumerate"):  # the library's, or a file of the team with that name
         for call in reversed(getattr(threading, "_threading_atexits", ())):
-            call()  # tells the workers of pools to go
+            call()  # makes the workers of pools end
         for thread in threading.enumerate():
             if thread is not threading.current_thread() and not thread.daemon:
                 thread.join()
@@ -214,7 +214,7 @@ def _told_by_its_hook(error: BaseException, inside: str) -> bool:
         trace = trace.tb_next  # it begins with what has started the program
     try:
         hook(type(error), error, trace)
-    except BaseException as failed:  # noqa: BLE001 - it may raise anything; what it was called for is told all the same
+    except BaseException as failed:  # noqa: BLE001 - it may raise anything; the original error is reported anyway
         _print_quietly(f"Error in sys.excepthook: {type(failed).__name__}")
     return True
 
@@ -242,7 +242,7 @@ def _debugger_quit(left: SystemExit) -> bool:
 
 
 def _told(code: object) -> str:
-    """Return what a program left with as text, whatever it is."""
+    """Return the exit value of a program as text, whatever it is."""
     try:
         return str(code)[:_MAX_TOLD]
     except BaseException:  # noqa: BLE001 - it may raise anything
@@ -271,8 +271,8 @@ def _fd(number: int, flags: int) -> int:
 def main() -> None:
     """Start the program that the parent describes in its first message.
 
-    Arguments of the process: read end, write end and lifeline, as file descriptors (handles on Windows; -1: none);
-    then the folder from which this code was imported, which is no business of the program's.
+    Arguments of the process: read end, write end and lifeline, as file descriptors (handles on Windows; -1: none); then
+    the folder from which this code was imported, which is hidden from the program.
     """
     sys.path.remove(sys.argv[4])
     read_end, write_end, lifeline = (int(argument) for argument in sys.argv[1:4])

@@ -5,8 +5,8 @@ The clock stands still between two steps, except that each reading by the thread
 passed this way beyond whole ticks is what the program missed: its next ``step`` says so. Until the first ``step`` that
 thread is the main one, if it is the only one.
 
-Other threads wait for simulated time to come. While no tick begins, because the thread that steps computes or waits for
-them, their clock goes on by itself (`BackgroundClock`): nobody waits for ever.
+Other threads wait for simulated time. While no tick begins, because the stepping thread computes or waits for them,
+their clock goes on by itself (`BackgroundClock`), so that no thread waits for ever.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ if TYPE_CHECKING:
     from typing import Any
 
 EPOCH_NS = 1_704_067_200_000_000_000
-"""Every half begins at 2024-01-01T00:00:00Z: any fixed date serves, this one is a plausible one."""
+"""Every half begins at 2024-01-01T00:00:00Z: an arbitrary fixed, plausible date."""
 
 _READING_NS = 1_000
 _WAITS_FROM_NS = 100_000
-"""Who has looked at the clock a hundred times since the last step waits for it, and need not look a million times a
-second: with ``datetime.now`` that would take longer than a step may. Nor need who plans until 10 ms have passed go
-round a thousand times: that would take longer than the 6 ms that a step may in the long run."""
+"""A program that has read the clock a hundred times since the last step is waiting, and need not read it a million
+times a second: with ``datetime.now`` that would take longer than a step may. Similarly, a loop that plans until 10 ms
+have passed need not run a thousand times: that would exceed the 6 ms that a step may take in the long run."""
 _WAITING_NS = 50_000
 _MAX_MISSED = 2**31 - 1
 _ENDLESS_S = float("inf")
@@ -61,7 +61,7 @@ class Clock:
         self.step_began = self.beside.step_began
 
     def count_our_threads(self) -> None:
-        """Take note of the threads that there are: the program has started none of them."""
+        """Record the existing threads: the program has started none of them."""
         self._our_threads = _count()
 
     def has_other_threads(self) -> bool:
@@ -88,7 +88,7 @@ class Clock:
         return self.now_ns() / 1e9
 
     def steps_here(self) -> bool:
-        """Return whether it is the thread that steps which asks: no other, and none that may only look on."""
+        """Return whether the calling thread is the one that steps."""
         here = get_ident() == self._stepping or self._steps_again()
         return here and (self._has_stepped or not self.has_other_threads())
 
@@ -105,7 +105,7 @@ class Clock:
 
     def sleep(self, seconds: float) -> None:
         """Let simulated time pass for the thread that steps; other threads wait until it has."""
-        _real_sleep(0 if 0 < seconds < _ENDLESS_S else seconds)  # the original's errors for what is no duration
+        _real_sleep(0 if 0 < seconds < _ENDLESS_S else seconds)  # the original's errors for non-durations
         if self.steps_here():
             self.pass_time(seconds)
         elif seconds > 0:
@@ -148,7 +148,7 @@ class Clock:
             self._wake_sleepers()
 
     def _wake_sleepers(self) -> None:
-        """Wake those whose time has come."""
+        """Wake the threads whose waits are over."""
         reached_s = self.others_s()
         for due_s, alarm in self._sleepers[:]:
             if due_s <= reached_s and alarm.locked():

@@ -1,6 +1,6 @@
 """Limits that a program's process sets itself before any of the program's code runs.
 
-Which of them apply is the parent's decision (``rcj_challenges/controllers/isolation.py``); here is only how.
+The parent decides which of them apply (``rcj_challenges/controllers/isolation.py``); this module sets them.
 """
 
 # ruff: noqa: PLC0415 - each import costs every program, so there are few, and only where they are needed
@@ -118,11 +118,11 @@ def confine(layers: list[str], settings: dict[str, Any]) -> None:
 def watch(lifeline_fd: int, memory_bytes: int, on_memory: Callable[[], None]) -> None:
     """Watch from a thread, where the kernel does not: end with the parent, report too much memory (macOS).
 
-    Where the parent cannot ask by a signal (Windows), the thread tells where the program is.
+    Where the parent cannot use a signal (Windows), this thread writes the program's traceback.
 
     Args:
         lifeline_fd: read end of a pipe that ends when the parent does; a byte in it asks for a traceback, and the end.
-        memory_bytes: the limit; 0: somebody else watches it.
+        memory_bytes: the limit; 0: it is watched elsewhere.
         on_memory: called when it is exceeded.
     """
     is_too_much = _memory_watch(lifeline_fd, memory_bytes) if memory_bytes else None
@@ -137,7 +137,7 @@ def watch(lifeline_fd: int, memory_bytes: int, on_memory: Callable[[], None]) ->
                 os.write(2, _DUMP_BEGINS)
                 faulthandler.dump_traceback(2, all_threads=True)
         except (OSError, ValueError):
-            # The program has closed what it does not know. The parent sees that first, and tells it.
+            # The program has closed a descriptor that is not its own. The parent notices that first and reports it.
             _real_sleep(_UNTIL_PARENT_ACTS_S)
         finally:
             leave(1)
@@ -145,7 +145,7 @@ def watch(lifeline_fd: int, memory_bytes: int, on_memory: Callable[[], None]) ->
     begun = allocate_lock()
     begun.acquire()
     start_new_thread(guard, ())
-    # From now on it is counted among the threads, and nobody takes it for one of the program's.
+    # From now on the match counts it, and does not take it for one of the program's threads.
     with begun:
         pass
 
@@ -155,7 +155,7 @@ def _memory_watch(fd: int, limit_bytes: int) -> Callable[[], bool | None]:
     import resource
     import select
 
-    # A team may have files of these names, and gets its own; and its waits follow the match, not this one.
+    # A team may have files of these names, which it then imports; its waits follow match time, this one does not.
     for name in ("resource", "select"):
         sys.modules.pop(name, None)
     wait, usage, this_process = select.select, resource.getrusage, resource.RUSAGE_SELF

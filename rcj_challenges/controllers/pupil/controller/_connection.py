@@ -37,8 +37,8 @@ Packet = tuple[bytes, float, float, float, float]
 """Payload, strength, and the direction's x, y, z in the robot's frame."""
 
 QUEUE_BYTES = 16 << 20
-"""What the unread packets of one receiver may take, about 80 000 small ones; honest programs leave up to 20 000. It is
-looked at now and then: meanwhile there may be some thousand small ones more."""
+"""Limit for the unread packets of one receiver, about 80 000 small ones; honest programs leave up to 20 000. It is
+checked now and then: in between there may be some thousand small ones more."""
 
 MAX_EMISSIONS = 1_000
 """Packets that one step may send. At 115200 baud 460 of one byte are on the air in a tick."""
@@ -50,8 +50,8 @@ with the settings it is within the 64 KiB that a message may have beyond two of 
 _PACKET_OVERHEAD = 200
 _TRIMMED_EVERY_BYTES = 1 << 19  # that arrive: of thousands of ticks, if packets are small; counting them takes its time
 _TOLD_TIMES = 10
-"""So often one complaint is told; then only the 100th, the 1000th: who errs in each step of a half does so 18750 times,
-and would not find what the program itself prints."""
+"""How often one complaint is printed; then only the 100th, the 1000th: an error in each step of a half occurs 18750
+times, and would hide the program's own output."""
 _MAX_TICKS = 2**31 - 1
 _MAX_DEPTH, _REHEARSALS = 150, 60  # `check` plays 10 s, the 60th part of a half
 
@@ -108,13 +108,13 @@ class Connection:
     Attributes:
         spec: the robot, as the match described it.
         root: folder of the team's files; empty until it is known.
-        numbers: the latest observation: six numbers of its head, then those of all devices, as of ``tick``. Those of
-            a lidar stand packed in one piece: they are many, and seldom looked at.
+        numbers: the latest observation: six numbers of its head, then those of all devices, as of ``tick``. Those of a
+            lidar stand packed in one piece: they are many, and seldom looked at.
         place_of: by a device's slot, where in ``numbers`` its own begin.
         previous: the observation before, of ``previous_tick``.
         queues: unread packets by the index of the receiver.
         devices: all devices of the robot by name, once it is made.
-        motors: what motors are told with the next request, by their index: that, velocity in rad/s, position in rad.
+        motors: settings for the next request, by the motor's index: index, velocity in rad/s, position in rad.
         message_bytes: of the largest radio packet.
     """
 
@@ -209,7 +209,7 @@ class Connection:
         self._frequencies[device] = frequency_hz
 
     def emit(self, device: int, channel: int, data: bytes) -> bool:
-        """Hand a packet to an emitter. Returns False if it, or all of this step together, is too large."""
+        """Hand a packet to an emitter. Return False if it, or all of this step together, is too large."""
         size = len(data)
         if size > self.message_bytes or self._emitted_bytes + size > max(EMITTED_BYTES, 2 * self.message_bytes):
             return False
@@ -223,7 +223,7 @@ class Connection:
     def exchange(self, duration_ms: float) -> bool:
         """Send what was asked for, wait until the time is over, take in what came. Returns False at the end.
 
-        Where several threads do so, one does after the other, as in the original.
+        Several threads take turns, as in the original.
         """
         with self._turn:
             return self.exchange_in_turn(duration_ms)
@@ -292,7 +292,7 @@ class Connection:
                     complain(f"Warning: {what}; did you mean {near[0]!r}?")
 
     def _tell_of_depth(self) -> None:
-        """Tell of a function that goes on by calling itself: in a rehearsal of some seconds nothing else shows it."""
+        """Report a function that continues by calling itself: in a rehearsal of some seconds nothing else shows it."""
         depth, frame = 0, sys._getframe()  # noqa: SLF001 - it is documented
         while frame.f_back is not None:
             depth, frame = depth + 1, frame.f_back
@@ -426,7 +426,7 @@ _times_told: dict[str, int] = {}
 
 
 def complain(text: str) -> None:
-    """Tell the program's author something, on standard error. The same thing again and again is told now and then."""
+    """Print a complaint for the program's author on standard error; repetitions are printed now and then."""
     times = _times_told[text] = _times_told.get(text, 0) + 1
     if times > _TOLD_TIMES and str(times).strip("0") != "1":
         return
@@ -444,12 +444,12 @@ def number(given: Any, wanted: str) -> float:
         TypeError: it is none; the text says what was wanted, and what was found.
     """
     try:
-        math.isnan(given)  # takes whatever has a value as a number, and no text
+        math.isnan(given)  # accepts everything that converts to a number, but no text
     except TypeError:
         raise TypeError(f"{wanted}; {told(given)} was given") from None
     return given if isinstance(given, int) else float(given)
 
 
 def told(given: object) -> str:
-    """Return what a program gave, for a message: ``'32' (str)``."""
+    """Format an argument for a message: ``'32' (str)``."""
     return f"{repr(given)[:60]} ({type(given).__name__})"

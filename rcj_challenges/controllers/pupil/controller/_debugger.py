@@ -36,10 +36,10 @@ def wait_for_editor(robot: str, folder: str, port: int) -> None:
     Args:
         robot: whose program this is.
         folder: where debugpy is installed.
-        port: where it listens; if that is taken, on a free one.
+        port: where it listens; if that is taken, a free one is used.
     """
     sys.path.append(folder)
-    os.environ["PYDEVD_DISABLE_FILE_VALIDATION"] = "1"  # it warns of files of Python's own, in which nobody stops
+    os.environ["PYDEVD_DISABLE_FILE_VALIDATION"] = "1"  # it warns of Python's own files, without breakpoints
     try:
         import debugpy  # type: ignore[import-not-found,unused-ignore]  # an extra
 

@@ -39,7 +39,7 @@ class AfterImport:
     """An import hook: runs a patch on a module right after its code has run.
 
     A file of the team that has the name of such a module is left alone. The package itself, which is in no folder that
-    programs import from, is found here when it is loaded anew (``importlib.reload``).
+    programs import from, is found here when it is reloaded (``importlib.reload``).
     """
 
     def __init__(self, patches: dict[str, Patch], team_root: str) -> None:

@@ -1,8 +1,8 @@
 """Files: which ones a program's process may see (Landlock, Linux 5.13 and newer).
 
 Deny by default: what is not below a folder that is named here cannot be opened, listed, made or removed, whoever owns
-it. Newer kernels add more, all of it refused as well: connections by TCP (6.7), devices' controls (6.10), abstract
-sockets and signals to processes outside (6.12). A process with such a domain cannot trace one without.
+it. Newer kernels add more, which is also refused: connections by TCP (6.7), devices' controls (6.10), abstract sockets
+and signals to processes outside (6.12). A process with such a domain cannot trace one without.
 """
 
 from __future__ import annotations
@@ -85,7 +85,7 @@ def restrict_files(settings: dict[str, Any]) -> None:
 
 
 def _allow(rules: int, path: str, rights: int) -> None:
-    """Add a rule for a file, or for a folder and all below it. What does not exist needs none."""
+    """Add a rule for a file, or for a folder and all below it. Missing ones are skipped."""
     try:
         place = os.open(path, os.O_PATH | os.O_CLOEXEC)
     except (FileNotFoundError, NotADirectoryError, PermissionError):

@@ -20,9 +20,9 @@ class Output:
 
         Args:
             limit_bytes: what may be printed.
-            on_flood: what to do when it is more.
-            names: folders of this computer and what stands in the log instead: warnings, tracebacks and what a
-                program says of its own files name them as the team knows them, and the same in every match.
+            on_flood: what to do when more is printed.
+            names: folders of this computer and their replacements in the log, so that warnings, tracebacks and the
+                program's own messages show paths as in the submission, the same in every match.
         """
         self.printed_bytes = 0
         self._names = [(os.fsencode(path), os.fsencode(short)) for path, short in names]

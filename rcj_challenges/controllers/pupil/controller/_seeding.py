@@ -1,4 +1,4 @@
-"""Chance that repeats: ``random`` and ``numpy.random`` draw from the match's seed instead of the system's noise."""
+"""Repeatable randomness: ``random`` and ``numpy.random`` are seeded by the match instead of the system."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _MASK = 2**64 - 1
 
 
 class Seeds:
-    """An endless row of 64-bit seeds, derived from one.
+    """An endless sequence of 64-bit seeds, derived from one.
 
     SplitMix64 (Steele, Lea, Flood 2014): small enough to need no import.
     """

@@ -1,7 +1,7 @@
-"""Handlers of signals: what one raises while a step is exchanged waits until the step is over.
+"""Signal handlers: an exception raised during a step's exchange is delayed until the step is over.
 
 A handler may run between any two instructions. One that raised between sending a request and keeping the answer would
-lose the answer, and program and match would no longer speak of the same tick.
+lose the answer, and program and match would be at different ticks.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ def _is_exchanging(frame: Any) -> bool:
 
 
 def hold_interrupts(connection: Connection) -> None:
-    """Hold what Ctrl-C raises as well: its handler is set before any program runs."""
+    """Also delay the exception of Ctrl-C: its handler is set before any program runs."""
     if _signal.getsignal(_signal.SIGINT) is _signal.default_int_handler:
         _signal.signal(_signal.SIGINT, Patient(_signal.default_int_handler, connection))
 

@@ -218,6 +218,7 @@ PASSED_OVER: dict[str, tuple[int | None, int | None]] = {
     "flock": (73, 32),
     "fadvise64": (221, 223),
 }
-"""Answered as if done, and not done. Permissions: as on a disk without them, because ``shutil.copy`` ends with such a
-call; not utime: ``Path.touch`` takes its success to mean that the file is there. Locks: a file that can be written
-belongs to one program, and locks on shared files would carry messages; so would dropping the pages of such files."""
+"""Reported as successful without being carried out. Permissions: as on a disk without them, because ``shutil.copy``
+ends with such a call; not utime: ``Path.touch`` takes its success to mean that the file is there. Locks: a file that
+can be written belongs to one program, and locks on shared files would carry messages; so would dropping the pages of
+such files."""

@@ -18,10 +18,10 @@ _real_name = type.__dict__["__name__"].__get__  # whatever the class's own class
 
 
 def short_names(team_root: str, site_folders: list[str]) -> list[tuple[str, str]]:
-    """Return folders of this computer, which no record names, and what to tell instead; inner ones first.
+    """Return folders of this computer, which no record may contain, with their replacements; inner ones first.
 
     Args:
-        team_root: the folder of the program's files; paths are told relative to it.
+        team_root: the folder of the program's files; paths are written relative to it.
         site_folders: where numpy and scipy are.
     """
     slashed = team_root.replace(os.sep, "/")
@@ -29,9 +29,9 @@ def short_names(team_root: str, site_folders: list[str]) -> list[tuple[str, str]
     ours = os.path.dirname(os.path.dirname(__file__))  # where `controller` is; not always installed
     shown += [(folder, "site-packages") for folder in (ours, *site_folders) if folder]  # '' is in everything
     shown += [(place, "python") for place in (os.path.dirname(os.__file__), sys.executable) if place]
-    # In /usr or C:\Python311 it tells nothing of whose computer this is, and is a part of too many other paths.
+    # In /usr or C:\Python311 it reveals nothing about this computer, and is a part of too many other paths.
     shown += [(place, "python") for place in (sys.prefix, sys.base_prefix) if place.count(os.sep) > _COMMON_DEPTH]
-    # The debugger tells them in small letters on Windows.
+    # The debugger writes them in small letters on Windows.
     shown += [(small, short) for path, short in shown if (small := os.path.normcase(path)) != path]
     # Errors quote paths, and there backslashes are doubled.
     return shown + [(path.replace("\\", "\\\\"), short) for path, short in shown if "\\" in path]
@@ -49,13 +49,13 @@ def describe(error: BaseException, team_root: str, names: list[tuple[str, str]])
         told = _with_standard_library(_describe, error, team_root + os.sep)
         for path, short in names:
             told = told[0].replace(path, short), told[1].replace(path, short)
-    except BaseException:  # noqa: BLE001 - a program may break everything that is used here; the fault must be told
+    except BaseException:  # noqa: BLE001 - a program may break everything that is used here; the fault must be reported
         return _plainly(error, team_root + os.sep), ""
     return told
 
 
 def _plainly(error: BaseException, inside: str) -> str:
-    """Return what can be told of an error with nothing but the interpreter's own means."""
+    """Format an error with only the interpreter's own means."""
     told: str = _real_name(type(error))
     try:
         given = BaseException.args.__get__(error)  # type: ignore[attr-defined]  # whatever its class calls so
@@ -83,7 +83,7 @@ def _describe(error: BaseException, inside: str) -> tuple[str, str]:
     if sys.version_info < (3, 12):  # from then on the library does it
         try:
             _name_what_was_meant(error)
-        except BaseException:  # noqa: BLE001, S110 - the program's own methods are asked; without the hint it is told too
+        except BaseException:  # noqa: BLE001, S110 - this calls the program's own methods; the hint is optional
             pass
     told = traceback.TracebackException(type(error), error, error.__traceback__, compact=True)
     _keep_own_frames(told, inside)
@@ -101,7 +101,7 @@ def _describe(error: BaseException, inside: str) -> tuple[str, str]:
 
 
 def _on_encoding(error: BaseException) -> str:
-    """Return what to do about a file of Python that is saved as no UTF-8, of which Python tells in riddles."""
+    """Return help for a Python file that is not saved as UTF-8, about which Python's message is obscure."""
     said = str(error) if isinstance(error, (SyntaxError, ValueError)) else ""
     if any(words in said for words in ("cannot contain null bytes", "(unicode error) 'utf-8'", "Non-UTF-8 code")):
         return "; save the file as UTF-8 text in your editor"
@@ -109,7 +109,7 @@ def _on_encoding(error: BaseException) -> str:
 
 
 def _slashed(filename: str, inside: str) -> str:
-    """Tell a file of the program as everybody does, on Windows too: ``robot1/tools.py``."""
+    """Return the path of a program's file with slashes, on Windows too: ``robot1/tools.py``."""
     return filename.replace(os.sep, "/") if filename.startswith(inside) else filename
 
 

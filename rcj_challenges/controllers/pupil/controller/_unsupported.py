@@ -1,4 +1,4 @@
-"""Webots classes that no robot here has: programs may import and name them; to make one is refused."""
+"""Webots classes that no robot here has: programs may import and name them, but creating one is refused."""
 
 from __future__ import annotations
 

@@ -42,14 +42,14 @@ _USUAL_READ = 4096
 _LARGE_READ = 1 << 16
 _WHOLE_WRITE = 512  # POSIX writes that much to a pipe in one piece
 
-_AWAKE_S = 0.001  # ticks take a third of it where nobody computes much
+_AWAKE_S = 0.001  # ticks take a third of it if no program computes much
 _let_others_run = getattr(os, "sched_yield", lambda: None)
 
 
 class Wire:
     """Reads and writes whole frames.
 
-    A parent that is gone ends the process at once: there is nobody left to play for.
+    If the parent is gone, the process ends at once.
 
     Attributes:
         next_is_soon: whether the match has said that the next observation follows soon.
@@ -65,7 +65,7 @@ class Wire:
         self._writing = allocate_lock()
 
     def count_our_threads(self) -> None:
-        """Take note of the threads that there are: the program has started none of them."""
+        """Record the existing threads: the program has started none of them."""
         self._our_threads = _count()
 
     def receive(self) -> bytes:
@@ -107,7 +107,7 @@ class Wire:
         return answer if whole else self._receive_in_pieces(answer)
 
     def _wait_awake(self) -> None:
-        """Wait for the next frame without sleeping, but not for long, and letting everybody else go first.
+        """Busy-wait for the next frame for a short time, yielding to all other threads.
 
         Where the program has threads they would be held up by each look: then there is no waiting here.
         """
@@ -135,7 +135,7 @@ class Wire:
 
 
 def _looking_at(fd: int) -> Callable[[int], list[tuple[int, int]]] | None:
-    """Return what tells whether something is in a pipe; None where pipes cannot be polled (Windows)."""
+    """Return an object that reports whether a pipe has data; None where pipes cannot be polled (Windows)."""
     was_there = "select" in sys.modules
     import select  # noqa: PLC0415 - see below
 

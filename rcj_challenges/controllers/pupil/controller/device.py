@@ -36,7 +36,8 @@ class Device:
     def __init__(self, name: str) -> None:
         """Stand for the robot's device of that name: all objects that do have all attributes in common.
 
-        If the robot has none of that name and class, it is told as by ``getDevice``, and using this object is an error.
+        If the robot has none of that name and class, a message says so as with ``getDevice``, and using this object is
+        an error.
         """
         connection = connected()
         if not connection.robot_made:

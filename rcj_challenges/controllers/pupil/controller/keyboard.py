@@ -1,6 +1,6 @@
-"""Keyboard, mouse and joystick: in a match nobody sits at them.
+"""Keyboard, mouse and joystick, which are never used in a match.
 
-Programs that were tried out with them by hand go on without them. Few do, so that this file is read only on use.
+Programs that use them for manual tests run without input. Few do, so this file is read only on use.
 """
 
 from __future__ import annotations

@@ -11,7 +11,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-# A speed that was reckoned may come out a hair above what was meant: 10.000000000000002 is nobody's mistake.
+# A computed speed may be slightly above the intended one: 10.000000000000002 is not a mistake.
 _MORE_THAN_ROUNDING = 1 + 1e-9
 
 
@@ -84,7 +84,7 @@ class Motor(Device):
         self._rcj_commanded = True
         connection, index = self._rcj_connection, self._rcj_index
         if self._rcj_acceleration < 0.0 or position != math.inf:
-            # At once: between them another thread could set the motor, and believe that it goes as it was set last.
+            # In one assignment: between two, another thread could set the motor, and its setting would be lost.
             setting = index, velocity, position
             self._rcj_velocity, self._rcj_position, connection.motors[index] = velocity, position, setting
         else:
@@ -92,7 +92,7 @@ class Motor(Device):
             connection.ramp(index, self._rcj_approach)
 
     def _rcj_note_turning(self) -> None:
-        """Before the first change of a step: keep how fast the motor was told to turn until now."""
+        """Before the first change of a step: keep the velocity commanded until now."""
         self._rcj_noted_tick = self._rcj_connection.tick
         if self._rcj_position != math.inf:
             self._rcj_turning = 0.0  # it holds its angle
@@ -155,7 +155,7 @@ class Motor(Device):
         return self._rcj_acceleration
 
     def setAvailableTorque(self, torque: float) -> None:
-        """Remember a torque in N·m. It is not simulated: the motor turns as fast as it is told to."""
+        """Remember a torque in N·m. It is not simulated: the motor always turns at the commanded velocity."""
         self._rcj_available_torque = min(float(torque), self._rcj_max_torque)
 
     def getAvailableTorque(self) -> float:

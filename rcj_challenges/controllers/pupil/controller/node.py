@@ -22,4 +22,4 @@ class Node(Unsupported):
 
 
 class ContactPoint(Unsupported):
-    """Where two bodies touch: only supervisors are told."""
+    """Where two bodies touch: only supervisors get it."""

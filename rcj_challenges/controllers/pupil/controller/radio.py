@@ -18,20 +18,20 @@ else:
 
 
 class NoPacketError(RuntimeError, AttributeError):
-    """A property tells of the first packet, and there is none.
+    """A property of the first packet was read, and there is none.
 
-    ``hasattr`` and ``getattr`` with a default wait for an ``AttributeError``: who asks in this way whether there is
-    something gets an answer instead of an end.
+    ``hasattr`` and ``getattr`` with a default expect an ``AttributeError``: a program that tests for a packet this way
+    gets an answer instead of a crash.
     """
 
     def __init__(self, message: str) -> None:
         """Tell what is missing."""
         super().__init__(message)
-        self.name = None  # else Python asks whether the getter was meant, which fails as well
+        self.name = None  # else Python suggests the getter, which also fails
 
 
 class _OfPacket(ReadOnly):
-    """An attribute that tells of the first packet."""
+    """An attribute of the first packet."""
 
     def __get__(self, thing: Any, kind: type | None = None) -> Any:
         try:
@@ -168,9 +168,9 @@ class Receiver(Sensor):
         return packets[0]
 
     def _rcj_await_the_first(self, method: str) -> None:
-        """Let time pass until the referee of 2021 has spoken, whom the first step has not heard yet.
+        """Let time pass until the referee's first packet of 2021 arrives, which the first step does not bring.
 
-        Programs that read without asking were usual in 2021, and lived.
+        Programs that read without checking the queue were usual in 2021, and worked.
         """
         connection = self._rcj_connection
         if type(self._rcj_queue) is _NotListening or connection.is_within_step():
@@ -185,7 +185,7 @@ class Receiver(Sensor):
         connection.exchange(wait_ms)
 
     def _rcj_emptiness(self, method: str) -> RuntimeError:
-        """Return why there is no packet, after telling it."""
+        """Return why there is no packet, after printing it."""
         reason = "with an empty queue; ask getQueueLength() first."
         if type(self._rcj_queue) is _NotListening:
             reason = "but the receiver is not enabled: call enable(32) before the first step."
@@ -217,7 +217,7 @@ class Receiver(Sensor):
 
 
 class _NotListening:
-    """What stands for the queue of a receiver until it is enabled: empty, and who looks into it is told once."""
+    """Stands for the queue of a receiver until it is enabled: empty; the first access prints a hint."""
 
     def __init__(self, receiver: Receiver) -> None:
         self._receiver = receiver
@@ -248,7 +248,7 @@ class Emitter(Device):
             ``emitter.send(json.dumps({"ball": True}))``
 
         Returns:
-            1, or 0 if it is empty or too large, which is told once.
+            1, or 0 if it is empty or too large, which is reported once.
 
         Raises:
             TypeError: it is none of these, or the size is no whole number.
@@ -339,7 +339,7 @@ def _cut(data: bytes, size: Any, emitter: str) -> bytes:
 
 
 def _tuned(spec: dict[str, Any], current: int, given: float) -> int:
-    """Return the channel that a device is on after it was asked for; one that is refused is told."""
+    """Return the channel of a device after a request; a refusal is reported."""
     asked = int(number(given, f"{spec['name']!r}: setChannel takes the number of a channel, such as 1"))
     if asked in spec["facts"].get("refused_channels", ()):
         complain(f"Error: {spec['name']!r}: channel {asked} is not for this team; it stays on {current}.")

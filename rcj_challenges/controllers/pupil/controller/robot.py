@@ -38,8 +38,8 @@ def _class_of(kind: str) -> type[Device]:
 class Robot:
     """The robot that this program drives. A program makes one, often of a class of its own.
 
-    What it keeps to itself has names that begin with ``_rcj_``, which such a class does not hit by accident. For the
-    same reason no method calls another that it could override.
+    Private names begin with ``_rcj_``, so that such a class does not override them by accident. For the same reason no
+    method calls another that could be overridden.
     """
 
     MODE_SIMULATION, MODE_CROSS_COMPILATION, MODE_REMOTE_CONTROL = range(3)
@@ -66,7 +66,7 @@ class Robot:
 
     def __init__(self) -> None:
         self._rcj_connection = connection = connected()
-        if connection.robot_made:  # to go on costs nobody anything; to end it would cost a robot
+        if connection.robot_made:  # going on is harmless; ending the program would cost a robot
             complain(f"Error: only one Robot can be made: this second {type(self).__name__} is the same robot.")
             return
         connection.robot_made = True
@@ -108,7 +108,7 @@ class Robot:
         return 0 if self._rcj_connection.end() else -1
 
     def waitForUserInputEvent(self, event_type: int, timeout: float = 0) -> int:
-        """Return ``Robot.EVENT_NO_EVENT`` at once: nobody presses or moves anything."""
+        """Return ``Robot.EVENT_NO_EVENT`` at once: there is no user input."""
         return Robot.EVENT_NO_EVENT
 
     def getName(self) -> str:
@@ -167,7 +167,7 @@ class Robot:
         return self._rcj_custom_data
 
     def setCustomData(self, customData: str) -> None:
-        """Remember a text. Nobody else reads it."""
+        """Store a text. Only this program reads it."""
         self._rcj_custom_data = customData
 
     def getSupervisor(self) -> bool:
@@ -202,7 +202,7 @@ class Robot:
         return self._rcj_input("Keyboard")
 
     def getMouse(self) -> Any:
-        """Return a mouse that nobody moves."""
+        """Return a mouse that never moves."""
         return self._rcj_input("Mouse")
 
     def getJoystick(self) -> Any:

@@ -48,7 +48,7 @@ class GPS(Sensor):
 
     @staticmethod
     def convertToDegreesMinutesSeconds(decimalDegree: float) -> str:
-        """Return an angle in degrees as text: 12.5 is ``12° 30' 0"``. Here the GPS tells metres."""
+        """Return an angle in degrees as text: 12.5 is ``12° 30' 0"``. Here the GPS measures metres."""
         degrees = int(decimalDegree)
         seconds = int(abs(decimalDegree - degrees) * 3600 + 1e-6)
         return f"{degrees}° {seconds // 60}' {seconds % 60}\""
@@ -111,7 +111,7 @@ class DistanceSensor(Sensor):
         return 0.0
 
     def getLookupTable(self) -> list[float]:
-        """Return distance in m, reading and noise of both ends of the range; the noise is not told, it stands as 0."""
+        """Return distance in m, reading and noise of both ends of the range; the noise is hidden and given as 0."""
         return [0.0, self.getMinValue(), 0.0, self.getMaxValue() / 1000, self.getMaxValue(), 0.0]
 
     def getType(self) -> int:
