@@ -1,8 +1,13 @@
-"""One test per row of the rule table: its limit is changed in the YAML, and the reflog changes."""
+"""One test per row of the rule table: its limit is changed in the YAML, and the reflog changes.
+
+The same without physics and programs, and so in the suite: `tests/referee/test_match_rules.py`.
+"""
 
 import pytest
 
 from tests.match.programs import AHEAD
+
+pytestmark = pytest.mark.nightly
 
 YELLOW_KICKS_OFF = 3  # the seed with which yellow draws the kick-off
 
