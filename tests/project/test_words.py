@@ -29,39 +29,36 @@ def differences(loaded: Loaded) -> dict[str, tuple[str, ...]]:
     return {name: found for name, found in trials.items() if found}
 
 
-@pytest.mark.parametrize(("chapter", "word"), WORDS, ids=[f"{c.title}-{w.name}" for c, w in WORDS])
-def test_every_word_has_a_sentence_and_every_field_a_description(chapter, word):
-    assert re.fullmatch(r"[A-Z].{9,}[.]", sentence_of(word.model))
-    tagged = {chapter.tag, "start"}
-    missing = [key for key, info in word.model.model_fields.items() if not info.description and key not in tagged]
-    # Of single-valued aliases such as noise_m the description stands in the type.
-    assert [key for key in missing if not _typed(word.model, key)] == []
+def test_every_word_has_a_sentence_and_every_field_a_description():
+    for chapter, word in WORDS:
+        assert re.fullmatch(r"[A-Z].{9,}[.]", sentence_of(word.model)), word.name
+        tagged = {chapter.tag, "start"}
+        missing = [key for key, info in word.model.model_fields.items() if not info.description and key not in tagged]
+        # Of single-valued aliases such as noise_m the description stands in the type.
+        assert [key for key in missing if not _typed(word.model, key)] == [], word.name
 
 
 def _typed(model, key: str) -> bool:
     return any(getattr(part, "description", None) for part in model.model_fields[key].metadata)
 
 
-# The others are parts of something else, and its example shows them.
-WHOLE = [(chapter, word) for chapter, word in WORDS if word.own_example]
+def test_every_word_has_an_example():
+    # The others are parts of something else, and its example shows them.
+    for chapter, word in ((chapter, word) for chapter, word in WORDS if word.own_example):
+        example = example_of(word, chapter, EXAMPLES)
+        assert example is not None, word.name
+        assert word.name in example.text or word.name in example.words
+        if chapter.title in TOLD_BY_CLASS:
+            assert word.name in example.text
+            assert "expect:" in example.text, word.name
 
 
-@pytest.mark.parametrize(("chapter", "word"), WHOLE, ids=[f"{c.title}-{w.name}" for c, w in WHOLE])
-def test_every_word_has_an_example(chapter, word):
-    example = example_of(word, chapter, EXAMPLES)
-    assert example is not None
-    assert word.name in example.text or word.name in example.words
-    if chapter.title in TOLD_BY_CLASS:
-        assert f"{word.name}" in example.text
-        assert "expect:" in example.text
-
-
-@pytest.mark.parametrize(("chapter", "word"), WORDS, ids=[f"{c.title}-{w.name}" for c, w in WORDS])
-def test_every_word_that_the_referee_knows_has_a_test_class(chapter, word):
+def test_every_word_that_the_referee_knows_has_a_test_class():
     tests = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "tests" / "referee").glob("test_*.py"))
-    kind = TOLD_BY_CLASS.get(chapter.title, "Value" if chapter.title == "Values" and word.own_example else None)
-    if kind is not None:
-        assert f"class Test{kind}{word.name.title().replace('_', '')}:" in tests
+    for chapter, word in WORDS:
+        kind = TOLD_BY_CLASS.get(chapter.title, "Value" if chapter.title == "Values" and word.own_example else None)
+        if kind is not None:
+            assert f"class Test{kind}{word.name.title().replace('_', '')}:" in tests
 
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda example: f"{example.file}-{example.words[0]}")
