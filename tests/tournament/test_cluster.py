@@ -18,10 +18,17 @@ from tests.tournament.test_killed import DUEL, SHORT, matches_of, played_here, w
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="finds processes by /proc")
 
 
-def new_cluster():
+def new_cluster(**options):
     from distributed import LocalCluster  # half of the time of collecting this folder
 
-    return LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0")
+    return LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0", **options)
+
+
+@pytest.fixture(scope="module")
+def near_cluster():
+    """Return a cluster of which scheduler and workers are threads; matches are processes here too."""
+    with new_cluster(processes=False) as made:
+        yield made
 
 
 @pytest.fixture(scope="module")
@@ -49,16 +56,16 @@ def busy_workers(cluster):
     return [pid for process in processes if process is not None and (pid := process.pid) and matches_of(process)]
 
 
-def test_two_workers_end_with_the_tables_and_digests_of_this_computer(tmp_path, cluster):
+def test_two_workers_end_with_the_tables_and_digests_of_this_computer(tmp_path, near_cluster):
     home = new_home(tmp_path / "there")
-    home.play(executor=on_cluster(home, cluster))
+    home.play(executor=on_cluster(home, near_cluster))
     assert what_came_out(home) == played_here(new_home(tmp_path / "here"))
     assert home.play()[1].jobs == [], "all records are whole"
 
 
-def test_workers_with_another_version_are_refused_before_the_first_match(tmp_path, cluster):
+def test_workers_with_another_version_are_refused_before_the_first_match(tmp_path, near_cluster):
     with pytest.raises(DiagnosticError) as error:
-        on_cluster(Home(tmp_path), cluster, mujoco="3.0.0")
+        on_cluster(Home(tmp_path), near_cluster, mujoco="3.0.0")
     assert code_of(error) == "cluster-worker-unfit"
     assert len(error.value.diagnostics) == 2, "each worker"
 
