@@ -18,7 +18,7 @@ from rcj_challenges.checker.identity import find_logo
 from rcj_challenges.checker.images import PictureError, as_png, identify
 from rcj_challenges.checker.repair import repair
 from rcj_challenges.controllers.paths import clean, name_problems
-from rcj_challenges.controllers.submission_problems import told
+from rcj_challenges.controllers.submission_problems import safe_text
 from rcj_challenges.controllers.team import TeamError, open_team
 from rcj_challenges.controllers.team_name import find_team_name
 from rcj_challenges.scenario.load import load
@@ -69,8 +69,8 @@ def check_holds(folder: Path, data: bytes, *, mend: bool) -> None:
     for finding in found:
         for text in (finding.message, finding.remedy, finding.where):
             assert len(text) < 3000
-            assert told(text, 3000) == text
-    assert told(inspection.display_name) == inspection.display_name
+            assert safe_text(text, 3000) == text
+    assert safe_text(inspection.display_name) == inspection.display_name
     failed = any(stage.failed for stage in inspection.stages)
     assert failed or inspection.team is not None
     try:
@@ -214,7 +214,7 @@ def test_any_bytes_in_the_name_file_give_a_name_that_stays(content: bytes) -> No
     path = next(iter(NAME))
     name = find_team_name({PurePosixPath(path): content}, "fallback")
     assert 0 < len(name.text) <= 32
-    assert told(name.text) == name.text
+    assert safe_text(name.text) == name.text
     again = find_team_name({PurePosixPath(path): name.text.encode()}, "fallback")
     assert again.text == name.text
     assert again.warnings == []
@@ -240,4 +240,4 @@ def test_any_bytes_as_logo_are_a_picture_or_none(start: bytes, rest: bytes, at: 
         try:
             assert find_logo({PurePosixPath("logo.png"): as_png(data)}).shown is not None
         except PictureError as error:
-            assert told(error) == str(error)  # noqa: PT017 - the property is about every error
+            assert safe_text(error) == str(error)  # noqa: PT017 - the property is about every error

@@ -94,7 +94,7 @@ def test_a_program_that_fails_while_the_temporary_folder_is_full_is_no_verdict_o
 
 
 def test_a_record_that_finds_no_room_in_the_temporary_folder_asks_for_room_there(team, monkeypatch):
-    unwritable = UnwritableError("the record cannot be written: somewhere; give another folder with --out")
+    unwritable = UnwritableError("cannot-write-record", "the record cannot be written: somewhere", "use --out")
     unwritable.__cause__ = OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
     monkeypatch.setattr(starting, "check_start", raising(unwritable))
     told = check_file(team(), MATCH, SHORT)
