@@ -33,7 +33,7 @@ DEVICES = (
     *((f"{side} wheel sensor", "position_sensor", 1) for side in ("left", "right")),
     *((f"distancesensor {side}", "distance_sensor", 1) for side in ("left", "right", "front", "back")),
 )  # fmt: skip
-"""Name, kind and how many numbers each tells."""
+"""Name, kind and how many numbers each has."""
 VALUES = sum(width for _, _, width in DEVICES)
 RECEIVER = [name for name, _, _ in DEVICES].index("supervisor receiver")
 PROGRAM = """

@@ -306,5 +306,5 @@ def _print_error(message: str) -> None:
             reconfigure(errors=READABLE)
     try:
         print(sanitize_lines(message), file=sys.stderr, flush=True)  # noqa: T201 - this is the terminal
-    except OSError:  # a full disk, or nobody there: the exit code still tells
+    except OSError:  # a full disk or a closed stream: the exit code still shows it
         discard_output(sys.stderr)

@@ -82,7 +82,7 @@ def on_air(
     seed: int,
     console: Console,
 ) -> Iterator[LiveShow | None]:
-    """Show the match that is played in this context; its addresses are told. None if it is not shown.
+    """Show the match that is played in this context, and print its addresses. None if it is not shown.
 
     Raises:
         PortTakenError: the port is in use.

@@ -116,7 +116,7 @@ def _refuse_contradictions(options: RunOptions) -> None:
 
 
 def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Observer]:
-    """Return what is to be played, with its teams opened, where it is told, and who tells it."""
+    """Return the match to be played with its teams opened, the console, and the observer."""
     from rcj_challenges.cli.output_paths import refuse_devices
     from rcj_challenges.scenario.load import load
 

@@ -124,7 +124,7 @@ class PolledPipes:
             sent = os.write(self._write_fd, frame)
         except OSError:
             sent = -1
-        if sent != len(frame):  # hardly ever
+        if sent != len(frame):  # rarely
             self._send_rest(frame[max(0, sent) :])
 
     def receive(self, timeout_s: float) -> bytes | None:

@@ -1,4 +1,4 @@
-"""What is odd about a submission, as plain data: whoever opens it decides what to do about it."""
+"""Problems of a submission, as plain data: the code that opens it decides what to do about them."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Problem:
     Attributes:
         code: what it is, the same in every language and version: ``archive.encrypted``.
         level: ``failure``: the submission is not used; ``warning``: it is, but something was guessed or left out;
-            ``passed``: worth a word, without any harm.
+            ``passed``: worth mentioning, but harmless.
         message: what was found, one line, safe to show.
         remedy: what to do; empty if there is nothing to do.
         where: the file inside the submission; safe to show.

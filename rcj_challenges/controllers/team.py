@@ -223,7 +223,7 @@ def open_team(path: str | Path, *seats: Entrant) -> Team:
 
 
 def look_into(path: Path, *seats: Entrant) -> Opening:
-    """Open a submission as `open_team` does, but report everything instead of stopping at the first trouble.
+    """Open a submission as `open_team` does, but report everything instead of stopping at the first problem.
 
     Args:
         path: where it is.

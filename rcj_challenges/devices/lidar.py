@@ -44,7 +44,7 @@ class LidarDevice(Device):
 
     CLASS = "lidar"
     ACCEPTS = frozenset({"sampling", "frequencies"})
-    MAX_SHOWN = 180  # rays of a picture: more cannot be told apart
+    MAX_SHOWN = 180  # rays of a picture: more cannot be distinguished
     PAGE_FACTS = ("first_bearing_rad", "bearing_step_rad", "max_range")
     EXAMPLE = """
 robots:

@@ -36,7 +36,7 @@ def box_around(x_m: float, y_m: float, clear_m: float) -> Cell:
 
 
 def cell_beside_circle(x_m: float, y_m: float, centre_m: tuple[float, float], radius_m: float) -> Cell:
-    """Return a cell around a point that the line of a circle does not reach into, as large as is easily told."""
+    """Return a cell around a point that the line of a circle does not reach into, as large as is easy to compute."""
     dx, dy = x_m - centre_m[0], y_m - centre_m[1]
     far = max(abs(dx), abs(dy))
     if far < _BOX_IN_CIRCLE * radius_m:
@@ -110,7 +110,7 @@ class Rect(Outlined):
         x_min, x_max, y_min, y_max = self._sides
         beyond_x, beyond_y = max(x_min - x_m, x_m - x_max), max(y_min - y_m, y_m - y_max)
         if beyond_x <= 0.0 and beyond_y <= 0.0:
-            return abs(max(beyond_x, beyond_y))  # never -0.0, which would be told as such
+            return abs(max(beyond_x, beyond_y))  # never -0.0, which would be printed as such
         beyond_x, beyond_y = max(0.0, beyond_x), max(0.0, beyond_y)
         return sqrt(beyond_x * beyond_x + beyond_y * beyond_y)
 
@@ -235,7 +235,7 @@ class AnyOf(Region):
 
 
 class Drawn(Region):
-    """The region that a draw has decided; who follows it begins anew when it decides otherwise.
+    """The region that a draw has decided; trackers start again when the draw changes.
 
     Args:
         now: returns the region that it is now.

@@ -1,4 +1,4 @@
-"""Loads the physics; an error means that the computer lacks something."""
+"""Loads the physics, and reports what the computer lacks if that fails."""
 
 from __future__ import annotations
 

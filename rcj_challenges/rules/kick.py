@@ -28,7 +28,7 @@ class DrawnSpeed(Strict):
 class Kick(Strict):
     """A ball rolls away from where it is put; what mirrors its place mirrors its aim too. In tests it stays there."""
 
-    towards: At = described(..., "where it rolls to: any word of `at`; chance decides anew each time")
+    towards: At = described(..., "where it rolls to: any word of `at`; random words are drawn each time")
     speed_mps: (
         _KickSpeed | Annotated[tuple[_KickSpeed, _KickSpeed], Field(strict=False)] | DrawnSpeed | CounterValue
     ) = described(

@@ -23,7 +23,7 @@ class Phrases(Protocol):
         """Return several together: ``the blue robots and Y3``."""
 
     def point(self, at: Any, measured_from: Any = None) -> str:
-        """Return a named thing or a point ``(x, y)``; of a group the nearest of it is meant."""
+        """Return a named thing or a point ``(x, y)``; of a group its nearest member."""
 
     def owned(self, what: str, names: Names, name: str = "") -> str:
         """Return what belongs to one of several: ``its program``, ``the timer “rest” of one of the robots``."""

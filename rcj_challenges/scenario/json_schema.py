@@ -123,7 +123,7 @@ class SchemaWriter:
             schema = _bounded(schema, keywords([info], shape))
         is_word = "const" in schema
         if self._with_params and is_word and not (info.is_required() and isinstance(schema["const"], str)):
-            schema = _or_param(schema)  # of a word that tells forms apart `_of_any_form` says so
+            schema = _or_param(schema)  # for a word that distinguishes forms `_of_any_form` does it
         description = info.description or (sentence_of(model) if is_word else "")
         described = {"description": description} if description else {}
         default = {} if info.default in (PydanticUndefined, None) else {"default": _jsonable(info.default)}
@@ -158,7 +158,7 @@ class SchemaWriter:
         if not self._with_params:
             return plain
         options = plain.get("anyOf", [plain])
-        # A word alone tells one form of a mapping from the others; beside other things it is a value like any.
+        # A word alone distinguishes one form of a mapping from the others; beside other things it is an ordinary value.
         scalar = any(_is_scalar(option) or ("const" in option and len(options) > 1) for option in options)
         return _or_param(plain) if scalar and _PARAM_REF not in options else plain
 

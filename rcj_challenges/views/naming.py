@@ -10,7 +10,7 @@ from rcj_challenges.records.result import RunResult
 from rcj_challenges.scenario.models.scenario import Scenario
 
 _LONGEST = 32
-"""Names that differ only in what comes after are told apart too: there is no room for more."""
+"""How many letters of a name are shown; names that differ only after these are also made distinct."""
 
 
 def changes_sides(scenario: Scenario) -> bool:

@@ -16,7 +16,7 @@ _ON_THE_BOARD = frozenset(
 """Fields of official events, which the scoreboard shows: who plays, how it stands, which half, how long."""
 
 _OFFICIAL = frozenset(("KICKOFF", "GOAL", "LACK_OF_PROGRESS", "ROBOT_DAMAGED"))
-"""Events of the match, whose sentences say whom they are about."""
+"""Events of the match, whose sentences name the robots and teams concerned."""
 _ABOUT_WHOM = frozenset(("robot_name", "team_name", "type"))
 
 _LONGEST = 80
@@ -24,7 +24,7 @@ _DECIMALS = 4
 
 
 def extra_payload_text(event: str, payload: Mapping[str, Any], says: str) -> str:
-    """Return ``run 8.48 s, poles 1``: of an event's payload what neither the sentence nor the scoreboard tells."""
+    """Return ``run 8.48 s, poles 1``: the values of an event's payload that neither sentence nor scoreboard show."""
     known = _ON_THE_BOARD | _ABOUT_WHOM if says and event in _OFFICIAL else _ON_THE_BOARD
     left = {key: value for key, value in payload.items() if key not in known}
     return ", ".join(_words(key, value) for key, value in left.items() if not _is_in_sentence(key, value, says))

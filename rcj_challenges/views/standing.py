@@ -58,7 +58,7 @@ class Counting:
         return {team: [counted_for(self._scenario, team, name, halves) for name in self._names] for team in teams}
 
     def _tally(self, counters: Mapping[str, Any]) -> Tally:
-        """Return what this half adds; its time counts for nothing here, where only counters are told."""
+        """Return what this half adds, without its time: only counters are shown."""
         return Tally(counters, self._seats, time_s=0.0, began=self._began)
 
 

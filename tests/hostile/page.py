@@ -32,7 +32,7 @@ _ENDS = {
 _HEAD = """\
 # Hostile and broken programs, and what holds them
 
-A program of a team may do anything. These {count} programs do; each is a small file in `tests/hostile/programs/`, and each is
+A team's program may do anything. These {count} programs try; each is a small file in `tests/hostile/programs/`, and each is
 played in a real match: in three robots of one team, against a sane team that uses all its sensors. Asserted every time:
 
 - the match ends in time, complete, and no other robot has a fault;
@@ -41,39 +41,39 @@ played in a real match: in three robots of one team, against a sane team that us
 - the programs of the sane team have seen and printed exactly the same;
 - no file, process, thread or open file is left, nothing outside the private folders has changed, and the match's own process has
   the same limits, priority, session and environment as before;
-- the fault, with its tick and its cause, stands in the reflog, in `result.json` and in that robot's log.
+- the fault, with its tick and its cause, is in the reflog, in `result.json` and in that robot's log.
 
-`python -m pytest tests/hostile/test_programs.py` plays them, as root or as any other user. Programs marked ☾ do what another one
-does in another way, and are played every night only; `-m "nightly or not nightly"` plays all. What needs a layer of isolation
-that this computer does not have is skipped with that reason. Programs marked ⚑ are played once more with `--sandbox off`, to
-show that what they try does succeed there: it is the layers named that hold them.
+`python -m pytest tests/hostile/test_programs.py` plays them, as root or as any other user. Programs marked ☾ are variants of
+others, and are played only every night; `-m "nightly or not nightly"` plays all. Programs that need a layer of isolation
+that this computer lacks are skipped with that reason. Programs marked ⚑ are played once more with `--sandbox off`, to
+show that their attempt succeeds there, so that the named layers do stop them.
 
-**Layers**: — means that no layer of isolation is needed: each program is a process of its own, the match judges every message, waits
-for nobody longer than the limits say, and takes over only what it has looked at. The other names are those in `result.json`.
+**Layers**: — means that no layer of isolation is needed: each program has its own process, the match validates every message, never
+waits longer than the limits, and uses only what it has checked. The other names are those in `result.json`.
 """
 
 _TAIL = """\
 
-## What is not held
+## What is not prevented
 
-- **Time of the processor.** Threads of a program compute while others think: on a computer with few cores a match gets slower by
-  it, never different. One hostile team costs at most 10 minutes a half, whatever it does
+- **Processor time.** Threads of a program may compute while other programs do: on a computer with few cores this makes a match
+  slower, never different. One hostile team costs at most 10 minutes a half, whatever it does
   ([isolation.md](isolation.md#time)).
-- **The real clock** can be read past the simulated one, by ctypes. Nothing in a match depends on it.
+- **The real clock** can be read with ctypes. Nothing in a match depends on it.
 - **Talk between programs.** Two programs that want to exchange bits can do so, within a half and from one half to the next: by how
   much they compute, by the time that reading a shared file takes, by process and file numbers that the whole system shares.
   Rules and code review must forbid it.
 - **Memory of the system**: buffers of pipes and socket pairs (about 60 MB for each program at the usual sizes) do not count as its memory, nor do
   its files if the temporary folder is in memory. [isolation.md](isolation.md#what-organizers-should-do) recommends a limit around the
   whole tournament.
-- **The own team**: what a robot says on its team's radio is heard by its team mates, and what they do with it is their affair.
+- **The own team**: a robot's radio messages reach its team mates, which may do with them what they want.
 - Without the layers `filesystem` and `system_calls` (macOS, Windows, old kernels) a program can read and write what the user who
-  runs the match can, start processes and use the network. Run strangers' programs there only as a user who owns nothing.
+  runs the match can, start processes and use the network. Run untrusted programs there only as a user who owns nothing.
 
 ## Inputs
 
-Files of strangers are hostile before any program runs. What is read is bounded by size and count; the largest input inside every
-bound is looked at in at most 5 s of processor time (`python -m benchmarks.inputs`), one more gives a code.
+Untrusted files can be hostile before any program runs. Everything that is read is bounded by size and count; the largest input within all
+bounds is checked in at most 5 s of processor time (`python -m benchmarks.inputs`), a larger one gives a code.
 
 | input | bound | code |
 |---|---|---|

@@ -15,9 +15,7 @@ class Emit(Action):
 
     action: Literal["emit"]
     event: EventName = described(..., "its name")
-    payload: dict[Name, Value] = described(
-        {}, "what is told with it: literals, or {counter: NAME} and the other values"
-    )
+    payload: dict[Name, Value] = described({}, "data of the event: literals, or {counter: NAME} and the other values")
 
     EXAMPLE = """
 rules:

@@ -15,9 +15,9 @@ from rcj_challenges.tracking.bound_rules import Act, Firing
 class Hold(Action):
     """Hold robots: from the next tick on their wheels stand braked, whatever their programs command.
 
-    Programs run on, and the last command acts when they are let go. Who is held already stays so until the later of
-    the two ends. Being put elsewhere or taken off the field ends nothing, and the time runs on; a new half begins with
-    nobody held. What a phase with `robots: held` does is another matter: a robot stands as long as either holds it.
+    Programs run on, and the last command acts when the robots are released. If a robot is held already, the later end
+    counts. A placement or removal does not end a hold, and its time runs on; a new half begins without holds. A phase
+    with `robots: held` is independent of this: a robot stands as long as either holds it.
     """
 
     action: Literal["hold"]

@@ -36,7 +36,7 @@ class SetSpot(Action):
     ] = described(
         ...,
         "an entity, each, a spot, a zone with a centre (a circle, a rect with four sides), a draw's name, [x, y] in m, "
-        "{told: NAME}: the position that a robot has told by radio, {uniform_in: ZONES} or {on_line: [[x, y], [x, y]]}"
+        "{told: NAME}: the position that a robot has sent by radio, {uniform_in: ZONES} or {on_line: [[x, y], [x, y]]}"
         ", a point of chance",
     )
     mirror: Mirror | None = described(None, "set it to the mirror image of that place")

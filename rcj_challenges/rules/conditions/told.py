@@ -13,9 +13,9 @@ from rcj_challenges.tracking.bound_rules import Test
 
 
 class Told(Condition, Message):
-    """What a robot has told the referee by radio, the last time in this half; before that nothing holds.
+    """The last message of a robot to the referee in this half; before the first one it does not hold.
 
-    Without `text` and `is_a`: whether it has told anything.
+    Without `text` and `is_a`: whether it has sent any message.
     """
 
     condition: Literal["told"]

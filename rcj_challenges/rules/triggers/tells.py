@@ -11,9 +11,10 @@ from rcj_challenges.rules.refs import ROBOTS
 
 
 class Tells(Trigger, Message):
-    """Fires when a robot has told the referee something by radio, on the channel on which the referee speaks.
+    """Fires when a robot has sent the referee a message by radio, on the referee's channel.
 
-    One message of each robot in a tick, in the order sent. In messages and sentences ``measured`` is the number told.
+    One message of each robot in a tick, in the order sent. In messages and sentences ``measured`` is the number in the
+    message.
     """
 
     trigger: Literal["tells"]
@@ -21,7 +22,7 @@ class Tells(Trigger, Message):
 
     MEASURED = "the number told"
     EXAMPLE = """
-# Where is the treasure? The closer the position that a robot tells, the more points; each robot may tell once.
+# Where is the treasure? The closer the position that a robot reports, the more points; each robot may report once.
 spots: {treasure: {x_m: 0.4, y_m: -0.2}, guess: {x_m: 0, y_m: 0}}
 rules:
   guessed:

@@ -16,8 +16,8 @@ from rcj_challenges.tracking.state import Number
 class LowestOfOthers(ValueWord):
     """The lowest value that a counter kept per entity has of all others.
 
-    Who is off the field does not count. Where nobody else is left, or `each` is off the field, no comparison holds, and
-    each that is negated does.
+    Entities off the field do not count. If no other one is left, or `each` is off the field, no comparison holds, and
+    every negated one does.
     """
 
     lowest: Annotated[Name, COUNTER] = described(

@@ -16,8 +16,8 @@ _DIGITS = 6
 class PositionValue(ValueWord):
     """Where an entity is when the rule fires: [x, y, yaw] in m and rad; null while it is off the field.
 
-    Placements are carried out after all actions of the tick: what this rule places is told where it was before. A spot
-    looks no way: [x, y] in m, where it is in that moment if rules set it.
+    Placements are carried out after all actions of the tick: for something that this rule places the value is the
+    position before. A spot has no yaw: [x, y] in m, its current place if rules set it.
     """
 
     position_of: Annotated[Name, SEEN] = described(..., "an entity, a fixed obstacle, each, a spot, or a draw's name")

@@ -14,16 +14,16 @@ from rcj_challenges.tracking.bound_rules import Reader
 
 
 class ToldValue(ValueWord):
-    """What a robot has told the referee by radio, the last time in this half: its text; null if nothing yet.
+    """The text of a robot's last message to the referee in this half; null if there is none yet.
 
-    As a number it is the number that was told, 0 if it was none.
+    Used as a number it is the number in the message, 0 if the message is not a number.
     """
 
     told: Annotated[Name, ROBOT] = described(..., "a robot, or each")
 
     KEY = "told"
     EXAMPLE = """
-# A wager: the goal pays as many points as the robot has told before.
+# A wager: the goal pays as many points as the robot has announced before.
 counters: {wager: {}}
 rules:
   wagered:
@@ -46,7 +46,7 @@ expect:
     SENTENCE = "what Y1 has told the referee last"
 
     def now(self, to: Scope) -> Callable[[], str | None]:
-        """Return what reads the text; None if nothing was told yet."""
+        """Return a function that reads the text; None if there was no message yet."""
         told, robot = to.state.heard, to.members(self.told)[0]
         return lambda: told.get(robot)
 

@@ -278,7 +278,7 @@ def _series(test: Expectation, path: Path, scenario: Scenario) -> Iterator[Issue
 
 
 def _told(test: Expectation, path: Path, scenario: Scenario, roster: Roster) -> Iterator[Issue]:
-    """Yield what a test says that robots are told and the broadcast never tells them."""
+    """Yield values that a test expects in the broadcast to robots, and that the broadcast never contains."""
     broadcast = scenario.broadcast
     only = (broadcast.only or {}) if broadcast is not None else {}
     for name, told in (test.told or {}).items():

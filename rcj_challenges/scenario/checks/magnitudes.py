@@ -58,7 +58,7 @@ def check_magnitudes(scenario: Scenario) -> Iterator[Issue]:
         for name, key, (least, most, unit) in _bounded(type(model)):
             numbers = _numbers(getattr(model, name), (*path, key))
             wrong = next(((number, at) for number, at in numbers if not least <= number <= most), None)
-            if wrong is not None:  # the first of a point or a list tells enough
+            if wrong is not None:  # the first of a point or a list is enough
                 bound = f"at least {least:g}" if wrong[0] < least else f"at most {most:g}"
                 yield Issue("out-of-range", wrong[1], f"{key} must be {bound}{unit}, found {wrong[0]:g}")
 

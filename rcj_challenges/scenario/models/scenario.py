@@ -76,14 +76,14 @@ class Rule(Strict):
 
 
 class Broadcast(Strict):
-    """What programs are told beyond the official packet: after it, one JSON object a tick on the same channel."""
+    """What programs receive after the official packet: one JSON object a tick on the same channel."""
 
-    fields: dict[Name, Value] = described(..., "values by key, which all robots are told")
+    fields: dict[Name, Value] = described(..., "values by key, sent to all robots")
     only: Annotated[
         dict[Name, dict[Name, Value]] | None, Ref("robot", frozenset({"robot"}), groups=True, keys=True)
     ] = described(
         None,
-        "values by key that one robot, or the robots of a group, are told in the same object, and nobody else: by the "
+        "values by key that are added to the same object for one robot, or the robots of a group, only: by the "
         "name of the robot or group; of two for the same robot and key the later one counts",
     )
     every_ticks: int = described(1, "sent every this many ticks", ge=1, le=10_000)
@@ -125,7 +125,7 @@ class Result(Strict):
 
 
 class Keyframe(Strict):
-    """A moment of a scripted play: where things are put by hand, what touches, whose program fails, who tells what."""
+    """A moment of a scripted play: placements by hand, touches, faults of programs, messages to the referee."""
 
     at_s: float = described(..., "time in the half in s", ge=0, le=86_400)
     place: Annotated[
@@ -158,7 +158,7 @@ class Keyframe(Strict):
         (), strict=False, description="robots whose program fails here"
     )
     tells: Annotated[dict[Name, Said | Point] | None, Ref("robot", frozenset({"robot"}), keys=True)] = described(
-        None, "robot -> what it tells the referee by radio: text, a number, or [x, y] in m"
+        None, "robot -> its message to the referee by radio: text, a number, or [x, y] in m"
     )
 
 
@@ -187,7 +187,7 @@ class Given(Strict):
 
 
 ToldNumbers = Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]
-"""A position as programs are told it."""
+"""A position as sent to programs."""
 
 
 class Expectation(Strict):
@@ -200,7 +200,7 @@ class Expectation(Strict):
         SectionRef("draw", ("draws",), keys=True),
     ] = described(
         {},
-        "draws decided beforehand: a value stands until a rule draws anew; of a list each draw takes the next value, "
+        "draws decided beforehand: a value stands until a rule draws again; of a list each draw takes the next value, "
         "and chance decides again after the last",
     )
     spots: Annotated[
@@ -248,7 +248,7 @@ class Expectation(Strict):
         dict[Name, dict[Name, Scalar | ToldNumbers]] | None, Ref("robot", frozenset({"robot"}), groups=True, keys=True)
     ] = described(
         None,
-        "robot or group -> key -> the value that the broadcast has told it last, [x, y] or [x, y, yaw] of a position; "
+        "robot or group -> key -> the value in its last broadcast, [x, y] or [x, y, yaw] of a position; "
         "keys that are left out are not compared",
     )
     ended: Literal["half", "match", "none"] | None = described(
@@ -304,7 +304,7 @@ class Scenario(Strict):
     phases: dict[Name, Phase] = described({}, "phases beside play")
     first_phase: Annotated[Name, PHASE] = described("play", "the phase in which a half begins")
     rules: dict[Name, Rule] = described({}, "the rules, in the order in which they are judged")
-    broadcast: Broadcast | None = described(None, "what programs are told beyond the official packet")
+    broadcast: Broadcast | None = described(None, "what programs receive in addition to the official packet")
     result: Result = described(Result(), "how entrants are ranked")
     limits: Limits = described(Limits(), "what a program may use")
     expect: dict[Name, Expectation] = described(

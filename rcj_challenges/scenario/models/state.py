@@ -20,11 +20,11 @@ class Draw(Strict):
     )
     not_last: bool = described(
         False,
-        "True: never the same value twice running; a half that draws anew may begin with the last of the one before",
+        "True: never the same value twice running; a half that draws again may begin with the last of the one before",
     )
     not_again: Literal["half", "match"] | None = described(
         None,
-        "half: in a half no value comes again before all have been drawn, then it begins anew; match: in all halves "
+        "half: in a half no value comes again before all have been drawn, then it starts again; match: in all halves "
         "together; a value that a rule sets counts as drawn. Left out: all are in every draw",
     )
     keep: Literal["half", "match"] = described("half", "match: the value lives on in the next half, undrawn")
@@ -79,7 +79,7 @@ class AnyStep(Strict):
 class Sequence(Strict):
     """Steps to be made in order: zones are entered, gates are crossed forward.
 
-    It begins anew when it is complete (a cyclic one goes on), when the action `sequence` says so, and, unless it shall
+    It starts again when it is complete (a cyclic one goes on), when the action `sequence` says so, and, unless it shall
     go on, when a rule puts its entity somewhere or takes it off the field.
     """
 
@@ -100,7 +100,7 @@ class Sequence(Strict):
     wrong_step: Literal["break", "ignore"] = described(
         "ignore",
         "what another of its steps does that is neither the last reached nor the next: ignore: nothing; "
-        "break: after the first step, the sequence begins anew",
+        "break: after the first step, the sequence starts again",
     )
     when_placed: Literal["begins_anew", "goes_on"] | None = described(
         None,
@@ -122,7 +122,7 @@ class Phase(Strict):
         "is entered (of a counter at least one tick); left out: until a rule",
     )
     next: Annotated[Name, PHASE] = described("play", "the phase that follows")
-    waiting_for_kickoff: bool = described(False, "what programs are told meanwhile")
+    waiting_for_kickoff: bool = described(False, "the flag that programs receive meanwhile")
     clock: Literal["runs", "stops"] = described("runs", "whether the time of the half goes on")
     robots: Literal["free", "held"] | None = described(
         None,

@@ -64,7 +64,7 @@ def _own_files(folder: Path) -> dict[str, Path]:
 
 
 def _unless_own(shipped: Path) -> Path:
-    """Return the file of a shipped scenario, unless one of the same name in the current folder may be meant.
+    """Return the file of a shipped scenario, unless one of the same name is in the current folder.
 
     An author who makes a challenge of a shipped name, and leaves out ``.yaml``, must not be shown another one.
     """

@@ -139,7 +139,7 @@ def parse_value(text: str, file: str) -> Node:
     Raises:
         ScenarioError: it is not strict YAML, or is empty.
     """
-    # Nobody writes a comment there: what begins with # is a colour.
+    # Comments are not expected there: a text that begins with # is a colour.
     return parse_text(json.dumps(text.strip(), ensure_ascii=False) if text.lstrip().startswith("#") else text, file)
 
 

@@ -40,7 +40,7 @@ def visible_things(scenario: Scenario) -> dict[str, Any]:
             gate.model_dump(mode="json") | {"name": name, "used": name in used, "anchor": _anchor(roster, gate)}
             for name, gate in scenario.gates.items()
         ],
-        # Spots that rules set are left out: where they have set one no frame tells.
+        # Spots that rules set are left out: their positions are not in the record.
         "spots": [{"name": name, **spot.model_dump(mode="json")} for name, spot in fixed_spots(scenario).items()],
         "seats": [_seat(scenario, name) for name in scenario.entrants],
         "score_counts": shows_score(scenario),
@@ -132,7 +132,7 @@ def _seat(scenario: Scenario, name: str) -> dict[str, Any]:
 
 
 def _letters(scenario: Scenario) -> dict[str, str]:
-    """Return by seat what its robots' labels begin with, if that tells seats apart where colours do not; else nothing.
+    """Return by seat what its robots' labels begin with, if that distinguishes seats and colours do not; else nothing.
 
     A seat alone needs none.
     """

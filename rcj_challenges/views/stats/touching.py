@@ -49,7 +49,7 @@ def contacts_of(half: HalfTrack, robots: int, ball: int) -> Contacts:
 
 
 def owners(contacts: Contacts, seats: Sequence[str | None], ticks: int, put_at: Sequence[int]) -> Array:
-    """Return ``[T]``: the robot that was the last to have touched the ball when a tick was over, -1: nobody.
+    """Return ``[T]``: the robot that was the last to have touched the ball when a tick was over, -1: none.
 
     Where robots of two seats touch it in one sub-step, it stays with who had it. Being put elsewhere takes it away.
 

@@ -1,5 +1,5 @@
 #: about = "protocol"
-#: tries = "to answer all ticks in advance and never read what it is told"
+#: tries = "to answer all ticks in advance and never read observations"
 #: holds = "it gains nothing: what it does is decided before it knows; unread observations are bounded by the half"
 #: tick = 10
 #: ends = "exit at 50"

@@ -1,6 +1,6 @@
 #: about = "endings"
 #: tries = "to flood log and result with the text of its error"
-#: holds = "a fault is told in at most 1000 letters, its traceback in 20 kB"
+#: holds = "the text of a fault has at most 1000 letters, its traceback 20 kB"
 #: tick = 10
 #: ends = "crash at 10"
 #: cause = "^ValueError: xxx.{0,1000}$"

@@ -1,5 +1,5 @@
 #: about = "memory and files"
-#: tries = "to fill the disk by a thread, in a step that lasts longer than the match, so that nobody waits for it and looks"
+#: tries = "to fill the disk by a thread, in a step that lasts longer than the match, so that the match never waits for it"
 #: holds = "programs that stay away are looked after as well"
 #: tick = 10
 #: ends = "output_flood at 64"

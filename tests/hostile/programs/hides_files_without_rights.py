@@ -1,5 +1,5 @@
 #: about = "memory and files"
-#: tries = "to hide what it writes in folders that nobody may read"
+#: tries = "to hide what it writes in folders without read permission"
 #: holds = "a folder that cannot be looked into counts as too much"
 #: platforms = ["linux", "darwin"]
 #: tick = 10

@@ -1,6 +1,6 @@
 #: about = "module"
 #: tries = "to hide where it hangs: the fault handler is switched off and writes elsewhere"
-#: holds = "the fault and its tick are told in any case"
+#: holds = "the fault and its tick are reported in any case"
 #: platforms = ["linux", "darwin"]
 #: tick = 10
 #: ends = "step_timeout at 10"

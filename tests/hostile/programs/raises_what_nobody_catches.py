@@ -1,6 +1,6 @@
 #: about = "endings"
 #: tries = "to get past every except: an exception straight from BaseException"
-#: holds = "whatever a program raises is a crash, told with its line"
+#: holds = "whatever a program raises is a crash, reported with its line"
 #: tick = 10
 #: ends = "crash at 10"
 #: cause = "Unheard: of .robot./robot.\\.py, line "

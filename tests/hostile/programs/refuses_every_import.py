@@ -1,5 +1,5 @@
 #: about = "module"
-#: tries = "to keep its error from being told: no import succeeds any more, and audit hooks refuse everything"
+#: tries = "to suppress the report of its error: no import succeeds any more, and audit hooks refuse everything"
 #: holds = "the report falls back to what needs no import"
 #: tick = 10
 #: ends = "crash at 10"

@@ -1,6 +1,6 @@
 #: about = "memory and files"
 #: tries = "to find the seed of the match, or other robots' names, in the objects of its own process"
-#: holds = "a process is told only its own seed, which derives from that of the match one way"
+#: holds = "a process gets only its own seed, a one-way hash of the match's"
 #: tick = 10
 #: ends = "plays on"
 #: said = ["looked at \\d+ dicts"]

@@ -1,6 +1,6 @@
 #: about = "processes and system"
 #: tries = "to send signals to the match, to all processes and to its group (signal 0, which asks only whether it could)"
-#: holds = "it can signal nobody but itself"
+#: holds = "it can signal only itself"
 #: layers = ["system_calls"]
 #: platforms = ["linux"]
 #: tick = 10

@@ -1,6 +1,6 @@
 #: about = "processes and system"
 #: tries = "to live on in threads after its main program is over"
-#: holds = "threads are waited for as the interpreter does at its end, and nobody waits longer than for any step"
+#: holds = "the match waits for threads as the interpreter does at its end, but not longer than for any step"
 #: tick = 10
 #: ends = "step_timeout at 10"
 #: limits = {step_s = 1.0}

@@ -167,7 +167,7 @@ def _for_others(real: Wait, waiting: Any, timeout: float) -> Any:
     time budget: such a wait ends when no thread computes or is ready to. Time in which other programs had the processor
     does not count, because the awaited thread could not use it.
     """
-    if timeout > _SHORT_S or sys.platform == "win32":  # there what was computed is told every 16 ms only
+    if timeout > _SHORT_S or sys.platform == "win32":  # Windows updates CPU times only every 16 ms
         return real(waiting, timeout)
     left_s = timeout
     while True:

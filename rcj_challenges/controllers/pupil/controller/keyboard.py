@@ -58,7 +58,7 @@ class MouseState:
 
 
 class Mouse(_Input):
-    """A mouse that nobody moves."""
+    """A mouse that never moves."""
 
     def __init__(self) -> None:
         super().__init__()

@@ -127,11 +127,11 @@ class Painter {
     this.textures = [];
   }
 
-  /** Whether WebGL is computed by the processor, as far as the browser tells. */
+  /** Whether WebGL is computed by the processor, as far as the browser reports it. */
   static drawsInSoftware() {
     const gl = document.createElement("canvas").getContext("webgl2");
     let name = gl ? String(gl.getParameter(gl.RENDERER)) : "";
-    // Chromium and Safari tell by an extension only; Firefox tells at once, and is about to drop the extension.
+    // Chromium and Safari report it only by an extension; Firefox does directly, and is about to drop the extension.
     const info = /^webkit/i.test(name) && gl.getExtension("WEBGL_debug_renderer_info");
     if (info) name = String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL));
     gl?.getExtension("WEBGL_lose_context")?.loseContext();

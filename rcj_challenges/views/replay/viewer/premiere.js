@@ -1,5 +1,5 @@
 // A recorded match, shown to everybody at the same time: a feed whose messages come from the recording when the clock
-// says so. Nothing later than now is on the page, so neither the score nor the time line tells what will happen.
+// says so. Nothing later than now is on the page, so neither the score nor the time line reveals what will happen.
 
 const FEED_EVERY_MS = 100;
 const CLOCK_OFF_MS = 2000;
