@@ -65,8 +65,8 @@ match: {half_s: 60}
 
 _INTRO = f"""# Reference: the words of a scenario
 
-Generated from the models by `python scripts/write_reference.py`; do not edit. [authoring.md](authoring.md) leads from
-an idea to a published challenge, [recipes.md](recipes.md) shows what belongs together.
+Generated from the models by `python scripts/write_reference.py`; do not edit. [authoring.md](authoring.md) shows the
+way from an idea to a published challenge, [recipes.md](recipes.md) has complete examples.
 
 Lengths are in metres, times in seconds, angles in radians; x runs along the short side of the field, y along the long
 side, the origin is the centre, and blue defends the goal at +y. Names carry their unit: `_m`, `_s`, `_rad`, `_mps`.
@@ -74,7 +74,7 @@ Durations are rounded up to ticks of 0.032 s. A field without a default must be 
 `{{param: NAME}}` may stand, of a number also `{{param: NAME, times: -1, plus: 0.02}}`: the param times a number plus a
 number, either of the two may be left out. Everything that has a name is a mapping keyed by that name.
 
-Every example is a whole scenario if these lines stand above it, and every one is run as a test:
+Every example becomes a complete scenario with these lines above it, and runs as a test:
 
 ```yaml
 {STAGE}```
@@ -146,7 +146,7 @@ def _tagged(union: Any) -> tuple[Word, ...]:
 CHAPTERS = (
     Chapter(
         "Match, field, balls",
-        "What is there before anybody plays.",
+        "The scene: halves, field, balls.",
         (
             Word("match", field.Match),
             Word("field", field.FieldModel),
@@ -247,7 +247,7 @@ CHAPTERS = (
     ),
     Chapter(
         "Broadcast, result, limits",
-        "What programs are told, how entrants are ranked, what programs may use.",
+        "What programs receive, how entrants are ranked, what programs may use.",
         (
             Word("broadcast", scenario.Broadcast),
             Word("result", scenario.Result),
@@ -260,7 +260,7 @@ CHAPTERS = (
     ),
     Chapter(
         "Tests",
-        "Section `expect`: what somebody's hand does to the things on the field, and what the referee must say to it.",
+        "Section `expect`: tests. Things are moved by hand; the referee's output is compared with the expected one.",
         (
             Word("expect", scenario.Expectation),
             Word("given", scenario.Given),

@@ -12,7 +12,7 @@ from rcj_challenges.tracking.bound_rules import Act
 
 
 class ToggleFlag(Action):
-    """Turn a flag over."""
+    """Invert a flag."""
 
     action: Literal["toggle_flag"]
     flag: Annotated[Name, FLAG] = described(..., "the flag")

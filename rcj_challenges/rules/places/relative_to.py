@@ -13,7 +13,7 @@ from rcj_challenges.tracking.places import PlaceRequest, PlaceResolver
 
 
 class RelativeTo(PlaceWord):
-    """Beside another entity or spot; of a ball itself, with a kick: it rolls on from where it is, another way."""
+    """Beside another entity or spot; relative to the ball itself, with a kick: it rolls in another direction."""
 
     relative_to: Annotated[Name, ANCHOR] = described(
         ..., "an entity or spot, each, or a draw's name: what that has decided"

@@ -1,4 +1,4 @@
-"""Sections ``match``, ``field``, ``balls`` and ``obstacles``: what is there before anybody plays."""
+"""Sections ``match``, ``field``, ``balls`` and ``obstacles``: the scene of a match."""
 
 from typing import Annotated, Literal
 
@@ -18,7 +18,7 @@ class Match(Strict):
 
 
 class Goal(Strict):
-    """A goal: an opening in an end wall with a box of walls behind it. The zone that counts is a zone of its own."""
+    """A goal: an opening in an end wall with a box of walls behind it. Declare a zone of its own to count goals."""
 
     end: Literal["positive_y", "negative_y"] = described(..., "the end of the field where it stands")
     colour: Colour = described(..., "its colour in pictures and the replay: a CSS colour name or #rrggbb")

@@ -48,7 +48,7 @@ class PolygonZone(_Zone):
 
 
 class HalfPlaneZone(_Zone):
-    """All points beyond a line, on the side that the normal shows to."""
+    """All points beyond a line, on the side to which the normal points."""
 
     shape: Literal["half_plane"]
     through_m: Point = described(..., "a point of the line, [x, y] in m")

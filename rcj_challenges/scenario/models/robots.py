@@ -24,7 +24,7 @@ class Chassis(Strict):
 
 
 class Kit(Strict):
-    """A robot as it can be bought: chassis, frame, messages and devices. Presets bring ``v2`` and ``legacy_2021``."""
+    """A kit of robots: chassis, frame, messages and devices. Presets contain ``v2`` and ``legacy_2021``."""
 
     messages: Literal["v2.1", "v2.2", "2021"] = described(
         "v2.1", "what the referee's packets look like: one byte, JSON text, or the 2021 struct of positions"

@@ -163,7 +163,7 @@ class Keyframe(Strict):
 
 
 class ExpectedEvent(Strict):
-    """An event that must come."""
+    """An event that the test expects."""
 
     event: EventName = described(..., "its name")
     at_s: float | None = described(None, "when, in s; left out: any time", ge=0)
@@ -267,7 +267,7 @@ class Expectation(Strict):
 
 
 class Scenario(Strict):
-    """A challenge: field, robots, rules, all that decides a result."""
+    """A challenge: field, robots, rules and everything else that decides a result."""
 
     schema_version: One = described(..., "version of this format: 1")
     id: Name = described(..., "short name, also of the records' folders")

@@ -10,7 +10,7 @@ from rcj_challenges.rules.values import Lasts
 
 
 class Draw(Strict):
-    """What chance decides at the start of a half, and again on every ``draw`` action."""
+    """A random choice at the start of a half, and again on every ``draw`` action."""
 
     values: tuple[Scalar, ...] = Field(
         ...,
