@@ -114,7 +114,7 @@ def test_goal_names_and_colours_the_team_that_scored_after_half_time_too(show: C
 
 def test_lack_of_progress_says_what_was_measured(show: Callable[..., Any], run: Path) -> None:
     page = show(run, f"#h1t{STUCK}")
-    reason = "B2 made no progress: 0.497 m in 15 s, at least 0.5"
+    reason = "B2 made no progress: 0.497 m in 15 s, at least 0.5 m"
     assert page.locator("#caption").inner_text() == f"LACK OF PROGRESS: {reason}"
     assert page.locator("#events [aria-current] .about").inner_text() == reason
 
@@ -135,6 +135,37 @@ def test_crash_is_whole_with_its_line_and_has_one_time_everywhere(show: Callable
     settled(page)
     assert page.locator("#printed .fault .when").inner_text() == "0:09.6"
     assert TRACEBACK.rstrip() in page.locator("#printed .fault").inner_text()
+
+
+def test_name_of_a_robot_is_red_once_its_program_has_failed(show: Callable[..., Any], run: Path) -> None:
+    page = show(run, f"#h1t{CRASH - 1}", script=NO_WEBGL)
+    assert page.locator(".label.failed").count() == 0
+    _go(page, 1, CRASH)
+    assert page.locator(".label.failed").all_inner_texts() == ["Y1"]
+
+
+def test_end_has_the_final_score_and_play_starts_again(show: Callable[..., Any], run: Path) -> None:
+    page = show(run, f"#h2t{TICKS - 1}")
+    assert (page.locator("#phase").inner_text(), page.get_attribute("#play", "aria-label")) == ("in play", "Play")
+    _go(page, 2, TICKS)
+    assert "Hanse 2 : 2 Alster" in page.locator("#caption").inner_text()
+    assert page.locator("#phase").inner_text() == "finished"
+    assert page.get_attribute("#play", "aria-label") == "Play again"
+    page.click("#play")
+    until(page, f"replay.half == 1 && replay.tick < {TICKS}")
+    page.keyboard.press("k")
+
+
+def test_current_event_is_never_under_the_heading_of_its_half(show: Callable[..., Any], run: Path) -> None:
+    page = show(run, "#h2t0", viewport=NARROW)
+    tops = """() => [document.querySelector("#events [aria-current]"), document.querySelectorAll("#events .divider")[0]]
+      .map((one) => one.getBoundingClientRect()).map(({ top, bottom }, index) => index ? bottom : top)"""
+    _go(page, 1, STUCK)
+    page.evaluate("""() => { const list = document.getElementById("events");
+      list.scrollTop = document.querySelectorAll("#events .goal")[0].offsetTop - list.offsetTop; }""")
+    _go(page, 1, GOALS[0])
+    event, heading = page.evaluate(tops)
+    assert event >= heading
 
 
 def test_every_event_of_the_list_lands_on_its_tick(show: Callable[..., Any], run: Path) -> None:

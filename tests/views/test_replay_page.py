@@ -248,6 +248,7 @@ def test_a_run_that_was_killed_shows_what_was_recorded_and_says_so(tmp_path: Pat
     assert facts["halves"][0]["ticks"] == 100
     assert facts["halves"][0]["planned_ticks"] == 1000
     assert "not played to its end" in facts["problem"]
+    assert facts["complete"] is False
     writer.finish({"complete": False})
 
 

@@ -37,7 +37,7 @@ class Displaced(Trigger):
     ON_FIELD_ONLY = True
     ASKS_WHERE = True
     LIMIT = "distance_m"
-    REASON = "was displaced by {measured} m, at most {limit}"
+    REASON = "was displaced by {measured} m, at most {limit} m"
     EXAMPLE = """
 rules:
   pushed:

@@ -36,7 +36,7 @@ class NoProgress(Trigger):
     ON_FIELD_ONLY = True
     OVER_TIME = True
     LIMIT = "distance_m"
-    REASON = "made no progress: {measured} m in {within_s:g} s, at least {limit}"
+    REASON = "made no progress: {measured} m in {within_s:g} s, at least {limit} m"
     EXAMPLE = """
 rules:
   stuck:

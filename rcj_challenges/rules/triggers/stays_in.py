@@ -33,7 +33,7 @@ class StaysIn(Trigger):
     ASKS_WHERE = True
     OVER_TIME = True
     LIMIT = "limit_s"
-    REASON = "stayed for {measured} s, at most {limit}"
+    REASON = "stayed for {measured} s, at most {limit} s"
     EXAMPLE = """
 rules:
   waits_too_long:

@@ -34,7 +34,7 @@ class TipsOver(Trigger):
     MEASURED = "its tilt in rad"
     ON_FIELD_ONLY = True
     LIMIT = "angle_rad"
-    REASON = "tilted by {measured} rad, at most {limit}"
+    REASON = "tilted by {measured} rad, at most {limit} rad"
     EXAMPLE = """
 rules:
   fell:

@@ -116,10 +116,13 @@ class LiveShow:
         self._stage.replay = page if page.is_file() else None
         about: list[tuple[str, str]] = []
         ranked: list[dict[str, str]] = []
+        complete = False
         with suppress(RecordError):
             result = read_result(folder)
             about, ranked = [*about_run(result), *self._no_logos], places(self._scenario, result)
-        over = {"say": "over", "about": about, "places": ranked, "replay": self._stage.replay is not None}
+            complete = result.complete
+        has_replay = self._stage.replay is not None
+        over = {"say": "over", "about": about, "places": ranked, "complete": complete, "replay": has_replay}
         self._feed.append(said(over))
         self._feed.close()
 

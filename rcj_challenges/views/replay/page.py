@@ -167,6 +167,7 @@ def _facts(run: RunRecord, folder: Path, frames: list[Frames], unit_m: float) ->
         ],
         "events": EventFacts(run.scenario, titles(run.scenario, result)).of_timeline(timeline),
         "places": places(run.scenario, result),
+        "complete": result.complete,
         "about": about_run(result),
         "problem": " ".join(problems),
     }

@@ -97,7 +97,7 @@ class App {
     this.labels.resize(width, height);
     const top = stage.getBoundingClientRect().top;
     const buttons = [...stage.querySelectorAll("[role=toolbar]")].map((bar) => bar.getBoundingClientRect().bottom - top);
-    this.camera.resize(width, height, Math.max(...buttons) - 4);
+    this.camera.resize(width, height, Math.max(...buttons) + 4);
     this.draw();
   }
 
@@ -292,7 +292,7 @@ class App {
     const box = this.find("caption"), result = this.result(place), event = result ? null : this.eventAt(place);
     const text = result || event?.caption || "";
     box.hidden = !text;
-    box.style.setProperty("--team", this.recording.seat(event?.team, place)?.colour ?? "transparent");
+    box.style.setProperty("--team", event?.kind === "fault" ? "var(--fault)" : this.recording.seat(event?.team, place)?.colour ?? "transparent");
     if (box.textContent !== text) box.textContent = text;
   }
 
@@ -301,10 +301,13 @@ class App {
     return recent.filter((event) => event.scored).pop() || recent[recent.length - 1];
   }
 
-  /** At the end: the ranking, if more than the score decides it. */
+  /** At the end: the ranking, if more than the score decides it, else the score. */
   result(place) {
-    if (place < this.recording.last - 0.5) return "";
-    return this.recording.facts.places.map((one) => `${one.place}: ${one.team}, ${one.values}`).join("\n");
+    const { recording } = this, { places, teams, score_counts: counts } = recording.facts;
+    if (!recording.isOver(place)) return "";
+    if (places.length || !counts || teams.length !== 2) return places.map((one) => `${one.place}: ${one.team}, ${one.values}`).join("\n");
+    const [first, second] = teams, scores = recording.scores(place);
+    return `Final score: ${first.title} ${scores[first.name] ?? 0} : ${scores[second.name] ?? 0} ${second.title}`;
   }
 
   say(text) {

@@ -50,15 +50,16 @@ class Board {
     const counted = recording.counted(place);
     const held = phase.held ? "robots held" : Board.heldText(recording.held(place));
     const stopped = Math.floor(recording.stoppedSeconds(place) + 1e-9);
-    const key = JSON.stringify([track.facts.half, phase, held, scores, counted, stopped]);
+    const key = JSON.stringify([track.facts.half, phase, held, scores, counted, stopped, recording.isOver(place)]);
     if (key === this.shown) return;
     this.shown = key;
     const length = Recording.clockText(track.facts.planned_ticks * recording.tickSeconds).replace(/\.0$/, "");
     this.half.textContent = recording.facts.halves_planned > 1 ? `half ${track.facts.half} of ${recording.facts.halves_planned} · ${length}` : `of ${length}`;
     if (stopped) this.half.append(" ", element("span", "stopped", `+ ${Recording.clockText(stopped).replace(/\.0$/, "")} stopped`));
     const name = phase.name === "play" ? "" : phase.name.replaceAll("_", " ");
-    this.phase.textContent = [name, held, phase.stopped ? "clock stopped" : ""].filter(Boolean).join(" · ");
-    this.phase.title = this.phase.textContent;
+    const special = [name, held, phase.stopped ? "clock stopped" : ""].filter(Boolean).join(" · ");
+    this.phase.textContent = this.phase.title = special || (recording.isOver(place) ? "finished" : "in play");
+    this.phase.classList.toggle("plain", !special);
     for (const { team, chip, score, counted: box } of this.rows) {
       if (!box.hidden) this.tell(box, counted[team.name] || []);
       const seat = recording.seat(team.name, place);

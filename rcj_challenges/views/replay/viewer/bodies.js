@@ -17,9 +17,9 @@ const Bodies = {
       pen.fillStyle = Colours.onTop(Colours.rgb(entity.colour));
       const x = ((cell % ATLAS_CELLS) + 0.5) * ATLAS_CELL_PIXELS, top = Math.floor(cell / ATLAS_CELLS) * ATLAS_CELL_PIXELS;
       const logo = logos[cell];
-      pen.font = `800 ${ATLAS_CELL_PIXELS * (logo ? 0.46 : 0.8)}px system-ui, "Segoe UI", Roboto, "Noto Sans", sans-serif`;
-      pen.fillText(String(entity.number), x, top + ATLAS_CELL_PIXELS * (logo ? 0.22 : 0.54), ATLAS_CELL_PIXELS * 0.9);
-      if (logo) Logos.draw(pen, logo, x, top + ATLAS_CELL_PIXELS * 0.7, ATLAS_CELL_PIXELS * 0.58);
+      pen.font = `800 ${ATLAS_CELL_PIXELS * (logo ? 0.62 : 0.8)}px system-ui, "Segoe UI", Roboto, "Noto Sans", sans-serif`;
+      pen.fillText(String(entity.number), x, top + ATLAS_CELL_PIXELS * (logo ? 0.26 : 0.54), ATLAS_CELL_PIXELS * 0.9);
+      if (logo) Logos.draw(pen, logo, x, top + ATLAS_CELL_PIXELS * 0.76, ATLAS_CELL_PIXELS * 0.46);
     });
     return canvas;
   },

@@ -194,7 +194,8 @@ class EventList {
   keepInSight(item) {
     const list = this.list;
     const above = item.offsetTop - list.offsetTop;
-    const hidden = above < list.scrollTop || above + item.offsetHeight > list.scrollTop + list.clientHeight;
+    const covered = list.querySelector(".divider")?.offsetHeight ?? 0; // the heading of a half stays at the top
+    const hidden = above < list.scrollTop + covered || above + item.offsetHeight > list.scrollTop + list.clientHeight;
     if (hidden) list.scrollTop = above - list.clientHeight / 2;
   }
 

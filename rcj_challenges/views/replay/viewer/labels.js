@@ -25,6 +25,7 @@ class Labels {
       const seen = place && place[0] > 0 && place[0] < 1 && place[1] > 0 && place[1] < 1;
       const x = seen ? this.within(place[0] * this.width, sign) : 0, y = seen ? (place[1] - place[2] * sign.reach) * this.height : 0;
       const down = seen && sign.still ? Labels.room(sign, x, y, taken) : 0;
+      if (sign.robot !== undefined) sign.label.classList.toggle("failed", frame.failed.has(sign.robot));
       const style = seen ? `translate(${x.toFixed(1)}px, ${(y + down).toFixed(1)}px) translate(-50%, ${100 * sign.lift}%)` : "";
       // Only what changed is written to the page: most of these stand still.
       if (style === sign.style) continue;
@@ -57,7 +58,7 @@ class Labels {
       facts.entities.forEach((entity, index) => {
         if (entity.kind !== "robot") return;
         const label = element("bdi", "label", entity.name);
-        this.placed.push({ label, lift: -1, reach: entity.size_m * 0.8, at: (poses) => [poses[index].x, poses[index].y, poses[index].z] });
+        this.placed.push({ label, robot: index, lift: -1, reach: entity.size_m * 0.8, at: (poses) => [poses[index].x, poses[index].y, poses[index].z] });
       });
     }
     // What has its place comes first, then zones, whose names may move a little.

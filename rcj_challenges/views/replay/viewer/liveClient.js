@@ -168,10 +168,10 @@ class LiveClient {
     this.begun(this.app);
   }
 
-  finish({ about, places, replay }) {
+  finish({ about, places, complete, replay }) {
     const { recording } = this;
     recording.over = true;
-    recording.facts.places = places;
+    Object.assign(recording.facts, { places, complete });
     recording.measure();
     if (about.length) recording.facts.about = about;
     document.getElementById("about").replaceChildren();

@@ -7,12 +7,12 @@ const SIGN_WIDEST = 170;
 const SIGN_FONT = '650 11px system-ui, "Segoe UI", Roboto, "Noto Sans", "Noto Sans CJK SC", "Noto Naskh Arabic", sans-serif';
 
 const Overlays = {
-  /** {canvas, mesh}: one sign for each robot, its lower edge on the robot's upper end. */
+  /** {canvas, mesh}: one sign for each robot, its lower edge on the robot's upper end; red ones, for a program that failed, half the canvas below. */
   of(entities) {
     const robots = entities.map((entity, index) => ({ entity, body: index + 1 })).filter(({ entity }) => entity.kind === "robot");
     const canvas = document.createElement("canvas");
     canvas.width = (SIGN_WIDEST + 2) * SIGN_SHARPNESS;
-    canvas.height = Math.max(1, robots.length) * (SIGN_PIXELS + 2) * SIGN_SHARPNESS;
+    canvas.height = 2 * Math.max(1, robots.length) * (SIGN_PIXELS + 2) * SIGN_SHARPNESS;
     const pen = canvas.getContext("2d");
     pen.scale(SIGN_SHARPNESS, SIGN_SHARPNESS);
     pen.font = SIGN_FONT;
@@ -22,12 +22,14 @@ const Overlays = {
       const top = row * (SIGN_PIXELS + 2) + 1;
       const text = Overlays.fitting(pen, entity.name);
       const width = Math.ceil(pen.measureText(text).width) + 10;
-      pen.fillStyle = "rgb(10 15 20 / 62%)";
-      pen.beginPath();
-      pen.roundRect(1, top, width, SIGN_PIXELS, 5);
-      pen.fill();
-      pen.fillStyle = "#fff";
-      pen.fillText(text, 6, top + SIGN_PIXELS / 2 + 0.5);
+      for (const [ground, y] of [["rgb(10 15 20 / 62%)", top], ["rgb(176 28 28 / 90%)", top + canvas.height / SIGN_SHARPNESS / 2]]) {
+        pen.fillStyle = ground;
+        pen.beginPath();
+        pen.roundRect(1, y, width, SIGN_PIXELS, 5);
+        pen.fill();
+        pen.fillStyle = "#fff";
+        pen.fillText(text, 6, y + SIGN_PIXELS / 2 + 0.5);
+      }
       mesh.join(Overlays.quad(entity, width, top, canvas), body);
     });
     return { canvas, mesh };

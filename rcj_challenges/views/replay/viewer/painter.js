@@ -64,7 +64,7 @@ void main() {
   sign: `
 out vec2 atlas;
 void main() {
-  atlas = place;
+  atlas = place + vec2(0.0, shades[int(body)].x > 0.0 ? 0.5 : 0.0);
   vec4 at = view * models[int(body)] * vec4(0.0, 0.0, 0.0, 1.0);
   at.y += position.z * lens.x;
   vec2 pixel = floor((at.xy / at.w * 0.5 + 0.5) * screen.zw + 0.5) + floor(position.xy / screen.xy * screen.zw + 0.5);
@@ -102,8 +102,7 @@ in vec2 atlas;
 uniform sampler2D letters;
 out vec4 pixel;
 void main() {
-  vec4 ink = texture(letters, atlas);
-  pixel = vec4(ink.rgb * ink.a, ink.a);
+  pixel = texture(letters, atlas);
 }`;
 
 const PIXEL_SHADERS = { plain: FLAT, lit: PAINTED, shadow: SHADED, lettered: WRITTEN, sign: WRITTEN };
@@ -202,7 +201,7 @@ class Painter {
     this.textures[unit] = gl.createTexture();
     gl.activeTexture(gl.TEXTURE0 + unit);
     gl.bindTexture(gl.TEXTURE_2D, this.textures[unit]);
-    gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+    gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, true); // else the black of what is empty darkens small letters
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, canvas);
     gl.generateMipmap(gl.TEXTURE_2D);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, way === "sign" ? gl.LINEAR : gl.LINEAR_MIPMAP_LINEAR);

@@ -23,7 +23,7 @@ class PremiereFeed {
   static factsBefore(facts) {
     const planned = facts.halves.map((half) => half.planned_ticks);
     while (planned.length < facts.halves_planned) planned.push(planned[planned.length - 1]);
-    return { ...facts, halves: [], events: [], places: [], about: facts.about.slice(0, 1), sensors: {}, half_ticks_planned: planned };
+    return { ...facts, halves: [], events: [], places: [], complete: false, about: facts.about.slice(0, 1), sensors: {}, half_ticks_planned: planned };
   }
 
   /** All that happens in a half, as the messages of a live match say it, in the order of ticks. */
@@ -77,7 +77,7 @@ class PremiereFeed {
       begins += this.when.halfTime;
     }
     const over = this.halves.every((half) => half.sent === half.facts.ticks);
-    if (over) this.take.said({ say: "over", about: this.facts.about, places: this.facts.places, replay: false });
+    if (over) this.take.said({ say: "over", about: this.facts.about, places: this.facts.places, complete: this.facts.complete, replay: false });
     this.take.settled();
     return over;
   }

@@ -120,6 +120,11 @@ class Recording {
     this.span = this.last;
   }
 
+  /** Whether a place is the end of a match that was played to its end. */
+  isOver(place) {
+    return Boolean(this.facts.complete) && place >= this.last - 0.5;
+  }
+
   placed(events) {
     return events
       .map((event) => ({ ...event, place: this.placeOf(event.half, event.tick) }))

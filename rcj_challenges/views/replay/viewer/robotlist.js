@@ -2,6 +2,13 @@
 
 const TRAIL_WIDTH_M = 0.006;
 
+/** A number in a box as wide as the widest of its kind, so that nothing beside it moves while the match plays. */
+function steady(value, decimals, digits) {
+  const box = element("span", "steady", value.toFixed(decimals).replace("-", "−"));
+  box.style.minWidth = `${digits}ch`;
+  return box;
+}
+
 class RobotList {
   constructor(recording, find, changed, follow) {
     this.recording = recording;
@@ -63,9 +70,10 @@ class RobotList {
       const pose = recording.pose(index, place);
       const degrees = Math.round((pose.yaw * 180) / Math.PI);
       const speed = track.speed(index, tick, recording.tickSeconds);
-      const looks = entity.kind === "robot" ? `   yaw ${degrees}°` : "";
+      const looks = entity.kind === "robot" ? ["   yaw ", steady(degrees, 0, 4.5), "°"] : [];
       const stands = entity.kind === "robot" && (all || held.includes(entity.name)) ? "   held" : "";
-      card.numbers.textContent = pose.off ? "off the field" : `x ${pose.x.toFixed(3)}   y ${pose.y.toFixed(3)} m${looks}   ${speed.toFixed(2)} m/s${stands}`;
+      const numbers = ["x ", steady(pose.x, 3, 6), "   y ", steady(pose.y, 3, 6), " m", ...looks, `   ${speed.toFixed(2)} m/s${stands}`];
+      card.numbers.replaceChildren(...(pose.off ? ["off the field"] : numbers));
       const team = recording.facts.teams.find((candidate) => candidate.name === track.facts.sides[entity.seat]);
       card.team.textContent = team ? team.title : entity.idle ? "no program" : "";
       const fault = failed.get(index);

@@ -1,6 +1,7 @@
 // Time line and keys under the picture.
 
 const PLAY_ICON = "M7 4v16l13-8z";
+const RESTART_ICON = "M12 5V1L6 6l6 5V7a6 6 0 1 1-6 6H4a8 8 0 1 0 8-8z";
 const PAUSE_ICON = "M6 4h4v16H6zM14 4h4v16h-4z";
 const KNOB_PX = 8; // half of it: so far from both ends of the time line the first and the last place are
 
@@ -72,10 +73,10 @@ class Transport {
       pen.fillStyle = styles.getPropertyValue("--quiet");
       pen.fillRect(at(0), height - 2, at(recording.last) - at(0), 2);
     }
-    pen.fillStyle = styles.getPropertyValue("--line");
-    for (const half of recording.halves.slice(1)) pen.fillRect(at(half.offset) - 1, 0, 2, height);
     pen.fillStyle = styles.getPropertyValue("--quiet");
-    for (const event of recording.events) if (event.kind === "call") pen.fillRect(at(event.place) - 0.5, height - 6, 1, 6);
+    for (const half of recording.halves.slice(1)) pen.fillRect(at(half.offset) - 1, 0, 2, height);
+    pen.fillStyle = styles.getPropertyValue("--soft");
+    for (const event of recording.events) if (event.kind === "call") pen.fillRect(at(event.place) - 1, height - 8, 2, 8);
     for (const event of recording.events) {
       if (event.kind === "fault") {
         pen.fillStyle = styles.getPropertyValue("--fault");
@@ -117,13 +118,14 @@ class Transport {
   }
 
   showKeys(player) {
-    const key = `${player.playing} ${player.direction} ${player.winding} ${player.speed}`;
+    const again = !player.playing && this.recording.isOver(player.place);
+    const key = `${player.playing} ${player.direction} ${player.winding} ${player.speed} ${again}`;
     if (key === this.shown) return;
     this.shown = key;
     const plain = player.playing && player.direction > 0 && player.winding === 1;
     const play = this.find("play");
-    play.querySelector("path").setAttribute("d", plain ? PAUSE_ICON : PLAY_ICON);
-    play.setAttribute("aria-label", plain ? "Pause" : "Play");
+    play.querySelector("path").setAttribute("d", plain ? PAUSE_ICON : again ? RESTART_ICON : PLAY_ICON);
+    play.setAttribute("aria-label", plain ? "Pause" : again ? "Play again" : "Play");
     this.find("rewind").setAttribute("aria-pressed", String(player.playing && player.direction < 0));
     this.find("forward").setAttribute("aria-pressed", String(player.playing && player.direction > 0 && player.winding > 1));
     if (this.speed.value !== String(player.speed)) this.speed.value = String(player.speed);
