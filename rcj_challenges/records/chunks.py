@@ -72,7 +72,7 @@ class ChunkWriter:
 
 @dataclass(frozen=True)
 class Chunks:
-    """What can be read of a file of chunks.
+    """The readable part of a file of chunks.
 
     Attributes:
         header: of the file.
@@ -88,7 +88,7 @@ class Chunks:
 
 
 def read_chunks(path: Path) -> Chunks:
-    """Return what can be read of a file of chunks.
+    """Read a file of chunks, as far as possible.
 
     Raises:
         RecordError: it is too large, of another version, or not a file of chunks.

@@ -1,4 +1,4 @@
-"""What can be wrong with a record."""
+"""Errors of records."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class UnwritableError(RecordError, HostError):
 
     @classmethod
     def of(cls, error: OSError, place: Path) -> Self | None:
-        """Return what an error means for the record; None if it is not about a file in its place.
+        """Translate an error into one of the record; None if it is not about a file in its place.
 
         Args:
             error: of the system, with the file's name.

@@ -60,7 +60,7 @@ def check_version(record: int, name: str) -> None:
 def open_file(path: Path, max_bytes: int = MAX_FILE_BYTES) -> BinaryIO:
     """Open a file of a record for reading.
 
-    Records come from strangers: a named pipe in place of a file would block for ever, a device might never end.
+    Records are untrusted: a named pipe in place of a file would block for ever, a device might never end.
 
     Args:
         path: of the file.
@@ -110,7 +110,7 @@ def _open_without_waiting(name: str, flags: int) -> int:
 
 
 def utc_now() -> datetime:
-    """Return the wall clock. It stands in folder names and ``datetime`` fields and decides nothing."""
+    """Return the wall clock, for folder names and ``datetime`` fields. It never affects results."""
     return datetime.now(UTC)
 
 
@@ -166,7 +166,7 @@ def make_run_folder(out: Path, name: str) -> Path:
 def replaced(path: Path) -> Iterator[BinaryIO]:
     """Write a file that appears whole or not at all: a temporary neighbour, synced, then renamed over it.
 
-    Two processes may write the same file: each has a neighbour of its own, and the last to finish wins.
+    Two processes may write the same file: each uses its own temporary file, and the last to finish wins.
 
     Raises:
         OSError: it cannot be written; with its name.
@@ -193,7 +193,7 @@ def _put(temporary: Path, path: Path) -> None:
 
 
 def when_free(do: Callable[[], object]) -> None:
-    """Rename or remove files; Windows refuses that while another program has one open, which is waited for a while.
+    """Rename or remove files; if Windows refuses it while another program has one open, retry for a while.
 
     Args:
         do: the work; it may be begun several times.

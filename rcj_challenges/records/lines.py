@@ -1,4 +1,4 @@
-"""JSON as records write it: one form everywhere, every text kept, never a number that is no JSON."""
+"""JSON as records write it: one form everywhere, lossless for texts, and only numbers that are valid JSON."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ def json_line(value: Any) -> bytes:
 
 
 def parsed(text: str | bytes) -> Any:
-    """Return what JSON says.
+    """Parse JSON.
 
     Raises:
-        ValueError: it is none, or so deeply nested that no record of ours has written it.
+        ValueError: it is not JSON, or nested more deeply than records write it.
     """
     try:
         return json.loads(text)

@@ -1,7 +1,7 @@
-"""Logos of teams: found among their files, kept in the record, and checked before anybody is shown one.
+"""Logos of teams: found among their files, kept in the record, and checked before one is shown.
 
-A logo comes from a stranger, and so may the whole record. What a page carries is therefore built from the parts of
-the picture that a viewer needs, after each of them has been checked.
+Logos, and whole records, are untrusted. A page therefore contains only the parts of the picture that a viewer needs,
+after each of them has been checked.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from pathlib import Path, PurePosixPath
 from rcj_challenges.facts.errors import RcjError
 
 MAX_LOGO_BYTES = 1_000_000
-"""What is kept in a record; it is on every page of the run."""
+"""Size limit in a record, because the logo is on every page of the run."""
 MAX_LOGO_SIDE = 1024
 """Pixels. Teams have handed in 2500 (reference, section 7): such a picture unpacks to 25 MB in every browser."""
 

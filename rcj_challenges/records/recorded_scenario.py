@@ -1,4 +1,4 @@
-"""Reading the scenario of a record."""
+"""Reads the scenario of a record."""
 
 from __future__ import annotations
 

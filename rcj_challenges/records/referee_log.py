@@ -34,7 +34,7 @@ _MAX_NUMBER = 1e300
 
 @dataclass(frozen=True)
 class LoggedTick:
-    """What the log has of one tick, in order.
+    """The entries of one tick in the log, in order.
 
     Attributes:
         half: from 1.
@@ -134,7 +134,7 @@ def firing_line(half: int, firing: Firing) -> dict[str, Any]:
 
 
 def read_referee_log(folder: Path) -> RefereeLog:
-    """Return what can be read of a log; one that is missing is empty.
+    """Read a log, as far as possible; a missing one is empty.
 
     Raises:
         RecordError: it is not a regular file, or too large.
@@ -169,7 +169,7 @@ def _by_tick(entries: Sequence[tuple[int, int, Entry]]) -> tuple[LoggedTick, ...
 
 
 def _entry(line: Any) -> Entry:
-    """Return what a line holds.
+    """Parse a line.
 
     Raises:
         KeyError, TypeError, ValueError: it is not a line of a log.

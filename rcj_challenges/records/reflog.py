@@ -1,4 +1,4 @@
-"""The reflog: what happened, one JSON object a line, in the format and key order of the original (reference, 5)."""
+"""The reflog: events, one JSON object a line, in the format and key order of the original (reference, 5)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``result.json``: what a run was, how it ended, and on what kind of machine."""
+"""``result.json``: the inputs of a run, its outcome, and the kind of machine."""
 
 from __future__ import annotations
 
@@ -96,14 +96,14 @@ class FaultResult(_Part):
 
 
 class HintResult(_Part):
-    """What to do about programs that were not written for what the scenario uses."""
+    """Advice on programs that were not written for this scenario."""
 
     robots: list[str] = _described("names of the robots whose programs it is about")
     remedy: str = _described("what to do, in the words of `check`")
 
 
 class Versions(_Part):
-    """What decides the bits of a result beside its inputs: digests are comparable where all of these are equal."""
+    """Versions that affect the bits of a result: digests are comparable if all of them are equal."""
 
     rcj_challenges: str = _described("version of this package")
     python: str = _described("implementation and version of Python")
@@ -155,7 +155,7 @@ class RunResult(_Part):
     marks: list[str] = _described("what makes this run special, such as debug: it does not count as a fair one")
     hints: list[HintResult] = Field(
         default=[],
-        exclude=True,  # advice is no part of what happened, and later versions may know better
+        exclude=True,  # advice is not part of the result, and later versions may improve it
         description="what to do about programs that crashed or ended, where their own words and lines show it (for "
         "another form of the referee's packets, say); only in what `run --json` prints, and a line at the end of each "
         "such robot's log",
@@ -169,7 +169,7 @@ class RunResult(_Part):
 
 
 def versions() -> Versions:
-    """Return what this run is made on. No host, no user, no path."""
+    """Return the platform of this run, without host, user and paths."""
     found = {key: _package_version(package) for key, package in _PACKAGES.items()}
     return Versions(
         **found,
@@ -181,7 +181,7 @@ def versions() -> Versions:
 
 @cache
 def _package_version(package: str) -> str:
-    """Return what is installed: to read it takes 3 ms, and it stays while this process lives."""
+    """Return the installed versions, cached for this process because reading them takes 3 ms."""
     try:
         return version(package)
     except PackageNotFoundError:

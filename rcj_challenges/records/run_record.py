@@ -1,4 +1,4 @@
-"""A whole run, as far as it can be read: for those who show or count it.
+"""Reads a whole run, as far as possible, for views and statistics.
 
 `Trajectory.open` refuses what is damaged, because a match is judged again by all of it. Here a trajectory counts up to
 the damage, and a sentence says what is missing.

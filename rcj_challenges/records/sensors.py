@@ -42,14 +42,14 @@ _ZLIB_LEVEL = 1
 _NO_PACKET = (math.nan,) * FLOATS_PER_PACKET
 
 DAMAGE = (OSError, ValueError, KeyError, TypeError, AttributeError, IndexError, OverflowError, MemoryError)
-"""What json, numpy and arithmetic raise on a file that is not what it should be."""
+"""Exceptions of json, numpy and arithmetic on an invalid file."""
 
 Array = npt.NDArray[Any]
 
 
 @dataclass(frozen=True)
 class SensedRobot:
-    """What is recorded of one robot.
+    """The recorded data of one robot.
 
     Attributes:
         name: ``B1``.
@@ -109,7 +109,7 @@ class SensorListener(Protocol):
 
 
 class _Rows:
-    """What is not written yet of one robot."""
+    """The unwritten data of one robot."""
 
     def __init__(self, robot: SensedRobot) -> None:
         receivers = {device.index for device in robot.devices if device.name in robot.ball_receivers}
@@ -174,7 +174,7 @@ class SensorWriter:
         self._is_full = False
 
     def tell(self, listeners: Sequence[SensorListener]) -> None:
-        """Hand what is recorded from now on to these as well."""
+        """Also pass on the data recorded from now on to these."""
         self._listeners = tuple(listeners)
 
     def saw(self, robot: int, observation: Observation) -> None:
@@ -231,7 +231,7 @@ class SensorWriter:
 
 @dataclass(frozen=True)
 class SensorTrack:
-    """What one robot's program saw and did in one half; ``N`` observations.
+    """The observations and actions of one robot's program in one half; ``N`` observations.
 
     Attributes:
         robot: its devices.

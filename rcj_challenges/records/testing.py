@@ -1,4 +1,4 @@
-"""Records without a match: made-up play for tests of all that reads records."""
+"""Makes records without a match: invented play for tests of modules that read records."""
 
 from __future__ import annotations
 

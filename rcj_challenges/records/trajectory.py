@@ -1,4 +1,4 @@
-"""The trajectory: all that the referee saw of a run, written while it is played, so that it can be judged again.
+"""The trajectory: everything that the referee saw of a run, written during play, so that it can be judged again.
 
 A file of chunks (`chunks`). Its header names entities and things. A chunk ``{"half": …}`` begins a half with its facts;
 then comes one chunk for each 25 ticks: the number of rows and notes of what is rare (start, placements, faults, radio
@@ -36,7 +36,7 @@ _FLOATS_OF_POSES, _FLOATS_BESIDE = 3 * SUBSTEPS_PER_TICK, 2  # of each entity: h
 _NO_TOUCHES = ((),) * SUBSTEPS_PER_TICK
 
 _DAMAGE = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, MemoryError)
-"""What comes of reading chunks whose JSON is not what it should be."""
+"""Exceptions when reading chunks with invalid JSON."""
 
 Array = npt.NDArray[Any]
 
@@ -146,7 +146,7 @@ class TrajectoryWriter:
 
 
 def _note(snapshot: Snapshot, placements: Iterable[Placement]) -> dict[str, Any]:
-    """Return what is rare in a tick."""
+    """Return the rare events of a tick."""
     note: dict[str, Any] = {"tick": snapshot.tick}
     faults = [asdict(fault) for fault in snapshot.faults]
     if not snapshot.tick:
@@ -236,7 +236,7 @@ class Trajectory:
         things: the entities, then fixed obstacles, then ``walls``: what touches are pairs of.
         finished: False if the run was killed or is still played.
         halves: those that were begun.
-        damage: why there is no more than this, in words; empty if there is all that was written.
+        damage: what is wrong after the last half, in words; empty if the file is intact.
     """
 
     entities: tuple[str, ...]
@@ -260,7 +260,7 @@ class Trajectory:
 
     @classmethod
     def open(cls, folder: Path) -> Self:
-        """Read the trajectory of a run, all of it: what is damaged cannot be judged again.
+        """Read the whole trajectory of a run; a damaged one is refused, as it cannot be judged again.
 
         Raises:
             RecordError: there is none, or it is damaged, foreign, or of another version.

@@ -1,4 +1,4 @@
-"""Writing the record of a run while it is played: cheap on every tick, readable after a kill at any moment."""
+"""Writes the record of a run during play: cheap on every tick, readable after a kill at any moment."""
 
 from __future__ import annotations
 
@@ -44,11 +44,11 @@ from rcj_challenges.scenario.roster import Roster
 
 @dataclass(frozen=True)
 class RunHeader:
-    """What is known of a run before it begins.
+    """The facts of a run before it begins.
 
     Attributes:
         scenario: resolved: presets, parameters and command line worked in.
-        seed: of everything that chance decides.
+        seed: of all random streams.
         team_names: name of each team, by its seat of the first half.
         programs: hash of each team's files, by its seat of the first half.
         match_id: as in MATCH_START.
@@ -56,7 +56,7 @@ class RunHeader:
         marks: what makes this run special, such as ``debug``.
         members: of each SuperTeam, by its seat of the first half.
         unresolved: the scenario before its params took their places, for judging with other values; empty: not kept.
-        logos: the teams' own ``logo.png`` as they gave it, by team; kept beside the record, looked at when shown.
+        logos: the teams' own ``logo.png`` as they gave it, by team; kept beside the record, checked when shown.
     """
 
     scenario: Scenario
@@ -78,7 +78,7 @@ class RecordWriter:
     complete. Left by an exception, the context closes the record as it is and names the exception's type.
 
     Attributes:
-        folder: of this run, made by the constructor, shared with nobody.
+        folder: of this run, created by the constructor, never shared.
         logs: folder for the programs' output.
     """
 
@@ -130,7 +130,7 @@ class RecordWriter:
         self._referee_log = (self.folder / REFEREE_LOG).open("xb", buffering=0)
 
     def _begin(self) -> None:
-        """Write a result that is not complete; if there is no room for it, the folder goes: it would be no record."""
+        """Write an incomplete result; if the disk is full, remove the folder, which would not be a record."""
         try:
             self._write(self.folder / RESULT, self._result_line({}))
         except OSError:
@@ -177,7 +177,7 @@ class RecordWriter:
         """End the half.
 
         Args:
-            closing: what came of the rules of ``half_ended``.
+            closing: the output of the rules of ``half_ended``.
             ended: the reason of the rule that ended it, or the match with it; None if the time was up.
         """
         if self._half is None:
@@ -276,7 +276,7 @@ class RecordWriter:
             file.write(line)
 
     def _result_line(self, more: Mapping[str, Any]) -> bytes:
-        """Keep what the result says now, and return it as it is written."""
+        """Store the current result, and return it as written."""
         header = self._header
         simulated_s = round(sum(half["ticks"] for half in self._halves) * TICK_S, 3)
         entrants = {

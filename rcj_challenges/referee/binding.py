@@ -89,7 +89,7 @@ class RuleBinder(NameScope):
         self._context.reset_with_draws(tracker, names)
 
     def locate(self, what: Name | Point) -> Callable[[], Point | None]:
-        """Return what finds where a thing, a spot, a zone's centre or a point is; None while it is off the field."""
+        """Return a function for the place of a thing, a spot, a zone's centre or a point; None while off the field."""
         if isinstance(what, tuple):
             return lambda: what
         name = self.members(what)[0]
@@ -126,7 +126,7 @@ class RuleBinder(NameScope):
     # --- for actions ------------------------------------------------------------------------------------------------
 
     def ticks(self, lasts_s: Lasts) -> Callable[[], int]:
-        """Return what reads how many ticks something lasts: a number, or what a draw or a counter says."""
+        """Return a function for a duration in ticks: a number, or the value of a draw or a counter."""
         return lambda: ticks_from_s(duration_s(lasts_s, self.state, self.each, least_s=0.0))
 
     def wind_up(self, timer: str, clock: Clock, owner: str | None) -> None:
@@ -142,7 +142,7 @@ class RuleBinder(NameScope):
         self._context.trackers.reset(tracker)
 
     def release(self, robots: tuple[int, ...]) -> None:
-        """Let robots go that rules hold."""
+        """Release robots that rules hold."""
         self._context.trackers.release(self.state.held.release(robots))
 
     def decide_draw(self, draw: str, value: Scalar | None) -> None:

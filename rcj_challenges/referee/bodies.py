@@ -1,4 +1,4 @@
-"""What stands on the field and around it, and whether a thing has room at a pose."""
+"""Solid bodies on and around the field; tests whether a thing has room at a pose."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def _box(x_min: float, x_max: float, y_min: float, y_max: float) -> Part:
 
 
 class Bodies:
-    """The outlines of all entities and of everything that stands fast.
+    """The outlines of all entities and of everything fixed.
 
     Attributes:
         outlines: by entity index.

@@ -37,7 +37,7 @@ class Referee:
     """Judges one half.
 
     Call `start` once with the snapshot of tick 0, then `judge` with that of each tick in order, then `finish`. The
-    placements of an output must be carried out exactly; the next snapshot shows what physics made of it.
+    placements of an output must be carried out exactly; the next snapshot shows their effect in the physics.
 
     Attributes:
         denied: what kept triggered rules from firing; None: it is not noted (only tests ask).
@@ -46,7 +46,7 @@ class Referee:
         scenario: a checked scenario.
         roster: its roster.
         half: what makes this half different from others.
-        draws: values of draws decided beforehand (for tests): one stands until a rule draws anew; of several the next
+        draws: values of draws decided beforehand (for tests): one stands until a rule draws again; of several the next
             one comes whenever the draw is drawn, and when all have come, chance decides again.
         spots: where random ``set_spot`` actions set spots, decided beforehand in the same way, in m.
 
@@ -206,7 +206,7 @@ class Referee:
         return self._quiet_output()
 
     def _take_in(self, snapshot: Snapshot) -> None:
-        """Remember what a snapshot shows, before anything is judged."""
+        """Store the snapshot's facts before anything is judged."""
         state, judged = self._state, snapshot.substeps[-1]
         state.before = state.poses
         state.poses = judged if self._all_present else self._without_parked(judged)
@@ -382,7 +382,7 @@ class Referee:
             if job.spec is not None and job.spec.retry:
                 self._queue.ask_later(replace(job, due=state.tick + 1, instead_of=None, is_logged=True))
             elif job.instead_of is not None and not state.present[job.entity]:
-                # What was to be taken off and placed in one tick, and stays, was never off.
+                # An entity that was to be removed and placed in one tick, and stays, was never off.
                 self._queue.ask_later(job.instead_of)
         moved = {placement.entity for placement in placements}
         if moved:

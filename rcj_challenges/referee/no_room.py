@@ -1,4 +1,4 @@
-"""Why something found no room: the sentence for the referee's log, asked for once for each placement."""
+"""Explains why something found no room: the sentence for the referee's log, once for each placement."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def no_room_sentence(job: PlacementJob, spec: PlacementSpec, state: State, bodie
 
 
 def _reason(job: PlacementJob, spec: PlacementSpec, board: PlacementBoard, state: State, bodies: Bodies) -> str:
-    # Chance of its own: to look for a reason must not change what the next draw gives.
+    # A separate random stream: the search for a reason must not change later draws.
     rng = random.Random(0)  # noqa: S311 - decides nothing
     point = spec.where.find(spec.request(board, rng, job.signs))
     if point is None:

@@ -114,7 +114,7 @@ class PlacementSpec:
         """Return with which velocity it leaves the place where the board has it; None if it finds nothing to aim at."""
         if self.kick is None:
             return _AT_REST
-        # A stream of its own: with or without a kick, chance puts things at the same places.
+        # A separate stream: with or without a kick, random places are the same.
         request = replace(self.request(board, state.stream(f"{self.stream}/kick"), signs), fits=lambda _point: True)
         aim = self.kick.towards.find(request)
         if aim is None:
@@ -210,7 +210,7 @@ class PlacementQueue:
 
     @property
     def busy(self) -> bool:
-        """Whether there is anything to do or to wait for."""
+        """Whether any placement is due or waiting."""
         return bool(self._asked) or bool(self._waiting)
 
     def ask(self, job: PlacementJob) -> None:

@@ -19,7 +19,7 @@ _MAX_TRIES = 10_000
 
 
 def point_sampler(zones: Mapping[str, models.Zone]) -> Sampler:
-    """Return what draws a point that lies in at least one of these zones, every such point equally likely.
+    """Return a function that draws a point in at least one of these zones, every such point equally likely.
 
     Args:
         zones: by name; at least one.

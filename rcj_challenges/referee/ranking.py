@@ -12,7 +12,7 @@ from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, 
 
 @dataclass(frozen=True)
 class Tally:
-    """What a half that is over adds to the ranking.
+    """The contribution of a finished half to the ranking.
 
     Attributes:
         counters: by name; kept per entity: by entity.

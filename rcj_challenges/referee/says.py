@@ -1,4 +1,4 @@
-"""What a rule says when it fires."""
+"""The sentence of a rule when it fires."""
 
 from __future__ import annotations
 

@@ -150,7 +150,7 @@ class NameScope:
         return StartPose(start_pose(self.scenario, name), start_noise_m(self.scenario, name))
 
     def spot(self, name: str) -> Callable[[], Point]:
-        """Return what reads where a spot is now, or the spot that a draw of this name decided."""
+        """Return a function for the current place of a spot, or of the spot that a draw of this name decided."""
         spots, draws = self.state.spots, self.state.draws
         if name in self.scenario.draws and name not in spots:
             return lambda: spots[self.spot_name(draws[name])]
@@ -158,7 +158,7 @@ class NameScope:
         return lambda: spots[spot]
 
     def spots(self, names: Names) -> Callable[[], tuple[Point, ...]]:
-        """Return what reads where spots are now, in order.
+        """Return a function for the current places of spots, in order.
 
         Raises:
             ValueError: one of them is no spot.

@@ -1,4 +1,4 @@
-"""Which devices a robot carries: from kit and overrides to what its program is given before it starts."""
+"""Builds the devices of a robot from kit and overrides, and the data that its program gets at its start."""
 
 from __future__ import annotations
 

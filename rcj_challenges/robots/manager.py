@@ -63,7 +63,7 @@ class DeviceManager:
         self._radio.speak(0, output, self._poses)
 
     def apply(self, robot: int, request: Request) -> None:
-        """Carry out what a program asked for, now: it takes effect in the physics that follows."""
+        """Carry out a program's request now: it takes effect in the physics that follows."""
         if robot in self._silent:
             return
         _, _, motors, emissions, sampling, channels, frequencies = request
@@ -100,13 +100,13 @@ class DeviceManager:
             self.finish_sensing(robot)
 
     def begin_sensing(self, tick: int, verdict_now: RefereeOutput) -> None:
-        """Begin to look at the world as it stands after the placements of ``tick``; bring the radio's packets.
+        """Begin sensing the world after the placements of ``tick``; deliver radio packets.
 
         This is what has to be done for all robots at once: `finish_sensing` does the rest, robot by robot.
 
         Args:
             tick: counts up by one from call to call, beginning at 1.
-            verdict_now: the output of this tick; programs hear of it at the next.
+            verdict_now: the output of this tick; programs receive it at the next.
         """
         self._tick = tick
         poses = self._poses
@@ -120,7 +120,7 @@ class DeviceManager:
         self._radio.speak(tick, verdict_now, poses)
 
     def finish_sensing(self, robot: int) -> None:
-        """Let one robot read its sensors, and hear the balls' infra-red.
+        """Read the sensors of one robot, and deliver the balls' infra-red.
 
         To be called once for each robot after each `begin_sensing`, while the world has not moved.
         """

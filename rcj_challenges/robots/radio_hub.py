@@ -32,7 +32,7 @@ class RadioHub:
         fitted: Sequence[Fitted],
         queues: dict[int, Queue],
     ) -> None:
-        """Build and connect everything that sends or hears.
+        """Build and connect all emitters and receivers.
 
         Args:
             scenario: kits and entrants.
@@ -112,7 +112,7 @@ class RadioHub:
         return tuple(heard.items())
 
     def silence(self, robot: int) -> None:
-        """Drop all that a robot's emitters have not sent, and let its receivers hear nothing more."""
+        """Drop all unsent packets of a robot's emitters, and switch off its receivers."""
         for emitter in self._emitters.values():
             if emitter.robot == robot:
                 emitter.clear()
