@@ -7,7 +7,7 @@ the damage, and a sentence says what is missing.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 from rcj_challenges.facts.timing import s_from_ticks
@@ -49,7 +49,9 @@ def read_run(folder: Path) -> RunRecord:
     if trajectory.entities != Roster.of(scenario).entities:
         message = f"{folder.name}: {TRAJECTORY} belongs to another scenario than {SCENARIO}"
         raise RecordError("record-damaged", message, "copy the whole record again")
-    halves = tuple(_fitting(half, scenario, folder) for half in trajectory.halves if half.ticks)
+    halves = tuple(half for half in trajectory.halves if half.ticks)
+    for half in halves:
+        _check_seats(half, scenario, folder)
     if not halves:
         if trajectory.damage:
             raise RecordError("record-damaged", f"{folder.name}: {trajectory.damage}", "copy the whole record again")
@@ -71,25 +73,12 @@ def _extent(halves: Iterable[HalfTrack]) -> str:
     return ", ".join(f"{s_from_ticks(half.ticks):.1f} s of half {half.info.half}" for half in halves)
 
 
-def _fitting(half: HalfTrack, scenario: Scenario, folder: Path) -> HalfTrack:
-    """Return a half without notes about things that the scenario does not have.
+def _check_seats(half: HalfTrack, scenario: Scenario, folder: Path) -> None:
+    """Refuse a half that others played.
 
     Raises:
         RecordError: it was played by other seats than the scenario has.
     """
-    entities, info, start = half.substeps.shape[2], half.info, half.start
-    if type(info.half) is not int or set(info.teams) != set(scenario.entrants) or set(info.scores) != set(info.teams):
-        message = f"{folder.name}: half {info.half} was played by other seats than the scenario has"
+    if set(half.info.teams) != set(scenario.entrants):
+        message = f"{folder.name}: half {half.info.half} was played by other seats than the scenario has"
         raise RecordError("record-damaged", message, "copy the whole record again")
-    placements = {
-        tick: tuple(placement for placement in placed if 0 <= placement.entity < entities)
-        for tick, placed in half.placements.items()
-        if tick >= 0
-    }
-    if start is not None and not (
-        start.substeps
-        and len(start.heights) == len(start.uprights) == len(start.substeps[-1]) == entities
-        and all(len(pose) == 3 for pose in start.substeps[-1])
-    ):
-        start = None
-    return replace(half, placements=placements, start=start)

@@ -11,12 +11,14 @@ from __future__ import annotations
 import struct
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass, field
+from functools import cache
 from itertools import chain
 from pathlib import Path
 from typing import Any, Self
 
 import numpy as np
 import numpy.typing as npt
+from pydantic import TypeAdapter
 
 from rcj_challenges.facts.errors import format_error
 from rcj_challenges.facts.play import Fault, HalfInfo, Placement, Snapshot
@@ -293,7 +295,7 @@ class Trajectory:
             things = tuple(map(str, header["things"]))
         except _DAMAGE as error:
             raise RecordError("record-damaged", f"{folder.name}: the header of {TRAJECTORY} is damaged") from error
-        halves, read = _halves(found.chunks, len(entities))
+        halves, read = _halves(found.chunks, len(entities), len(things))
         finished = read == len(found.chunks) > 0 and "end" in found.chunks[-1][0]
         damage = ""
         if found.is_damaged or read < len(found.chunks) or (result.complete and not finished):
@@ -301,14 +303,16 @@ class Trajectory:
         return cls(entities, robots, balls, things, finished, halves, damage)
 
 
-def _halves(chunks: Iterable[tuple[dict[str, Any], bytes]], entities: int) -> tuple[tuple[HalfTrack, ...], int]:
+def _halves(
+    chunks: Iterable[tuple[dict[str, Any], bytes]], entities: int, things: int
+) -> tuple[tuple[HalfTrack, ...], int]:
     """Return the halves that chunks hold, up to the first that does not fit, and how many chunks that are."""
     halves: list[_HalfReader] = []
     read = 0
     try:
         for head, body in chunks:
             if "half" in head:
-                halves.append(_HalfReader(HalfInfo(**head["half"]), row_dtype(entities)))
+                halves.append(_HalfReader(_info(head["half"], len(halves) + 1), entities, things))
             elif "end" not in head:
                 halves[-1].add(head, body)
             read += 1
@@ -320,10 +324,12 @@ def _halves(chunks: Iterable[tuple[dict[str, Any], bytes]], entities: int) -> tu
 class _HalfReader:
     """Joins the chunks of a half."""
 
-    def __init__(self, info: HalfInfo, dtype: np.dtype[np.void]) -> None:
+    def __init__(self, info: HalfInfo, entities: int, things: int) -> None:
         self._info = info
-        self._dtype = dtype
-        self._rows = [np.zeros(0, dtype)]
+        self._entities = entities
+        self._things = things
+        self._dtype = row_dtype(entities)
+        self._rows = [np.zeros(0, self._dtype)]
         self._pairs = [np.zeros((0, 2), "<u2")]
         self._notes: dict[str, dict[int, Any]] = {"start": {}, "placements": {}, "faults": {}, "told": {}}
 
@@ -337,12 +343,35 @@ class _HalfReader:
         pairs: Array = np.frombuffer(body, "<u2", offset=rows.nbytes).reshape(-1, 2)
         if len(pairs) != int(rows["touch_counts"].sum(dtype=np.int64)):
             raise ValueError("not as many pairs as there are touches")
+        if pairs.max(initial=0) >= self._things:
+            raise ValueError("a touch of what does not take part")
         notes = [(int(note["tick"]), key, parse(note[key])) for note in head["notes"]
                  for key, parse in _NOTES.items() if key in note]  # fmt: skip
+        for tick, key, found in notes:
+            self._check(tick, key, found)
         for tick, key, found in notes:
             self._notes[key][tick] = found
         self._rows.append(rows)
         self._pairs.append(pairs)
+
+    def _check(self, tick: int, key: str, found: Any) -> None:
+        """Refuse a note about what does not take part.
+
+        Raises:
+            ValueError: it is one.
+        """
+        if key == "start":
+            lengths = {len(found.heights), len(found.uprights), *map(len, found.substeps)}
+            things = chain.from_iterable(chain.from_iterable(found.touches))
+            fits = (
+                bool(found.substeps) and lengths == {self._entities} and all(0 <= one < self._things for one in things)
+            )
+        elif key == "placements":
+            fits = all(0 <= one.entity < self._entities for one in found)
+        else:
+            fits = key == "faults" or all(0 <= entity < self._entities for entity, _ in found)
+        if tick < 0 or not fits:
+            raise ValueError("a note about what does not take part")
 
     def track(self) -> HalfTrack:
         """Return all that was added."""
@@ -359,21 +388,28 @@ class _HalfReader:
         )
 
 
-def _start(data: Mapping[str, Any]) -> Snapshot:
-    return Snapshot(
-        tick=0,
-        substeps=[[tuple(pose) for pose in substep] for substep in data["substeps"]],
-        heights=data["heights"],
-        uprights=data["uprights"],
-        touches=tuple(tuple((a, b) for a, b in substep) for substep in data["touches"]),
-        faults=tuple(Fault(**fault) for fault in data["faults"]),
-    )
+@cache
+def _adapter(kind: Any) -> TypeAdapter[Any]:
+    return TypeAdapter(kind)
+
+
+def _info(data: Any, half: int) -> HalfInfo:
+    """Return the facts of a half.
+
+    Raises:
+        ValueError: they are not those of this half, or do not fit each other.
+    """
+    info: HalfInfo = _adapter(HalfInfo).validate_python(data)
+    seats = set(info.teams)
+    if info.half != half or not (set(info.teams.values()) == set(info.scores) == set(info.team_names) == seats):
+        raise ValueError("facts that do not fit each other")
+    return info
 
 
 _NOTES: Mapping[str, Callable[[Any], Any]] = {
-    "start": _start,
+    "start": lambda data: _adapter(Snapshot).validate_python(data),
     "placements": lambda placed: tuple(Placement(*placement) for placement in placed),
-    "faults": lambda failed: tuple(Fault(**fault) for fault in failed),
-    "told": lambda told: tuple((int(entity), str(text)) for entity, text in told),
+    "faults": lambda failed: _adapter(tuple[Fault, ...]).validate_python(failed),
+    "told": lambda told: _adapter(tuple[tuple[int, str], ...]).validate_python(told),
 }
 """How each kind of note is read."""

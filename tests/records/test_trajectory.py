@@ -2,6 +2,7 @@
 
 import contextlib
 import shutil
+from dataclasses import asdict
 from pathlib import Path
 
 import pytest
@@ -26,7 +27,7 @@ FILE = "trajectory.chunks"
 _ENTITIES = 3  # two robots and the ball
 _float32 = st.floats(width=32, allow_nan=False, allow_infinity=False)  # physics that is not finite ends the match
 _pose = st.tuples(_float32, _float32, _float32)
-_pair = st.tuples(st.integers(0, 4), st.integers(5, 300))
+_pair = st.tuples(st.integers(0, 2), st.integers(3, 4))
 _fault = st.builds(
     Fault, st.sampled_from(["B1", "Y1"]), st.just("crash"), st.integers(0, 9), st.just(1), st.text(), st.text()
 )
@@ -180,6 +181,21 @@ def test_another_file_is_refused(data: bytes, good: Path, tmp_path: Path) -> Non
     assert _code(_copy_with(good, tmp_path, data)) == "record-damaged"
 
 
+START = {"tick": 0, "substeps": [[[0.0, 0.0, 0.0]] * 3], "heights": [0.0] * 3, "uprights": [1.0] * 3, "touches": [],
+         "faults": []}  # fmt: skip
+SECOND_HALF = asdict(half_info(small_scenario(1, 2), 2, 100, small_header(small_scenario(1, 2))))
+
+
+def test_a_half_that_fits_can_follow(tmp_path: Path) -> None:
+    writer = _begun(tmp_path)
+    trajectory = writer._trajectory._file
+    trajectory.append(trajectory.pack({"half": SECOND_HALF}))
+    trajectory.append(trajectory.pack({"rows": 0, "notes": [{"tick": 0, "start": START}]}))
+    writer.finish({"complete": False})
+    _, second = Trajectory.open(writer.folder).halves
+    assert second.start is not None
+
+
 @pytest.mark.parametrize(
     ("head", "body"),
     [
@@ -187,7 +203,14 @@ def test_another_file_is_refused(data: bytes, good: Path, tmp_path: Path) -> Non
         ({"rows": 0, "notes": []}, b"\0\0\0\0"),
         ({"rows": 0, "notes": [{"tick": 1, "placements": [[0]]}]}, b""),
         ({"rows": 0, "notes": [{"tick": 1, "faults": [{"robot": "B1"}]}]}, b""),
+        ({"rows": 0, "notes": [{"tick": 1, "placements": [[9, 0, 0, 0]]}]}, b""),
+        ({"rows": 0, "notes": [{"tick": 1, "told": [[9, "text"]]}]}, b""),
+        ({"rows": 0, "notes": [{"tick": 0, "start": {**START, "heights": [0.0]}}]}, b""),
+        ({"rows": 0, "notes": [{"tick": 0, "start": {**START, "substeps": [[[0.0, 0.0]] * 3]}}]}, b""),
+        ({"rows": 0, "notes": [{"tick": 0, "start": {**START, "touches": [[[0, 99]]]}}]}, b""),
         ({"half": {"half": 1}}, b""),
+        ({"half": {**SECOND_HALF, "team_names": []}}, b""),
+        ({"half": {**SECOND_HALF, "teams": {"blue": 1, "yellow": 2}}}, b""),
     ],
 )
 def test_chunks_that_do_not_fit_each_other_are_refused(head, body, tmp_path: Path) -> None:
