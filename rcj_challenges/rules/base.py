@@ -128,16 +128,12 @@ class Trigger(Word):
         MEASURED: what it measures, as the sheet says it; empty: nothing.
         LIMIT: the field with the limit that it measures against; empty: none.
         REASON: what follows the entity where a replay says why it fired, with its fields, `measured` and `limit`.
-        ON_FIELD_ONLY: whether it never fires for what is off the field.
-        OVER_TIME: whether it measures over a time, which begins when the rule becomes active.
     """
 
     KEY = "trigger"
     MEASURED: ClassVar[str] = ""
     LIMIT: ClassVar[str] = ""
     REASON: ClassVar[str] = ""
-    ON_FIELD_ONLY: ClassVar[bool] = False
-    OVER_TIME: ClassVar[bool] = False
 
     def bind(self, to: Binder) -> None:
         """Bind a rule to this trigger: to a tracker, or to the clock's events.

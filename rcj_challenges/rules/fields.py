@@ -13,7 +13,6 @@ from pydantic import (
     ConfigDict,
     Field,
     StringConstraints,
-    ValidationInfo,
 )
 from pydantic_core import PydanticCustomError, PydanticKnownError
 
@@ -52,13 +51,9 @@ EventName = Annotated[
 DeviceName = Annotated[str, StringConstraints(min_length=1, max_length=64)]
 
 
-AS_RECORDED = {"recorded": True}
-"""Context for reading the scenario of a record: what was once taken is taken."""
-
-
-def _known_colour(colour: str, info: ValidationInfo) -> str:
-    """Return a colour as it is written; what no renderer could paint is refused, but for records of before."""
-    if hex_colour(colour) is None and info.context != AS_RECORDED:
+def _known_colour(colour: str) -> str:
+    """Return a colour as it is written; what no renderer could paint is refused."""
+    if hex_colour(colour) is None:
         raise PydanticCustomError("unknown_colour", "no colour")
     return colour
 

@@ -14,8 +14,6 @@ _FAR_M = 100.0
 """Stands for an open side; ten times the largest field."""
 _NOTHING_M2 = 1e-12
 _ARC_CORNERS = 180
-_DISC_CORNERS = 24
-"""Enough for an obstacle, of which only a rough share is asked for, and quick to cut."""
 _ALONG = 25
 
 

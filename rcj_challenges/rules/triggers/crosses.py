@@ -24,7 +24,6 @@ class Crosses(Trigger):
     gate: Annotated[Names, GATES] = described(..., "a gate, each, a draw's name, or several: any of them")
     direction: Literal["forward", "backward", "either"] = described("either", "which way, seen from the gate")
 
-    ON_FIELD_ONLY = True
     ASKS_WHERE = True
     EXAMPLE = """
 gates:

@@ -34,7 +34,6 @@ class Displaced(Trigger):
     )
 
     MEASURED = "the distance in m by which it was displaced"
-    ON_FIELD_ONLY = True
     ASKS_WHERE = True
     LIMIT = "distance_m"
     REASON = "was displaced by {measured} m, at most {limit} m"

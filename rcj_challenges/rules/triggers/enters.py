@@ -19,7 +19,6 @@ class Enters(Trigger):
         ..., "a zone, each, or a draw's name; with a list or group: into any of them from none of them"
     )
 
-    ON_FIELD_ONLY = True
     ASKS_WHERE = True
     EXAMPLE = """
 rules:

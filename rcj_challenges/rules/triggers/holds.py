@@ -32,7 +32,6 @@ class Holds(Trigger):
     )
 
     MEASURED = "the time in s for which that has held"
-    OVER_TIME = True
     LIMIT = "for_s"
     EXAMPLE = """
 rules:

@@ -19,7 +19,6 @@ class Leaves(Trigger):
         ..., "a zone, each, or a draw's name; with a list or group: from any of them to none of them"
     )
 
-    ON_FIELD_ONLY = True
     ASKS_WHERE = True
     REASON = "left {zone}"
     EXAMPLE = """

@@ -33,8 +33,6 @@ class NoProgress(Trigger):
     )
 
     MEASURED = "the length in m of its path"
-    ON_FIELD_ONLY = True
-    OVER_TIME = True
     LIMIT = "distance_m"
     REASON = "made no progress: {measured} m in {within_s:g} s, at least {limit} m"
     EXAMPLE = """

@@ -29,9 +29,7 @@ class StaysIn(Trigger):
     grace_s: NotNegative = described(0.0, "an absence of up to this time counts as inside, in s")
 
     MEASURED = "the time in s of the stay"
-    ON_FIELD_ONLY = True
     ASKS_WHERE = True
-    OVER_TIME = True
     LIMIT = "limit_s"
     REASON = "stayed for {measured} s, at most {limit} s"
     EXAMPLE = """

@@ -32,7 +32,6 @@ class TipsOver(Trigger):
     angle_rad: Positive = described(0.7854, "tilt of its vertical axis in rad", lt=3.1416)
 
     MEASURED = "its tilt in rad"
-    ON_FIELD_ONLY = True
     LIMIT = "angle_rad"
     REASON = "tilted by {measured} rad, at most {limit} rad"
     EXAMPLE = """

@@ -33,7 +33,6 @@ class Touches(Trigger):
         None, "fires again after each of these times in s while they go on touching; left out: when it begins only"
     )
 
-    ON_FIELD_ONLY = True
     EXAMPLE = """
 flags: {touched: {}}
 counters: {pushed: {per: robots}}
