@@ -93,7 +93,7 @@ def python_error(program):
         ("open('/no/such/folder/x')", "no_file"),
         ("from collections import Mapping", "old_name"),
         ("import numpy\nnumpy.mat", "old_name"),
-        ("from scipy.integrate import simps", "old_name"),
+        pytest.param("from scipy.integrate import simps", "old_name", marks=pytest.mark.nightly),  # imports scipy
         ("{}.has_key(1)", "old_name"),
         ("for n in xrange(3): pass", "old_name"),
         ("1 / 0", ""),

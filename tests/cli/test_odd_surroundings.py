@@ -58,7 +58,7 @@ def test_a_match_is_played_where_no_stream_is_open(tmp_path: Path, match: list[s
     ("arguments", "code"),
     [
         pytest.param(["validate", "match", "--json"], 0, id="in order", marks=pytest.mark.nightly),
-        pytest.param(["validate", "no_such.yaml", "--json"], 2, id="wrong"),
+        pytest.param(["validate", "no_such.yaml", "--json"], 2, id="wrong", marks=pytest.mark.nightly),
         pytest.param(["sheet", "match"], 0, id="a sheet"),
     ],
 )
@@ -67,6 +67,7 @@ def test_who_reads_only_the_beginning_changes_no_exit_code(tmp_path: Path, argum
     assert (done.returncode, done.stderr) == (code, "")
 
 
+@pytest.mark.nightly
 @POSIX
 def test_a_match_counts_as_played_when_nobody_reads_its_result(tmp_path: Path, match: list[str]) -> None:
     done = in_shell('"$@" | true; exit ${PIPESTATUS[0]}', [*match, "--json", "--no-replay"], tmp_path)

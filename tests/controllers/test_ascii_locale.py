@@ -72,6 +72,7 @@ def verdict(report: str) -> list[Any]:
     return [checked["file"], checked["team"], checked["level"], stages]
 
 
+@pytest.mark.nightly
 @given_as("archive", "folder")
 def test_a_check_finds_the_same_as_where_names_are_in_unicode(tmp_path: Path, submission: str) -> None:
     here, there = (

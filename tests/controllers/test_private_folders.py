@@ -98,6 +98,7 @@ def test_what_a_killed_match_left_is_removed_by_the_next_one_and_that_of_a_livin
         assert sorted(lives.rglob("*")) == before != []
 
 
+@pytest.mark.nightly
 def test_what_a_killed_check_left_is_removed_too(temporary: Path, tmp_path: Path) -> None:
     program = tmp_path / "robot.py"
     program.write_text("while True:\n    pass\n", encoding="utf-8")  # so that the check waits for its first step

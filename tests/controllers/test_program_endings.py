@@ -84,8 +84,11 @@ def run_match(folder: Path, *, portable: bool, program: str, hangs: bool) -> tup
 
 
 @posix
-@pytest.mark.parametrize("portable", [False, True], ids=["by the kernel", "by a watch"])
-@pytest.mark.parametrize("program", ["patterns/keeps_state_at_module_level", "faults/hangs_in_play"])
+@pytest.mark.parametrize(
+    ("program", "portable"),
+    [("faults/hangs_in_play", False), ("patterns/keeps_state_at_module_level", True)],
+    ids=["by the kernel", "by a watch"],
+)
 def test_no_program_outlives_a_killed_match(tmp_path: Path, portable: bool, program: str) -> None:
     parent, pids = run_match(tmp_path, portable=portable, program=program, hangs=False)
     with parent:

@@ -22,7 +22,10 @@ def played(out: Path, blue: str, yellow: str, *overrides: str) -> tuple[list[obj
     return match.result["faults"], (match.folder / "trajectory.chunks").read_bytes()
 
 
-@pytest.mark.parametrize(("blue", "yellow"), [("ball_chaser", "all_sensors"), ("roles_and_radio", "ball_chaser")])
+@pytest.mark.parametrize(
+    ("blue", "yellow"),
+    [pytest.param("ball_chaser", "all_sensors", marks=pytest.mark.nightly), ("roles_and_radio", "ball_chaser")],
+)
 def test_sample_teams_do_the_same_whether_packets_are_bytes_or_text(tmp_path, blue, yellow):
     bytes_faults, bytes_poses = played(tmp_path / "v21", blue, yellow)
     text_faults, text_poses = played(tmp_path / "v22", blue, yellow, "kits.v2.messages=v2.2")

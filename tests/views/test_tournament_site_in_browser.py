@@ -42,8 +42,7 @@ def visit(watch: Callable[..., Any], data: Path) -> Callable[..., Any]:
     return open_page
 
 
-@pytest.mark.parametrize("viewport", [WIDE, NARROW], ids=["desk", "phone"])
-@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize(("scheme", "viewport"), [("light", WIDE), ("dark", NARROW)], ids=["on a desk", "on a phone"])
 def test_pages_fit_the_screen_and_their_policy_lets_the_style_in(
     scheme: str, viewport: dict[str, int], visit: Callable[..., Any], data: Path
 ) -> None:
@@ -131,6 +130,7 @@ def test_two_spectators_see_the_same_moment(premiere: Callable[..., Any]) -> Non
     assert abs(early - late) * TICK_S < 1
 
 
+@pytest.mark.nightly
 def test_between_the_halves_a_premiere_pauses_for_everybody(premiere: Callable[..., Any]) -> None:
     page = premiere(TICKS * TICK_S + HALF_TIME_S - 10)
     assert page.evaluate("replay.half") == 1
@@ -147,6 +147,7 @@ def test_after_a_premiere_all_of_it_can_be_seen(premiere: Callable[..., Any]) ->
     assert page.locator(".score").all_inner_texts() == ["0", "0"]
 
 
+@pytest.mark.nightly
 def test_a_premiere_waits_for_its_recording(browser_stage: Stage, premiere: Callable[..., Any]) -> None:
     page = premiere(5, uploaded=False, ready="#countdown")
     until(page, "document.querySelector('.news').textContent !== ''")
