@@ -94,15 +94,17 @@ class MadeUpSeason:
 
         Args:
             outcomes: by fixture.
-            recorded: whether the first match of each stage has a record.
+            recorded: whether the first and the last match of each stage have a record.
             changes: of the fields of the source.
         """
         state = self.engine.state(outcomes)
         fixtures = [fixture for stage in state.stages for fixture in stage.fixtures if fixture.id in outcomes]
+        last = {fixture.stage: fixture.id for fixture in fixtures}
         first = {fixture.stage: fixture.id for fixture in reversed(fixtures)}
+        with_record = {*first.values(), *last.values()}
         played = Played(
             {
-                fixture.id: self.played(fixture, at, recorded=recorded and fixture.id in first.values())
+                fixture.id: self.played(fixture, at, recorded=recorded and fixture.id in with_record)
                 for at, fixture in enumerate(fixtures)
             },
             tuple(

@@ -225,7 +225,7 @@ def test_a_port_in_use_is_said_before_anything_is_played(tmp_path: Path, team: P
     ("options", "why"),
     [
         (["--speed", "2"], "--speed is for a match that is shown"), (["--live-for", "1"], "--live-for is for a match"),
-        (["--open", "--no-replay"], "--open opens the page"), (["--live", "--speed", "0"], "--speed 0: how many times real time"),
+        (["--open", "--no-replay"], "--open opens the page"), (["--live", "--speed", "0"], "--speed 0"),
         (["--live", "--speed", "nan"], "--speed nan"), (["--live", "--speed", "fast"], "--speed fast"), (["--live", "70000"], "65535"),
     ],
 )  # fmt: skip

@@ -46,7 +46,7 @@ def visit(watch: Callable[..., Any], data: Path) -> Callable[..., Any]:
 def test_pages_fit_the_screen_and_their_policy_lets_the_style_in(
     scheme: str, viewport: dict[str, int], visit: Callable[..., Any], data: Path
 ) -> None:
-    match = next((data / "site" / "matches").glob("groups.*"))
+    match = next((data / "site" / "matches").glob("groups.*/replay.html")).parent
     paths = ["index", "stages/groups", "stages/skills", "head_to_head", "teams/ibex", f"matches/{match.name}/index"]
     page = visit("site/schedule.html", viewport=viewport, color_scheme=scheme)
     for path in paths:
@@ -57,7 +57,7 @@ def test_pages_fit_the_screen_and_their_policy_lets_the_style_in(
 
 
 def test_an_event_of_the_report_leads_to_its_moment_of_the_replay(visit: Callable[..., Any], data: Path) -> None:
-    match = next((data / "site" / "matches").glob("groups.*"))
+    match = next((data / "site" / "matches").glob("groups.*/replay.html")).parent
     page = visit(f"site/matches/{match.name}/index.html", script=NO_WEBGL)
     page.click(".moments .goal a >> nth=1")
     page.wait_for_selector("body.ready")
