@@ -6,7 +6,7 @@ needs when it runs, so that ``validate`` loads no physics and ``--help`` loads n
 Exit codes: 0 done, 1 a negative verdict, 2 wrong input, 3 a fault of ours (with a report file), 130 interrupted.
 """
 
-# Until `main` hears Ctrl-C, Python answers it with a traceback: what takes time to import is imported later.
+# Until `main` handles Ctrl-C, Python prints a traceback for it, so slow imports come later.
 from __future__ import annotations
 
 import gc
@@ -37,7 +37,7 @@ _SAME_SIGNAL_S = 1.0
 class CommandInterruptedError(BaseException):
     """Ctrl-C while a command worked.
 
-    No KeyboardInterrupt, which the library of the command line takes for its own: it ends without a word.
+    Not a KeyboardInterrupt, which the library of the command line handles itself, ending silently.
     """
 
 
@@ -55,10 +55,10 @@ def main() -> None:
 
 
 def _exit_code(heard: list[int]) -> int:
-    """Run the command line; returns its exit code.
+    """Run the command line; return its exit code.
 
     Args:
-        heard: takes the signals that we hear from now on.
+        heard: receives the signals that are handled from now on.
     """
     begun: list[str] = []
     interrupted_at_s: list[float] = []
@@ -82,7 +82,7 @@ def _exit_code(heard: list[int]) -> int:
         code = _with_one_command(app, sys.argv[1:3], begun)(standalone_mode=False)
         sys.stdout.flush()
     except BrokenPipeError:
-        discard_output(sys.stdout)  # the reader of our output has seen enough
+        discard_output(sys.stdout)  # the reader of our output has closed it
     except SystemExit as error:
         # The library of the command line makes that of a broken pipe, with the status of a negative verdict.
         return OK if isinstance(error.__context__, BrokenPipeError) else _status(error.code)
@@ -99,7 +99,7 @@ def _status(code: object) -> int:
 
 
 def _report_error(error: BaseException, *, begun: bool, interrupted: bool = False) -> int:
-    """Say what ended a command; returns its exit code. What is unexpected becomes a report.
+    """Print what ended a command; return its exit code. Unexpected errors become a report.
 
     Args:
         error: what ended it.
@@ -131,7 +131,7 @@ def _report_error(error: BaseException, *, begun: bool, interrupted: bool = Fals
         return INTERRUPTED
     if is_output_error(error):
         trouble = output_error(error)
-        discard_output(sys.stdout)  # else the interpreter complains of it once more
+        discard_output(sys.stdout)  # else the interpreter reports it again
         _print_error(render_error(trouble))
         return WRONG_INPUT
     if is_of_the_host(error) or isinstance(error, PermissionError):
@@ -148,7 +148,7 @@ def _report_error(error: BaseException, *, begun: bool, interrupted: bool = Fals
 
 
 def _as_missing_package(error: BaseException) -> BaseException:
-    """Return an error as it is, unless it is that a package is missing: then what to do about that."""
+    """Return an error unchanged, or with help if a package is missing."""
     package = (error.name or "").partition(".")[0] if isinstance(error, ModuleNotFoundError) else ""
     if package in ("", __name__.partition(".")[0], *sys.stdlib_module_names):
         return error
@@ -165,7 +165,7 @@ def _install_signal_handlers(interrupted_at_s: list[float]) -> list[int]:
     """Let what ends a service or a closed terminal end a command as Ctrl-C does: with its record closed.
 
     Such signals often come twice: a closed terminal tells its shell, and the shell its commands. The second does not
-    disturb what the first began; who wants to go at once waits a second until he says so again.
+    disturb what the first began; a second interruption counts only after a second.
 
     Args:
         interrupted_at_s: takes the times of the interruptions.
@@ -184,7 +184,7 @@ def _install_signal_handlers(interrupted_at_s: list[float]) -> list[int]:
     heard = []
     for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK"):  # the last one is Ctrl-Break on Windows
         number = getattr(signal, name, None)
-        # Who starts us under nohup wants us to go on.
+        # Under nohup the command should go on.
         if number is not None and signal.getsignal(number) in (signal.SIG_DFL, signal.default_int_handler):
             signal.signal(number, interrupt)
             heard.append(number)
@@ -200,7 +200,7 @@ def _ignore_signals(heard: list[int]) -> None:
 
 
 def _speed_up_start() -> None:
-    """Spare the start what it does not need."""
+    """Skip work that the start does not need."""
     # Pydantic would look for plug-ins in the metadata of every installed package.
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
     # numpy would start a thread for each further core, and nothing here multiplies large matrices.

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 _MAX_LETTERS = 100_000  # of the beginning and of the end of a log
 _ONLY_SPECIAL = ("crash", "start", "protocol")
-"""Faults whose general remedy says no more than the fault itself."""
+"""Faults whose general remedy adds nothing to the fault itself."""
 
 
 def advice_on(

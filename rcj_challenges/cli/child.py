@@ -1,4 +1,4 @@
-"""One match of many: the command line in a process that ends with the one that started it, however that ends."""
+"""One match of many: the command line in a process that ends with its parent, however that ends."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the shell offers when Tab is pressed: scenarios and teams by name. Where nothing fits it offers files itself."""
+"""Shell completion: scenarios and teams by name. If nothing fits, the shell offers files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What happens when the fault is ours: one line, a report file, exit code 3."""
+"""Reports bugs of this project: one line, a report file, exit code 3."""
 
 from __future__ import annotations
 

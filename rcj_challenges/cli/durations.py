@@ -1,4 +1,4 @@
-"""Times as people type them."""
+"""Parses durations as people type them."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ _FORM = re.compile(r"(?:(?P<minutes>[0-9]+):(?=[0-5]?[0-9](?:\.|$)))?(?P<seconds
 
 
 class DurationError(DiagnosticError):
-    """Text that is no time."""
+    """Text that is not a duration."""
 
 
 def parse_duration(option: str, text: str) -> float:

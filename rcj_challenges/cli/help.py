@@ -1,4 +1,4 @@
-"""How ``--help`` looks: commands in groups, options without types that say nothing, and examples.
+"""Formats ``--help``: commands in groups, options without useless types, and examples.
 
 Plain text: the library's own frames load a Markdown parser and a syntax highlighter, which takes longer than all else.
 """

@@ -28,7 +28,7 @@ _MAX_SHOWN = 40
 
 @dataclass(frozen=True)
 class JudgeOptions:
-    """What the command line asks for.
+    """The options of the command line.
 
     Attributes:
         runs: records' folders, or how their names begin; None for the newest.

@@ -1,4 +1,4 @@
-"""``run --live``: the options of the live view, and a match on the air from before its first tick to its end."""
+"""``run --live``: the options of the live view, and showing a match from before its first tick to its end."""
 
 from __future__ import annotations
 

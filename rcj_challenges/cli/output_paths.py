@@ -1,4 +1,4 @@
-"""Where commands write: names that a file can have on every system, and documents to files or standard output."""
+"""Output of commands: file names that are valid on every system, and documents to files or standard output."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ from rcj_challenges.tournament.site import publish, site_source
 from rcj_challenges.views.console import console_for
 
 _MIN_SEED_LETTERS = 16
-"""What is shorter can be found by trying: its hash keeps no secret."""
+"""A shorter seed can be found by trial: its hash does not hide it."""
 
 
 def publish_tournament(tournament: OpenTournament, now: datetime, premieres: Sequence[str], url: str) -> int:

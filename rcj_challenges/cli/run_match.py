@@ -97,7 +97,7 @@ def run_scenario(options: RunOptions) -> int:
 
 
 def _refuse_contradictions(options: RunOptions) -> None:
-    """Refuse options of which one undoes the other.
+    """Refuse options that contradict each other.
 
     Raises:
         UsageError: says which, and why they do not go together.

@@ -1,4 +1,4 @@
-"""``rcj-challenge simulate``: play a challenge many times and say how the scores are spread."""
+"""``rcj-challenge simulate``: plays a challenge many times and reports the spread of scores."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _MAX_DIGITS = 100
 
 
 class SeedsError(RcjError):
-    """Seeds that cannot be understood."""
+    """Seeds that cannot be parsed."""
 
     CODE = "bad-seeds"
 

@@ -1,4 +1,4 @@
-"""What commands print for other programs, and the streams that they print to: they may be closed, narrow, or unread."""
+"""Output for other programs, and handling of standard streams that are closed, narrow, or unread."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def print_json(value: Any) -> None:
 
 
 def print_progress(console: Console, line: str) -> None:
-    """Say how far something is that takes long. If there is no room for that, it goes on without a word."""
+    """Print progress of a long command. Errors while printing are ignored."""
     with contextlib.suppress(OSError):
         console.print(line, markup=False, highlight=False, soft_wrap=True)
 
