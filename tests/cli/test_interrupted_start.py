@@ -33,7 +33,13 @@ def interrupted(folder: Path, module: str, *arguments: str) -> subprocess.Comple
 
 
 @pytest.mark.parametrize(
-    "module", ["rcj_challenges.cli.stdio", "rcj_challenges.cli.app", "typer", "rcj_challenges.cli.video"]
+    "module",
+    [
+        "rcj_challenges.cli.stdio",
+        pytest.param("rcj_challenges.cli.app", marks=pytest.mark.nightly),
+        pytest.param("typer", marks=pytest.mark.nightly),
+        "rcj_challenges.cli.video",
+    ],
 )
 def test_while_the_command_line_is_loaded(tmp_path: Path, module: str) -> None:
     done = interrupted(tmp_path, module, "run", "match")

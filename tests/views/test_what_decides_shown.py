@@ -283,7 +283,9 @@ def test_names_of_zones_do_not_cover_each_other(show: Callable[..., Any], tmp_pa
             assert beside or a["y"] + a["height"] <= b["y"] or b["y"] + b["height"] <= a["y"], (camera, one, other)
 
 
-@pytest.mark.parametrize("script", ["", NO_WEBGL], ids=["3-D", "2-D"])
+@pytest.mark.parametrize(
+    "script", [pytest.param("", id="3-D", marks=pytest.mark.nightly), pytest.param(NO_WEBGL, id="2-D")]
+)
 def test_a_name_at_the_edge_is_written_whole_on_a_phone(show: Callable[..., Any], tmp_path: Path, script: str) -> None:
     # Its name stands beside the gate's end, which is at the wall.
     gates = {
