@@ -129,7 +129,7 @@ def new(
     from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
 
     kind, name = ("challenge", words[0]) if len(words) == 1 else (words[0], words[-1])
-    if kind not in ("team", "challenge") or len(words) > 2:
+    if kind not in ("team", "challenge") or len(words) > 2 or words in (["team"], ["challenge"]):
         asked = "rcj-challenge new team NAME, or rcj-challenge new challenge NAME"
         raise DiagnosticError(Diagnostic("bad-arguments", "new takes one name, and before it what it is", asked))
     if kind == "team" and preset is not None:

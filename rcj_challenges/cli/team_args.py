@@ -137,5 +137,5 @@ def known(name: str, names: Mapping[str, Any] | frozenset[str], kind: str) -> No
     if name not in names:
         nearest = nearest_name(name, names)
         near = "" if nearest is None else f"did you mean {nearest!r}? "
-        there = f"{near}This scenario has {', '.join(sorted(names))}"
+        there = f"{near}this scenario has {', '.join(sorted(names))}"
         raise UsageError(f"unknown {kind} {name!r}", there, code=f"unknown-{kind}")

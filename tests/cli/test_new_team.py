@@ -66,7 +66,15 @@ def test_a_challenge_is_what_one_name_alone_makes(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize(
-    "words", [("robot", "x"), ("team", "a", "b"), ("team", "x", "--from", "empty_field"), ("team", "CON")]
+    "words",
+    [
+        ("team",),
+        ("challenge",),
+        ("robot", "x"),
+        ("team", "a", "b"),
+        ("team", "x", "--from", "empty_field"),
+        ("team", "CON"),
+    ],
 )
 def test_what_makes_no_sense_is_refused_and_nothing_is_written(tmp_path, monkeypatch, words):
     monkeypatch.chdir(tmp_path)
