@@ -22,7 +22,7 @@ from typing import Any
 
 from benchmarks import physics_floor, referee_cost, sensing_cost
 from benchmarks.rows import Row, as_users_have_it, parser, show
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.scenario.load import load
 from rcj_challenges.world.world import World
 

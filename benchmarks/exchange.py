@@ -22,8 +22,8 @@ from pathlib import Path
 
 from rcj_challenges.controllers.crew import Crew, CrewPlan
 from rcj_challenges.controllers.team import open_team
-from rcj_challenges.facts.play import Fault
-from rcj_challenges.facts.traffic import DeviceSpec, Observation, Packet, RobotSpec
+from rcj_challenges.core.play import Fault
+from rcj_challenges.core.traffic import DeviceSpec, Observation, Packet, RobotSpec
 from rcj_challenges.scenario.models.limits import Limits
 
 ROBOTS = ("B1", "B2", "B3", "Y1", "Y2", "Y3")

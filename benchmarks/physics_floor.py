@@ -19,8 +19,8 @@ from collections.abc import Callable
 
 import mujoco
 
-from rcj_challenges.facts.play import Placement
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.core.play import Placement
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.scenario.load import load
 from rcj_challenges.world.world import World
 

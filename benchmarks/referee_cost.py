@@ -18,8 +18,8 @@ import time
 from itertools import pairwise
 from struct import pack, unpack
 
-from rcj_challenges.facts.play import HalfInfo, Placement, Snapshot
-from rcj_challenges.facts.timing import SUBSTEP_S, SUBSTEPS_PER_TICK
+from rcj_challenges.core.play import HalfInfo, Placement, Snapshot
+from rcj_challenges.core.timing import SUBSTEP_S, SUBSTEPS_PER_TICK
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.scenario.load import Loaded, load
 

@@ -11,8 +11,8 @@ import statistics
 import time
 
 from benchmarks.physics_floor import MixedLoad
-from rcj_challenges.facts.play import HalfInfo, RefereeOutput
-from rcj_challenges.facts.traffic import Request
+from rcj_challenges.core.play import HalfInfo, RefereeOutput
+from rcj_challenges.core.traffic import Request
 from rcj_challenges.robots.fitting import fit, fixed_rays
 from rcj_challenges.robots.manager import DeviceManager
 from rcj_challenges.scenario.load import Loaded, load

@@ -42,7 +42,8 @@ class Device:
     def __init__(self, name: str) -> None:
         """Stand for the robot's device of that name: all objects that do have all attributes in common.
 
-        If the robot has none of that name and class, it is told as by ``getDevice``, and using this object is an error.
+        If the robot has none of that name and class, a message says so as with ``getDevice``, and using this object is
+        an error.
         """
     def __copy__(self) -> Self:
         """Return the device itself: there is only one."""
@@ -86,8 +87,8 @@ class MouseState:
 class Robot:
     """The robot that this program drives. A program makes one, often of a class of its own.
 
-    What it keeps to itself has names that begin with ``_rcj_``, which such a class does not hit by accident. For the
-    same reason no method calls another that it could override.
+    Private names begin with ``_rcj_``, so that such a class does not override them by accident. For the same reason no
+    method calls another that could be overridden.
     """
     MODE_SIMULATION: int
     MODE_CROSS_COMPILATION: int
@@ -122,7 +123,7 @@ class Robot:
     def stepEnd(self) -> int:
         """Take the step that ``stepBegin`` began. Returns 0, or -1 when the match is over."""
     def waitForUserInputEvent(self, event_type: int, timeout: float = 0) -> int:
-        """Return ``Robot.EVENT_NO_EVENT`` at once: nobody presses or moves anything."""
+        """Return ``Robot.EVENT_NO_EVENT`` at once: there is no user input."""
     def getName(self) -> str:
         """Return the robot's name: colour (``B`` or ``Y``) and number.
 
@@ -171,7 +172,7 @@ class Robot:
     def getCustomData(self) -> str:
         """Return what ``setCustomData`` was given; nothing at first."""
     def setCustomData(self, customData: str) -> None:
-        """Remember a text. Nobody else reads it."""
+        """Store a text. Only this program reads it."""
     def getSupervisor(self) -> bool:
         """Return False: a player's robot is no supervisor."""
     def getSynchronization(self) -> bool:
@@ -189,7 +190,7 @@ class Robot:
     def getKeyboard(self) -> Any:
         """Return a keyboard on which no key is pressed."""
     def getMouse(self) -> Any:
-        """Return a mouse that nobody moves."""
+        """Return a mouse that never moves."""
     def getJoystick(self) -> Any:
         """Return a joystick that is not plugged in."""
     def batterySensorEnable(self, samplingPeriod: float) -> None:
@@ -293,7 +294,7 @@ class Connector:
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class ContactPoint:
-    """Where two bodies touch: only supervisors are told."""
+    """Where two bodies touch: only supervisors get it."""
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class Display:
@@ -309,7 +310,7 @@ class Emitter(Device):
             ``emitter.send(json.dumps({"ball": True}))``
 
         Returns:
-            1, or 0 if it is empty or too large, which is told once.
+            1, or 0 if it is empty or too large, which is reported once.
 
         Raises:
             TypeError: it is none of these, or the size is no whole number.
@@ -476,7 +477,7 @@ class Motor(Device):
     def getAcceleration(self) -> float:
         """Return the acceleration set in rad/s²; -1: none."""
     def setAvailableTorque(self, torque: float) -> None:
-        """Remember a torque in N·m. It is not simulated: the motor turns as fast as it is told to."""
+        """Remember a torque in N·m. It is not simulated: the motor always turns at the commanded velocity."""
     def getAvailableTorque(self) -> float:
         """Return the torque set in N·m."""
     def getMaxTorque(self) -> float:
@@ -533,7 +534,7 @@ class Motor(Device):
     type: int
 
 class Mouse:
-    """A mouse that nobody moves."""
+    """A mouse that never moves."""
     def __init__(self) -> None: ...
     def enable(self, samplingPeriod: float | None = None, *, sampling_period: float | None = None) -> None:
         """Remember a period in ms."""
@@ -728,7 +729,7 @@ class DistanceSensor(Sensor):
     def getAperture(self) -> float:
         """Return 0: a single ray."""
     def getLookupTable(self) -> list[float]:
-        """Return distance in m, reading and noise of both ends of the range; the noise is not told, it stands as 0."""
+        """Return distance in m, reading and noise of both ends of the range; the noise is hidden and given as 0."""
     def getType(self) -> int:
         """Return ``DistanceSensor.SONAR``."""
     value: float
@@ -758,7 +759,7 @@ class GPS(Sensor):
         """Return ``GPS.LOCAL``: metres on the field."""
     @staticmethod
     def convertToDegreesMinutesSeconds(decimalDegree: float) -> str:
-        """Return an angle in degrees as text: 12.5 is ``12° 30' 0"``. Here the GPS tells metres."""
+        """Return an angle in degrees as text: 12.5 is ``12° 30' 0"``. Here the GPS measures metres."""
     values: list[float]
     value: list[float]
     speed: float

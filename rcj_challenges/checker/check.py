@@ -18,8 +18,8 @@ from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.controllers.private_folders import PrivateFolders, temporary_folder_error
 from rcj_challenges.controllers.scratch import ensure_room
 from rcj_challenges.controllers.team import Team
-from rcj_challenges.facts.diagnostics import one_line
-from rcj_challenges.facts.errors import (
+from rcj_challenges.core.diagnostics import one_line
+from rcj_challenges.core.errors import (
     HostError,
     RcjError,
     error_hint,
@@ -28,7 +28,7 @@ from rcj_challenges.facts.errors import (
     is_no_room,
     is_of_the_host,
 )
-from rcj_challenges.facts.sanitize import sanitize, sanitize_block
+from rcj_challenges.core.sanitize import sanitize, sanitize_block
 from rcj_challenges.records.errors import RecordError, UnwritableError
 from rcj_challenges.records.logos import PNG_SIGNATURE
 from rcj_challenges.scenario.load import Loaded

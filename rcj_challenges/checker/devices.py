@@ -5,7 +5,7 @@ from __future__ import annotations
 from rcj_challenges.checker.advice.devices import DeviceAdvice, missing_devices
 from rcj_challenges.checker.findings import NO_SUCH_DEVICE, Finding, StageName
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.sanitize import sanitize
 
 MissingDevices = dict[tuple[str, str], list[str]]
 """Robots by the name of the device that they lack, and by what they have."""

@@ -8,8 +8,8 @@ from rcj_challenges.checker.advice.hints import REMEDIES, hint_for, whereabouts_
 from rcj_challenges.checker.advice.table import Hint
 from rcj_challenges.checker.findings import Finding, StageName
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed
-from rcj_challenges.facts.sanitize import sanitize, sanitize_block
-from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.core.sanitize import sanitize, sanitize_block
+from rcj_challenges.core.timing import s_from_ticks
 
 _OTHER_REMEDY = "see the report below, if there is one, and the program's output (--show-output)"
 

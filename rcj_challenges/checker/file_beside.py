@@ -7,7 +7,7 @@ from pathlib import PurePath, PurePosixPath, PureWindowsPath
 
 from rcj_challenges.checker.advice.crash_site import unquote
 from rcj_challenges.controllers.team import Team
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.sanitize import sanitize
 
 _MAX_LETTERS = 300  # of a path that is looked for
 _MODULE = re.compile(r"^ModuleNotFoundError: No module named '(?P<module>\w{1,100})")

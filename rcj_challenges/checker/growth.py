@@ -8,7 +8,7 @@ from pathlib import Path
 
 from rcj_challenges.controllers import scratch
 from rcj_challenges.controllers.team import Team
-from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.scenario.models.limits import Limits
 
 EVERY_TICKS = 32

@@ -10,7 +10,7 @@ import io
 import warnings
 from dataclasses import dataclass
 
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.core.errors import RcjError
 from rcj_challenges.records.logos import MAX_LOGO_BYTES, MAX_LOGO_SIDE, PNG_SIGNATURE
 
 MAX_PIXELS = 12_000_000

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from functools import cached_property
 from pathlib import PurePosixPath
 
-from rcj_challenges.facts.likeness import likeness_of
+from rcj_challenges.core.likeness import likeness_of
 
 BLANK = b" \t\r\n\f\v\xef\xbb\xbf"
 """What an empty file may consist of."""

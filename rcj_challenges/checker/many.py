@@ -19,8 +19,8 @@ from rcj_challenges.checker.check import CheckOptions, check_file, crashed_repor
 from rcj_challenges.checker.many_given import Called, called
 from rcj_challenges.checker.report import FileReport
 from rcj_challenges.controllers.team import TeamError
-from rcj_challenges.facts.diagnostics import one_line
-from rcj_challenges.facts.errors import format_error
+from rcj_challenges.core.diagnostics import one_line
+from rcj_challenges.core.errors import format_error
 from rcj_challenges.match.worker_pool import Attempt, python_command, run_all
 from rcj_challenges.scenario.load import Loaded, load_resolved
 from rcj_challenges.scenario.models.limits import Limits

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from rcj_challenges.checker.report import LeftOut
 from rcj_challenges.controllers.disk_names import from_disk
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.sanitize import sanitize
 
 ARCHIVES = frozenset({".zip", ".rar", ".7z", ".tar", ".gz", ".tgz", ".bz2", ".xz"})
 """Endings of archives; all but ZIPs fail the check."""

@@ -13,9 +13,9 @@ from rcj_challenges.checker.failing import fault_findings
 from rcj_challenges.checker.findings import Finding, Level, Stage
 from rcj_challenges.checker.growth import Growth
 from rcj_challenges.checker.rehearsal import OWN_TEAM, Rehearsal, Rehearsed, rehearse
-from rcj_challenges.facts.measures import number_words
-from rcj_challenges.facts.sanitize import sanitize, sanitize_block
-from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
+from rcj_challenges.core.measures import number_words
+from rcj_challenges.core.sanitize import sanitize, sanitize_block
+from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.match.observers import ProgramTimes
 from rcj_challenges.scenario.halves import longest_half_s
 from rcj_challenges.scenario.load import Loaded

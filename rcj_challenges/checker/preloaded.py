@@ -11,8 +11,8 @@ from rcj_challenges.checker.modules import Library, Module, places_of
 from rcj_challenges.controllers.crew import Crew, CrewPlan
 from rcj_challenges.controllers.private_folders import PrivateFolders
 from rcj_challenges.controllers.team import open_team
-from rcj_challenges.facts.errors import RcjError
-from rcj_challenges.facts.traffic import RobotSpec
+from rcj_challenges.core.errors import RcjError
+from rcj_challenges.core.traffic import RobotSpec
 from rcj_challenges.scenario.models.limits import Limits
 
 _MARK = "loaded:"

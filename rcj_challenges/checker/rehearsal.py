@@ -15,7 +15,7 @@ from typing import Any
 
 from rcj_challenges.checker.growth import Amounts, FollowedTeam, Growth
 from rcj_challenges.controllers.team import Team, TeamError, open_team
-from rcj_challenges.facts.play import RefereeOutput, Snapshot
+from rcj_challenges.core.play import RefereeOutput, Snapshot
 from rcj_challenges.match.observers import NullObserver, ProgramTimes
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.match.samples import sample_team

@@ -22,8 +22,8 @@ from rcj_challenges.controllers.private_folders import PrivateFolders
 from rcj_challenges.controllers.submission_problems import MAX_OF_A_KIND, MAX_PATH_SHOWN, safe_text, with_help
 from rcj_challenges.controllers.team import LOGO_FILE, Opening, alternatives, called_after, opening_of
 from rcj_challenges.controllers.team_name import NAME_FILE, find_team_name
-from rcj_challenges.facts.amounts import counted
-from rcj_challenges.facts.errors import RcjError, format_error, room_help
+from rcj_challenges.core.amounts import counted
+from rcj_challenges.core.errors import RcjError, format_error, room_help
 from rcj_challenges.records.logos import LogoError, checked_png
 from rcj_challenges.scenario.models.robots import Entrant
 from rcj_challenges.scenario.models.scenario import Scenario

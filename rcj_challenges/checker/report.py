@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any, Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 from rcj_challenges.checker.findings import NO_SUCH_DEVICE, RANKS, STAGES, Finding, Level, Stage, StageName, gravest
-from rcj_challenges.facts.amounts import counted
-from rcj_challenges.facts.sanitize import sanitize
-from rcj_challenges.facts.timing import SUBSTEP_S
+from rcj_challenges.core.amounts import counted
+from rcj_challenges.core.sanitize import sanitize
+from rcj_challenges.core.timing import SUBSTEP_S
 
 if TYPE_CHECKING:
     from rcj_challenges.checker.rehearsal import Rehearsed

@@ -23,7 +23,7 @@ from rcj_challenges.checker.report import (
     verdict,
 )
 from rcj_challenges.controllers.disk_names import from_disk, on_disk
-from rcj_challenges.facts.measures import number_words
+from rcj_challenges.core.measures import number_words
 
 
 def html_page(report: CheckReport, folder: Path) -> str:

@@ -22,7 +22,7 @@ from rcj_challenges.checker.report import (
     summary,
     verdict,
 )
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.sanitize import sanitize
 
 _STYLES: dict[Level, str] = {"passed": "green", "warning": "yellow", "failure": "bold red", "unchecked": "bold"}
 _SKIPPED = "skipped"

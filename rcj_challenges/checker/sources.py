@@ -25,8 +25,8 @@ from rcj_challenges.checker.preloaded import never_read
 from rcj_challenges.checker.reading import Import, Source, read_sources
 from rcj_challenges.checker.unreadable import PYTHON, what_is_wrong
 from rcj_challenges.controllers.team import Team
-from rcj_challenges.facts.likeness import nearest_name
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.likeness import nearest_name
+from rcj_challenges.core.sanitize import sanitize
 
 _MAX_FINDINGS = 40
 _MAX_LOOKED_FOR = 30  # of modules that are nowhere: to look through thousands of files for each would take hours

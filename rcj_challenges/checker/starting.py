@@ -8,7 +8,7 @@ from rcj_challenges.checker.devices import MissingDevices, device_findings, miss
 from rcj_challenges.checker.failing import fault_findings
 from rcj_challenges.checker.findings import Finding, Stage
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed, rehearse
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.core.timing import TICK_S
 
 _TICKS = 4
 """Enough for two answers of a program that steps 64 ms."""

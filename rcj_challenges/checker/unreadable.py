@@ -6,7 +6,7 @@ import platform
 import re
 
 from rcj_challenges.checker.reading import MAX_BYTES, MAX_IMPORTS, Source
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.sanitize import sanitize
 
 PYTHON = f"Python {platform.python_version()}"
 

@@ -109,8 +109,8 @@ def _report_error(error: BaseException, *, begun: bool, interrupted: bool = Fals
     """
     from rcj_challenges.cli.crash_report import write_crash_report
     from rcj_challenges.cli.stdio import discard_output, is_output_error, output_error
-    from rcj_challenges.facts.diagnostics import render_error
-    from rcj_challenges.facts.errors import (
+    from rcj_challenges.core.diagnostics import render_error
+    from rcj_challenges.core.errors import (
         HostError,
         RcjError,
         format_error,
@@ -152,7 +152,7 @@ def _as_missing_package(error: BaseException) -> BaseException:
     package = (error.name or "").partition(".")[0] if isinstance(error, ModuleNotFoundError) else ""
     if package in ("", __name__.partition(".")[0], *sys.stdlib_module_names):
         return error
-    from rcj_challenges.facts.errors import HostError
+    from rcj_challenges.core.errors import HostError
 
     return HostError(
         f"the package {package!r} is missing: this Python does not have all that rcj-challenge needs",
@@ -277,7 +277,7 @@ def _usage_error(error: BaseException) -> int | None:
     """Print what is wrong with options; returns the exit code, None if the error is something else."""
     import contextlib
 
-    from rcj_challenges.facts.diagnostics import Diagnostic
+    from rcj_challenges.core.diagnostics import Diagnostic
 
     show, context = getattr(error, "show", None), getattr(error, "ctx", None)
     if show is not None and type(error).__name__ == "NoArgsIsHelpError":
@@ -297,8 +297,8 @@ def _usage_error(error: BaseException) -> int | None:
 
 def _print_error(message: str) -> None:
     from rcj_challenges.cli.stdio import discard_output
-    from rcj_challenges.facts.letters import READABLE
-    from rcj_challenges.facts.sanitize import sanitize_lines
+    from rcj_challenges.core.letters import READABLE
+    from rcj_challenges.core.sanitize import sanitize_lines
 
     for stream in (sys.stdout, sys.stderr):
         reconfigure = getattr(stream, "reconfigure", None)

@@ -126,7 +126,7 @@ def new(
     """Write a new team, or a challenge with a first program for it; nothing is overwritten."""
     from rcj_challenges.cli.new import new_scenario
     from rcj_challenges.cli.new_team import new_team
-    from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+    from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 
     kind, name = ("challenge", words[0]) if len(words) == 1 else (words[0], words[-1])
     if kind not in ("team", "challenge") or len(words) > 2 or words in (["team"], ["challenge"]):

@@ -14,7 +14,7 @@ import typer
 from rcj_challenges.cli.completion import complete_scenarios
 from rcj_challenges.cli.help import SUBMIT, Command
 from rcj_challenges.cli.stdio import print_json, print_progress
-from rcj_challenges.facts.errors import RcjError, format_error, room_help
+from rcj_challenges.core.errors import RcjError, format_error, room_help
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -244,7 +244,7 @@ def _not_come_to(paths: list[Path], checked: _Checked) -> list[LeftOut]:
 
 def _check_one(path: Path, loaded: Loaded, options: CheckOptions, fix: Path | None) -> FileReport:
     from rcj_challenges.checker.check import check_file
-    from rcj_challenges.facts.sanitize import sanitize
+    from rcj_challenges.core.sanitize import sanitize
 
     if fix is None:
         return check_file(path, loaded, options)
@@ -310,6 +310,6 @@ def _write_page(report: CheckReport, path: Path) -> None:
 
 
 def _safe(path: Path) -> str:
-    from rcj_challenges.facts.sanitize import sanitize
+    from rcj_challenges.core.sanitize import sanitize
 
     return sanitize(path)

@@ -10,8 +10,8 @@ import traceback
 from pathlib import Path
 
 from rcj_challenges import __version__
-from rcj_challenges.facts.diagnostics import Diagnostic
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.core.diagnostics import Diagnostic
+from rcj_challenges.core.errors import RcjError
 
 
 def write_crash_report(error: BaseException) -> int:

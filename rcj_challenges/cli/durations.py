@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 
 _FORM = re.compile(r"(?:(?P<minutes>[0-9]+):(?=[0-5]?[0-9](?:\.|$)))?(?P<seconds>[0-9]+(?:\.[0-9]+)?|\.[0-9]+)s?")
 

@@ -10,9 +10,9 @@ from typing import Any
 
 from rcj_challenges.cli.stdio import print_json
 from rcj_challenges.cli.validate import flat, say
+from rcj_challenges.core.amounts import counted
+from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.expect.runner import TestResult, run_test
-from rcj_challenges.facts.amounts import counted
-from rcj_challenges.facts.timing import s_from_ticks
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.scenario.reading.inherited_tests import TESTS

@@ -1,8 +1,8 @@
 """``rcj-challenge explain``: prints the page of a code, or the list of all codes.
 
-A room that reports problems with codes has a module ``code_pages`` with a mapping ``PAGES`` from each of its codes to a
-page: one sentence that says what the code means, then what to do about it, as an author or a pupil reads it. A code of
-several rooms has its page in the lowest of them.
+A room that reports problems with codes has a module ``error_pages`` with a mapping ``PAGES`` from each of its codes
+to a page: one sentence that says what the code means, then what to do about it, as an author or a pupil reads it. A
+code of several rooms has its page in the lowest of them.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from pkgutil import iter_modules
 
 import rcj_challenges
 from rcj_challenges.cli.validate import say
-from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 
 
 def explain(code: str | None) -> int:
@@ -25,7 +25,7 @@ def explain(code: str | None) -> int:
     Raises:
         DiagnosticError: there is no such code.
     """
-    pages = code_pages()
+    pages = error_pages()
     if code is None:
         width = max(map(len, pages))
         for name, page in sorted(pages.items()):
@@ -41,7 +41,7 @@ def explain(code: str | None) -> int:
     return 0
 
 
-def code_pages() -> dict[str, str]:
+def error_pages() -> dict[str, str]:
     """Return the page of each code."""
     return {code: page for pages in pages_by_room().values() for code, page in pages.items()}
 
@@ -49,5 +49,5 @@ def code_pages() -> dict[str, str]:
 def pages_by_room() -> dict[str, Mapping[str, str]]:
     """Return the pages of each room that has some."""
     names = sorted(module.name for module in iter_modules(rcj_challenges.__path__) if module.ispkg)
-    modules = {name: f"{rcj_challenges.__name__}.{name}.code_pages" for name in names}
+    modules = {name: f"{rcj_challenges.__name__}.{name}.error_pages" for name in names}
     return {name: import_module(module).PAGES for name, module in modules.items() if find_spec(module) is not None}

@@ -13,9 +13,9 @@ import typer
 from rcj_challenges.cli.completion import complete_scenarios
 from rcj_challenges.cli.help import ORGANIZE, Command
 from rcj_challenges.cli.stdio import print_json
-from rcj_challenges.facts.amounts import counted
-from rcj_challenges.facts.diagnostics import render_error
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.core.amounts import counted
+from rcj_challenges.core.diagnostics import render_error
+from rcj_challenges.core.errors import RcjError
 
 if TYPE_CHECKING:
     from rcj_challenges.match.rejudge import Difference, Judgement, Score
@@ -205,7 +205,7 @@ def _as_json(judged: _Judged) -> dict[str, Any]:
 
 def _lines(judged: _Judged, options: JudgeOptions) -> Iterator[str]:
     """Yield what people read of a judgement: scores, then each event that differs."""
-    from rcj_challenges.facts.sanitize import sanitize
+    from rcj_challenges.core.sanitize import sanitize
     from rcj_challenges.views.naming import changes_sides
     from rcj_challenges.views.scoreboard import ranking_lines, score_line
 
@@ -234,8 +234,8 @@ def _lines(judged: _Judged, options: JudgeOptions) -> Iterator[str]:
 
 
 def _line(one: Difference) -> str:
-    from rcj_challenges.facts.sanitize import sanitize
-    from rcj_challenges.facts.timing import s_from_ticks
+    from rcj_challenges.core.sanitize import sanitize
+    from rcj_challenges.core.timing import s_from_ticks
     from rcj_challenges.views.sentences import clock
 
     told = f"  half {one.half} {clock(s_from_ticks(one.tick)):>7}  {sanitize(one.event, 60)}: "

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.cli.help import Command
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.core.errors import RcjError
 
 if TYPE_CHECKING:
     from rich.console import Console

@@ -5,8 +5,8 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from rcj_challenges.facts.errors import RcjError, format_error, room_help
-from rcj_challenges.facts.file_names import is_device_of_windows
+from rcj_challenges.core.errors import RcjError, format_error, room_help
+from rcj_challenges.core.file_names import is_device_of_windows
 
 
 class OutputError(RcjError):

@@ -9,10 +9,10 @@ from pathlib import Path
 from rich.progress import Progress
 
 from rcj_challenges.cli import OK
-from rcj_challenges.facts.amounts import counted
-from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.facts.errors import format_error
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.amounts import counted
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.errors import format_error
+from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.site import publish, site_source
 from rcj_challenges.views.console import console_for

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.cli.stdio import print_json, shell_quoted
 from rcj_challenges.cli.team_args import UsageError, assignments, known, open_teams
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.core.timing import TICK_S
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -64,7 +64,7 @@ def run_scenario(options: RunOptions) -> int:
         raise KeyboardInterrupt("the match had not begun, and nothing is recorded") from error
     from rcj_challenges.cli import INTERRUPTED
     from rcj_challenges.cli.live import on_air, stay_on_air
-    from rcj_challenges.facts.errors import interruption_behind
+    from rcj_challenges.core.errors import interruption_behind
     from rcj_challenges.match.observers import ObserverGroup
     from rcj_challenges.match.runner import MatchInterruptedError, play_match
     from rcj_challenges.match.standing import StandingObserver
@@ -180,8 +180,8 @@ def _report(options: RunOptions, console: Console, played: _Played, trouble: OSE
         HostError: something cannot be written; the match counts all the same.
     """
     from rcj_challenges.cli.stdio import is_output_error, output_error
-    from rcj_challenges.facts.errors import HostError, format_error, is_no_room, is_of_the_host, room_help
-    from rcj_challenges.facts.sanitize import sanitize
+    from rcj_challenges.core.errors import HostError, format_error, is_no_room, is_of_the_host, room_help
+    from rcj_challenges.core.sanitize import sanitize
 
     try:
         _report_all(options, console, played)
@@ -203,7 +203,7 @@ def _report(options: RunOptions, console: Console, played: _Played, trouble: OSE
 
 def _report_all(options: RunOptions, console: Console, played: _Played) -> None:
     from rcj_challenges.cli.advice import advice_on
-    from rcj_challenges.facts.errors import interruption_behind
+    from rcj_challenges.core.errors import interruption_behind
     from rcj_challenges.records.folder import LOGS
 
     plan, outcome = played.plan, played.outcome
@@ -321,7 +321,7 @@ def _summary(
 
 def _fault_lines(faults: Sequence[dict[str, Any]]) -> list[str]:
     """Return one line for robots that failed alike at the same tick, whichever half it was: mostly all six do."""
-    from rcj_challenges.facts.sanitize import sanitize
+    from rcj_challenges.core.sanitize import sanitize
 
     alike: dict[tuple[str, int, str], dict[str, None]] = {}
     for fault in faults:

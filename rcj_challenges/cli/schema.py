@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 from rcj_challenges.cli.output_paths import refuse_devices
-from rcj_challenges.facts.errors import RcjError, format_error, room_help
+from rcj_challenges.core.errors import RcjError, format_error, room_help
 from rcj_challenges.scenario import json_schema as of_scenarios
 from rcj_challenges.scenario.resources import schemas_folder
 from rcj_challenges.tournament import json_schema as of_tournaments

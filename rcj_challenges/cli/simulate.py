@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING, Any
 from rcj_challenges.cli import OK, OUR_FAULT, WRONG_INPUT
 from rcj_challenges.cli.stdio import print_json, print_progress
 from rcj_challenges.cli.team_args import open_teams
-from rcj_challenges.facts.amounts import counted, times
-from rcj_challenges.facts.errors import RcjError
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.amounts import counted, times
+from rcj_challenges.core.errors import RcjError
+from rcj_challenges.core.sanitize import sanitize
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -296,7 +296,7 @@ def _report(outcomes: Sequence[Outcome], rank: Sequence[Criterion], options: Sim
 def _score_table(told: dict[str, Any]) -> Table:
     from rich.table import Table
 
-    from rcj_challenges.facts.measures import number_words
+    from rcj_challenges.core.measures import number_words
 
     table = Table("entrant", "least", "median", "mean", "most", title=counted(told["played"], "match", "matches"))
     for entrant, spread in told["spread"].items():

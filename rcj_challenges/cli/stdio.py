@@ -18,9 +18,9 @@ if TYPE_CHECKING:
     from _typeshed import ReadableBuffer
     from rich.console import Console
 
-from rcj_challenges.facts.errors import HostError, format_error, is_no_room, room_help
-from rcj_challenges.facts.letters import READABLE
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.errors import HostError, format_error, is_no_room, room_help
+from rcj_challenges.core.letters import READABLE
+from rcj_challenges.core.sanitize import sanitize
 
 
 def print_json(value: Any) -> None:

@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.cli.teams import locate_team
-from rcj_challenges.facts.errors import RcjError
-from rcj_challenges.facts.likeness import nearest_name
+from rcj_challenges.core.errors import RcjError
+from rcj_challenges.core.likeness import nearest_name
 
 if TYPE_CHECKING:
     from rcj_challenges.controllers.team import Team

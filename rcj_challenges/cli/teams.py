@@ -9,9 +9,9 @@ import sys
 import textwrap
 from pathlib import Path
 
-from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.facts.likeness import nearest_name
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.likeness import nearest_name
+from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.scenario.resources import shipped_teams
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rcj_challenges.cli import OK
-from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.played import RulingKind
 from rcj_challenges.tournament.rulings import decide, withdraw

@@ -10,8 +10,8 @@ from rich.text import Text
 from rcj_challenges.cli import OK
 from rcj_challenges.cli.stdio import print_json
 from rcj_challenges.cli.tournament_tables import score_words, stage_tables
-from rcj_challenges.facts.amounts import counted
-from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.amounts import counted
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.match.rejudge import rejudge
 from rcj_challenges.records.folder import TRAJECTORY
 from rcj_challenges.records.trajectory import Trajectory

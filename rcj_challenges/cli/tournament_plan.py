@@ -12,8 +12,8 @@ from rich.text import Text
 from rcj_challenges.cli import OK
 from rcj_challenges.cli.stdio import print_json
 from rcj_challenges.cli.tournament_tables import team_words
-from rcj_challenges.facts.amounts import counted
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.core.amounts import counted
+from rcj_challenges.core.errors import RcjError
 from rcj_challenges.match.batch import Job, play_many
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.season import SeasonState

@@ -11,7 +11,7 @@ from rich.text import Text
 from rcj_challenges.cli import OK
 from rcj_challenges.cli.stdio import print_json
 from rcj_challenges.cli.tournament_tables import score_words, stage_tables, team_words
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.tournament.csv_text import csv_text
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.season import SeasonState

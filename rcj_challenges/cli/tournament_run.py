@@ -17,9 +17,9 @@ from rich.text import Text
 from rcj_challenges.cli import OK, OUR_FAULT
 from rcj_challenges.cli.stdio import print_progress
 from rcj_challenges.cli.tournament_tables import score_words, stage_tables
-from rcj_challenges.facts.amounts import counted
-from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.amounts import counted
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.tournament.executor import Executor, LocalExecutor
 from rcj_challenges.tournament.fixtures import JobMaker

@@ -7,7 +7,7 @@ from collections.abc import Collection, Mapping, Sequence
 from rich.table import Table as RichTable
 from rich.text import Text
 
-from rcj_challenges.facts.measures import number_words
+from rcj_challenges.core.measures import number_words
 from rcj_challenges.tournament.season import Fixture, Outcome, Row, SeasonState, StageState, Table, Team
 
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from rcj_challenges.cli import OK
 from rcj_challenges.cli.verify import VerifyLines
-from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.tournament.executor import JobOutcome, LocalExecutor
 from rcj_challenges.tournament.jobs import MatchJob
 from rcj_challenges.tournament.models import Records

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from typing import Any
 
 from rcj_challenges.cli.stdio import discard_output, print_json
-from rcj_challenges.facts.amounts import counted
-from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError, InFile
-from rcj_challenges.facts.letters import READABLE
-from rcj_challenges.facts.sanitize import sanitize_lines
+from rcj_challenges.core.amounts import counted
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError, InFile
+from rcj_challenges.core.letters import READABLE
+from rcj_challenges.core.sanitize import sanitize_lines
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.lint.registry import lint

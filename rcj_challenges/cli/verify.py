@@ -96,7 +96,7 @@ def _located(teams: Sequence[str]) -> list[Path]:
         DiagnosticError: one does not exist.
     """
     from rcj_challenges.cli.teams import locate_team
-    from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+    from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 
     paths = [locate_team(team) for team in teams]
     missing = [Diagnostic("no-such-file", f"no file or folder '{path}'", "give a submission, a folder of ZIPs, or the "
@@ -112,7 +112,7 @@ def _recorded(folder: Path, teams: Sequence[Path], place: Workplace, sandbox: st
     Raises:
         RcjError: it is not complete, or a program is not to be found.
     """
-    from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+    from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
     from rcj_challenges.records.folder import SCENARIO, read_file
     from rcj_challenges.records.lines import parsed
     from rcj_challenges.records.result import has_time_fault, read_result

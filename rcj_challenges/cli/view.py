@@ -30,7 +30,7 @@ def rebuild_replay(run: Path | None, out: Path) -> int:
     Raises:
         RecordError: there is no such record, or nothing in it can be shown.
     """
-    from rcj_challenges.facts.sanitize import sanitize
+    from rcj_challenges.core.sanitize import sanitize
     from rcj_challenges.records.run_record import read_run
     from rcj_challenges.views.replay import write_replay
     from rcj_challenges.views.replay.browse import find_run
@@ -50,7 +50,7 @@ def list_records(out: Path) -> int:
     """
     from rich.table import Column, Table
 
-    from rcj_challenges.facts.sanitize import sanitize
+    from rcj_challenges.core.sanitize import sanitize
     from rcj_challenges.views.console import console_for
     from rcj_challenges.views.replay.browse import list_runs
     from rcj_challenges.views.scoreboard import score_line

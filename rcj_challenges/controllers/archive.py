@@ -34,7 +34,7 @@ from rcj_challenges.controllers.submission_limits import (
     MAX_UNPACKED_BYTES,
 )
 from rcj_challenges.controllers.submission_problems import MAX_PATH_SHOWN, Problem, Problems, safe_text
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.core.errors import RcjError
 
 _KINDS = (
     (0, b"Rar!\x1a\x07", "a RAR archive"),

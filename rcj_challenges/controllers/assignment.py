@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rcj_challenges.controllers.team import Team
-from rcj_challenges.facts.traffic import RobotSpec
+from rcj_challenges.core.traffic import RobotSpec
 from rcj_challenges.scenario.models.limits import Limits
 
 

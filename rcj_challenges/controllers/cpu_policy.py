@@ -18,7 +18,7 @@ from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 from rcj_challenges.controllers import tasks
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.core.timing import TICK_S
 
 ENABLED = sys.platform == "linux"
 """The switch: False leaves all programs to the system's scheduler."""

@@ -18,7 +18,7 @@ from rcj_challenges.controllers.program import CLEAN_UP_S, Program
 from rcj_challenges.controllers.sharing import Sharing
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.controllers.timed_channel import WaitBudget
-from rcj_challenges.facts.traffic import Observation, RobotSpec
+from rcj_challenges.core.traffic import Observation, RobotSpec
 from rcj_challenges.scenario.models.limits import Limits
 
 _MAX_HELD_UP = 4

@@ -17,7 +17,7 @@ from typing import Any
 from rcj_challenges.controllers import bubblewrap, processes, sight, tasks
 from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.controllers.pupil.controller import _landlock, _seccomp
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.core.errors import RcjError
 from rcj_challenges.scenario.models.limits import Limits
 
 SANDBOXES = ("auto", "strict", "off")

@@ -18,10 +18,10 @@ from pathlib import Path
 from typing import Self
 
 from rcj_challenges.controllers import scratch
-from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.facts.errors import HostError, format_error
-from rcj_challenges.facts.file_lock import try_lock
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.errors import HostError, format_error
+from rcj_challenges.core.file_lock import try_lock
+from rcj_challenges.core.sanitize import sanitize
 
 PREFIX = "rcj-match-"
 LOCK_FILE = "in-use"

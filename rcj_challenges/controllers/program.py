@@ -23,11 +23,11 @@ from rcj_challenges.controllers.protocol import Codec, Ended, ProtocolError, hel
 from rcj_challenges.controllers.sharing import Sharing
 from rcj_challenges.controllers.time_budget import MEASURED_AFTER_S, TimeBudget, TimeLimits
 from rcj_challenges.controllers.timed_channel import TimedChannel, WaitBudget, wait_together
-from rcj_challenges.facts.errors import HostError, RcjError, format_error, is_of_the_host
-from rcj_challenges.facts.play import Fault
-from rcj_challenges.facts.streams import stream_seed
-from rcj_challenges.facts.timing import s_from_ticks
-from rcj_challenges.facts.traffic import Observation, Request
+from rcj_challenges.core.errors import HostError, RcjError, format_error, is_of_the_host
+from rcj_challenges.core.play import Fault
+from rcj_challenges.core.streams import stream_seed
+from rcj_challenges.core.timing import s_from_ticks
+from rcj_challenges.core.traffic import Observation, Request
 
 CLEAN_UP_S = 1.0
 """How long a program may go on after its ``step`` returned -1 (reference, section 3)."""

@@ -15,10 +15,10 @@ from struct import Struct
 from struct import error as StructError  # noqa: N812 - the standard library's name is too plain to be read alone
 from typing import Any
 
+from rcj_challenges.core.amounts import counted
+from rcj_challenges.core.timing import TICK_MS
+from rcj_challenges.core.traffic import MotorCommand, Observation, Packet, Request, RobotSpec
 from rcj_challenges.devices import device_of_class
-from rcj_challenges.facts.amounts import counted
-from rcj_challenges.facts.timing import TICK_MS
-from rcj_challenges.facts.traffic import MotorCommand, Observation, Packet, Request, RobotSpec
 
 PROTOCOL_VERSION = 1
 HELLO, OBSERVATION, REQUEST, FAULT = 0x48, 0x4F, 0x52, 0x46

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Literal
 
 from rcj_challenges.controllers.disk_names import from_disk
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.sanitize import sanitize
 
 Level = Literal["passed", "warning", "failure"]
 

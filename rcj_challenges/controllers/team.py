@@ -22,8 +22,8 @@ from rcj_challenges.controllers.team_name import (
     may_be_name_file,
     safe_name,
 )
-from rcj_challenges.facts.errors import format_error, is_of_the_host
-from rcj_challenges.facts.likeness import MAX_COMPARED, nearest_name
+from rcj_challenges.core.errors import format_error, is_of_the_host
+from rcj_challenges.core.likeness import MAX_COMPARED, nearest_name
 from rcj_challenges.scenario.models.robots import Entrant, EntryPoints
 
 __all__ = ["MAX_NAME_LETTERS", "Opening", "Team", "TeamError", "alternatives", "look_into", "open_team", "safe_name"]

@@ -9,7 +9,7 @@ from pathlib import PurePosixPath
 
 from rcj_challenges.controllers.archive import Files
 from rcj_challenges.controllers.submission_problems import Problem, safe_text
-from rcj_challenges.facts.likeness import likeness_of
+from rcj_challenges.core.likeness import likeness_of
 
 MAX_NAME_LETTERS = 32
 """A team's name has at most 32 characters (reference, section 7)."""

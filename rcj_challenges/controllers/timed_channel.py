@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from rcj_challenges.controllers import pipes, tasks
 from rcj_challenges.controllers.pipes import Channel, ChannelClosedError, FrameTooLongError
 from rcj_challenges.controllers.time_budget import MEASURED_AFTER_S, TimeBudget
-from rcj_challenges.facts.errors import HostError
+from rcj_challenges.core.errors import HostError
 
 
 class TimedChannel:

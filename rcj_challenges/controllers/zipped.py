@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rcj_challenges.controllers.submission_problems import Problem, Problems, safe_text
-from rcj_challenges.facts.amounts import counted
+from rcj_challenges.core.amounts import counted
 
 MAX_ENTRIES = 10_000
 """How many entries of an archive are read; no team needs tens of thousands of files."""

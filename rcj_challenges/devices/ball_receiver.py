@@ -3,13 +3,13 @@
 import math
 from typing import Any, Literal, cast
 
+from rcj_challenges.core.play import HalfInfo
+from rcj_challenges.core.traffic import Packet
 from rcj_challenges.devices.base import Carrier, Fitted, Phrases
 from rcj_challenges.devices.noise import Noise
 from rcj_challenges.devices.poses import Vector
 from rcj_challenges.devices.receivers import ANY_CHANNEL, Receiver, ReceiverDevice
 from rcj_challenges.devices.wording import noise_words, percent_words
-from rcj_challenges.facts.play import HalfInfo
-from rcj_challenges.facts.traffic import Packet
 from rcj_challenges.rules.fields import NotNegative, Positive, described
 from rcj_challenges.rules.phrasing import degrees, metres
 

@@ -10,9 +10,9 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple, Protocol, Self
 
+from rcj_challenges.core.play import HalfInfo
+from rcj_challenges.core.traffic import DeviceSpec
 from rcj_challenges.devices.poses import RobotPose, Vector
-from rcj_challenges.facts.play import HalfInfo
-from rcj_challenges.facts.traffic import DeviceSpec
 from rcj_challenges.rules.base import Vocabulary, Word
 
 if TYPE_CHECKING:

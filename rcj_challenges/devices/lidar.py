@@ -4,11 +4,11 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.devices.base import Carrier, Device, Fitted, Phrases, Sensor, SensorContext
 from rcj_challenges.devices.noise import Noise
 from rcj_challenges.devices.poses import RobotPose
 from rcj_challenges.devices.wording import noise_words, order_words
-from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.rules.fields import NotNegative, Positive, described
 from rcj_challenges.rules.phrasing import counted, degrees, metres
 

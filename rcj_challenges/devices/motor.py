@@ -4,8 +4,8 @@ import math
 from collections.abc import Sequence
 from typing import Any, Literal
 
+from rcj_challenges.core.traffic import MotorCommand
 from rcj_challenges.devices.base import Carrier, Device, Fitted, Phrases, Wheels
-from rcj_challenges.facts.traffic import MotorCommand
 from rcj_challenges.rules.fields import OneOrMinusOne, described
 
 _BY_VELOCITY = math.inf

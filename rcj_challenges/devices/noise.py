@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Self
 
-from rcj_challenges.facts.play import HalfInfo
-from rcj_challenges.facts.streams import stream_seed
+from rcj_challenges.core.play import HalfInfo
+from rcj_challenges.core.streams import stream_seed
 
 if TYPE_CHECKING:
     import numpy as np

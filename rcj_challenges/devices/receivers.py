@@ -2,8 +2,8 @@
 
 from collections.abc import Callable
 
+from rcj_challenges.core.traffic import Packet
 from rcj_challenges.devices.base import Device
-from rcj_challenges.facts.traffic import Packet
 
 ANY_CHANNEL = -1
 """What a receiver is set to that hears all channels of its kind (Webots: -1): those of its team and the referee's, or

@@ -3,9 +3,9 @@
 from collections import deque
 from typing import Any, Literal
 
+from rcj_challenges.core.timing import TICK_MS, TICK_S
 from rcj_challenges.devices.base import Carrier, Device, Phrases
 from rcj_challenges.devices.receivers import ANY_CHANNEL
-from rcj_challenges.facts.timing import TICK_MS, TICK_S
 from rcj_challenges.rules.fields import Positive, described
 from rcj_challenges.rules.phrasing import counted, metres
 

@@ -7,9 +7,9 @@ from functools import partial
 from math import isclose
 from typing import Any
 
-from rcj_challenges.facts.amounts import counted
-from rcj_challenges.facts.play import Event
-from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.core.amounts import counted
+from rcj_challenges.core.play import Event
+from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.models.scenario import Expectation, ExpectedEvent
 

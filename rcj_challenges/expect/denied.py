@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Container, Iterable, Mapping
 from typing import NamedTuple
 
-from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.rules.actions import AnyAction
 from rcj_challenges.rules.actions.count import Count
 from rcj_challenges.rules.actions.emit import Emit

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Container, Iterable, Iterator
 
-from rcj_challenges.facts.play import Placement
-from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.core.play import Placement
+from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.referee.zones import region_of
 from rcj_challenges.rules.actions.emit import Emit
 from rcj_challenges.rules.triggers.enters import Enters

@@ -7,13 +7,13 @@ from dataclasses import dataclass, replace
 from math import hypot
 from typing import Any, Protocol
 
+from rcj_challenges.core.amounts import counted, round_score, times
+from rcj_challenges.core.measures import number_words
+from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.expect.compare import difference, equal, event_differences, sent_difference
 from rcj_challenges.expect.denied import Wanted, denied_condition_notes
 from rcj_challenges.expect.put_inside import put_inside_notes
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
-from rcj_challenges.facts.amounts import counted, round_score, times
-from rcj_challenges.facts.measures import number_words
-from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.ranking import Tally, ranking
 from rcj_challenges.rules.actions.end import End

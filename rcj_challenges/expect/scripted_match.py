@@ -6,9 +6,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from rcj_challenges.core.play import Event, Fault, Firing, HalfInfo, Placement, Pose2, RefereeOutput, Snapshot
+from rcj_challenges.core.timing import SUBSTEPS_PER_TICK, ticks_from_s
 from rcj_challenges.expect.wrong_way import WrongWays
-from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Pose2, RefereeOutput, Snapshot
-from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK, ticks_from_s
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.state import float32
 from rcj_challenges.scenario.draw_order import Series

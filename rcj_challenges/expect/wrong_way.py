@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 from typing import NamedTuple
 
-from rcj_challenges.facts.play import Pose2
-from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.core.play import Pose2
+from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.geometry.regions import crossing
 from rcj_challenges.rules.fields import Names
 from rcj_challenges.rules.triggers.crosses import Crosses

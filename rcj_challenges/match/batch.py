@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from rcj_challenges.facts.errors import format_error
+from rcj_challenges.core.errors import format_error
 from rcj_challenges.match.worker_pool import Attempt, python_command, run_all
 
 _WRONG_INPUT = 2

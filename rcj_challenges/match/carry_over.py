@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from rcj_challenges.facts.amounts import Score
-from rcj_challenges.facts.play import HalfInfo
-from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.core.amounts import Score
+from rcj_challenges.core.play import HalfInfo
+from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.referee.ranking import Tally, ranking
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.seats import by_team

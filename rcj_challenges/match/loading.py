@@ -7,7 +7,7 @@ from collections.abc import Callable
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from rcj_challenges.facts.errors import HostError, interruption_behind
+from rcj_challenges.core.errors import HostError, interruption_behind
 from rcj_challenges.windows_runtime import PACKAGE
 
 if TYPE_CHECKING:

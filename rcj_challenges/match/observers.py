@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from rcj_challenges.facts.play import Event, Fault, HalfInfo, RefereeOutput, Snapshot
+from rcj_challenges.core.play import Event, Fault, HalfInfo, RefereeOutput, Snapshot
 from rcj_challenges.records.sensors import SensedRobot, SensorListener
 
 

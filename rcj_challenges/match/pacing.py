@@ -7,8 +7,8 @@ from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 from rcj_challenges.controllers.crew import Crew
-from rcj_challenges.facts.play import HalfInfo, RefereeOutput, Snapshot
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.core.play import HalfInfo, RefereeOutput, Snapshot
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.match.observers import Observer, Progress
 from rcj_challenges.records.writer import RecordWriter
 

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.facts.play import Event, HalfInfo
-from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.play import Event, HalfInfo
+from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.match.carry_over import CarryOver
 from rcj_challenges.match.loop import should_continue
 from rcj_challenges.records.lines import json_line

@@ -13,10 +13,10 @@ from rcj_challenges.controllers.isolation import active_layers
 from rcj_challenges.controllers.program import Program
 from rcj_challenges.controllers.super_team import SuperTeam
 from rcj_challenges.controllers.team import Team
-from rcj_challenges.facts.errors import format_error, interruption_behind
-from rcj_challenges.facts.play import HalfInfo
-from rcj_challenges.facts.timing import ticks_from_s
-from rcj_challenges.facts.traffic import RobotSpec
+from rcj_challenges.core.errors import format_error, interruption_behind
+from rcj_challenges.core.play import HalfInfo
+from rcj_challenges.core.timing import ticks_from_s
+from rcj_challenges.core.traffic import RobotSpec
 from rcj_challenges.match.carry_over import CarryOver
 from rcj_challenges.match.loading import load_stage
 from rcj_challenges.match.loop import LoopResult, TickLoop

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from rcj_challenges.facts.play import HalfInfo
+from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.match.loop import Driver
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.robots.fitting import fit, fixed_rays

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from rcj_challenges.facts.play import HalfInfo, Pose2, RefereeOutput, Snapshot
-from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.core.play import HalfInfo, Pose2, RefereeOutput, Snapshot
+from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.match.observers import NullObserver
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster

@@ -18,7 +18,7 @@ from typing import Any
 
 from pydantic import BaseModel
 
-from rcj_challenges.facts.play import Event
+from rcj_challenges.core.play import Event
 from rcj_challenges.records.lines import canonical
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.scenario.models.scenario import Scenario

@@ -6,9 +6,9 @@ import errno
 from pathlib import Path
 from typing import Self
 
-from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.facts.errors import HostError, format_error, is_held
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.errors import HostError, format_error, is_held
+from rcj_challenges.core.sanitize import sanitize
 
 
 class RecordError(DiagnosticError):

@@ -11,8 +11,8 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, BinaryIO
 
-from rcj_challenges.facts.errors import format_error, is_held
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.errors import format_error, is_held
+from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.records.errors import RecordError
 
 RECORD_VERSION = 2

@@ -11,7 +11,7 @@ import zlib
 from collections.abc import Iterator, Mapping
 from pathlib import Path, PurePosixPath
 
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.core.errors import RcjError
 
 MAX_LOGO_BYTES = 1_000_000
 """Size limit in a record, because the logo is on every page of the run."""

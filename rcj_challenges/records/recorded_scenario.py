@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.facts.errors import format_error
+from rcj_challenges.core.errors import format_error
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import SCENARIO, UNRESOLVED, read_file
 from rcj_challenges.records.lines import parsed

@@ -8,9 +8,9 @@ from itertools import groupby
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.facts.amounts import Score, counted
-from rcj_challenges.facts.changes import Change, CountersChange, HeldChange, PhaseChange, ScoreChange
-from rcj_challenges.facts.play import Event, Firing
+from rcj_challenges.core.amounts import Score, counted
+from rcj_challenges.core.changes import Change, CountersChange, HeldChange, PhaseChange, ScoreChange
+from rcj_challenges.core.play import Event, Firing
 from rcj_challenges.records.folder import REFEREE_LOG, read_file
 from rcj_challenges.records.lines import json_line, number_or_none, parsed
 from rcj_challenges.records.reflog import event_line

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from rcj_challenges.facts.play import Event, Fault, RefereeOutput, Snapshot
-from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.core.play import Event, Fault, RefereeOutput, Snapshot
+from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.records.lines import json_line
 
 PROGRAM_FAULT = "PROGRAM_FAULT"

@@ -12,8 +12,8 @@ from typing import Annotated, Any
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from rcj_challenges.facts.amounts import Score
-from rcj_challenges.facts.errors import format_error
+from rcj_challenges.core.amounts import Score
+from rcj_challenges.core.errors import format_error
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import RESULT, check_version, read_file
 from rcj_challenges.records.lines import parsed

@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import SCENARIO, TRAJECTORY
 from rcj_challenges.records.recorded_scenario import read_scenario

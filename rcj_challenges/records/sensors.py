@@ -21,8 +21,8 @@ from typing import Any, Protocol, Self
 import numpy as np
 import numpy.typing as npt
 
+from rcj_challenges.core.traffic import DeviceSpec, MotorCommand, Observation, RobotSpec
 from rcj_challenges.devices import device_of_class
-from rcj_challenges.facts.traffic import DeviceSpec, MotorCommand, Observation, RobotSpec
 from rcj_challenges.records.chunks import ChunkWriter, read_chunks
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import SENSORS

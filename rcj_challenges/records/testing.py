@@ -10,10 +10,10 @@ from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 
-from rcj_challenges.facts.amounts import Score, round_score
-from rcj_challenges.facts.changes import ChangeTracker
-from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, Pose2, RefereeOutput, Snapshot
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.core.amounts import Score, round_score
+from rcj_challenges.core.changes import ChangeTracker
+from rcj_challenges.core.play import Event, Fault, Firing, HalfInfo, Placement, Pose2, RefereeOutput, Snapshot
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.records.writer import RecordWriter, RunHeader
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.seats import teams_by_seat

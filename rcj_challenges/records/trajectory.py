@@ -20,9 +20,9 @@ import numpy as np
 import numpy.typing as npt
 from pydantic import TypeAdapter
 
-from rcj_challenges.facts.errors import format_error
-from rcj_challenges.facts.play import Fault, HalfInfo, Placement, Snapshot
-from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK
+from rcj_challenges.core.errors import format_error
+from rcj_challenges.core.play import Fault, HalfInfo, Placement, Snapshot
+from rcj_challenges.core.timing import SUBSTEPS_PER_TICK
 from rcj_challenges.records.chunks import ChunkWriter, read_chunks
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import TRAJECTORY

@@ -10,10 +10,10 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
 
-from rcj_challenges.facts.amounts import Score
-from rcj_challenges.facts.changes import Change, ScoreChange
-from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, RefereeOutput, Snapshot
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.core.amounts import Score
+from rcj_challenges.core.changes import Change, ScoreChange
+from rcj_challenges.core.play import Event, Fault, Firing, HalfInfo, RefereeOutput, Snapshot
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.records.digest import StatesDigest, inputs_digest, run_digest
 from rcj_challenges.records.folder import (
     LOGS,

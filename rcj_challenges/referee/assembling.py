@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.referee.binding import RuleBinder
 from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.scenario.models.scenario import Rule

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rcj_challenges.facts.play import Pose2
+from rcj_challenges.core.play import Pose2
 from rcj_challenges.scenario.models.field import FieldModel
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.outlines import (

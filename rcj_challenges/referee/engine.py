@@ -10,10 +10,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from rcj_challenges.facts.changes import Change, ChangeTracker
-from rcj_challenges.facts.messages import number_in
-from rcj_challenges.facts.play import Event, Fault, HalfInfo, Placement, RefereeOutput, Snapshot
-from rcj_challenges.facts.play import Firing as FiringRecord
+from rcj_challenges.core.changes import Change, ChangeTracker
+from rcj_challenges.core.messages import number_in
+from rcj_challenges.core.play import Event, Fault, HalfInfo, Placement, RefereeOutput, Snapshot
+from rcj_challenges.core.play import Firing as FiringRecord
 from rcj_challenges.referee.assembling import assemble
 from rcj_challenges.referee.broadcasting import Broadcasting
 from rcj_challenges.referee.compiling import CompileContext

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import random
 
-from rcj_challenges.facts.play import Pose2
+from rcj_challenges.core.play import Pose2
 from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.placement import PlacementJob, PlacementSpec
 from rcj_challenges.referee.placement_board import PlacementBoard

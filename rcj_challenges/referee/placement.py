@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from math import sqrt
 from typing import TYPE_CHECKING
 
-from rcj_challenges.facts.play import Placement, Pose2
+from rcj_challenges.core.play import Placement, Pose2
 from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.placement_board import PlacementBoard
 from rcj_challenges.referee.state import State, float32

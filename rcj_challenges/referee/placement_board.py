@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rcj_challenges.facts.play import Pose2
+from rcj_challenges.core.play import Pose2
 from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.state import State
 from rcj_challenges.tracking.places import Point

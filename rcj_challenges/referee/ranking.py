@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from rcj_challenges.facts.amounts import Score, clamp_to_max, round_score
+from rcj_challenges.core.amounts import Score, clamp_to_max, round_score
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Scenario
 
 

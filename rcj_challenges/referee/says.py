@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rcj_challenges.facts.amounts import round_score
+from rcj_challenges.core.amounts import round_score
 from rcj_challenges.referee.state import State
 from rcj_challenges.rules.values.word import team_name_of
 from rcj_challenges.scenario.placeholders import counted

@@ -5,9 +5,9 @@ from __future__ import annotations
 import struct
 from collections.abc import Mapping, Sequence
 
-from rcj_challenges.facts.amounts import plain, round_score
-from rcj_challenges.facts.play import HalfInfo
-from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
+from rcj_challenges.core.amounts import plain, round_score
+from rcj_challenges.core.play import HalfInfo
+from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.rules.values import Lasts, duration_s
 from rcj_challenges.scenario.draw_order import Series, drawable, series_of

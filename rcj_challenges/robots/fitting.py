@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from rcj_challenges.core.traffic import DeviceSpec, RobotSpec
 from rcj_challenges.devices.base import Carrier, Fitted, FixedRay
 from rcj_challenges.devices.supervisor_receiver import SupervisorReceiverDevice
-from rcj_challenges.facts.traffic import DeviceSpec, RobotSpec
 from rcj_challenges.robots.channels import listening_channels, team_channels
 from rcj_challenges.scenario.kit_devices import devices_of
 from rcj_challenges.scenario.models.scenario import Scenario

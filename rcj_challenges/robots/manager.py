@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from rcj_challenges.core.play import HalfInfo, RefereeOutput
+from rcj_challenges.core.traffic import Observation, Request, RobotSpec
 from rcj_challenges.devices.base import Device, Fitted, Sensor, SensorContext
 from rcj_challenges.devices.motor import Motors
 from rcj_challenges.devices.receivers import TRIM_EVERY_TICKS, Queue
-from rcj_challenges.facts.play import HalfInfo, RefereeOutput
-from rcj_challenges.facts.traffic import Observation, Request, RobotSpec
 from rcj_challenges.robots.fitting import driven_robots, fit, robot_specs
 from rcj_challenges.robots.radio_hub import RadioHub
 from rcj_challenges.robots.sensors import RobotSensors

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from rcj_challenges.core.messages import message_text
+from rcj_challenges.core.play import HalfInfo, RefereeOutput
 from rcj_challenges.devices.ball_receiver import BallReceiver, BallReceiverDevice
 from rcj_challenges.devices.base import Fitted, Rays
 from rcj_challenges.devices.receivers import TRIM_EVERY_TICKS, Queue, Receiver, ReceiverDevice
 from rcj_challenges.devices.supervisor_receiver import SupervisorReceiverDevice
 from rcj_challenges.devices.team_emitter import Emitter, TeamEmitterDevice
-from rcj_challenges.facts.messages import message_text
-from rcj_challenges.facts.play import HalfInfo, RefereeOutput
 from rcj_challenges.robots.channels import entrant_of
 from rcj_challenges.robots.infrared import Infrared
 from rcj_challenges.robots.referee_radio import RefereeRadio

@@ -7,9 +7,9 @@ import struct
 from collections.abc import Callable, Iterator
 from typing import Any
 
+from rcj_challenges.core.play import RefereeOutput
+from rcj_challenges.core.traffic import Packet
 from rcj_challenges.devices.receivers import ANY_CHANNEL, Receiver
-from rcj_challenges.facts.play import RefereeOutput
-from rcj_challenges.facts.traffic import Packet
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world.poses import Poses

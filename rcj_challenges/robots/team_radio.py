@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
+from rcj_challenges.core.traffic import Packet
 from rcj_challenges.devices.receivers import ANY_CHANNEL, Receiver
 from rcj_challenges.devices.team_emitter import Emitter
-from rcj_challenges.facts.traffic import Packet
 from rcj_challenges.world.poses import Poses
 
 

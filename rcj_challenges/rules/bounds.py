@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Any, Protocol
 
-from rcj_challenges.facts.amounts import plain
+from rcj_challenges.core.amounts import plain
 from rcj_challenges.rules.phrasing import number
 from rcj_challenges.tracking.state import Number
 

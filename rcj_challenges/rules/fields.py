@@ -16,8 +16,8 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError, PydanticKnownError
 
-from rcj_challenges.facts.colours import hex_colour
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.core.colours import hex_colour
+from rcj_challenges.core.timing import TICK_S
 
 
 class Strict(BaseModel):

@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, StringConstraints
 
-from rcj_challenges.facts.messages import MAX_LETTERS, READS, matches_text
+from rcj_challenges.core.messages import MAX_LETTERS, READS, matches_text
 from rcj_challenges.rules.fields import Scalar, Strict, described
 from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import listed, number

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from itertools import islice
 
-from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError, InFile
-from rcj_challenges.facts.likeness import MAX_COMPARED, nearest_name
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError, InFile
+from rcj_challenges.core.likeness import MAX_COMPARED, nearest_name
 
 MAX_FOUND = 300
 """How many mistakes a search collects before it stops: more would not help, and cost time."""

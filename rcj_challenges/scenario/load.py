@@ -14,7 +14,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from rcj_challenges.facts.diagnostics import Diagnostic
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.scenario.checks.run import check
 from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.errors import ScenarioError, place_of

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from rcj_challenges.facts.amounts import round_score
-from rcj_challenges.facts.measures import number_words
+from rcj_challenges.core.amounts import round_score
+from rcj_challenges.core.measures import number_words
 from rcj_challenges.rules.actions.score import Score
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.models.scenario import Rule, Scenario

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rcj_challenges.facts.amounts import Score
+from rcj_challenges.core.amounts import Score
 from rcj_challenges.scenario.models.scenario import Scenario
 
 

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from rcj_challenges.facts.diagnostics import Diagnostic, InFile
+from rcj_challenges.core.diagnostics import Diagnostic, InFile
 from rcj_challenges.scenario.errors import ScenarioError, cut
 
 RESOLVED = "resolved scenario"

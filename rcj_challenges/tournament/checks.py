@@ -9,7 +9,7 @@ from datetime import datetime
 from pathlib import Path
 from zoneinfo import ZoneInfo
 
-from rcj_challenges.facts.diagnostics import Diagnostic
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.tree import Entries, Step, in_names, mark_of
 from rcj_challenges.tournament.entries import TeamEntry
@@ -27,7 +27,7 @@ from rcj_challenges.tournament.models import (
 )
 from rcj_challenges.tournament.scenarios import ScenarioInfo, ScenarioNames, ScenarioUse
 from rcj_challenges.tournament.season import Team
-from rcj_challenges.tournament.sizes import StageSize, cuts, stage_sizes
+from rcj_challenges.tournament.stage_sizes import StageSize, cuts, stage_sizes
 
 
 def check(

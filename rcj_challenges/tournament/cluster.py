@@ -14,9 +14,9 @@ from dataclasses import dataclass, field
 from types import TracebackType
 from typing import TYPE_CHECKING, Self
 
-from rcj_challenges.facts.amounts import counted
-from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.amounts import counted
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.tournament import cluster_worker
 from rcj_challenges.tournament.executor import POLL_INTERVAL_S, JobOutcome
 from rcj_challenges.tournament.jobs import MatchJob, Workplace

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 from uuid import uuid4
 
-from rcj_challenges.facts.errors import format_error
+from rcj_challenges.core.errors import format_error
 from rcj_challenges.records.result import versions
 from rcj_challenges.tournament.executor import JobOutcome, LocalExecutor
 from rcj_challenges.tournament.jobs import MatchJob, Workplace

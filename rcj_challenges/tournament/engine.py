@@ -16,7 +16,7 @@ from rcj_challenges.tournament.models import Challenge, FromModel, KnockOut, Rou
 from rcj_challenges.tournament.scenarios import ScenarioNames
 from rcj_challenges.tournament.season import Outcome, Row, SeasonState, StageState, Status, Team
 from rcj_challenges.tournament.seeds import lot
-from rcj_challenges.tournament.sizes import cuts, stage_sizes
+from rcj_challenges.tournament.stage_sizes import cuts, stage_sizes
 
 
 class Season:

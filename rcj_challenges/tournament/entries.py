@@ -10,8 +10,8 @@ from dataclasses import dataclass, field, replace
 from hashlib import sha256
 from pathlib import Path
 
-from rcj_challenges.facts.diagnostics import Diagnostic
-from rcj_challenges.facts.errors import format_error
+from rcj_challenges.core.diagnostics import Diagnostic
+from rcj_challenges.core.errors import format_error
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.resources import teams_folder
 from rcj_challenges.scenario.tree import Entries, mark_of

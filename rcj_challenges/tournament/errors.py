@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError, InFile
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError, InFile
 from rcj_challenges.scenario import errors
 from rcj_challenges.scenario.tree import Mark
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from rcj_challenges.controllers.team import TeamError, open_team
-from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.records.result import has_time_fault, versions
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.tournament.jobs import MatchJob, Program, Workplace, entrants_of

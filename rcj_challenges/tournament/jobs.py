@@ -9,8 +9,8 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, Self
 
-from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.facts.errors import format_error
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.errors import format_error
 from rcj_challenges.records.digest import given_values
 from rcj_challenges.records.folder import replaced
 from rcj_challenges.records.lines import canonical, parsed

@@ -8,8 +8,8 @@ from pathlib import Path
 
 from pydantic import ValidationError
 
-from rcj_challenges.facts.diagnostics import Diagnostic
-from rcj_challenges.facts.errors import format_error
+from rcj_challenges.core.diagnostics import Diagnostic
+from rcj_challenges.core.errors import format_error
 from rcj_challenges.match.samples import sample_team
 from rcj_challenges.scenario.errors import ScenarioError, listing
 from rcj_challenges.scenario.halves import half_lengths_s

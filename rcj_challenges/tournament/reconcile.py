@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 
-from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.tournament.fixtures import JobMaker
 from rcj_challenges.tournament.jobs import Workplace
 from rcj_challenges.tournament.opened import OpenTournament, later_stages, sides_of

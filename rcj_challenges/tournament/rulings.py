@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
 
-from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.tournament.models import LostBy
 from rcj_challenges.tournament.opened import WITHDRAWN, OpenTournament, later_stages, sides_of
 from rcj_challenges.tournament.played import RulingKind

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.tracking.bound_rules import TriggerBinding
 
 _DECIMALS = 9

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import cos, sin
 
-from rcj_challenges.facts.play import Pose2
+from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.polygons import distance_to_segment_m
 from rcj_challenges.geometry.regions import NOWHERE, Cell, box_around, crossing
 from rcj_challenges.tracking.state import RefereeState

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
-from rcj_challenges.facts.play import Pose2
+from rcj_challenges.core.play import Pose2
 
 Point = tuple[float, float]
 

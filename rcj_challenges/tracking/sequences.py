@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from rcj_challenges.facts.play import Pose2
-from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.core.play import Pose2
+from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.geometry.regions import EVERYWHERE, Cell, Region, common_cell
 from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding
 from rcj_challenges.tracking.gates import GateLine

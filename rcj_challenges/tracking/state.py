@@ -6,9 +6,9 @@ import random
 from dataclasses import dataclass
 from math import sqrt
 
-from rcj_challenges.facts.amounts import round_score
-from rcj_challenges.facts.play import HalfInfo, Pose2
-from rcj_challenges.facts.streams import random_stream, stream_seed
+from rcj_challenges.core.amounts import round_score
+from rcj_challenges.core.play import HalfInfo, Pose2
+from rcj_challenges.core.streams import random_stream, stream_seed
 from rcj_challenges.tracking.held import Held
 
 Number = int | float

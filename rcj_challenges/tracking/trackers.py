@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from rcj_challenges.facts.play import Pose2
+from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.regions import EVERYWHERE, Cell, common_cell
 from rcj_challenges.tracking.bound_rules import TriggerBinding
 from rcj_challenges.tracking.state import RefereeState

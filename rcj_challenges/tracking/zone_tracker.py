@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rcj_challenges.facts.play import Pose2
+from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.regions import Cell, Region
 from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding
 from rcj_challenges.tracking.state import RefereeState

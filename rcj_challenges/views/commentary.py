@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from rcj_challenges.facts.amounts import Score
-from rcj_challenges.facts.measures import number_words
-from rcj_challenges.facts.play import HalfInfo, RefereeOutput
-from rcj_challenges.facts.sanitize import sanitize
-from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.core.amounts import Score
+from rcj_challenges.core.measures import number_words
+from rcj_challenges.core.play import HalfInfo, RefereeOutput
+from rcj_challenges.core.sanitize import sanitize
+from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.naming import distinct_names
 from rcj_challenges.views.payloads import extra_payload_text

@@ -9,8 +9,8 @@ from collections.abc import Iterable
 from rich.console import Console, ConsoleOptions, RenderableType
 from rich.segment import Segment
 
-from rcj_challenges.facts.letters import READABLE
-from rcj_challenges.facts.sanitize import sanitize_lines
+from rcj_challenges.core.letters import READABLE
+from rcj_challenges.core.sanitize import sanitize_lines
 
 
 class PatientConsole(Console):

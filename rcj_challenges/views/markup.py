@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 
-from rcj_challenges.facts.sanitize import sanitize_lines
+from rcj_challenges.core.sanitize import sanitize_lines
 
 
 def escaped(text: str) -> str:

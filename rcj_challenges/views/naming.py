@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping
 
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.records.result import RunResult
 from rcj_challenges.scenario.models.scenario import Scenario
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from rcj_challenges.facts.colours import hex_colour
+from rcj_challenges.core.colours import hex_colour
 
 Rgb = tuple[int, int, int]
 

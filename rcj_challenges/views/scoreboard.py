@@ -13,10 +13,10 @@ from rich.progress_bar import ProgressBar
 from rich.table import Table
 from rich.text import Text
 
-from rcj_challenges.facts.measures import measure_words, measured_words, number_words
-from rcj_challenges.facts.play import Fault, HalfInfo, RefereeOutput, Snapshot
-from rcj_challenges.facts.sanitize import sanitize
-from rcj_challenges.facts.timing import TICK_S, s_from_ticks
+from rcj_challenges.core.measures import measure_words, measured_words, number_words
+from rcj_challenges.core.play import Fault, HalfInfo, RefereeOutput, Snapshot
+from rcj_challenges.core.sanitize import sanitize
+from rcj_challenges.core.timing import TICK_S, s_from_ticks
 from rcj_challenges.match.observers import NullObserver, Observer, Progress
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Scenario
 from rcj_challenges.views.commentary import Commentator

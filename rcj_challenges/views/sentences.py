@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 
-from rcj_challenges.facts.play import Fault
-from rcj_challenges.facts.sanitize import sanitize
-from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.core.play import Fault
+from rcj_challenges.core.sanitize import sanitize
+from rcj_challenges.core.timing import s_from_ticks
 
 _WHERE = re.compile(r'File "(?:[^"]*[/\\])?([^"/\\]+)", line (\d+)')
 

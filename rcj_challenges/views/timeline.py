@@ -11,9 +11,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from rcj_challenges.facts.amounts import Score
-from rcj_challenges.facts.changes import Change, CountersChange, HeldChange, PhaseChange, ScoreChange
-from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo
+from rcj_challenges.core.amounts import Score
+from rcj_challenges.core.changes import Change, CountersChange, HeldChange, PhaseChange, ScoreChange
+from rcj_challenges.core.play import Event, Fault, Firing, HalfInfo
 from rcj_challenges.records.referee_log import RefereeLog
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.records.trajectory import HalfTrack

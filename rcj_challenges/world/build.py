@@ -6,7 +6,7 @@ from itertools import combinations
 
 import mujoco
 
-from rcj_challenges.facts.timing import SUBSTEP_S
+from rcj_challenges.core.timing import SUBSTEP_S
 from rcj_challenges.scenario.models.field import Box, Cylinder, Wall
 from rcj_challenges.scenario.models.robots import Chassis
 from rcj_challenges.scenario.models.scenario import Scenario

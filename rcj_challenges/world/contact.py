@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from rcj_challenges.facts.timing import SUBSTEP_S
+from rcj_challenges.core.timing import SUBSTEP_S
 from rcj_challenges.scenario.models.field import Ball
 from rcj_challenges.scenario.models.robots import Chassis
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.core.errors import RcjError
 
 
 class PhysicsFault(RcjError):  # noqa: N818 - a fault of the match, as a program's Fault is

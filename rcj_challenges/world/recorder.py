@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from rcj_challenges.facts.play import Fault, Pose2, Snapshot
-from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK
+from rcj_challenges.core.play import Fault, Pose2, Snapshot
+from rcj_challenges.core.timing import SUBSTEPS_PER_TICK
 from rcj_challenges.world.tables import NO_THING, ROBOT_YAW, WorldTables, one_by_one
 
 Touches = tuple[tuple[int, int], ...]

@@ -9,9 +9,9 @@ from typing import Any
 import mujoco
 import numpy as np
 
+from rcj_challenges.core.play import Fault, Placement, Snapshot
+from rcj_challenges.core.timing import SUBSTEPS_PER_TICK
 from rcj_challenges.devices.base import FixedRay, Side
-from rcj_challenges.facts.play import Fault, Placement, Snapshot
-from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.start_poses import start_pose

@@ -22,7 +22,7 @@ from rcj_challenges.checker.many_given import called
 from rcj_challenges.checker.report import check_report, schema_text, summary, verdict
 from rcj_challenges.checker.report_html import html_page
 from rcj_challenges.checker.report_text import print_report
-from rcj_challenges.facts.errors import HostError
+from rcj_challenges.core.errors import HostError
 from rcj_challenges.records.errors import RecordError, UnwritableError
 from rcj_challenges.scenario.load import load
 from rcj_challenges.world.errors import PhysicsFault

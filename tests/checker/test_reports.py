@@ -32,7 +32,7 @@ from rcj_challenges.checker.report import (
 )
 from rcj_challenges.checker.report_html import html_page
 from rcj_challenges.checker.report_text import print_report
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.sanitize import sanitize
 
 PNG = base64.b64decode(
     "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="

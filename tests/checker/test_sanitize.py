@@ -7,7 +7,7 @@ import unicodedata
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.facts.sanitize import MAX_LETTERS, sanitize, sanitize_block
+from rcj_challenges.core.sanitize import MAX_LETTERS, sanitize, sanitize_block
 
 ANYTHING = st.text(st.characters(codec=None, categories=None))
 

@@ -18,7 +18,7 @@ from rcj_challenges.cli.new import StarterError
 from rcj_challenges.cli.output_paths import OutputError
 from rcj_challenges.cli.sheet import sheet as write_sheet
 from rcj_challenges.cli.stdio import shell_quoted
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.core.errors import RcjError
 from rcj_challenges.scenario.load import load
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 from rcj_challenges.checker import many
 from rcj_challenges.checker.report import schema_text
 from rcj_challenges.cli.check import CheckCommand, CheckUsageError, check_submissions, submissions
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.core.errors import RcjError
 from tests.cli.in_this_process import one_after_the_other
 
 COMMAND = [sys.executable, "-m", "rcj_challenges", "check"]

@@ -18,7 +18,7 @@ import pytest
 from rcj_challenges.checker import many
 from rcj_challenges.checker.report import schema_text
 from rcj_challenges.cli.check import CheckUsageError
-from rcj_challenges.facts.errors import HostError
+from rcj_challenges.core.errors import HostError
 from rcj_challenges.match.runner import MatchInterruptedError, PlayedMatch
 from tests.checker.small_team import PLAYER, write_team
 from tests.cli.in_this_process import one_after_the_other

@@ -5,7 +5,7 @@ from typer.testing import CliRunner
 
 from rcj_challenges.cli.app import app
 from rcj_challenges.cli.explain import explain
-from rcj_challenges.facts.diagnostics import DiagnosticError
+from rcj_challenges.core.diagnostics import DiagnosticError
 
 
 def call(*arguments: str):

@@ -7,7 +7,7 @@ import pytest
 
 from rcj_challenges.cli import judge as judge_command
 from rcj_challenges.cli.app import app
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.core.errors import RcjError
 from rcj_challenges.records.chunks import ChunkWriter, read_chunks
 
 GIFT = """\

@@ -7,7 +7,7 @@ import pytest
 from rcj_challenges.cli.app import app
 from rcj_challenges.cli.new import StarterError
 from rcj_challenges.controllers.debugging import PORT
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.core.errors import RcjError
 from tests.cli.in_this_process import here
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from rcj_challenges.cli.app import app
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.core.errors import RcjError
 from rcj_challenges.match import batch
 from rcj_challenges.match.batch import Job, Outcome
 from rcj_challenges.records.testing import write_made_up_run

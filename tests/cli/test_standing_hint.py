@@ -4,9 +4,9 @@ import json
 
 import pytest
 
+from rcj_challenges.core.play import Placement, RefereeOutput, Snapshot
+from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.expect.scripted_match import half_of
-from rcj_challenges.facts.play import Placement, RefereeOutput, Snapshot
-from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.match.standing import WATCHED_S, StandingObserver
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.roster import Roster

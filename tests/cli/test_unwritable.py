@@ -14,7 +14,7 @@ from types import SimpleNamespace
 import pytest
 
 from rcj_challenges.cli import new, stdio
-from rcj_challenges.facts.errors import HostError
+from rcj_challenges.core.errors import HostError
 from rcj_challenges.records.result import read_result
 from tests.cli.in_this_process import here
 

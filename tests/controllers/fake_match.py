@@ -10,8 +10,8 @@ from pathlib import Path
 from rcj_challenges.controllers.crew import Crew, CrewPlan
 from rcj_challenges.controllers.program import Program
 from rcj_challenges.controllers.team import Team, open_team
-from rcj_challenges.facts.play import Fault
-from rcj_challenges.facts.traffic import DeviceSpec, Observation, Packet, Request, RobotSpec
+from rcj_challenges.core.play import Fault
+from rcj_challenges.core.traffic import DeviceSpec, Observation, Packet, Request, RobotSpec
 from rcj_challenges.scenario.models.limits import Limits
 
 PROGRAMS = Path(__file__).parent.parent / "programs"

@@ -15,7 +15,7 @@ from fake_match import FakeMatch, robot_spec, values_at
 
 from rcj_challenges.controllers import isolation
 from rcj_challenges.controllers.pupil.controller import _landlock, _seccomp
-from rcj_challenges.facts.traffic import Observation, Request
+from rcj_challenges.core.traffic import Observation, Request
 
 needs_landlock = pytest.mark.skipif(not _landlock.is_available(), reason="this kernel has no Landlock")
 needs_seccomp = pytest.mark.skipif(not _seccomp.is_available(), reason="this kernel has no seccomp, or another machine")

@@ -18,7 +18,7 @@ from test_program_endings import exists, gone_within
 
 from rcj_challenges.controllers import bubblewrap, isolation, processes, sight
 from rcj_challenges.controllers.private_folders import PREFIX
-from rcj_challenges.facts.traffic import Observation
+from rcj_challenges.core.traffic import Observation
 
 installed = sys.platform == "linux" and bubblewrap.works(processes.python(), sight.readable())
 needs_bubblewrap = pytest.mark.skipif(not installed, reason="bubblewrap is not installed, or may not make name spaces")

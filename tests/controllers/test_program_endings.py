@@ -15,7 +15,7 @@ from fake_match import PROGRAMS, SPEC, FakeMatch, Played, play_on, robot_spec, v
 
 from rcj_challenges.controllers import isolation
 from rcj_challenges.controllers.crew import Crew, CrewPlan
-from rcj_challenges.facts.traffic import Observation, Request
+from rcj_challenges.core.traffic import Observation, Request
 from rcj_challenges.scenario.models.limits import Limits
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="by signals and process ids of POSIX")

@@ -14,7 +14,7 @@ from fake_match import FakeMatch, fault_of, robot_spec
 
 from rcj_challenges.controllers import pipes, processes
 from rcj_challenges.controllers.team import open_team
-from rcj_challenges.facts.play import Fault
+from rcj_challenges.core.play import Fault
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="POSIX only")
 

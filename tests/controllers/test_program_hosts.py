@@ -12,8 +12,8 @@ from fake_match import FakeMatch, fault_of, robot_spec, values_at
 
 from rcj_challenges.controllers import processes, scratch
 from rcj_challenges.controllers.private_folders import DiskFullError
-from rcj_challenges.facts.errors import HostError
-from rcj_challenges.facts.traffic import Observation, Request
+from rcj_challenges.core.errors import HostError
+from rcj_challenges.core.traffic import Observation, Request
 
 
 def test_a_temporary_folder_that_cannot_be_used_is_no_programs_fault(

@@ -15,9 +15,9 @@ from fake_match import FakeMatch, robot_spec, values_at
 
 from rcj_challenges.controllers import crew, isolation
 from rcj_challenges.controllers.program import Program
-from rcj_challenges.facts.errors import HostError
-from rcj_challenges.facts.play import Fault
-from rcj_challenges.facts.traffic import Observation
+from rcj_challenges.core.errors import HostError
+from rcj_challenges.core.play import Fault
+from rcj_challenges.core.traffic import Observation
 
 needs_linux = pytest.mark.skipif(sys.platform != "linux", reason="only Linux reports for how long a thread was ready")
 

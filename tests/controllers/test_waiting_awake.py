@@ -17,8 +17,8 @@ from hypothesis import strategies as st
 from rcj_challenges.controllers.cpu_policy import DEFAULT_SHARE, CpuShare, current_cpu
 from rcj_challenges.controllers.processes import PUPIL_FOLDER
 from rcj_challenges.controllers.program import Program
-from rcj_challenges.facts.play import Fault
-from rcj_challenges.facts.traffic import Observation
+from rcj_challenges.core.play import Fault
+from rcj_challenges.core.traffic import Observation
 
 sys.path.insert(0, str(PUPIL_FOLDER))  # before the package of the same name that editors read
 from controller import _wire  # type: ignore[import-not-found]  # the program's end, as programs import it

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from rcj_challenges.controllers.pipes import FrameBuffer, FrameTooLongError
 from rcj_challenges.controllers.processes import PUPIL_FOLDER
 from rcj_challenges.controllers.protocol import Codec, Ended, ProtocolError, hello_frame
-from rcj_challenges.facts.traffic import MotorCommand, Observation, Packet, Request
+from rcj_challenges.core.traffic import MotorCommand, Observation, Packet, Request
 
 sys.path.insert(0, str(PUPIL_FOLDER))  # before the package of the same name that editors read
 from controller import _boot, _connection, _wire  # type: ignore[import-not-found]  # the program's end, as programs import it

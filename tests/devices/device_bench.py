@@ -10,8 +10,8 @@ from typing import Any
 import yaml
 
 import rcj_challenges.scenario
-from rcj_challenges.facts.play import HalfInfo, Placement, RefereeOutput
-from rcj_challenges.facts.traffic import MotorCommand, Packet, Request
+from rcj_challenges.core.play import HalfInfo, Placement, RefereeOutput
+from rcj_challenges.core.traffic import MotorCommand, Packet, Request
 from rcj_challenges.robots.fitting import fit, fixed_rays
 from rcj_challenges.robots.manager import DeviceManager
 from rcj_challenges.scenario.models.scenario import Scenario

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.facts.traffic import Packet
+from rcj_challenges.core.traffic import Packet
 from tests.devices.device_bench import Bench
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from rcj_challenges.core.traffic import Packet
 from rcj_challenges.devices.noise import Noise
 from rcj_challenges.devices.receivers import QUEUE_BYTES, QUEUE_PACKETS, Queue
-from rcj_challenges.facts.traffic import Packet
 from tests.devices.device_bench import half
 
 

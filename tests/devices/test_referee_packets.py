@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from rcj_challenges.facts.play import RefereeOutput
+from rcj_challenges.core.play import RefereeOutput
 from tests.devices.device_bench import BLANK, WAITING, Bench
 
 RECEIVER = "supervisor receiver"

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from rcj_challenges.facts.traffic import Request
+from rcj_challenges.core.traffic import Request
 from rcj_challenges.robots.sampling import Schedule
 from tests.devices.device_bench import Bench
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from rcj_challenges.core.traffic import RobotSpec
 from rcj_challenges.devices.team_emitter import BACKLOG_BYTES, BACKLOG_PACKETS, Emitter
-from rcj_challenges.facts.traffic import RobotSpec
 from tests.devices.device_bench import Bench
 
 LISTENS = {

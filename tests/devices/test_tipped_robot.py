@@ -9,7 +9,7 @@ from typing import Any
 import mujoco
 import pytest
 
-from rcj_challenges.facts.traffic import Request
+from rcj_challenges.core.traffic import Request
 from rcj_challenges.robots.fitting import fit, fixed_rays
 from rcj_challenges.robots.manager import DeviceManager
 from rcj_challenges.scenario.roster import Roster

@@ -2,9 +2,9 @@
 
 import pytest
 
+from rcj_challenges.core.play import Event
 from rcj_challenges.expect.compare import event_differences
 from rcj_challenges.expect.runner import run_test
-from rcj_challenges.facts.play import Event
 from rcj_challenges.scenario.load import load_text
 from rcj_challenges.scenario.models.scenario import Expectation, ExpectedEvent
 from tests.scenario.writing import complaints

@@ -2,8 +2,8 @@
 
 import pytest
 
+from rcj_challenges.core.changes import CountersChange
 from rcj_challenges.expect.runner import run_test
-from rcj_challenges.facts.changes import CountersChange
 from rcj_challenges.scenario.load import load_text
 from tests.scenario.writing import complaints
 

@@ -7,7 +7,7 @@ import sys
 import pytest
 
 from rcj_challenges.controllers import crew
-from rcj_challenges.facts.errors import HostError
+from rcj_challenges.core.errors import HostError
 from tests.match.programs import AHEAD
 
 ONE_EXPENSIVE_STEP = """

@@ -5,9 +5,9 @@ from dataclasses import replace
 import pytest
 
 from rcj_challenges.controllers.cpu_policy import DEFAULT_SHARE, CpuPolicy, CpuShare
+from rcj_challenges.core.play import Fault
+from rcj_challenges.core.traffic import Request
 from rcj_challenges.expect.scripted_match import half_of
-from rcj_challenges.facts.play import Fault
-from rcj_challenges.facts.traffic import Request
 from rcj_challenges.match.loop import TickLoop
 from rcj_challenges.match.stage import build_stage
 from rcj_challenges.scenario.load import load

@@ -7,7 +7,7 @@ import re
 import pytest
 from rich.console import Console
 
-from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.records.sensors import read_sensors
 from rcj_challenges.scenario.load import load
 from rcj_challenges.views.replay import write_replay

@@ -8,7 +8,7 @@ import json
 import numpy as np
 import pytest
 
-from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.core.timing import ticks_from_s
 from tests.judging_again import judged_again, reflog_of
 from tests.match.playing import Place, alone
 

@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import pytest
 
 from rcj_challenges import windows_runtime
-from rcj_challenges.facts.errors import HostError
+from rcj_challenges.core.errors import HostError
 from rcj_challenges.match.loading import load_stage
 
 MISSING = FileNotFoundError("Could not find module 'mujoco.dll' (or one of its dependencies).")

@@ -5,8 +5,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from rcj_challenges.facts.changes import ScoreChange
-from rcj_challenges.facts.play import Event
+from rcj_challenges.core.changes import ScoreChange
+from rcj_challenges.core.play import Event
 from rcj_challenges.match.rejudge import MisfitError, differences, recorded, rejudge
 from rcj_challenges.records.referee_log import LoggedTick, RefereeLog
 from rcj_challenges.records.reflog import event_line

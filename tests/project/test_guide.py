@@ -6,9 +6,9 @@ from textwrap import dedent
 
 import pytest
 
+from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.expect.runner import run_test
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
-from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.referee.ranking import Tally, ranking
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import Loaded, load, load_text

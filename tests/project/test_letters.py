@@ -6,7 +6,7 @@ import io
 
 import pytest
 
-from rcj_challenges.facts.letters import READABLE
+from rcj_challenges.core.letters import READABLE
 
 
 @pytest.mark.parametrize(

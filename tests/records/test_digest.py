@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from rcj_challenges.facts.play import Event
+from rcj_challenges.core.play import Event
 from rcj_challenges.records.digest import StatesDigest, given_values, inputs_digest, run_digest
 from rcj_challenges.records.result import read_result
 from rcj_challenges.records.testing import small_scenario, write_made_up_run

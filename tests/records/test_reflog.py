@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.facts.changes import CountersChange, HeldChange, PhaseChange, ScoreChange
-from rcj_challenges.facts.play import Event, Fault, Firing, RefereeOutput
+from rcj_challenges.core.changes import CountersChange, HeldChange, PhaseChange, ScoreChange
+from rcj_challenges.core.play import Event, Fault, Firing, RefereeOutput
 from rcj_challenges.records.lines import json_line
 from rcj_challenges.records.referee_log import LoggedTick, read_referee_log
 from rcj_challenges.records.reflog import events_of, reflog_lines

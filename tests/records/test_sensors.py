@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.facts.traffic import DeviceSpec, MotorCommand, Observation, Packet, RobotSpec
+from rcj_challenges.core.traffic import DeviceSpec, MotorCommand, Observation, Packet, RobotSpec
 from rcj_challenges.records import sensors
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.sensors import SensedRobot, SensorWriter, read_sensors

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.facts.play import Fault, Placement, RefereeOutput, Snapshot
+from rcj_challenges.core.play import Fault, Placement, RefereeOutput, Snapshot
 from rcj_challenges.records import chunks
 from rcj_challenges.records.chunks import ChunkWriter
 from rcj_challenges.records.errors import RecordError

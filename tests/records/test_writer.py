@@ -16,8 +16,8 @@ from pkgutil import resolve_name
 import jsonschema
 import pytest
 
-from rcj_challenges.facts.changes import ScoreChange
-from rcj_challenges.facts.play import Event, Fault, RefereeOutput
+from rcj_challenges.core.changes import ScoreChange
+from rcj_challenges.core.play import Event, Fault, RefereeOutput
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import TRAJECTORY, make_run_folder
 from rcj_challenges.records.result import read_result, result_schema_text

@@ -1,7 +1,7 @@
 """Builds rules for tests of the referee, and moves things in scripted matches."""
 
+from rcj_challenges.core.play import Snapshot
 from rcj_challenges.expect.scripted_match import ScriptedMatch
-from rcj_challenges.facts.play import Snapshot
 
 
 def at_tick_10(*actions: str) -> str:

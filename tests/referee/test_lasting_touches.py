@@ -2,8 +2,8 @@
 
 import pytest
 
+from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.expect.runner import run_test
-from rcj_challenges.facts.timing import ticks_from_s
 from rcj_challenges.scenario.load import load_text
 
 BUMPS = """

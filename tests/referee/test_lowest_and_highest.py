@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.facts.diagnostics import InFile
+from rcj_challenges.core.diagnostics import InFile
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import load_text
 

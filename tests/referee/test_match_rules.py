@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.core.timing import s_from_ticks
 
 ROBOTS = ("B1", "B2", "B3", "Y1", "Y2", "Y3")
 # A place for everybody far from all spots, so that spots are free; and the ball's.

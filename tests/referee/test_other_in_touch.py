@@ -2,8 +2,8 @@
 
 import pytest
 
+from rcj_challenges.core.play import Snapshot
 from rcj_challenges.expect.scripted_match import half_of
-from rcj_challenges.facts.play import Snapshot
 from rcj_challenges.records.referee_log import firing_line
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.scenario.roster import Roster

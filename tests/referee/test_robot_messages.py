@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from rcj_challenges.core.messages import MAX_LETTERS, matches_text, message_text, number_in, position_in
 from rcj_challenges.expect.scripted_match import ScriptedMatch
-from rcj_challenges.facts.messages import MAX_LETTERS, matches_text, message_text, number_in, position_in
 from rcj_challenges.scenario.load import load_text
 from tests.referee.building import emitting, payload
 

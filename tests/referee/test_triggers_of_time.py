@@ -2,8 +2,8 @@
 
 import pytest
 
+from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.expect.scripted_match import ScriptedMatch
-from rcj_challenges.facts.timing import ticks_from_s
 
 
 def emitting(trigger: str, more: str = "") -> str:

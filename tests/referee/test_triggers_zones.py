@@ -2,8 +2,8 @@
 
 import pytest
 
+from rcj_challenges.core.play import Snapshot
 from rcj_challenges.expect.scripted_match import ScriptedMatch
-from rcj_challenges.facts.play import Snapshot
 
 
 def feed(play: ScriptedMatch, *ball_at: tuple[float, float]) -> None:

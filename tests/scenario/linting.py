@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rcj_challenges.facts.diagnostics import Diagnostic
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import load_text
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.facts.diagnostics import InFile
+from rcj_challenges.core.diagnostics import InFile
 from tests.scenario.writing import complaints, errors, loaded, rule
 
 

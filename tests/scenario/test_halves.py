@@ -2,9 +2,9 @@
 
 import pytest
 
+from rcj_challenges.core.diagnostics import InFile
 from rcj_challenges.expect.runner import run_test
 from rcj_challenges.expect.scripted_match import half_of
-from rcj_challenges.facts.diagnostics import InFile
 from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.halves import half_length_s, half_lengths_s, longest_half_s

@@ -7,7 +7,7 @@ import jsonschema
 import pytest
 
 from rcj_challenges.cli.schema import check_schema, write_schema
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.core.errors import RcjError
 from rcj_challenges.scenario.json_schema import FILE, scenario_schema, schema_is_fresh, schema_text
 from rcj_challenges.scenario.reading.yaml_strict import parse_bytes, parse_text
 from rcj_challenges.scenario.resources import presets_folder, scenarios_folder, schemas_folder

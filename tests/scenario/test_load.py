@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.facts.diagnostics import Diagnostic, InFile
+from rcj_challenges.core.diagnostics import Diagnostic, InFile
 from rcj_challenges.scenario.errors import ScenarioError, nearest, place_of
 from rcj_challenges.scenario.load import load, load_resolved, load_text
 from rcj_challenges.scenario.models.scenario import Scenario

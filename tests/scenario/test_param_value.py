@@ -10,7 +10,7 @@ import yaml
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from rcj_challenges.facts.diagnostics import InFile
+from rcj_challenges.core.diagnostics import InFile
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.reading.param_value import KEYS, param_value

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from rcj_challenges.facts.diagnostics import InFile
+from rcj_challenges.core.diagnostics import InFile
 from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.load import load, load_recorded
 from rcj_challenges.scenario.resources import shipped_scenarios

@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from rcj_challenges.core.diagnostics import InFile
 from rcj_challenges.expect.runner import run_test
-from rcj_challenges.facts.diagnostics import InFile
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import load, load_resolved, load_text

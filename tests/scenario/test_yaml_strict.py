@@ -8,7 +8,7 @@ import yaml
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.facts.diagnostics import InFile
+from rcj_challenges.core.diagnostics import InFile
 from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES, MAX_DEPTH, parse_bytes, parse_text
 from rcj_challenges.scenario.tree import Entries, Leaf, Mark, child, plain

@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from rcj_challenges.facts.diagnostics import DiagnosticError
+from rcj_challenges.core.diagnostics import DiagnosticError
 from rcj_challenges.tournament.jobs import MatchJob
 from rcj_challenges.tournament.played import RulingKind
 from rcj_challenges.tournament.rulings import decide

@@ -7,7 +7,7 @@ import time
 
 import pytest
 
-from rcj_challenges.facts.diagnostics import DiagnosticError
+from rcj_challenges.core.diagnostics import DiagnosticError
 from rcj_challenges.records.result import versions
 from rcj_challenges.tournament.cluster import ClusterExecutor
 from rcj_challenges.tournament.jobs import Workplace

@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.facts.diagnostics import DiagnosticError
+from rcj_challenges.core.diagnostics import DiagnosticError
 from rcj_challenges.tournament.played import RulingKind
 from rcj_challenges.tournament.reading import read_played
 from rcj_challenges.tournament.rulings import decide, withdraw

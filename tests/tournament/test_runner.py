@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.facts.diagnostics import DiagnosticError
+from rcj_challenges.core.diagnostics import DiagnosticError
 from rcj_challenges.tournament.fixtures import JobMaker
 from rcj_challenges.tournament.rulings import withdraw
 from rcj_challenges.tournament.season import Status

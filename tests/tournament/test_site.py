@@ -15,7 +15,7 @@ from urllib.parse import unquote, urlsplit
 
 import pytest
 
-from rcj_challenges.facts.diagnostics import DiagnosticError
+from rcj_challenges.core.diagnostics import DiagnosticError
 from rcj_challenges.records.folder import SENSORS
 from rcj_challenges.tournament.played import Submission
 from rcj_challenges.tournament.season import Outcome, Ruled

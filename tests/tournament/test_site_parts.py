@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.facts.diagnostics import DiagnosticError
+from rcj_challenges.core.diagnostics import DiagnosticError
 from rcj_challenges.scenario.resources import teams_folder
 from rcj_challenges.tournament.load import load_tournament
 from rcj_challenges.tournament.opened import OpenTournament

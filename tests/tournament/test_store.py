@@ -7,7 +7,7 @@ import sys
 import pytest
 from sqlalchemy import create_engine, delete, update
 
-from rcj_challenges.facts.diagnostics import DiagnosticError
+from rcj_challenges.core.diagnostics import DiagnosticError
 from rcj_challenges.records.folder import utc_now
 from rcj_challenges.tournament.reading import read_played
 from rcj_challenges.tournament.season import Outcome

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from contextlib import ExitStack, closing
 from pathlib import Path
 
-from rcj_challenges.facts.play import Event, RefereeOutput
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.core.play import Event, RefereeOutput
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.match.observers import ObserverGroup
 from rcj_challenges.records.sensors import SensorWriter
 from rcj_challenges.records.testing import half_info, made_up_play, small_header, small_scenario

@@ -5,8 +5,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 
-from rcj_challenges.facts.play import Event, Fault, Firing, Placement, RefereeOutput, Snapshot
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.core.play import Event, Fault, Firing, Placement, RefereeOutput, Snapshot
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.records.logos import logo_path
 from rcj_challenges.records.sensors import SensorWriter
 from rcj_challenges.records.testing import half_info, made_up_play, small_header, small_scenario

@@ -5,7 +5,7 @@ import struct
 import zlib
 from typing import Any
 
-from rcj_challenges.facts.traffic import DeviceSpec, MotorCommand, Observation, Packet
+from rcj_challenges.core.traffic import DeviceSpec, MotorCommand, Observation, Packet
 from rcj_challenges.records.sensors import SensedRobot, SensorWriter
 from tests.hostile.archives.pictures import PNG, chunk
 

@@ -8,9 +8,9 @@ from rich.cells import cell_len
 from rich.console import Console
 from rich.text import Text
 
+from rcj_challenges.core.changes import ScoreChange
+from rcj_challenges.core.play import Event, Firing, RefereeOutput
 from rcj_challenges.expect.scripted_match import half_of
-from rcj_challenges.facts.changes import ScoreChange
-from rcj_challenges.facts.play import Event, Firing, RefereeOutput
 from rcj_challenges.match.observers import Progress
 from rcj_challenges.scenario.load import load
 from rcj_challenges.views.commentary import Commentator

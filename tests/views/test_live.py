@@ -15,9 +15,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.facts.changes import ScoreChange
-from rcj_challenges.facts.play import Firing, Placement, RefereeOutput
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.core.changes import ScoreChange
+from rcj_challenges.core.play import Firing, Placement, RefereeOutput
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.records.testing import (
     half_info,
     made_up_play,

@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.records.testing import made_up_snapshot, small_scenario
 from tests.views.browser_stage import NARROW, NO_WEBGL, WIDE, until
 from tests.views.live_play import HOSTILE, TICKS, MadeUpMatch

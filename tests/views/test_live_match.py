@@ -18,7 +18,7 @@ from typer.testing import CliRunner
 
 from rcj_challenges.cli.app import app
 from rcj_challenges.controllers.team import open_team
-from rcj_challenges.facts.errors import RcjError
+from rcj_challenges.core.errors import RcjError
 from rcj_challenges.match.observers import NullObserver, ObserverGroup
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.scenario.load import load

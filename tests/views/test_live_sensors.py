@@ -14,7 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.controllers.team import open_team
-from rcj_challenges.facts.play import HalfInfo
+from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.match.observers import ObserverGroup
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.records.sensors import SensorWriter, read_sensors

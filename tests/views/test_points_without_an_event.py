@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from rcj_challenges.facts.play import Event, Firing, RefereeOutput, Snapshot
+from rcj_challenges.core.play import Event, Firing, RefereeOutput, Snapshot
 from rcj_challenges.records.testing import half_info, made_up_snapshot, small_header, small_scenario, with_changes
 from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.scenario.models.scenario import Scenario

@@ -14,7 +14,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.facts.play import HalfInfo, Placement
+from rcj_challenges.core.play import HalfInfo, Placement
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.testing import (
     GOAL_EVERY_TICKS,

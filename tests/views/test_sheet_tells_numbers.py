@@ -17,7 +17,7 @@ from typing import Annotated, Any, Literal, NamedTuple, Union, get_args, get_ori
 import pytest
 from pydantic import BaseModel, ValidationError
 
-from rcj_challenges.facts.timing import TICK_MS
+from rcj_challenges.core.timing import TICK_MS
 from rcj_challenges.rules.base import Vocabulary
 from rcj_challenges.rules.phrasing import degrees, number, seconds
 from rcj_challenges.scenario.errors import ScenarioError

@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.facts.play import Event, Fault, Firing, HalfInfo, Placement, RefereeOutput, Snapshot
+from rcj_challenges.core.play import Event, Fault, Firing, HalfInfo, Placement, RefereeOutput, Snapshot
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.testing import (
     half_info,

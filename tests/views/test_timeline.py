@@ -2,8 +2,8 @@
 
 import pytest
 
-from rcj_challenges.facts.changes import HeldChange, PhaseChange, ScoreChange
-from rcj_challenges.facts.play import Event, Fault, Firing
+from rcj_challenges.core.changes import HeldChange, PhaseChange, ScoreChange
+from rcj_challenges.core.play import Event, Fault, Firing
 from rcj_challenges.records.referee_log import read_referee_log
 from rcj_challenges.records.reflog import events_of
 from rcj_challenges.records.run_record import read_run

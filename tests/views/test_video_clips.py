@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.records.testing import GOAL_EVERY_TICKS, write_made_up_run
 from rcj_challenges.views.timeline import Timeline
 from rcj_challenges.views.video.clips import (

@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rcj_challenges.facts.play import Placement, RefereeOutput
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.core.play import Placement, RefereeOutput
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.testing import half_info, made_up_snapshot, small_header, small_scenario, write_made_up_run
 from rcj_challenges.records.trajectory import Trajectory

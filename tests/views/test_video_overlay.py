@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.records.testing import GOAL_EVERY_TICKS, write_made_up_run
 from rcj_challenges.views.video.clips import moment_at
 from rcj_challenges.views.video.footage import Footage

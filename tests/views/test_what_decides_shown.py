@@ -12,9 +12,9 @@ from typing import Any
 
 import pytest
 
-from rcj_challenges.facts.changes import CountersChange
-from rcj_challenges.facts.measures import measure_words, measured_words, number_words
-from rcj_challenges.facts.play import Event, Firing, RefereeOutput
+from rcj_challenges.core.changes import CountersChange
+from rcj_challenges.core.measures import measure_words, measured_words, number_words
+from rcj_challenges.core.play import Event, Firing, RefereeOutput
 from rcj_challenges.records.testing import half_info, made_up_snapshot, small_header, small_scenario
 from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.scenario.models.scenario import Scenario

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from rcj_challenges.core.amounts import round_score
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.expect.scripted_match import ScriptedMatch
-from rcj_challenges.facts.amounts import round_score
-from rcj_challenges.facts.diagnostics import Diagnostic
 from rcj_challenges.scenario.models.scenario import Scenario
 
 _NEVER_FIRES = frozenset({"rule-never-fires", "each-of-none"})

@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from rcj_challenges.core.play import Fault
+from rcj_challenges.core.traffic import MotorCommand, Observation, Request, RobotSpec
 from rcj_challenges.expect.scripted_match import ScriptedMatch
-from rcj_challenges.facts.play import Fault
-from rcj_challenges.facts.traffic import MotorCommand, Observation, Request, RobotSpec
 from rcj_challenges.match.observers import NullObserver
 from rcj_challenges.match.runner import MatchPlan, _MatchRunner
 from rcj_challenges.scenario.load import Loaded

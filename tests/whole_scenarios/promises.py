@@ -17,8 +17,8 @@ from xml.etree import ElementTree as ET
 
 import jsonschema
 
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.expect.runner import run_test
-from rcj_challenges.facts.diagnostics import Diagnostic
 from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.floor import floor_parts
 from rcj_challenges.scenario.floor_shapes import zone_has_floor

@@ -10,8 +10,8 @@ from typing import Any
 import mujoco
 import numpy as np
 
-from rcj_challenges.facts.play import Placement, Pose2, Snapshot
-from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.core.play import Placement, Pose2, Snapshot
+from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from rcj_challenges.facts.timing import SUBSTEP_S
+from rcj_challenges.core.timing import SUBSTEP_S
 from tests.world.physics_stage import FULL, Stage
 
 G = 9.81

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from rcj_challenges.facts.play import Placement
+from rcj_challenges.core.play import Placement
 from rcj_challenges.world import contact
 from tests.world.physics_stage import FULL, Stage
 

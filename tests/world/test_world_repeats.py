@@ -6,8 +6,8 @@ import math
 
 import pytest
 
+from rcj_challenges.core.errors import RcjError
 from rcj_challenges.devices.base import FixedRay
-from rcj_challenges.facts.errors import RcjError
 from rcj_challenges.world.errors import PhysicsFault
 from rcj_challenges.world.world import World
 from tests.world.physics_stage import Crowd, Stage

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 import pytest
 
-from rcj_challenges.facts.play import Fault
+from rcj_challenges.core.play import Fault
 from tests.world.physics_stage import FULL, Stage
 
 

@@ -8,10 +8,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from rcj_challenges.checker.advice.crash_site import OF_NONE, origins_of_none, programs
 from rcj_challenges.checker.others import others_that_fit, suggest_scenarios
 from rcj_challenges.controllers.team import Team
+from rcj_challenges.core.likeness import nearest_name
+from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.devices.base import Device
 from rcj_challenges.devices.supervisor_receiver import SupervisorReceiverDevice
-from rcj_challenges.facts.likeness import nearest_name
-from rcj_challenges.facts.sanitize import sanitize
 from rcj_challenges.scenario.kit_devices import devices_of
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.scenario import Scenario

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import PurePosixPath
 
 from rcj_challenges.checker.reached import reached_from
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.sanitize import sanitize
 
 _MAX_BYTES = 1_000_000  # a longer file is not written by hand
 _MAX_LINE_BYTES = 300

@@ -17,7 +17,7 @@ from rcj_challenges.checker.advice.table import Hint, find_old_name, find_row
 from rcj_challenges.checker.file_beside import help_for_file_beside
 from rcj_challenges.controllers.log import AFTER_ITS_END, ANOTHER_THREAD
 from rcj_challenges.controllers.team import Team
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.scenario.models.scenario import Scenario
 
 WHEREABOUTS = "It was here, the innermost call first:\n"

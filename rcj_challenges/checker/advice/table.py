@@ -9,7 +9,7 @@ import re
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.sanitize import sanitize
 
 _MAX_GROUP_LETTERS = 80
 _NAME = r"(?P<name>\w{1,100})"

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Annotated, Literal
 
-from rcj_challenges.facts.amounts import round_score
+from rcj_challenges.core.amounts import round_score
 from rcj_challenges.rules.base import Action
 from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.bounds import bounds_words, change_bound, subtracted_parts

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Annotated, Literal
 
-from rcj_challenges.facts.messages import position_in
+from rcj_challenges.core.messages import position_in
 from rcj_challenges.rules.base import Action
 from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import Name, Point, described

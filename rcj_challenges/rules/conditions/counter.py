@@ -2,7 +2,7 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.facts.amounts import round_score
+from rcj_challenges.core.amounts import round_score
 from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.fields import Name, Names, described

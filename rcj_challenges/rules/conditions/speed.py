@@ -3,7 +3,7 @@
 from math import sqrt
 from typing import Annotated, Literal
 
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.fields import Names, described

@@ -2,7 +2,7 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.fields import Name, Names, described

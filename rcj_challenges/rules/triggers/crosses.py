@@ -3,7 +3,7 @@
 from functools import partial
 from typing import Annotated, Literal
 
-from rcj_challenges.facts.play import Pose2
+from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.regions import Cell
 from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Trigger
 from rcj_challenges.rules.binder import Binder

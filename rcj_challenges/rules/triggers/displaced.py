@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from rcj_challenges.facts.play import Pose2
+from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.regions import Cell, FarFrom
 from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Trigger
 from rcj_challenges.rules.binder import Binder

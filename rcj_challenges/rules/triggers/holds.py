@@ -2,7 +2,7 @@
 
 from typing import Literal
 
-from rcj_challenges.facts.timing import s_from_ticks, ticks_from_s, whole_ticks_within_s
+from rcj_challenges.core.timing import s_from_ticks, ticks_from_s, whole_ticks_within_s
 from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.conditions import AnyCondition

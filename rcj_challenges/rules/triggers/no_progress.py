@@ -6,7 +6,7 @@ from itertools import accumulate, pairwise
 from math import sqrt
 from typing import Annotated, Literal
 
-from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Trigger
 from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import DurationS, Names, Positive, described

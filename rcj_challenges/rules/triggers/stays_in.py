@@ -3,8 +3,8 @@
 from functools import partial
 from typing import Annotated, Literal
 
-from rcj_challenges.facts.play import Pose2
-from rcj_challenges.facts.timing import s_from_ticks, whole_ticks_within_s
+from rcj_challenges.core.play import Pose2
+from rcj_challenges.core.timing import s_from_ticks, whole_ticks_within_s
 from rcj_challenges.geometry.regions import Cell, Region
 from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Trigger
 from rcj_challenges.rules.binder import Binder

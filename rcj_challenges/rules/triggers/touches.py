@@ -3,7 +3,7 @@
 from functools import partial
 from typing import Annotated, Literal
 
-from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.fields import DurationS, Names, described

@@ -9,8 +9,8 @@ from typing import Annotated
 
 from pydantic import Field
 
-from rcj_challenges.facts.amounts import clamp_to_max, plain, round_score
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.core.amounts import clamp_to_max, plain, round_score
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.rules.base import FormVocabulary, ValueWord
 from rcj_challenges.rules.binder import Scope
 from rcj_challenges.rules.fields import LONGEST_S, DurationS, Scalar

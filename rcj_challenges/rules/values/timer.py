@@ -4,7 +4,7 @@ from collections.abc import Callable
 from math import floor
 from typing import Annotated
 
-from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.rules.base import ValueWord
 from rcj_challenges.rules.binder import Scope
 from rcj_challenges.rules.fields import Name, described

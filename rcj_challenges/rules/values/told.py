@@ -3,8 +3,8 @@
 from collections.abc import Callable
 from typing import Annotated
 
-from rcj_challenges.facts.amounts import round_score
-from rcj_challenges.facts.messages import number_in
+from rcj_challenges.core.amounts import round_score
+from rcj_challenges.core.messages import number_in
 from rcj_challenges.rules.base import ValueWord
 from rcj_challenges.rules.binder import Scope
 from rcj_challenges.rules.fields import Name, described

@@ -4,8 +4,8 @@ from collections.abc import Callable
 from math import floor
 from typing import Annotated, Any, Literal, NamedTuple
 
-from rcj_challenges.facts.amounts import plain
-from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.core.amounts import plain
+from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.rules import phrasing
 from rcj_challenges.rules.base import ValueWord
 from rcj_challenges.rules.binder import Scope

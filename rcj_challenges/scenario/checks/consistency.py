@@ -7,9 +7,9 @@ from collections.abc import Callable, Iterator
 from itertools import count, product
 from typing import Any
 
+from rcj_challenges.core.amounts import counted
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.devices.base import Device
-from rcj_challenges.facts.amounts import counted
-from rcj_challenges.facts.timing import TICK_S
 from rcj_challenges.geometry.polygons import Point, distance_to_segment_m
 from rcj_challenges.rules.actions.count import Count
 from rcj_challenges.rules.actions.draw import DrawAction

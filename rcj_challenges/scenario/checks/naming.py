@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from rcj_challenges.facts.colours import CSS_COLOURS, hex_colour
-from rcj_challenges.facts.file_names import is_device_of_windows
+from rcj_challenges.core.colours import CSS_COLOURS, hex_colour
+from rcj_challenges.core.file_names import is_device_of_windows
 from rcj_challenges.scenario.checks.removal import of_removed
 from rcj_challenges.scenario.errors import choice_of, did_you_mean
 from rcj_challenges.scenario.models.scenario import MAX_MEMBERS

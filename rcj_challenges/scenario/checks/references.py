@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, NamedTuple
 
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.rules.actions.count import Count
 from rcj_challenges.rules.actions.draw import DrawAction
 from rcj_challenges.rules.actions.place import Place

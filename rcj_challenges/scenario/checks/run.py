@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rcj_challenges.facts.diagnostics import Diagnostic
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.scenario.checks.consistency import check_consistency
 from rcj_challenges.scenario.checks.ground import check_ground
 from rcj_challenges.scenario.checks.magnitudes import check_magnitudes

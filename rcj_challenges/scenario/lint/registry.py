@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rcj_challenges.facts.diagnostics import Diagnostic
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.scenario.errors import place_of
 from rcj_challenges.scenario.lint import flow, placing, state, values
 from rcj_challenges.scenario.lint.base import LintRule

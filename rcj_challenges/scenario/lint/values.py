@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from math import pi, radians
 from typing import ClassVar
 
-from rcj_challenges.facts.timing import ticks_from_s
+from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.rules.actions.hold import Hold
 from rcj_challenges.rules.actions.place import Place
 from rcj_challenges.rules.actions.remove import Remove

@@ -6,9 +6,9 @@ import re
 from collections.abc import Callable, Mapping
 from typing import Any, Literal, get_args, get_origin
 
-from rcj_challenges.facts.amounts import counted
-from rcj_challenges.facts.colours import CSS_COLOURS
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.core.amounts import counted
+from rcj_challenges.core.colours import CSS_COLOURS
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.rules.fields import Colour, EventName, Name, Names, Point
 from rcj_challenges.rules.message import SaidText
 from rcj_challenges.scenario.errors import cut, did_you_mean, listing

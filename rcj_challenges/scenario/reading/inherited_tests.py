@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
 
-from rcj_challenges.facts.diagnostics import Diagnostic
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.tree import Entries, Items, Mark, Node
 

@@ -13,7 +13,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from rcj_challenges.facts.diagnostics import Diagnostic
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.scenario.errors import choice_of
 from rcj_challenges.scenario.reading.inherited_tests import ALL_INHERITED, TESTS
 from rcj_challenges.scenario.shape import (

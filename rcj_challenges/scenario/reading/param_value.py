@@ -7,7 +7,7 @@ from decimal import Context
 from math import isfinite
 from typing import NamedTuple
 
-from rcj_challenges.facts.amounts import plain
+from rcj_challenges.core.amounts import plain
 from rcj_challenges.scenario.errors import choice_of
 from rcj_challenges.scenario.messages.wording import expected, format_node
 from rcj_challenges.scenario.reading.yaml_strict import INT_LIMIT

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import get_origin
 
-from rcj_challenges.facts.diagnostics import Diagnostic
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.scenario.errors import ScenarioError, choice_of, cut, listing
 from rcj_challenges.scenario.messages.wording import format_node
 from rcj_challenges.scenario.models.scenario import Scenario

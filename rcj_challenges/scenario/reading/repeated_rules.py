@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
-from rcj_challenges.facts.diagnostics import Diagnostic
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.errors import listing, nearest, place_of
 from rcj_challenges.scenario.messages.wording import NAME_RULE, format_node, quoted

@@ -16,7 +16,7 @@ from typing import Any
 
 import yaml
 
-from rcj_challenges.facts.diagnostics import Diagnostic
+from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.tree import MAX_VALUES, Entries, Items, Leaf, Mark, Node, check_amount, too_large
 

@@ -8,7 +8,7 @@ from itertools import groupby
 from statistics import median
 from typing import Any
 
-from rcj_challenges.facts.amounts import round_score
+from rcj_challenges.core.amounts import round_score
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
 from rcj_challenges.tournament.models import Challenge
 from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo

@@ -6,7 +6,7 @@ from collections.abc import Collection
 from datetime import datetime
 from zoneinfo import ZoneInfo
 
-from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.tournament.models import Tournament
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.reading import read_played

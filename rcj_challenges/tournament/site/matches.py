@@ -10,8 +10,8 @@ from typing import Any
 
 from markupsafe import Markup
 
-from rcj_challenges.facts.measures import number_words
-from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.core.measures import number_words
+from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY, TRAJECTORY
 from rcj_challenges.records.reflog import PROGRAM_FAULT

@@ -10,8 +10,8 @@ from datetime import UTC, datetime
 from functools import cached_property
 from typing import Any
 
-from rcj_challenges.facts.measures import measured_words, number_words
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.measures import measured_words, number_words
+from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.tournament.played import PlayedMatch
 from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Ruled, Side, StageState, humanized
 from rcj_challenges.tournament.site.public import fault_counts

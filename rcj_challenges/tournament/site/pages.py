@@ -8,7 +8,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from rcj_challenges.facts.measures import measure_words
+from rcj_challenges.core.measures import measure_words
 from rcj_challenges.tournament.season import StageState, Status
 from rcj_challenges.tournament.seeds import seed_hash
 from rcj_challenges.tournament.site.bracket import bracket_svg

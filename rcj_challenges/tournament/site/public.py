@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from html.parser import HTMLParser
 from typing import Any
 
-from rcj_challenges.facts.timing import s_from_ticks
+from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.views.sentences import clock
 

@@ -29,8 +29,8 @@ from sqlalchemy import (
 from sqlalchemy.exc import DatabaseError
 from sqlalchemy.pool import StaticPool
 
-from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.facts.errors import format_error
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.errors import format_error
 from rcj_challenges.records.folder import utc_now
 from rcj_challenges.tournament.jobs import MatchJob, Workplace
 from rcj_challenges.tournament.season import Fixture, Outcome

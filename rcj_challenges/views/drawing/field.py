@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from rcj_challenges.facts.play import Pose2
+from rcj_challenges.core.play import Pose2
 from rcj_challenges.rules.phrasing import degrees
 from rcj_challenges.rules.places.on_line import OnLine
 from rcj_challenges.scenario.models.field import Box as BoxObstacle

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rcj_challenges.facts.colours import hex_colour
+from rcj_challenges.core.colours import hex_colour
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.drawing.paper import MARKER_PX, Entry, Paper, Section
 from rcj_challenges.views.drawing.shapes import Point, corners_of, floor_outline, middle, visible_outline, zone_words

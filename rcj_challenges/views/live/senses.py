@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from rcj_challenges.facts.play import HalfInfo
+from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.records.sensors import SensedRobot, row_dtype
 from rcj_challenges.views.live.feed import said, sensed
 from rcj_challenges.views.replay.sensing import columns_of, robot_facts, speeds, whole_numbers

@@ -11,7 +11,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
 
-from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY
 from rcj_challenges.records.logos import LogoError

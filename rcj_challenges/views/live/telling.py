@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from rcj_challenges.facts.play import Fault, HalfInfo, RefereeOutput, Snapshot
-from rcj_challenges.facts.timing import TICK_S, ticks_from_s
+from rcj_challenges.core.play import Fault, HalfInfo, RefereeOutput, Snapshot
+from rcj_challenges.core.timing import TICK_S, ticks_from_s
 from rcj_challenges.match.observers import NullObserver
 from rcj_challenges.records.reflog import events_of
 from rcj_challenges.records.sensors import SensedRobot, SensorListener

@@ -9,8 +9,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from rcj_challenges.facts.amounts import Score
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.amounts import Score
+from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY, RESULT
 from rcj_challenges.records.recorded_scenario import read_scenario

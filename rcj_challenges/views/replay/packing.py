@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from rcj_challenges.facts.play import Placement
+from rcj_challenges.core.play import Placement
 from rcj_challenges.records.trajectory import HalfTrack
 
 FINEST_M = 1e-4

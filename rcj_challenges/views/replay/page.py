@@ -11,8 +11,8 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.facts.play import Fault
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.core.play import Fault
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY, replaced
 from rcj_challenges.records.logos import MAX_LOGO_BYTES, LogoError, checked_png, logo_path

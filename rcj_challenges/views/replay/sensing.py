@@ -15,9 +15,9 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from rcj_challenges.core.timing import TICK_S
+from rcj_challenges.core.traffic import DeviceSpec
 from rcj_challenges.devices import device_of_class
-from rcj_challenges.facts.timing import TICK_S
-from rcj_challenges.facts.traffic import DeviceSpec
 from rcj_challenges.records.sensors import FLOATS_PER_PACKET, SensedRobot, SensorHalf, SensorTrack
 
 STRENGTH, DIRECTION, VELOCITY_RADPS = 1e-2, 1e-4, 1e-3

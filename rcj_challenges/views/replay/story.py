@@ -8,9 +8,9 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
-from rcj_challenges.facts.amounts import Score
-from rcj_challenges.facts.measures import number_words
-from rcj_challenges.facts.play import Firing
+from rcj_challenges.core.amounts import Score
+from rcj_challenges.core.measures import number_words
+from rcj_challenges.core.play import Firing
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.phrasing import quoted

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from importlib.resources import files
 from typing import Any
 
-from rcj_challenges.facts.sanitize import sanitize_lines
+from rcj_challenges.core.sanitize import sanitize_lines
 from rcj_challenges.views.drawing.field import Picture
 
 

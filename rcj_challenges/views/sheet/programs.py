@@ -6,9 +6,9 @@ import json
 import struct
 from collections.abc import Iterator, Mapping, Sequence
 
+from rcj_challenges.core.messages import MAX_LETTERS
+from rcj_challenges.core.timing import TICK_MS
 from rcj_challenges.devices.supervisor_receiver import SupervisorReceiverDevice
-from rcj_challenges.facts.messages import MAX_LETTERS
-from rcj_challenges.facts.timing import TICK_MS
 from rcj_challenges.robots.channels import entrant_of, listening_channels
 from rcj_challenges.rules.actions.emit import Emit
 from rcj_challenges.rules.fields import Scalar

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from rcj_challenges.facts.timing import TICK_MS
+from rcj_challenges.core.timing import TICK_MS
 from rcj_challenges.rules.actions.count import Count
 from rcj_challenges.rules.actions.draw import DrawAction
 from rcj_challenges.rules.actions.emit import Emit

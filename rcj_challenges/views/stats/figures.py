@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.views.stats.tally import Stats, Tally, TeamTally
 from rcj_challenges.views.stats.touching import FREE_TICKS, ONE_TOUCH_S, SHOT_WITHIN_S
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from rcj_challenges.facts.timing import TICK_S
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.records.trajectory import HalfTrack
 
 Array = npt.NDArray[Any]

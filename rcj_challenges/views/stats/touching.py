@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK, TICK_S, ticks_from_s
+from rcj_challenges.core.timing import SUBSTEPS_PER_TICK, TICK_S, ticks_from_s
 from rcj_challenges.records.trajectory import HalfTrack
 
 SHOT_WITHIN_S = 2.0

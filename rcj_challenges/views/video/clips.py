@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from rcj_challenges.facts.timing import TICK_S, s_from_ticks
+from rcj_challenges.core.timing import TICK_S, s_from_ticks
 from rcj_challenges.views.sentences import clock
 from rcj_challenges.views.video.errors import VideoError
 from rcj_challenges.views.video.footage import Footage, HalfFootage

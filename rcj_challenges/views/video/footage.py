@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from rcj_challenges.facts.amounts import Score
-from rcj_challenges.facts.play import HalfInfo
-from rcj_challenges.facts.timing import TICK_S, s_from_ticks
+from rcj_challenges.core.amounts import Score
+from rcj_challenges.core.play import HalfInfo
+from rcj_challenges.core.timing import TICK_S, s_from_ticks
 from rcj_challenges.records.referee_log import log_of_result, read_referee_log
 from rcj_challenges.records.run_record import read_run
 from rcj_challenges.records.trajectory import HalfTrack

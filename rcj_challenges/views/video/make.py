@@ -11,7 +11,7 @@ from pathlib import Path
 
 from PIL import Image
 
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.records.folder import replaced
 from rcj_challenges.views.palette import PALETTE
 from rcj_challenges.views.video.camera import Camera

@@ -6,7 +6,7 @@ from functools import cache
 
 from PIL import Image, ImageDraw, ImageFont
 
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.sanitize import sanitize
 
 _FAMILIES = (
     ("NotoSans-Regular.ttf", "NotoSans-Bold.ttf"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from rcj_challenges.facts.timing import SUBSTEP_S, TICK_S
+from rcj_challenges.core.timing import SUBSTEP_S, TICK_S
 from rcj_challenges.world.effects.base import Effect, Scene
 from rcj_challenges.world.tables import one_by_one
 

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from rcj_challenges.facts.timing import SUBSTEP_S
+from rcj_challenges.core.timing import SUBSTEP_S
 from rcj_challenges.world import contact
 from rcj_challenges.world.effects.base import Effect, Scene
 from rcj_challenges.world.tables import ROBOT_YAW, one_by_one

@@ -13,7 +13,7 @@ from typing import Any
 import mujoco
 import numpy as np
 
-from rcj_challenges.facts.timing import SUBSTEP_S
+from rcj_challenges.core.timing import SUBSTEP_S
 from rcj_challenges.scenario.models.field import Box, Obstacle, Wall
 from rcj_challenges.world import contact
 from rcj_challenges.world.effects.base import Effect, Scene

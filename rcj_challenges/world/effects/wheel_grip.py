@@ -9,8 +9,8 @@ from __future__ import annotations
 import math
 from struct import Struct
 
+from rcj_challenges.core.timing import SUBSTEPS_PER_TICK, TICK_S
 from rcj_challenges.devices.base import Side
-from rcj_challenges.facts.timing import SUBSTEPS_PER_TICK, TICK_S
 from rcj_challenges.world import contact
 from rcj_challenges.world.effects.base import Effect, Scene
 from rcj_challenges.world.tables import ROBOT_YAW, one_by_one

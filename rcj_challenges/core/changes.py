@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from rcj_challenges.facts.amounts import Score
+from rcj_challenges.core.amounts import Score
 
 
 @dataclass(frozen=True, slots=True)

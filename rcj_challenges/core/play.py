@@ -13,7 +13,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from rcj_challenges.facts.changes import Change
+from rcj_challenges.core.changes import Change
 
 Pose2 = tuple[float, float, float]
 """x in m, y in m, yaw in rad."""

@@ -1,6 +1,6 @@
 """The referee reports each change of phase, score, counters and held robots once, with its tick."""
 
-from rcj_challenges.facts.changes import ChangeTracker, CountersChange, HeldChange, PhaseChange, ScoreChange
+from rcj_challenges.core.changes import ChangeTracker, CountersChange, HeldChange, PhaseChange, ScoreChange
 
 FIRST = {"phase": ("play", False), "scores": {"blue": 1, "yellow": 0}, "counters": {"laps": 0}, "held": ()}
 

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from rcj_challenges import cli
-from rcj_challenges.facts.diagnostics import Diagnostic, DiagnosticError, InFile, InMatch
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError, InFile, InMatch
 
 UNKNOWN_ZONE = Diagnostic(
     "unknown-zone",

@@ -13,8 +13,8 @@ import re
 from dataclasses import asdict, dataclass
 from typing import Any, Literal
 
-from rcj_challenges.facts.errors import RcjError
-from rcj_challenges.facts.sanitize import sanitize
+from rcj_challenges.core.errors import RcjError
+from rcj_challenges.core.sanitize import sanitize
 
 _CODE = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*|[a-z]+[.][a-z0-9_]+")
 _MAX_LETTERS = 1000
