@@ -63,16 +63,16 @@ match: {half_s: 60}
 """
 """What stands above every example."""
 
-_INTRO = f"""# Reference: the words of a scenario
+_INTRO = f"""# Reference: the keywords of a scenario
 
 Generated from the models by `python scripts/write_reference.py`; do not edit. [authoring.md](authoring.md) shows the
 way from an idea to a published challenge, [recipes.md](recipes.md) has complete examples.
 
 Lengths are in metres, times in seconds, angles in radians; x runs along the short side of the field, y along the long
 side, the origin is the centre, and blue defends the goal at +y. Names carry their unit: `_m`, `_s`, `_rad`, `_mps`.
-Durations are rounded up to ticks of 0.032 s. A field without a default must be given. For any single value
-`{{param: NAME}}` may stand, of a number also `{{param: NAME, times: -1, plus: 0.02}}`: the param times a number plus a
-number, either of the two may be left out. Everything that has a name is a mapping keyed by that name.
+Durations are rounded up to ticks of 0.032 s. A field without a default must be given. Any single value
+may be `{{param: NAME}}`; a number may also be `{{param: NAME, times: -1, plus: 0.02}}`: the param times a number plus a
+number (omit either). Everything that has a name is a mapping keyed by that name.
 
 Every example becomes a complete scenario with these lines above it, and runs as a test:
 
@@ -217,7 +217,7 @@ CHAPTERS = (
         ),
         "conditions",
     ),
-    Chapter("Phases", "Section `phases`: what there is beside `play`.", (Word("phases", state.Phase),), "rules"),
+    Chapter("Phases", "Section `phases`: what there is besides `play`.", (Word("phases", state.Phase),), "rules"),
     Chapter(
         "Rules", "Section `rules`, in the order in which they are judged.", (Word("rules", scenario.Rule),), "rules"
     ),
@@ -234,8 +234,8 @@ CHAPTERS = (
         "Values",
         "What may stand in a payload or a broadcast, besides a literal; in `points:` and `count` too: `counter`, "
         "`flag`, `timer` and times by `word` (whole seconds, rounded down, or with `fraction: true`), `distance` (0 "
-        "while it is null), `way`, `told` if it is a number (else 0), and `draw` and `word` if they are numbers, or a "
-        "list of which all is added: numbers, and these, each with a `weight` beside its own keys. Conditions compare "
+        "while it is null), `way`, `told` if it is a number (else 0), and `draw` and `word` if they are numbers, or "
+        "a list to be summed: numbers, and these, each with a `weight` beside its own keys. Conditions compare "
         "with numbers, `counter`, `lowest` and `highest`.",
         (
             *_tagged(Value),
@@ -334,7 +334,7 @@ def _table(model: type[BaseModel], tag: str) -> Iterator[str]:
     if rows:
         yield from ("| field | value | default | meaning |", "|---|---|---|---|", *rows)
     elif tag:
-        yield f"It has no fields: `{{{tag}: …}}` is all."
+        yield "No other fields."
 
 
 _NAMED: tuple[tuple[Any, str], ...] = (

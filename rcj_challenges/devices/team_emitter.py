@@ -26,11 +26,11 @@ _MS_PER_S = 1000
 
 
 class TeamEmitterDevice(Device):
-    """The emitter of the own team's radio."""
+    """The emitter of its own team's radio."""
 
     device: Literal["team_emitter"]
     range_m: Positive = described(
-        10.0, "how far away it is heard, in m; of it and the receiver the shorter range counts"
+        10.0, "how far away it is heard, in m; the shorter of its range and the receiver's applies"
     )
     baud: int = described(115_200, "speed in bits per second; 8 bits a byte, so 460.8 bytes a tick by default", gt=0)
 

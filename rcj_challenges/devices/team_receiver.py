@@ -9,10 +9,12 @@ from rcj_challenges.rules.phrasing import metres
 
 
 class TeamReceiverDevice(ReceiverDevice):
-    """The receiver of the own team's radio. Its channel is that of the team."""
+    """The receiver of its own team's radio. Its channel is that of the team."""
 
     device: Literal["team_receiver"]
-    range_m: Positive = described(10.0, "how far away it hears, in m; of it and the emitter the shorter range counts")
+    range_m: Positive = described(
+        10.0, "how far away it hears, in m; the shorter of its range and the emitter's applies"
+    )
 
     EXAMPLE = """
 robots:

@@ -26,16 +26,16 @@ class DrawnSpeed(Strict):
 
 
 class Kick(Strict):
-    """A ball rolls away from where it is put; what mirrors its place mirrors its aim too. In tests it stays there."""
+    """A ball rolls away from where it is put; mirroring its place also mirrors its aim. In tests it stays there."""
 
     towards: At = described(..., "where it rolls to: any word of `at`; random words are drawn each time")
     speed_mps: (
         _KickSpeed | Annotated[tuple[_KickSpeed, _KickSpeed], Field(strict=False)] | DrawnSpeed | CounterValue
     ) = described(
         ...,
-        "how fast it sets off, in m/s, over 0 and up to 3; [least, most]: every speed between equally likely; "
-        "{draw: NAME}: what that has decided; {counter: NAME}: what that is when the ball is set down: more than 3 is "
-        "3, and at 0 or less it lies still",
+        "how fast it sets off, in m/s, over 0 and up to 3; [least, most]: any speed in between, equally likely; "
+        "{draw: NAME}: the drawn value; {counter: NAME}: the counter's value when the ball is placed (capped at 3; 0 "
+        "or less: it lies still)",
         union_mode="left_to_right",
     )
 

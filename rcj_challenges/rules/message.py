@@ -25,8 +25,8 @@ class Message(Strict):
 
     text: Said | Annotated[tuple[Said, ...], Field(strict=False, min_length=1)] | DrawValue | None = described(
         None,
-        "what it must say: text, a number, a list of which it must be one, or {draw: NAME}: what that has decided; "
-        "without the blanks around it; left out: anything",
+        "what it must say: text, a number, one of a list, or {draw: NAME}: the drawn value; surrounding spaces are "
+        "ignored; left out: anything",
     )
     is_a: Literal["number", "position"] | None = described(
         None, "number: it must be one number; position: two numbers, x and y in m, 10 at most; left out: anything"

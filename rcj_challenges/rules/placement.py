@@ -15,22 +15,23 @@ from rcj_challenges.rules.places.start import Start
 
 NoiseM = Annotated[Point, Field(description="half width of uniform noise on x and y, in m, 0 to 5")]
 ClearanceM = Annotated[
-    NotNegative, Field(description="smallest gap to the outline of any other body, in m; the field's walls are none")
+    NotNegative,
+    Field(description="smallest gap to the outline of any other body, in m; the field's walls do not count"),
 ]
 Attempts = Annotated[
     int,
     Field(
         ge=1,
         le=10_000,
-        description="how often a random place is drawn before giving up; what waits for room draws 4 on each further "
-        "tick",
+        description="how often a random place is drawn before giving up; a placement waiting for room tries 4 times "
+        "per tick",
     ),
 ]
 WithoutRoom = Annotated[
     Literal["retry", "stay"],
     Field(
-        description="no room: retry on every tick in which the rule lives, without repeating events, or stay where it "
-        "is; the log says which"
+        description="no room: retry on every tick in which the rule is active, without repeating events, or stay where "
+        "it is; the log says which"
     ),
 ]
 Roll = Annotated[Kick | None, Field(description="only balls: it rolls away from there; left out: it lies still")]

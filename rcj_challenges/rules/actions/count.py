@@ -25,20 +25,20 @@ class Count(Action):
     by: Points | None = described(
         None,
         "what is added, a number, {counter, flag, draw, timer, way or word: NAME} or {distance: [A, B]}, or a list "
-        "that is added up, each with a weight; 1 if neither `by` nor `to` is given",
+        "to be summed, each with a weight; 1 if neither `by` nor `to` is given",
     )
     to: Points | None = described(
         None,
-        "what it is set to, a number, {counter, flag, draw, timer, way or word: NAME} or {distance: [A, B]}, or a list "
-        "that is added up, each with a weight",
+        "what it is set to, a number, {counter, flag, draw, timer, way or word: NAME} or {distance: [A, B]}, or a "
+        "list to be summed, each with a weight",
     )
     at_least: float | None = described(None, "`by` or `to` is no less than this, whatever the sum is")
     at_most: float | None = described(None, "`by` or `to` is no more than this, whatever the sum is")
     keeps_at_least: float | None = described(
-        None, "with `by`: the counter does not fall below this; what lies below it already stays"
+        None, "with `by`: the counter does not fall below this; a value already below it is unchanged"
     )
     keeps_at_most: float | None = described(
-        None, "with `by`: the counter does not rise above this; what lies above it already stays"
+        None, "with `by`: the counter does not rise above this; a value already above it is unchanged"
     )
 
     EXAMPLE = """

@@ -21,7 +21,7 @@ class DrawAction(Action):
     as_: Annotated[Scalar | None, DrawnValue()] = Field(
         None,
         alias="as",
-        description="set it to this value instead of drawing; each: to the name of the one for whom the rule is "
+        description="set it to this value instead of drawing; each: to the name of the member the rule applies to "
         "(for_each); other: of the one touched",
     )
 

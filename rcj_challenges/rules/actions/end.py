@@ -14,7 +14,7 @@ class End(Action):
 
     action: Literal["end"]
     what: Literal["half", "match"] = described(
-        "half", "half: the next one still follows; match: none follows, also if a half is over already (half_ended)"
+        "half", "half: the next one still follows; match: none follows, even if a half is over already (half_ended)"
     )
     reason: str = described("", "why, for the record", max_length=200)
 

@@ -13,7 +13,7 @@ from rcj_challenges.tracking.bound_rules import Act, Firing
 
 
 class Hold(Action):
-    """Hold robots: from the next tick on their wheels stand braked, whatever their programs command.
+    """Hold robots: from the next tick on their wheels are braked, whatever their programs command.
 
     Programs run on, and the last command acts when the robots are released. If a robot is held already, the later end
     counts. A placement or removal does not end a hold, and its time runs on; a new half begins without holds. A phase
@@ -24,7 +24,7 @@ class Hold(Action):
     entity: Annotated[Names, ROBOTS] = described(..., "which robots are held: robots, groups, or each")
     for_s: Lasts | None = described(
         None,
-        "how long, in s, also while it is off the field: a number, {draw: NAME} or {counter: NAME}, read in that "
+        "how long, in s, even while it is off the field: a number, {draw: NAME} or {counter: NAME}, read at that "
         "moment (0 or less: not at all); left out: until a rule releases it; a robot that is held already stays so "
         "until the later of the two ends",
     )
@@ -42,7 +42,7 @@ rules:
     actions: [{action: release, entity: each}]
   penalty:
     triggers: [{trigger: touches, entity: B1, other: walls}]
-    # A number, or what a counter or a draw says: each time a second longer.
+    # A number, or what a counter or a draw is set to: each time a second longer.
     actions: [{action: count, counter: penalty_s}, {action: hold, entity: B1, for_s: {counter: penalty_s}}]
 expect:
   who_is_touched_by_a_team_mate_is_free_again:

@@ -21,7 +21,7 @@ class Place(Action):
 
     action: Literal["place"]
     layout: Annotated[Name | DrawValue | None, SectionRef("layout", ("placements",))] = described(
-        None, "a layout of `placements`, or {draw: NAME} whose values are"
+        None, "a layout of `placements`, or {draw: NAME}, a draw whose values are layouts"
     )
     entity: Annotated[Names | None, ENTITIES] = described(None, "what is put there: entities, groups, or each")
     at: At | None = described(None, "where")

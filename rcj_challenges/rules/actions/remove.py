@@ -22,8 +22,8 @@ class Remove(Action):
     entity: Annotated[Names, ENTITIES] = described(..., "what is taken off: entities, groups, or each")
     for_s: Lasts | None = described(
         None,
-        "it comes back after this time, in s: a number, {draw: NAME} or {counter: NAME}, read in that moment (0 or "
-        "less: one tick); left out: when a rule places it; who is off already comes back as the later action says",
+        "it comes back after this time, in s: a number, {draw: NAME} or {counter: NAME}, read at that moment (0 or "
+        "less: one tick); left out: when a rule places it; if it is already off, the later action decides",
     )
     back_at: At = described("start", "where it comes back to")
     facing: Facing = described("start", "which way it looks when it comes back")

@@ -36,16 +36,16 @@ class Score(Action):
     )
     points: Points = described(
         1,
-        "how many: a number, {counter, flag, draw, timer, way or word: NAME}, {distance: [A, B]}, or a list of which "
-        "all is added: numbers, and these with weights",
+        "how many: a number, {counter, flag, draw, timer, way or word: NAME}, {distance: [A, B]}, or a list to be "
+        "summed: numbers, and these with weights",
     )
     at_least: float | None = described(None, "no fewer points are given than this, whatever the sum is")
     at_most: float | None = described(None, "no more points are given than this, whatever the sum is")
     keeps_at_least: float | None = described(
-        None, "points taken away do not take the entrant's score below this; what lies below it already stays"
+        None, "points taken away do not take the entrant's score below this; a value already below it is unchanged"
     )
     keeps_at_most: float | None = described(
-        None, "points given do not take the entrant's score above this; what lies above it already stays"
+        None, "points given do not take the entrant's score above this; a value already above it is unchanged"
     )
 
     EXAMPLE = """

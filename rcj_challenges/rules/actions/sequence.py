@@ -18,7 +18,7 @@ class SequenceAction(Action):
     entity: Annotated[Name | None, ENTITY] = described(
         None, "for a sequence kept per entity: whose; each; left out: all of them"
     )
-    do: Literal["reset"] = described("reset", "reset: it stands before its first step, or at it if the entity is in it")
+    do: Literal["reset"] = described("reset", "reset: back to before the first step, or on it if the entity is there")
 
     EXAMPLE = """
 zones:

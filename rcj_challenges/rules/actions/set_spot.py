@@ -17,7 +17,7 @@ from rcj_challenges.tracking.bound_rules import Act, Firing
 
 
 class SetSpot(Action):
-    """Set a spot to where something is now, and so remember that place; each half begins with that of the file.
+    """Set a spot to where something is now, and so remember that place; each half starts from the file's position.
 
     What is off the field leaves it where it is, and so does a message that is no position. What is placed in the same
     tick is still where it was before.
@@ -37,7 +37,7 @@ class SetSpot(Action):
         ...,
         "an entity, each, a spot, a zone with a centre (a circle, a rect with four sides), a draw's name, [x, y] in m, "
         "{told: NAME}: the position that a robot has sent by radio, {uniform_in: ZONES} or {on_line: [[x, y], [x, y]]}"
-        ", a point of chance",
+        ", a random point",
     )
     mirror: Mirror | None = described(None, "set it to the mirror image of that place")
 

@@ -20,12 +20,12 @@ class AllOf(Condition):
         ...,
         strict=False,
         min_length=1,
-        description="the conditions, each as in a rule; any_of may be one of them, all_of itself not",
+        description="the conditions, each as in a rule; any_of may be one of them, but not all_of itself",
     )
 
     EXAMPLE = """
 # Held together for 2 s: the robot is in the circle and the ball is near it.
-# As conditions of a rule both stand in its list.
+# In `conditions`, simply list both.
 zones: {circle: {shape: circle, centre_m: [0, 0], radius_m: 0.2}}
 rules:
   parked:

@@ -20,7 +20,7 @@ class AnyOf(Condition):
         ...,
         strict=False,
         min_length=1,
-        description="the conditions, each as in a rule; all_of may be one of them, any_of itself not",
+        description="the conditions, each as in a rule; all_of may be one of them, but not any_of itself",
     )
 
     EXAMPLE = """

@@ -42,7 +42,7 @@ rules:
   last_is_out:
     for_each: robots
     triggers: [{trigger: timer_expired, timer: round}]
-    # Of all other robots that are still on the field. Where several are last, all of them are out.
+    # Of all other robots that are still on the field. If several tie for last, all are out.
     conditions: [{condition: counter, counter: visits, entity: each, at_most: {lowest: visits}}]
     actions: [{action: remove, entity: each}, {action: emit, event: OUT, payload: {robot_name: {word: robot_name}}}]
 expect:
@@ -52,7 +52,7 @@ expect:
       - {at_s: 1, place: {B1: [0.1, 0], B2: [0, 0.1], B3: [-0.1, 0], Y1: [0, -0.1], Y3: [0, 0]}}
     lasts_s: 6
     events: [{event: OUT, at_s: 5, tolerance_s: 0.1, payload: {robot_name: Y2}}]
-    # Of one kept per entity one by one; `visits: 11` would be the sum. `given` can be written so as well.
+    # Per-entity counters can be listed one by one; `visits: 11` would be the sum. `given` accepts this too.
     counters: {visits: {Y1: 2, Y2: 1}}
 """
     SENTENCE = "its counter “visits” is at most the lowest counter “visits” of all others on the field"

@@ -16,7 +16,7 @@ from rcj_challenges.tracking.bound_rules import Test
 
 
 class Distance(Compared):
-    """How far an entity's centre is from another thing, a place or a point, in m; off the field none holds."""
+    """How far an entity's centre is from another thing, a place or a point, in m; never true off the field."""
 
     condition: Literal["distance"]
     entity: Annotated[
@@ -32,7 +32,7 @@ class Distance(Compared):
     to: Annotated[Name | Point, MEASURED_TO] = described(
         ...,
         "an entity, a fixed obstacle (to its centre, to a wall's middle line), each, a spot, a gate or zone (to its "
-        "nearest point; inside a zone it is 0), a draw's name, a group (the nearest of it), or [x, y] in m",
+        "nearest point; inside a zone it is 0), a draw's name, a group (the nearest member), or [x, y] in m",
     )
     of: Quantifier = described("any", "how many of a group must satisfy it")
 

@@ -18,7 +18,8 @@ class Drawn(Condition):
     draw: Annotated[Name, DRAW] = described(..., "a draw")
     equals: Annotated[Scalar, DrawnValue()] = described(
         ...,
-        "the value it must have; each: the name of the one for whom the rule is (for_each); other: of the one touched",
+        "the value it must have; each: the name of the member the rule applies to (for_each); other: of the one "
+        "touched",
     )
 
     EXAMPLE = """

@@ -19,7 +19,7 @@ class IsHeld(Condition):
     of: Quantifier = described("any", "how many of a group must be held")
 
     EXAMPLE = """
-# Who moves at red stands for 3 s. Once it is let go, it may be caught again.
+# A robot that moves at red stands for 3 s. Once it is let go, it may be caught again.
 phases:
   red: {lasts_s: 10}
 first_phase: red

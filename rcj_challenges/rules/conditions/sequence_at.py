@@ -14,7 +14,7 @@ from rcj_challenges.tracking.bound_rules import Test
 
 
 class SequenceAt(Condition):
-    """At which step a sequence stands."""
+    """Which step a sequence has reached."""
 
     condition: Literal["sequence_at"]
     sequence: Annotated[Name, SEQUENCE] = described(..., "a sequence")
@@ -39,7 +39,7 @@ sequences:
 rules:
   two_are_on_their_way:
     triggers: [{trigger: touches, entity: robots, other: ball}]
-    # Of so many of those that have one; entity: Y1 would ask for that of one.
+    # `of` sets how many must be at that step; `entity: Y1` would test Y1 alone.
     conditions: [{condition: sequence_at, sequence: across, step: west, of: {at_least: 2}}]
     actions: [{action: score, entrant: yellow}]
 expect:

@@ -16,7 +16,7 @@ from rcj_challenges.tracking.bound_rules import Test
 
 
 class TimerIs(Compared):
-    """How long a timer has run, in s; without a comparison: whether it is running (run out, it is not)."""
+    """How long a timer has run, in s; without a comparison: whether it is running (an expired timer is not)."""
 
     condition: Literal["timer"]
     timer: Annotated[Name, TIMER] = described(..., "a timer")

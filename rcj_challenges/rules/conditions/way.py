@@ -14,7 +14,7 @@ from rcj_challenges.tracking.bound_rules import Test
 
 
 class WayIs(Compared):
-    """How far an entity has driven or rolled in this half, in m; where rules put it is no way. Also off the field."""
+    """How far an entity has driven or rolled this half, in m; placing by rules does not count. Also off the field."""
 
     condition: Literal["way"]
     entity: Annotated[Names, ENTITIES] = described(..., "an entity, each, or a group with `of`")
@@ -28,7 +28,7 @@ rules:
     triggers: [{trigger: holds, condition: {condition: way, entity: each, at_least: {counter: budget_m}}}]
     actions: [{action: remove, entity: each}, {action: emit, event: USED_UP, payload: {who: {word: robot_name}}}]
   put_back:
-    # Where a rule puts it is no way, and gives none back.
+    # Being placed by a rule does not count, and gives none back.
     triggers: [{trigger: time_reached, at_s: 3}]
     actions: [{action: place, entity: Y1, at: {point: [0.5, -0.5]}}]
 expect:

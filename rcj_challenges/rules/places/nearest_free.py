@@ -13,7 +13,7 @@ from rcj_challenges.tracking.places import PlaceResolver
 
 
 class NearestFree(PlaceWord):
-    """A random one of the nearest free spots."""
+    """One of the nearest free spots, chosen at random."""
 
     nearest_free: Annotated[Names, SPOTS] = described(..., "spots, or a group of spots")
     to: Annotated[Name | Point | None, ANCHOR] = described(

@@ -13,13 +13,11 @@ from rcj_challenges.tracking.places import PlaceRequest, PlaceResolver
 
 
 class RelativeTo(PlaceWord):
-    """Beside another entity or spot; relative to the ball itself, with a kick: it rolls in another direction."""
+    """Beside another entity or spot; relative to the ball itself plus a kick, this redirects it."""
 
-    relative_to: Annotated[Name, ANCHOR] = described(
-        ..., "an entity or spot, each, or a draw's name: what that has decided"
-    )
+    relative_to: Annotated[Name, ANCHOR] = described(..., "an entity or spot, each, or a draw's name: the thing drawn")
     offset_m: Point = described(
-        (0.0, 0.0), "[x, y] from it in m; a mirror mirrors a spot with its offset, of an entity the offset only"
+        (0.0, 0.0), "[x, y] from it in m; a spot is mirrored with its offset; for an entity only the offset is"
     )
     turns: bool = described(False, "True: the offset is in the entity's own frame, x forward, and no mirror changes it")
 

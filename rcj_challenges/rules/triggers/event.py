@@ -16,12 +16,12 @@ class OnEvent(Trigger):
     event: EventName = described(..., "the event")
     entity: Annotated[Names | None, Ref("entity, obstacle, zone or gate", KEEPING, groups=True, each=True)] = described(
         None,
-        "only if it is about this one (whom the rule that emits it is for, or its trigger found): an entity, a fixed "
+        "only events about this entity (the emitting rule's member or its trigger's entity): an entity, a fixed "
         "obstacle, a zone or gate that the rule is for, a group (any of them), or each; left out: whatever it is about",
     )
 
     EXAMPLE = """
-# `entity: each` (or a name) hears the events that are about that one: {trigger: event, event: FOUL, entity: each}.
+# `entity: each` (or a name) reacts only to the events about that one: {trigger: event, event: FOUL, entity: each}.
 rules:
   goal:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]

@@ -21,9 +21,9 @@ class Holds(Trigger):
     condition: AnyCondition = described(..., "the condition")
     for_s: NotNegative = described(
         0.0,
-        "how long it must hold, in s; 0: when it comes true, and not if it was true when the rule came to life, or a "
-        "rule made it true that puts things somewhere or takes them off (spot_free, sequence_at, and a counter beside "
-        "the lowest or highest of others hear that one tick later)",
+        "how long it must hold, in s; 0: as soon as it becomes true, but not if already true when the rule became "
+        "active or made true by a placement or removal (spot_free, sequence_at, and a counter beside the lowest or "
+        "highest of others see that one tick later)",
     )
     grace_s: NotNegative = described(0.0, "an interruption of up to this time counts as holding, in s")
     every_s: DurationS | None = described(

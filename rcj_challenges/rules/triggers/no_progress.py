@@ -20,7 +20,7 @@ from rcj_challenges.tracking.trackers import NEVER, DueTracker
 
 
 class NoProgress(Trigger):
-    """Fires when the length of an entity's path over a sliding window falls short; a window that is not full cannot.
+    """Fires when the length of an entity's path over a sliding window is too short; never before the window is full.
 
     A robot that a rule holds (action `hold`) is not judged meanwhile; its window begins when it is let go.
     """
@@ -28,9 +28,7 @@ class NoProgress(Trigger):
     trigger: Literal["no_progress"]
     entity: Annotated[Names, ENTITIES] = described(..., ENTITY_DESCRIPTION)
     distance_m: Positive = described(..., "path length that is expected, in m")
-    within_s: DurationS = described(
-        ..., "length of the window in s; of a robot that a rule holds it begins when it is let go"
-    )
+    within_s: DurationS = described(..., "length of the window in s; for a held robot, it starts on release")
 
     MEASURED = "the length in m of its path"
     LIMIT = "distance_m"

@@ -13,11 +13,11 @@ from rcj_challenges.rules.refs import PHASE
 
 
 class PhaseEntered(Trigger):
-    """Fires when a phase is entered, after `set_phase` one tick later; not for the first of a half (`half_started`)."""
+    """Fires when a phase is entered (one tick after `set_phase`); not for the first of a half (`half_started`)."""
 
     trigger: Literal["phase_entered"]
     phase: Annotated[Name, PHASE] = described(..., "the phase entered")
-    from_: Annotated[Name | None, PHASE] = Field(None, alias="from", description="only when it comes from this phase")
+    from_: Annotated[Name | None, PHASE] = Field(None, alias="from", description="only if entered from this phase")
 
     EXAMPLE = """
 phases:

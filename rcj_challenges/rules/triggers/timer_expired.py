@@ -19,7 +19,7 @@ class TimerExpired(Trigger):
 
     trigger: Literal["timer_expired"]
     timer: Annotated[Name, TIMER] = described(
-        ..., "the timer; of one kept per entity: with for_each over those that of the current one, else any of them"
+        ..., "the timer; for a per-entity timer: with for_each, the member's own; otherwise any"
     )
 
     MEASURED = "the length in s of the timer"

@@ -17,17 +17,18 @@ from rcj_challenges.tracking.trackers import TickTracker
 
 
 class Touches(Trigger):
-    """Fires when two bodies come into contact that were not in the sub-step before."""
+    """Fires when two bodies come into contact that were not in contact in the previous sub-step."""
 
     trigger: Literal["touches"]
     entity: Annotated[Names, THINGS] = described(
         ...,
-        "whose: an entity (a robot, a ball or a movable obstacle), a fixed obstacle, a group (any of them), or each",
+        "which entity: an entity (a robot, a ball or a movable obstacle), a fixed obstacle, a group (any of them), "
+        "or each",
     )
     other: Annotated[Names, Ref("entity or obstacle", MOVING | FIXED | {"walls"}, groups=True, each=True)] = described(
         ...,
-        "what it touches: entities, obstacles, walls, or a group; where all triggers of a rule are touches, its "
-        "conditions and actions can name the one touched: other, as each",
+        "what it touches: entities, obstacles, walls, or a group; if all triggers are touches, conditions and "
+        "actions can name the touched thing other",
     )
     every_s: DurationS | None = described(
         None, "fires again after each of these times in s while they go on touching; left out: when it begins only"
@@ -37,7 +38,7 @@ class Touches(Trigger):
 flags: {touched: {}}
 counters: {pushed: {per: robots}}
 rules:
-  # In a rule of touches `other` is the one that was touched: it fires once for each of them.
+  # In a rule triggered by touches `other` is the one that was touched: it fires once for each of them.
   push:
     for_each: robots
     triggers: [{trigger: touches, entity: each, other: robots}]
@@ -54,7 +55,7 @@ rules:
     triggers: [{trigger: touches, entity: robots, other: ball}]
     conditions: [{condition: flag, flag: touched, negate: true}]
     actions: [{action: score, entrant: {last_touch: ball}}, {action: set_flag, flag: touched}]
-  # While they go on touching it fires again and again: who leans on the other one is warned every 2 s.
+  # While they go on touching it fires again and again: a robot that leans on the other one is warned every 2 s.
   leans:
     triggers: [{trigger: touches, entity: B1, other: Y1, every_s: 2}]
     actions: [{action: emit, event: LEANS}]

@@ -13,11 +13,11 @@ from rcj_challenges.rules.refs import MEASURED_TO
 
 
 class DistanceValue(ValueWord):
-    """How far the centres of two things are apart, in m to the millimetre; null while one of them is off the field."""
+    """How far apart the centres of two things are, in m to the millimetre; null while one of them is off the field."""
 
     distance: Annotated[tuple[Name | Point, Name | Point], Field(strict=False), MEASURED_TO] = described(
         ...,
-        "two of: an entity, a fixed obstacle, each, a spot, a draw's name, a group (the nearest of it), [x, y] in m; "
+        "two of: an entity, a fixed obstacle, each, a spot, a draw's name, a group (the nearest member), [x, y] in m; "
         "one of them may be a wall, a gate or a zone, of which the nearest point counts: inside a zone it is 0",
     )
 
@@ -27,7 +27,7 @@ class DistanceValue(ValueWord):
 rules:
   brought:
     triggers: [{trigger: time_reached, at_s: 3}]
-    # 25 points, less 10 for each metre that it lies away.
+    # 25 points, less 10 for each metre from the centre.
     actions:
       - {action: score, entrant: yellow, points: [25, {distance: [ball, centre], weight: -10}]}
       - {action: emit, event: BROUGHT, payload: {distance_m: {distance: [ball, centre]}}}

@@ -14,7 +14,7 @@ from rcj_challenges.tracking.state import Number
 
 
 class HighestOfOthers(ValueWord):
-    """The highest value that a counter kept per entity has of all others; see the lowest."""
+    """The highest value of a counter kept per entity among all other entities; see the lowest."""
 
     highest: Annotated[Name, COUNTER] = described(
         ..., "a counter kept per entity: the highest of all but `each`; without for_each: of all"

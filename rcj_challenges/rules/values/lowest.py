@@ -14,7 +14,7 @@ from rcj_challenges.tracking.state import Number
 
 
 class LowestOfOthers(ValueWord):
-    """The lowest value that a counter kept per entity has of all others.
+    """The lowest value of a counter kept per entity among all other entities.
 
     Entities off the field do not count. If no other one is left, or `each` is off the field, no comparison holds, and
     every negated one does.

@@ -15,7 +15,7 @@ from rcj_challenges.tracking.bound_rules import Reader
 
 
 class TimerValue(ValueWord):
-    """How long a timer has run, in s with its fraction; its length less this is left, run out up to a tick under 0."""
+    """How long a timer has run, in s with its fraction; length minus this is left (to a tick below 0 after expiry)."""
 
     timer: Annotated[Name, TIMER] = described(..., "a timer")
     entity: Annotated[Name | None, WHOSE] = described(

@@ -23,7 +23,7 @@ class ToldValue(ValueWord):
 
     KEY = "told"
     EXAMPLE = """
-# A wager: the goal pays as many points as the robot has announced before.
+# A wager: the goal pays as many points as the robot announced beforehand.
 counters: {wager: {}}
 rules:
   wagered:
@@ -37,7 +37,7 @@ rules:
       - {action: emit, event: GOAL, payload: {told: {told: Y1}}}
 expect:
   three_and_one_are_four_points:
-    # A message that asks for too much is heard, but this rule is not for it.
+    # A number that is too high is received, but does not match this rule.
     keyframes: [{at_s: 1, tells: {Y1: 3}}, {at_s: 2, tells: {Y1: 100}}, {at_s: 3, place: {ball: [0, 0.8]}}]
     lasts_s: 4
     score: {yellow: 4}

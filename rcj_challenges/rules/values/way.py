@@ -29,7 +29,7 @@ rules:
     actions: [{action: count, counter: way_before_m, to: {way: ball}}]
   brought:
     triggers: [{trigger: stays_in, entity: ball, zone: blue_goal, limit_s: 0.5}]
-    # 10 points, less 2 for each metre that the ball has come since it was taken.
+    # 10 points, less 2 for each metre that the ball has travelled since it was taken.
     actions:
       - action: score
         entrant: yellow

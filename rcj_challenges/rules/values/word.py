@@ -17,13 +17,13 @@ from rcj_challenges.tracking.state import Number, RefereeState
 
 
 class WordValue(ValueWord):
-    """A fact of the match by its word."""
+    """A fact about the match, by keyword."""
 
     word: Literal[
         "robot_name", "entity_name", "each_name", "other_name", "team_name", "entrant", "score", "halftime", "match_id",
         "total_match_time_s", "time_s", "time_left_s", "measured", "limit", "phase", "seed_id",
     ] = described(..., "the word; times have fractions; measured, limit: the trigger's (of holds: in s); each_name: "
-                  "of the member of for_each; other_name: of the one touched, in a rule of touches")  # fmt: skip
+                  "of the member of for_each; other_name: of the one touched, if touches trigger the rule")  # fmt: skip
     of: Annotated[Name | None, ENTRANT] = described(
         None, "for team_name and score: the entrant; left out: that of the current entity"
     )
@@ -34,7 +34,7 @@ rules:
   goal:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
     actions:
-      # 60 points, less 1 for each whole second: 9.9 s are 9.
+      # 60 points, less 1 for each whole second: 9.9 s counts as 9.
       - {action: score, entrant: yellow, points: [60, {word: time_s, weight: -1}]}
       - {action: emit, event: GOAL, payload: {team: {word: team_name, of: yellow}, half: {word: halftime}}}
 expect:

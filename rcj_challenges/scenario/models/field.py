@@ -38,8 +38,8 @@ class FieldModel(Strict):
     )
     friction: float = described(
         1.0,
-        "Coulomb friction of the floor under wheels and balls, of walls (to balls 1 at most) and of bodies that touch; "
-        "of a ball on a robot or a ball, of a wheel's rim and of what is pushed over the floor 0.1 at most",
+        "Coulomb friction of the floor under wheels and balls, of walls (to balls 1 at most) and of bodies that "
+        "touch; 0.1 at most for a ball against a robot or ball, a wheel's rim, and anything pushed",
         ge=0,
         le=2,
     )

@@ -63,7 +63,7 @@ class Robot(Strict):
     kit: Annotated[Name, SectionRef("kit", ("kits",))] = described(..., "name of its kit")
     start: StartPose = described(..., "where it starts")
     devices: dict[DeviceName, AnyDevice] = described(
-        {}, "devices added to those of its kit, or changed: one without 'device' is as in the kit but for what it says"
+        {}, "devices added to those of its kit, or changed: without 'device' it changes only the keys given"
     )
     without: tuple[DeviceName, ...] = Field((), strict=False, description="devices of the kit that it lacks")
     idle: bool = described(False, "True: no program drives it, its wheels are braked (an obstacle)")

@@ -49,22 +49,22 @@ class Rule(Strict):
     ) = Field(
         None,
         exclude=True,  # when a scenario has been loaded, the rules that came of it stand in its place
-        description="names: the rule is there once for each, called NAME_yellow and NAME_blue; {param: this} in it is "
-        "that name, {param: KEY} the value that stands beside it under KEY",
+        description="names: the rule is repeated for each name, called NAME_yellow and NAME_blue; "
+        "{param: this} in it is that name, {param: KEY} is its value for KEY",
         examples=[["yellow", "blue"], {"yellow": {"zone": "blue_goal"}, "blue": {"zone": "yellow_goal"}}],
     )
     phases: Annotated[
         Literal["any"] | Annotated[tuple[Name, ...], Field(strict=False, min_length=1)],
         SectionRef("phase", ("phases",), words=frozenset({"play", "any"})),
-    ] = Field(("play",), description="the phases in which it lives; any: all of them")
+    ] = Field(("play",), description="the phases in which it is active; any: all of them")
     priority: int = described(0, "lower fires first; equal ones in the order of the file", ge=-1000, le=1000)
     exclusive: Name | None = described(
         None,
         "of the rules of one such group only the first fires in a tick: with for_each for each member, else in all; "
-        "one with for_each and one without never meet",
+        "per-member and global rules never exclude each other",
     )
     cooldown_s: DurationS | None = described(
-        None, "after firing it rests this long, in s: with for_each for this member, else for all"
+        None, "after firing it cannot fire again for this long, in s: with for_each for this member, else for all"
     )
     max_executions: int | None = described(
         None, "how often it may fire in a half: with for_each for each member, else in all", ge=1
@@ -84,7 +84,7 @@ class Broadcast(Strict):
     ] = described(
         None,
         "values by key that are added to the same object for one robot, or the robots of a group, only: by the "
-        "name of the robot or group; of two for the same robot and key the later one counts",
+        "name of the robot or group; for the same robot and key the later one wins",
     )
     every_ticks: int = described(1, "sent every this many ticks", ge=1, le=10_000)
 
@@ -103,14 +103,14 @@ class PlusPart(Strict):
 
 
 class RankByTime(Strict):
-    """Rank by the time at which the half ended, of several halves by the sum, plus penalties."""
+    """Rank by the time at which the half ended, summed over halves, plus penalties."""
 
     time: Literal["ascending", "descending"] = described(..., "which is better first")
     plus: tuple[PlusPart, ...] = Field((), strict=False, description="seconds added by counters")
 
 
 class RankByCounter(Strict):
-    """Rank by a counter: kept per entity by the sum over the team's robots, of several halves by the sum of them."""
+    """Rank by a counter: kept per entity by the sum over the team's robots, summed over halves."""
 
     counter: Annotated[Name, COUNTER] = described(..., "a counter")
     order: Literal["ascending", "descending"] = described("descending", "which is better first")
@@ -133,16 +133,16 @@ class Keyframe(Strict):
         Ref("entity", MOVING, keys=True),
     ] = described(
         {},
-        "entity -> [x, y] or [x, y, yaw] in m and rad: it is there at once; it comes into zones and through gates, but "
-        "the jump is no speed: in that tick no comparison of its speed holds",
+        "entity -> [x, y] or [x, y, yaw] in m and rad: it is there at once; it comes into zones and through gates, "
+        "but the jump does not count as speed; speed conditions fail in that tick",
     )
     move: Annotated[
         dict[Name, Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]],
         Ref("entity", MOVING, keys=True),
     ] = described(
         {},
-        "entity -> [x, y] or [x, y, yaw]: it glides there in a straight line from where it was a keyframe before; "
-        "where a rule places it meanwhile it stays",
+        "entity -> [x, y] or [x, y, yaw]: it glides there in a straight line from its position at the previous "
+        "keyframe; if a rule places it meanwhile, it stays there",
     )
     touch: Annotated[
         tuple[Annotated[tuple[Name, Name], Field(strict=False)], ...],
@@ -172,16 +172,17 @@ class ExpectedEvent(Strict):
 
 
 class Given(Strict):
-    """What a test finds when its half begins, before the first rule: as if a half or a long play went before."""
+    """What a test finds when its half begins, before the first rule: as if a half or a long play had come before."""
 
     score: Annotated[dict[Name, float], _SCORES] = described({}, "entrant -> points; left out: 0")
     counters: Annotated[dict[Name, float | dict[Name, float]], _COUNTERS] = described(
         {},
-        "counter -> value, of one kept per entity for each of them, or {entity: value, …}; left out: its initial value",
+        "counter -> value, for a per-entity counter for each of them, or {entity: value, …}; left out: its initial "
+        "value",
     )
     flags: Annotated[dict[Name, bool | dict[Name, bool]], _FLAGS] = described(
         {},
-        "flag -> true or false, of one kept per entity for each of them, or {entity: true or false, …}; left out: its "
+        "flag -> true or false, for a per-entity flag for each of them, or {entity: true or false, …}; left out: its "
         "initial value",
     )
 
@@ -200,15 +201,15 @@ class Expectation(Strict):
         SectionRef("draw", ("draws",), keys=True),
     ] = described(
         {},
-        "draws decided beforehand: a value stands until a rule draws again; of a list each draw takes the next value, "
-        "and chance decides again after the last",
+        "draws decided beforehand: a value stands until a rule draws again; with a list, each draw takes the next "
+        "value; afterwards draws are random",
     )
     spots: Annotated[
         dict[Name, Point | Annotated[tuple[Point, ...], Field(strict=False, min_length=1)]] | None,
         Ref("spot", frozenset({"spot"}), keys=True),
     ] = described(
         None,
-        "where chance sets spots, decided beforehand: spot -> [x, y] in m for the first time, or a list of them for "
+        "where randomly set spots go, fixed beforehand: spot -> [x, y] in m for the first time, or a list of them for "
         "the first times; then chance decides again (where a spot is at the end is compared under poses)",
     )
     given: Given = described(Given(), "score, counters and flags when the half begins")
@@ -224,10 +225,10 @@ class Expectation(Strict):
     )
     score: Annotated[dict[Name, float], _SCORES] = described({}, "score by entrant at the end")
     counters: Annotated[dict[Name, float | dict[Name, float]], _COUNTERS] = described(
-        {}, "counters at the end; of one kept per entity the sum, or {entity: value, …}"
+        {}, "counters at the end; for a per-entity counter the sum, or {entity: value, …}"
     )
     flags: Annotated[dict[Name, bool | dict[Name, bool]], _FLAGS] = described(
-        {}, "flags at the end; of one kept per entity whether any is set, or {entity: true or false, …}"
+        {}, "flags at the end; for a per-entity flag whether any is set, or {entity: true or false, …}"
     )
     phase: Annotated[Name | None, PHASE] = described(None, "the phase at the end")
     ranking: Annotated[
@@ -301,7 +302,7 @@ class Scenario(Strict):
     timers: dict[Name, Timer] = described({}, "clocks that rules start")
     sequences: dict[Name, Sequence] = described({}, "orders in which things must happen")
     placements: dict[Name, Layout] = described({}, "layouts by name")
-    phases: dict[Name, Phase] = described({}, "phases beside play")
+    phases: dict[Name, Phase] = described({}, "phases besides play")
     first_phase: Annotated[Name, PHASE] = described("play", "the phase in which a half begins")
     rules: dict[Name, Rule] = described({}, "the rules, in the order in which they are judged")
     broadcast: Broadcast | None = described(None, "what programs receive in addition to the official packet")

@@ -16,18 +16,18 @@ class Draw(Strict):
         ...,
         strict=False,
         min_length=1,
-        description="the values, equally likely; one that is written twice comes twice as often",
+        description="the values, equally likely; one that is listed twice is drawn twice as often",
     )
     not_last: bool = described(
         False,
-        "True: never the same value twice running; a half that draws again may begin with the last of the one before",
+        "True: never the same value twice in a row; a new half may start with the previous half's last value",
     )
     not_again: Literal["half", "match"] | None = described(
         None,
         "half: in a half no value comes again before all have been drawn, then it starts again; match: in all halves "
-        "together; a value that a rule sets counts as drawn. Left out: all are in every draw",
+        "together; a value that a rule sets counts as drawn. Left out: every draw uses all values",
     )
-    keep: Literal["half", "match"] = described("half", "match: the value lives on in the next half, undrawn")
+    keep: Literal["half", "match"] = described("half", "match: the value is kept for the next half and is not redrawn")
 
 
 class Counter(Strict):
@@ -42,7 +42,7 @@ class Counter(Strict):
         None, "a group, also of fixed obstacles, zones or gates: one counter for each of its members"
     )
     keep: Literal["half", "match"] | None = described(
-        None, "match: the value lives on in the next half, with the robot, not the team; half, or left out: it does not"
+        None, "match: the value is kept for the next half, with the robot, not the team; half, or left out: it is not"
     )
 
 
@@ -53,7 +53,7 @@ class Flag(Strict):
     per: Annotated[Name | None, KEEPERS] = described(
         None, "a group, also of fixed obstacles, zones or gates: one flag for each of its members"
     )
-    keep: Literal["half", "match"] = described("half", "match: the value lives on in the next half")
+    keep: Literal["half", "match"] = described("half", "match: the value is kept for the next half")
 
 
 class Timer(Strict):
@@ -61,8 +61,8 @@ class Timer(Strict):
 
     lasts_s: Lasts = described(
         ...,
-        "its length in s, or {draw: NAME} or {counter: NAME}: what that is when the timer starts from 0 (of a counter "
-        "at least one tick); with per: entity: each is the counter of the same one",
+        "its length in s, or {draw: NAME} or {counter: NAME}: its value when the timer starts from 0 (of a counter "
+        "at least one tick); with per, entity: each uses that member's counter",
     )
     per: Annotated[Name | None, KEEPERS] = described(
         None, "a group, also of fixed obstacles, zones or gates: one timer for each of its members"
@@ -86,7 +86,7 @@ class Sequence(Strict):
     either = ("entity", "per")
 
     entity: Annotated[Name | None, ONE_ENTITY] = described(
-        None, "whose way is followed: one robot, ball or movable obstacle"
+        None, "which entity is tracked: one robot, ball or movable obstacle"
     )
     per: Annotated[Name | None, MEMBERS] = described(
         None,
@@ -99,7 +99,7 @@ class Sequence(Strict):
     cyclic: bool = described(False, "True: complete on re-entering the first step, and begins again there")
     wrong_step: Literal["break", "ignore"] = described(
         "ignore",
-        "what another of its steps does that is neither the last reached nor the next: ignore: nothing; "
+        "the effect of a wrong step, one that is neither the last reached nor the next: ignore: nothing; "
         "break: after the first step, the sequence starts again",
     )
     when_placed: Literal["begins_anew", "goes_on"] | None = described(
@@ -114,18 +114,19 @@ class Sequence(Strict):
 
 
 class Phase(Strict):
-    """A time in which only the rules that live in it run. ``play`` always exists."""
+    """A time in which only the rules that are active in it run. ``play`` always exists."""
 
     lasts_s: Lasts | None = described(
         None,
-        "after this time in s the next phase is entered; {draw: NAME} or {counter: NAME}: what that is when the phase "
-        "is entered (of a counter at least one tick); left out: until a rule",
+        "after this time in s the next phase is entered; {draw: NAME} or {counter: NAME}: its value on entry (of a "
+        "counter at least one tick); left out: until a rule ends it",
     )
     next: Annotated[Name, PHASE] = described("play", "the phase that follows")
     waiting_for_kickoff: bool = described(False, "the flag that programs receive meanwhile")
     clock: Literal["runs", "stops"] = described("runs", "whether the time of the half goes on")
     robots: Literal["free", "held"] | None = described(
         None,
-        "held: all wheels stand braked meanwhile; programs run on, and what they command acts when the phase is over; "
+        "held: all wheels stand braked meanwhile; programs run on, and their commands take effect when the phase is "
+        "over; "
         "free, or left out: robots drive",
     )
