@@ -233,7 +233,7 @@ def _named(files: Files, fallback: str, done: list[str]) -> Files:
     if name.path != _NAME_PATH:
         done.append(f"took the team's name from {safe_text(name.path)} to {NAME_FILE}")
     if codes - {"identity.name_file"}:
-        done.append(f"wrote {NAME_FILE} anew: {name.text}")
+        done.append(f"rewrote {NAME_FILE}: {name.text}")
     return _placed(files, name.path, _NAME_PATH, content)
 
 

@@ -60,7 +60,7 @@ class Motors:
         }
 
     def command(self, command: MotorCommand) -> None:
-        """Set a motor: clamped to its top speed; a command that is no number is ignored."""
+        """Set a motor: clamped to its top speed; a command that is not a number is ignored."""
         device, velocity, position = command
         motor = self._motors.get(device)
         if motor is None or velocity != velocity or position != position:  # noqa: PLR0124 - NaN, at every command

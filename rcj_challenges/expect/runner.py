@@ -287,8 +287,8 @@ def _differences(match: ScriptedMatch, scenario: Scenario, expected: Expectation
     for name, is_held in (expected.held or {}).items():
         yield from difference(f"{name} held", is_held, referee.held.get(name))
     yield from _pose_differences(match, expected)
-    for whom, told in (expected.told or {}).items():
-        for robot in match.roster.expand(whom):
+    for robots, told in (expected.told or {}).items():
+        for robot in match.roster.expand(robots):
             for key, value in told.items():
                 heard = match.told.get(robot, {}).get(key)
                 yield from sent_difference(f"{key} told to {robot}", value, heard, expected.tolerance_m)

@@ -40,4 +40,4 @@ def _remedy(system: str) -> str:
             f"on Windows it mostly lacks Microsoft's Visual C++ runtime: python -m pip install {PACKAGE} brings it, "
             'or the "Visual C++ Redistributable" that Microsoft offers'
         )
-    return "install it anew: python -m pip install --force-reinstall --no-cache-dir mujoco numpy"
+    return "install it again: python -m pip install --force-reinstall --no-cache-dir mujoco numpy"

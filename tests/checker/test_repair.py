@@ -115,7 +115,7 @@ def test_what_was_done_is_listed(tmp_path: Path) -> None:
         "renamed the folder My Team/robots to rcj_soccer_team_blue",
         "took everything out of the extra folder My Team",
         "took the team's name from teamname.txt to team_name.txt",
-        "wrote team_name.txt anew: Robo Cats, the very best of all",
+        "rewrote team_name.txt: Robo Cats, the very best of all",
         "left out logo.png: it is not a known kind of picture",
     ]
     assert contents(out) == {ENTRY: PROGRAM, "team_name.txt": b"Robo Cats, the very best of all\n"}

@@ -48,7 +48,7 @@ expect:
     def describe(self, phrases: Phrases) -> str:
         """Return the action as a clause: ``yellow gets 1 point``."""
         if self.as_ is None:
-            return f"{quoted_measure(self.draw)} is drawn anew"
+            return f"{quoted_measure(self.draw)} is drawn again"
         who = phrases.drawn(self.draw, self.as_)
         # Of one that the rule is about people say what it becomes.
         if who.startswith("“"):

@@ -42,7 +42,7 @@ expect:
     lasts_s: 4
     score: {yellow: 0}
 """
-    SENTENCE = "the sequence “across” begins anew"
+    SENTENCE = "the sequence “across” starts again"
 
     def compile(self, to: Binder) -> Act:
         """Return what resets a sequence: that of one, or of all that have one."""
@@ -57,4 +57,4 @@ expect:
 
     def describe(self, phrases: Phrases) -> str:
         """Return the action as a clause: ``yellow gets 1 point``."""
-        return f"{phrases.every_kept('sequence', self.sequence, self.entity)} begins anew"
+        return f"{phrases.every_kept('sequence', self.sequence, self.entity)} starts again"

@@ -136,4 +136,4 @@ FACTS: dict[str, _Fact] = {
     "phase": _Fact(lambda to, _firing, _of: to.state.phase, "the phase"),
     "seed_id": _Fact(lambda to, _firing, _of: to.state.seed_id(), "a mark of the seed"),
 }
-"""By word, what reads it and what the sheet says of it."""
+"""By word: the function that reads it, and its text on the sheet."""

@@ -45,7 +45,7 @@ _WORDS: dict[str, dict[str, str]] = {
         "phase change_phase goto": "did you mean 'set_phase'?",
         "random choose roll": "did you mean 'draw'? The draw stands under 'draws'",
         "flag clear_flag": "did you mean 'set_flag', with to: true or to: false?",
-        "broadcast tell send": "what programs are told stands in the section 'broadcast'",
+        "broadcast tell send": "what programs receive is in the section 'broadcast'",
     },
     "condition": {
         "and": "did you mean 'all_of'?",

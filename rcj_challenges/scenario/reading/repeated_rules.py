@@ -290,7 +290,7 @@ class _Reader:
         known = taken.setdefault(name, row.mark)
         if known is not row.mark:
             line = _line(known, row.mark)
-            message = f"the rule for it is called '{name}', as another rule is{line}"
+            message = f"its rule would have the name '{name}' of another rule{line}"
             self._add((row.step,), row.mark, message, "rename one")
         return known is row.mark
 

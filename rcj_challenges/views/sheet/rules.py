@@ -37,7 +37,7 @@ _BOOKKEEPING = (Count, DrawAction, Emit, SequenceAction, SetFlag, SetSpot, Timer
 """Actions that change nothing on the field, in the score or in the course."""
 
 _NOTES: dict[str, tuple[type, ...]] = {
-    "A sequence is followed in the phases of the rules that name it, and begins anew after other phases.": (Sequence,),
+    "A sequence is followed in the phases of the rules that name it, and starts again after other phases.": (Sequence,),
     "Zones that are named together count as one: moving from one straight into the other is not entering.": (Enters,),
     "The last to touch something is the robot that touched it last since a rule put it where it is. If there is none, "
     "points for its team are not given.": (LastTouch, LastToucher, LastTouchValue),
@@ -53,7 +53,7 @@ _NOTES: dict[str, tuple[type, ...]] = {
     "the field. It is back as soon as its time is over or a rule puts it somewhere.": (Remove,),
     "A robot that is held still stands with braked wheels, whatever its program does, until its time is over or it is "
     "let go. Only from then on it must move.": (Hold,),
-    "A rule that begins the phase that is already on begins it anew, with all of its time.": (SetPhase,),
+    "A rule that begins the phase that is already on restarts it, with all of its time.": (SetPhase,),
 }
 """What holds for all rules that use one of some words."""
 
@@ -114,7 +114,7 @@ def _general(scenario: Scenario, rules: Mapping[str, Rule]) -> Iterator[str]:
     if set(scenario.phases) - {"play"}:
         yield (
             "A rule that names no phase counts in the phase “play” only. What happens in another phase is not made up "
-            "for later, and what must last for a time is measured anew."
+            "for later, and what must last for a time is measured again."
         )
     parts = (*rules.values(), scenario.placements, scenario.broadcast, scenario.sequences)
     models = [model for model, _ in walk(parts)]
