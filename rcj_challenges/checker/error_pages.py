@@ -105,7 +105,6 @@ PAGES: dict[str, str] = {
     "play.slow": "A program would use up most of its time in a whole half.\n\nDo less in each step.",
     "play.slow_step": "One step came near its time limit.\n\nSpread long work over many steps.",
     "play.prints_much": "A program prints so much that it may be stopped in a whole half.\n\nPrint less.",
-    "play.writes_much": "A program writes so much that it may be stopped in a whole half.\n\nWrite less.",
     "play.thread": "A thread of a program ended with an error.\n\nCorrect the line in the report.",
     "play.complaint": "The module controller refused or ignored a call.\n\nCorrect this call.",
 }

@@ -1,4 +1,4 @@
-"""What a check found: findings in stages, and the verdict that follows from them."""
+"""Findings in stages, and the level that follows from them."""
 
 from __future__ import annotations
 
@@ -25,10 +25,6 @@ STAGES: dict[StageName, str] = {
     "play": "a short match, on every side that the team can take",
 }
 """All stages in their order, and what each is about."""
-
-
-NO_SUCH_DEVICE = "; there is none"
-"""How the message about a missing device ends."""
 
 
 def _about(text: str) -> Any:
@@ -64,8 +60,8 @@ class Stage:
 
     @property
     def level(self) -> Level:
-        """The gravest of its findings."""
-        return gravest(finding.level for finding in self.findings)
+        """The most serious of its findings."""
+        return most_serious(finding.level for finding in self.findings)
 
     @property
     def failed(self) -> bool:
@@ -73,6 +69,6 @@ class Stage:
         return self.level in ("failure", "unchecked")
 
 
-def gravest(levels: Iterable[Level]) -> Level:
-    """Return the gravest of levels; passed, if there are none."""
+def most_serious(levels: Iterable[Level]) -> Level:
+    """Return the most serious of levels; passed, if there are none."""
     return max(levels, key=RANKS.index, default="passed")

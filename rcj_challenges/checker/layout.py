@@ -41,14 +41,11 @@ def layout_findings(opening: Opening, seats: Sequence[Entrant], others: Sequence
         seats: the entrants for which it was opened.
         others: the shipped scenarios that it fits, if it does not fit this one.
     """
+    found = _folder_findings(opening)
     if opening.missing:
-        return [*_folder_findings(opening), *_missing(opening, seats, others)]
-    return [
-        *_folder_findings(opening),
-        *_empty_findings(opening, seats),
-        *_program_findings(opening, seats),
-        *_never_started(opening, seats),
-    ]
+        return found + _missing(opening, seats, others)
+    found += _empty_findings(opening, seats)
+    return found if opening.contents.kind == "program" else [*found, *_program_findings(opening, seats)]
 
 
 def empty_programs(files: Mapping[PurePosixPath, bytes], seats: Sequence[Entrant]) -> list[Empty]:
@@ -70,49 +67,41 @@ def empty_programs(files: Mapping[PurePosixPath, bytes], seats: Sequence[Entrant
 
 
 def _folder_findings(opening: Opening) -> list[Finding]:
-    found = []
     if opening.contents.kind == "program":
         message = f"a single program drives all robots: {safe_text(next(iter(opening.files), ''))}"
-        found.append(Finding("layout.single_program", "warning", message, "a submission is a ZIP", repair=True))
+        return [Finding("layout.single_program", "warning", message, "a submission is a ZIP", repair=True)]
     if opening.contents.kind != "zip":
-        return found
-    top = opening.top
+        return []
+    top, found = opening.top, []
+
+    def warn(code: str, message: str, remedy: str, where: str = "") -> None:
+        found.append(Finding(f"layout.{code}", "warning", message, remedy, where, repair=True))
+
     if opening.within is not None and not top.parts:
         message = f"the programs are not in a folder {safe_text(opening.within)}"
-        remedy = "pack that folder, not only what is in it"
-        found.append(Finding("layout.no_folder", "warning", message, remedy, repair=True))
+        warn("no_folder", message, "pack that folder, not only what is in it")
     elif opening.within is not None:
         message = f"the folder of the programs is called {safe_text(top.name)}"
-        found.append(
-            Finding(
-                "layout.folder_name",
-                "warning",
-                message,
-                f"call it {safe_text(opening.within)}",
-                safe_text(top),
-                repair=True,
-            )
-        )
+        warn("folder_name", message, f"call it {safe_text(opening.within)}", safe_text(top))
         top = top.parent
     if top.parts:
         message = f"everything lies in an extra folder: {safe_text(top)}"
-        remedy = "pack what is in it, not the folder itself"
-        found.append(Finding("layout.top_folder", "warning", message, remedy, safe_text(top), repair=True))
+        warn("top_folder", message, "pack what is in it, not the folder itself", safe_text(top))
     return found
 
 
 def _missing(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) -> list[Finding]:
     files = opening.contents.files
-    plan = plan_moves(files, seats)
+    plan = plan_moves(files, seats) if not others else None
     message = missing_programs(files, opening.missing, hint=plan is None, not_meant=all_entries(seats))
-    elsewhere = f"{suggest_scenarios(others)}; if it is for this scenario, " if others else ""
     if plan is not None:
-        remedy = elsewhere + ", ".join(map(str, plan.moves)) + (f"; {plan.caution}" if plan.caution else "")
+        remedy = "; ".join(filter(None, (", ".join(map(str, plan.moves)), plan.caution)))
         return [Finding("layout.misnamed", "failure", message, remedy, safe_text(plan.moves[0].old), not plan.caution)]
     nested = [trouble for trouble in opening.contents.troubles if trouble.code == "archive.nested"]
     if nested:
         remedy = f"pack what is in {nested[0].where}, not the archive itself"
     else:
+        elsewhere = f"{suggest_scenarios(others)}; if it is for this scenario, " if others else ""
         remedy = f"{elsewhere}add or rename the program: {' or '.join(next(iter(opening.missing.values())))}"
     return [Finding("layout.missing", "failure", message, remedy)]
 
@@ -132,26 +121,19 @@ def _empty_findings(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]
 
 
 def _program_findings(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:
-    if opening.contents.kind == "program":
-        return []
+    """Return which robots are started with which program, and the programs that no robot is started with.
+
+    The latter are alternatives that the scenario names and does not take, and folders with a name much like one that it
+    takes. What the other programs mention belongs to them.
+    """
     robots: dict[PurePosixPath, list[str]] = {}
     for robot, entry in entries_of(opening.files, seats).items():
         if entry is not None:
             robots.setdefault(entry, []).append(robot)
-    return [
+    found = [
         Finding("layout.program", "passed", f"{', '.join(names)}: {safe_text(entry)}", where=safe_text(entry))
         for entry, names in robots.items()
     ]
-
-
-def _never_started(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:
-    """Return findings on programs in a folder of their own name that no robot is started with.
-
-    These are alternatives that the scenario names and does not take, and folders with a name much like one that it
-    takes. What the other programs mention belongs to them.
-    """
-    if opening.contents.kind == "program":
-        return []
     # Beside an empty file that is to be deleted, those that are started then are in use.
     spare = {empty.path for empty in empty_programs(opening.files, seats) if empty.started and empty.spare}
     files = {path: content for path, content in opening.files.items() if path not in spare}
@@ -165,33 +147,25 @@ def _never_started(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:
         and content.strip(BLANK)
         and (path in asked or any(alike(path.stem, folder) for folder in folders))
     ]
-    found = []
     for path in likely[:_MAX_NEVER_STARTED]:
         others = {other: content for other, content in files.items() if other.parts[0] != path.parts[0]}
         if not mentioned(others, [path.stem]):
-            found.append(_never_started_finding(files, path, entries))
+            found.append(_never_started(files, path, entries))
     return found
 
 
-def _never_started_finding(
+def _never_started(
     files: Mapping[PurePosixPath, bytes], path: PurePosixPath, entries: Sequence[PurePosixPath]
 ) -> Finding:
+    place = safe_text(path)
     twin = next((entry for entry in entries if _content(files, path) == _content(files, entry)), None)
     if twin is not None:
-        message = (
-            f"{safe_text(path)} is never started; what is in its folder is the same as in {safe_text(twin.parent)}"
-        )
-        return Finding("layout.same_program", "passed", message, where=safe_text(path))
-    started = [safe_text(entry) for entry in dict.fromkeys(entries)]
-    if len(started) > 1:
-        why = f"robots are started with {', '.join(started)}"
-    else:
-        why = f"{started[0]} is what all robots are started with, whatever their colour"
-    message = f"{safe_text(path)} is never started: {why}"
-    remedy = (
-        "put what it does into the program that is started, which can ask robot.getName() who it is; else delete it"
-    )
-    return Finding("layout.never_started", "warning", message, remedy, safe_text(path))
+        message = f"{place} is never started; what is in its folder is the same as in {safe_text(twin.parent)}"
+        return Finding("layout.same_program", "passed", message, where=place)
+    started = ", ".join(safe_text(entry) for entry in dict.fromkeys(entries))
+    message = f"{place} is never started: robots of either colour are started with {started}"
+    remedy = "put what it does into the program that is started, which can call robot.getName(); else delete it"
+    return Finding("layout.never_started", "warning", message, remedy, place)
 
 
 def _content(files: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> dict[PurePosixPath, bytes]:

@@ -16,8 +16,8 @@ from typing import Any
 from pydantic import ValidationError
 
 from rcj_challenges.checker.check import CheckOptions, check_file, crashed_report, unchecked_report
-from rcj_challenges.checker.many_given import Called, called
 from rcj_challenges.checker.report import FileReport
+from rcj_challenges.checker.submissions import SubmissionName, name_submissions
 from rcj_challenges.controllers.team import TeamError
 from rcj_challenges.core.diagnostics import one_line
 from rcj_challenges.core.errors import format_error
@@ -36,13 +36,13 @@ class _Job:
 
     Attributes:
         path: of the submission.
-        called: its names.
+        named: its names.
         message: what its process reads from standard input, without the path, as JSON.
         max_s: how long its process may take; only a fault of ours takes longer.
     """
 
     path: Path
-    called: Called
+    named: SubmissionName
     message: dict[str, Any]
     max_s: float
 
@@ -58,20 +58,20 @@ class _Job:
             process.terminate()
 
     def read_outcome(self, process: subprocess.Popen[bytes]) -> Attempt[FileReport]:
-        message = json.dumps({**self.message, "path": str(self.path), "called": asdict(self.called)}).encode()
+        message = json.dumps({**self.message, "path": str(self.path), "named": asdict(self.named)}).encode()
         try:
             out, err = process.communicate(message, self.max_s)
         except subprocess.TimeoutExpired:
             process.kill()
             process.communicate()
-            return Attempt(crashed_report(self.called, f"the check did not end within {self.max_s:.0f} s"))
+            return Attempt(crashed_report(self.named, f"the check did not end within {self.max_s:.0f} s"))
         report = _report(out)
         if report is not None:
             return Attempt(report)
-        return Attempt(_dead_report(self.called, process.returncode, err.decode("utf-8", "replace")), is_final=False)
+        return Attempt(_dead_report(self.named, process.returncode, err.decode("utf-8", "replace")), is_final=False)
 
     def start_failed(self, error: OSError) -> FileReport:
-        return unchecked_report(self.called, f"no process could be started for it: {format_error(error)}")
+        return unchecked_report(self.named, f"no process could be started for it: {format_error(error)}")
 
 
 def check_many(
@@ -91,30 +91,29 @@ def check_many(
     """
     message = _message(loaded, options)
     max_s = _patience_s(loaded.scenario.limits, len(loaded.scenario.robots))
-    named = zip(paths, called(paths), strict=True)
+    named = zip(paths, name_submissions(paths), strict=True)
     return run_all([_Job(path, name, message, max_s) for path, name in named], jobs, on_done)
 
 
 def work() -> None:
     """Check one submission in this process: the job is JSON on standard input, the report JSON on standard output."""
     signal.signal(signal.SIGINT, _leave)
-    told = json.loads(sys.stdin.buffer.read())
-    named = Called(**told["called"])
-    options = told["options"]
+    request = json.loads(sys.stdin.buffer.read())
+    named = SubmissionName(**request["named"])
+    options = request["options"]
     replays = options.pop("replays")
-    path = Path(told["path"])
+    path = Path(request["path"])
     try:
         report = check_file(
             path,
-            load_resolved(told["scenario"]),
+            load_resolved(request["scenario"]),
             CheckOptions(**options, replays=None if replays is None else Path(replays)),
             named=named,
         )
     except TeamError as error:  # it could be opened when the check began
         report = unchecked_report(named, one_line(error))
     logo = None if report.logo is None else base64.b64encode(report.logo).decode("ascii")
-    said = json.dumps({"report": report.model_dump(mode="json"), "logo": logo})
-    sys.stdout.write(said + "\n")
+    sys.stdout.write(json.dumps({"report": report.model_dump(mode="json"), "logo": logo}) + "\n")
 
 
 def _leave(*_: object) -> None:
@@ -123,19 +122,19 @@ def _leave(*_: object) -> None:
     raise KeyboardInterrupt
 
 
-def _dead_report(named: Called, status: int, said: str) -> FileReport:
+def _dead_report(named: SubmissionName, status: int, errors: str) -> FileReport:
     """Return the report on a submission whose process died without one."""
     if os.name == "posix" and status == -signal.SIGKILL:  # nothing of ours does that here
         return unchecked_report(named, "the system ended its process; perhaps there is not enough memory")
-    return crashed_report(named, f"the check came to a bad end (exit status {status})", said)
+    return crashed_report(named, f"the check came to a bad end (exit status {status})", errors)
 
 
 def _report(out: bytes) -> FileReport | None:
     """Return the report that a process wrote, if it wrote one."""
     try:
-        said = json.loads(out)
-        logo = None if said["logo"] is None else base64.b64decode(said["logo"])
-        return FileReport.model_validate({**said["report"], "logo": logo})
+        answer = json.loads(out)
+        logo = None if answer["logo"] is None else base64.b64decode(answer["logo"])
+        return FileReport.model_validate({**answer["report"], "logo": logo})
     except (ValueError, ValidationError, KeyError, TypeError):
         return None
 

@@ -12,6 +12,7 @@ import sys
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from importlib.machinery import BuiltinImporter, FrozenImporter
 from itertools import islice
 from pathlib import PurePosixPath
 
@@ -22,17 +23,14 @@ INSTALLED = ("numpy", "scipy", "controller")
 
 WELL_KNOWN = frozenset(
     {
-        *("cv2", "cvxpy", "gym", "gymnasium", "jax", "keras", "matplotlib", "numba", "onnxruntime", "pandas", "PIL"),
-        *("psutil", "pydantic", "pygame", "pymunk", "PyQt5", "PyQt6", "PySide6", "pylab", "rclpy", "requests", "rospy"),
-        *("seaborn", "serial", "shapely", "skimage", "sklearn", "stable_baselines3", "tensorflow", "tflite_runtime"),
-        *("torch", "torchvision", "ultralytics", "websockets", "win32api", "zmq"),
+        *("cv2", "gym", "gymnasium", "jax", "keras", "matplotlib", "numba", "onnxruntime", "pandas", "PIL", "psutil"),
+        *("pygame", "pymunk", "rclpy", "requests", "rospy", "serial", "shapely", "skimage", "sklearn"),
+        *("stable_baselines3", "tensorflow", "tflite_runtime", "torch", "torchvision", "ultralytics", "websockets"),
     }
 )
 """Libraries that no match has, and that no file beside a program replaces: compiled, or for what a match refuses."""
 
 _TOP = PurePosixPath()
-_ALL_PROGRAMS = "controllers"
-"""Name of the folder with all of a team's programs, as in the original: `Robot.getProjectPath`."""
 COMPILED = frozenset({".so", ".pyd"})
 _MAX_OF_A_NAME = 20
 """Modules of one name that are looked at, where a program may find them in any folder."""
@@ -57,20 +55,15 @@ class Library:
     Args:
         files: paths of all files.
         places: folders in which imports are looked for, in order.
-        is_everywhere: whether these may be any folders, also the one that holds all programs.
     """
 
-    def __init__(
-        self, files: Iterable[PurePosixPath], places: Sequence[PurePosixPath], *, is_everywhere: bool = False
-    ) -> None:
+    def __init__(self, files: Iterable[PurePosixPath], places: Sequence[PurePosixPath]) -> None:
         self._files = frozenset(files)
         self._folders = frozenset(parent for path in self._files for parent in path.parents)
         self._compiled = frozenset(
             path.parent / path.name.partition(".")[0] for path in self._files if path.suffix in COMPILED
         )
         self.places = tuple(dict.fromkeys(places))
-        self._is_everywhere = is_everywhere
-        self._found: dict[str, list[Module]] = {}
 
     @cached_property
     def _places_with(self) -> Mapping[str, list[PurePosixPath]]:
@@ -82,19 +75,30 @@ class Library:
                 named.setdefault(path.name.partition(".")[0], set()).add(path.parent)
         return {name: sorted(places, key=rank.__getitem__) for name, places in named.items()}
 
+    @cached_property
+    def names(self) -> list[str]:
+        """The names that could be imported from the places."""
+        modules = (
+            name for name, places in self._places_with.items() if any(self.inside(place, name) for place in places)
+        )
+        return sorted(filter(str.isidentifier, modules))
+
     def everywhere(self) -> Library:
         """Return the library of a program that changes ``sys.path``: all folders, the usual ones first."""
-        return Library(self._files, (*self.places, *sorted(self._folders)), is_everywhere=True)
+        return Library(self._files, (*self.places, *sorted(self._folders)))
 
-    def tops(self, name: str) -> list[Module]:
-        """Return what ``import name`` can find in the submission, before Python's own modules: the first counts."""
-        if name not in self._found:
-            found = (self.inside(place, name, namespace=False) for place in self._places_with.get(name, ()))
-            self._found[name] = list(islice(filter(None, found), _MAX_OF_A_NAME))
-        return list(self._found[name])
+    def top(self, name: str, parts: Sequence[str] = ()) -> Module | None:
+        """Return what ``import name`` finds in the submission, before Python's own modules.
 
-    def has(self, module: Module, parts: Sequence[str]) -> bool:
-        """Return whether there are all of ``module.part.part``."""
+        Args:
+            name: of the module.
+            parts: asked for in it, one in the other: of several modules, the first that has all of them is taken.
+        """
+        found = (self.inside(place, name, namespace=False) for place in self._places_with.get(name, ()))
+        modules = list(islice(filter(None, found), _MAX_OF_A_NAME))
+        return next((module for module in modules if self._has(module, parts)), modules[0] if modules else None)
+
+    def _has(self, module: Module, parts: Sequence[str]) -> bool:
         for part in parts:
             inner = self.inside(module.folder, part) if module.folder is not None else None
             if inner is None:
@@ -104,9 +108,8 @@ class Library:
 
     def top_namespace(self, name: str) -> Module | None:
         """Return the folder without ``__init__.py`` that ``import name`` finds when nothing else is of that name."""
-        places = self._places_with.get(name, ())
-        found = next((Module(place / name, None) for place in places if place / name in self._folders), None)
-        return Module(_TOP, None) if found is None and name == _ALL_PROGRAMS and self._is_everywhere else found
+        places = (place / name for place in self._places_with.get(name, ()))
+        return next((Module(folder, None) for folder in places if folder in self._folders), None)
 
     def inside(self, folder: PurePosixPath, name: str, *, namespace: bool = True) -> Module | None:
         """Return a module of a folder."""
@@ -120,12 +123,6 @@ class Library:
             return Module(None, None)
         return Module(inner, None) if namespace and inner in self._folders else None
 
-    def names(self) -> list[str]:
-        """Return the names that could be imported from the usual places."""
-        found = [path.stem for path in self._files if path.suffix == ".py" and path.parent in self.places]
-        found += [folder.name for folder in self._folders if folder.parent in self.places and folder != _TOP]
-        return sorted({name for name in found if name.isidentifier()})
-
     def lies_at(self, name: str) -> PurePosixPath | None:
         """Return where a module of this name lies, if anywhere in the submission."""
         wanted = (f"{name}.py", f"{name}/__init__.py")
@@ -137,11 +134,14 @@ class Library:
         places = (place / f"{name}{HIDDEN_ENDING}" for place in self.places)
         return next((path for path in places if path in self._files), None)
 
-    def shadows(self) -> list[PurePosixPath]:
-        """Return the files that hide a module of Python's library, numpy or scipy from the program."""
-        hidden = (sys.stdlib_module_names | {"numpy", "scipy"}) - set(sys.builtin_module_names)
-        inside = (path for path in self._files if path.suffix == ".py" and path.parent in self.places)
-        return sorted(path for path in inside if path.stem in hidden)
+    def named_like_pythons(self) -> list[PurePosixPath]:
+        """Return the files with the name of a module of Python's library, numpy, scipy or the match."""
+        taken = sys.stdlib_module_names | set(INSTALLED)
+        return sorted(
+            module.file
+            for name in self.names
+            if name in taken and (module := self.top(name)) is not None and module.file is not None
+        )
 
 
 def places_of(entry: PurePosixPath) -> tuple[PurePosixPath, ...]:
@@ -150,9 +150,10 @@ def places_of(entry: PurePosixPath) -> tuple[PurePosixPath, ...]:
     return (own,) if own == _TOP else (own, own.parent)
 
 
-def is_pythons(name: str) -> bool:
-    """Return whether a top-level module is part of Python."""
-    return name in sys.stdlib_module_names
+def is_always_pythons(name: str) -> bool:
+    """Return whether a module is part of the interpreter (or of the match): no file of a team can replace it."""
+    found = BuiltinImporter.find_spec(name) or FrozenImporter.find_spec(name)
+    return name in ("__main__", "controller") or found is not None
 
 
 def is_here(name: str) -> bool:
@@ -181,19 +182,12 @@ REFUSED: Mapping[str, str] = {
 }  # fmt: skip
 """Modules that can be imported, but whose use a match refuses, and what they are for."""
 
-_OF_THREADS = frozenset({"multiprocessing.dummy", "multiprocessing.pool.ThreadPool"})
-"""What of them a match does not refuse."""
-
 
 def refused_use(module: str, names: Sequence[str]) -> str:
     """Return what a module is for, if its use is refused in a match; else nothing."""
-    asked = [f"{module}.{name}" for name in names]
-    if module in _OF_THREADS or (asked and _OF_THREADS.issuperset(asked)):
-        return ""
-    for dotted in (module, *asked):
+    for dotted in (module, *(f"{module}.{name}" for name in names)):
         parts = dotted.split(".")
-        for length in range(1, len(parts) + 1):
-            use = REFUSED.get(".".join(parts[:length]))
-            if use:
-                return use
+        prefixes = (".".join(parts[:length]) for length in range(1, len(parts) + 1))
+        if use := next(filter(None, map(REFUSED.get, prefixes)), None):
+            return use
     return ""

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
+import json
 import re
-from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass, field, replace
-from typing import Any
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field
 
 from rcj_challenges.checker.advice.hints import standing_help
-from rcj_challenges.checker.devices import MissingDevices, device_findings, missing_by_device
-from rcj_challenges.checker.failing import fault_findings
+from rcj_challenges.checker.faults import MissingDevices, device_findings, fault_findings, missing_by_device
 from rcj_challenges.checker.findings import Finding, Level, Stage
-from rcj_challenges.checker.growth import Growth
-from rcj_challenges.checker.rehearsal import OWN_TEAM, Rehearsal, Rehearsed, rehearse
+from rcj_challenges.checker.rehearsal import OWN_TEAM, Rehearsal, Rehearsed, late_from_ticks, rehearse
 from rcj_challenges.core.measures import number_words
 from rcj_challenges.core.sanitize import sanitize, sanitize_block
 from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
-from rcj_challenges.match.observers import ProgramTimes
 from rcj_challenges.scenario.halves import longest_half_s
 from rcj_challenges.scenario.load import Loaded
 
@@ -47,25 +44,6 @@ _THREAD_ENDED = re.compile(
     r"^Exception in thread .+:\n(?P<report>Traceback \(most recent call last\):\n(?:[ \t].*\n)*(?P<error>\S.*))",
     re.MULTILINE,
 )
-_PRINT_LESS = "print less: only what changes, or in every 30th step"
-_WRITE_LESS = 'write less: in every 30th step, or start the file again now and then (open(…, "w"))'
-
-
-@dataclass(frozen=True)
-class _Kind:
-    """A resource that is limited per half.
-
-    Attributes:
-        does: what they do.
-        where: to what.
-        limit_mb: how much they may, in MB.
-        remedy: what to do about it.
-    """
-
-    does: str
-    where: str
-    limit_mb: float
-    remedy: str
 
 
 @dataclass
@@ -97,9 +75,6 @@ def check_play(rehearsal: Rehearsal, seconds: float, known: Collection[tuple[str
     for seat in seats:
         side = f"as {seat}, " if len(seats) > 1 else ""
         match = rehearse(rehearsal, (seat,), seconds)
-        if _slow(rehearsal, match, side) and not match.faults:
-            # Play the same match again: the computer is probably less busy then.
-            match.waits.update(_shorter(match.waits, rehearse(rehearsal, (seat,), seconds).waits))
         played.matches.append(match)
         missing = {found: robots for found, robots in missing_by_device(match).items() if found not in known}
         played.stage.findings += _findings(rehearsal, match, side, missing)
@@ -107,92 +82,73 @@ def check_play(rehearsal: Rehearsal, seconds: float, known: Collection[tuple[str
 
 
 def _findings(rehearsal: Rehearsal, match: Rehearsed, side: str, missing: MissingDevices) -> list[Finding]:
-    lacking = device_findings("play", missing, rehearsal, side)
-    failed = fault_findings("play", rehearsal, match, side)
+    """Return all findings: those that would end a program after their possible causes, and before what may be meant."""
     absent = _rarely_stepping(match)
-    rest = [
+    return [
+        *device_findings("play", missing, rehearsal, side),
+        *fault_findings("play", rehearsal, match, side),
+        *_prints_much(rehearsal, match, side),
         *_rare_step_findings(match, absent, side),
         *_standing(rehearsal, match, absent, side),
         *_away_from_ball(rehearsal, match, side),
         *_slow(rehearsal, match, side),
+        *_threads(match, side),
+        *_complaints(match, side),
+        _summary(match, side),
+        *_opponent_failed(match, side),
     ]
-    much = _much(rehearsal, match, side)
-    logged = [*_threads(match, side), *_complaints(match, side)]
-    # Findings that would end a program come before those that may be intended, and after their possible causes.
-    return [*lacking, *failed, *much, *rest, *logged, _summary(match, side), *_others_failed(match, side)]
 
 
 def _rarely_stepping(match: Rehearsed) -> dict[str, int]:
     """Return the robots whose programs did not fail, but called ``step`` very rarely, and how often they did."""
     failed = {fault["robot"] for fault in match.faults}
-    ticks = ticks_from_s(match.simulated_s)
-    return {
-        robot: wait.steps
-        for robot, wait in match.waits.items()
-        if robot not in failed and wait.steps < _ABSENT_SHARE * ticks
-    }
+    least = _ABSENT_SHARE * ticks_from_s(match.simulated_s)
+    return {robot: wait.steps for robot, wait in match.waits.items() if robot not in failed and wait.steps < least}
 
 
 def _rare_step_findings(match: Rehearsed, absent: Mapping[str, int], side: str) -> list[Finding]:
-    """Return one warning for all robots that took part in equally many ticks."""
-    alike: dict[int, list[str]] = {}
-    for robot, steps in absent.items():
-        alike.setdefault(steps, []).append(robot)
+    if not absent:
+        return []
     ticks = ticks_from_s(match.simulated_s)
+    message = f"{side}took part in {min(absent.values())} of {ticks} ticks; it slept or waited through the rest"
     remedy = (
         "look for time.sleep, a wait, or a step of many seconds: meanwhile the motors keep their last speeds, and "
         "the robot sees nothing; in a loop call robot.step(32) instead, and compare robot.getTime()"
     )
-    return [
-        Finding(
-            "play.absent",
-            "warning",
-            f"{side}took part in {steps} of {ticks} ticks; it slept or waited through the rest",
-            remedy,
-            ", ".join(robots),
-        )
-        for steps, robots in alike.items()
-    ]
+    return [Finding("play.absent", "warning", message, remedy, ", ".join(absent))]
 
 
 def _standing(rehearsal: Rehearsal, match: Rehearsed, absent: Collection[str], side: str) -> list[Finding]:
-    """Return warnings if robots did not move: without those that failed or were absent."""
+    """Return a warning for each program whose robots did not move: without those that failed or were absent."""
     known = {*absent, *(fault["robot"] for fault in match.faults)}
-    standing: dict[str, list[str]] = {}  # by the remedy
-    remedies: dict[str, str] = {}  # by the program: strange ones take long to look through
-    for robot, motion in match.motions.items():
-        if motion.path_m < _STANDS_M and motion.turned_rad < _STANDS_RAD and robot not in known:
-            entry = rehearsal.team.entries[robot]
-            if entry not in remedies:
-                remedies[entry] = standing_help(rehearsal.loaded.scenario, rehearsal.team, robot)
-            standing.setdefault(remedies[entry], []).append(robot)
+    standing: dict[str, list[str]] = {}  # by program
+    for robot, activity in match.robots.items():
+        if activity.path_m < _STANDS_M and activity.turned_rad < _STANDS_RAD and robot not in known:
+            standing.setdefault(rehearsal.team.entries[robot], []).append(robot)
     message = f"{side}did not move in {match.simulated_s:.0f} s"
+    helps = {
+        entry: standing_help(rehearsal.loaded.scenario, rehearsal.team, robots[0]) for entry, robots in standing.items()
+    }
     return [
-        Finding("play.stands", "warning", message, remedy, ", ".join(robots)) for remedy, robots in standing.items()
+        Finding("play.stands", "warning", message, helps[entry], ", ".join(robots))
+        for entry, robots in standing.items()
     ]
 
 
 def _away_from_ball(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding]:
-    if not _is_about_a_ball(rehearsal.loaded) or any(motion.ball_touches for motion in match.motions.values()):
+    if not _is_about_a_ball(rehearsal.loaded) or any(activity.ball_touches for activity in match.robots.values()):
         return []
     message = f"{side}no robot touched the ball in {match.simulated_s:.0f} s"
     remedy = "do they find it? Watch the replay (--replay DIR)"
-    return [Finding("play.no_touch", "warning", message, remedy, ", ".join(match.motions))]
+    return [Finding("play.no_touch", "warning", message, remedy, ", ".join(match.robots))]
 
 
 def _is_about_a_ball(loaded: Loaded) -> bool:
     """Return whether any rule mentions a ball: in a race through gates it may stay untouched."""
     balls = {*loaded.scenario.balls, "balls"}
     balls |= {group for group, members in loaded.roster.groups.items() if balls.intersection(members)}
-    return any(word in balls for part in ("rules", "sequences") for word in _words(loaded.resolved.get(part)))
-
-
-def _words(data: Any) -> Iterator[str]:
-    if isinstance(data, dict | list):
-        for value in data.values() if isinstance(data, dict) else data:
-            yield from _words(value)
-    elif isinstance(data, str):
-        yield data
+    rules = json.dumps([loaded.resolved.get(part) for part in ("rules", "sequences")])
+    return any(json.dumps(ball) in rules for ball in balls)
 
 
 def _slow(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding]:
@@ -219,66 +175,37 @@ def _slow(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding]:
     return findings
 
 
-def _much(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding]:
-    """Compare what programs printed and wrote, scaled up to a half, with what they may."""
-    limits = rehearsal.loaded.scenario.limits
-    return [
-        *_too_much(rehearsal, match, match.printed, _Kind("prints", "", limits.output_mb, _PRINT_LESS), side),
-        *_too_much(
-            rehearsal, match, match.written, _Kind("writes", " into its folder", limits.scratch_mb, _WRITE_LESS), side
-        ),
-    ]
-
-
-def _too_much(
-    rehearsal: Rehearsal, match: Rehearsed, grown: Mapping[str, Growth], kind: _Kind, side: str
-) -> list[Finding]:
-    """Return findings on robots whose programs come near a limit: one for each level, by the worst."""
-    half_ticks = ticks_from_s(longest_half_s(rehearsal.loaded.scenario.match))
-    failed, limit_bytes = {fault["robot"] for fault in match.faults}, kind.limit_mb * 1e6
-    near = {
-        robot: whole_bytes
-        for robot, growth in grown.items()
-        if robot not in failed and (whole_bytes := growth.at_bytes(half_ticks)) > _MUCH_SHARE * limit_bytes
+def _prints_much(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding]:
+    """Compare what programs printed, scaled up to a half, with what they may print."""
+    half_s, limit_mb = longest_half_s(rehearsal.loaded.scenario.match), rehearsal.loaded.scenario.limits.output_mb
+    failed = {fault["robot"] for fault in match.faults}
+    late_s = match.simulated_s - s_from_ticks(late_from_ticks(match.simulated_s))
+    near_mb = {
+        robot: whole_mb
+        for robot, activity in match.robots.items()
+        if robot not in failed
+        and late_s > 0
+        and (whole_mb := (activity.printed_bytes + activity.late_bytes * (half_s - match.simulated_s) / late_s) / 1e6)
+        > _MUCH_SHARE * limit_mb
     }
-    over = [robot for robot, whole_bytes in near.items() if whole_bytes > _TOO_MUCH_SHARE * limit_bytes]
-    findings = []
-    levels: tuple[tuple[Level, list[str]], ...] = (
-        ("failure", over),
-        ("warning", [one for one in near if one not in over]),
+    if not near_mb:
+        return []
+    most_mb, robot = max((whole_mb, robot) for robot, whole_mb in near_mb.items())
+    message = (
+        f"{side}prints {match.robots[robot].printed_bytes / 1e6:.1f} MB in {match.simulated_s:.1f} s of play, "
+        f"that is about {most_mb:.0f} MB in a half; {limit_mb:g} MB are allowed"
     )
-    for level, robots in levels:
-        if not robots:
-            continue
-        worst = max(robots, key=lambda robot: near[robot])
-        growth = grown[worst]
-        message = (
-            f"{side}{kind.does} {growth.total_bytes / 1e6:.1f} MB{kind.where} in {growth.total_s:.1f} s of play, "
-            f"that is about {near[worst] / 1e6:.0f} MB in a half; {kind.limit_mb:g} MB are allowed"
-        )
-        if near[worst] > limit_bytes:
-            message += f": it would be ended after about {growth.reaches_s(limit_bytes):.0f} s (output_flood)"
-        findings.append(Finding(f"play.{kind.does}_much", level, message, kind.remedy, ", ".join(robots)))
-    return findings
-
-
-def _shorter(first: Mapping[str, ProgramTimes], second: Mapping[str, ProgramTimes]) -> dict[str, ProgramTimes]:
-    """Return the shorter waits of two rehearsals of one match, by robot."""
-    return {
-        robot: replace(
-            wait,
-            waited_s=min(wait.waited_s, second[robot].waited_s),
-            slowest_s=min(wait.slowest_s, second[robot].slowest_s),
-        )
-        for robot, wait in first.items()
-        if robot in second
-    }
+    if most_mb > limit_mb:
+        message += ": it would be ended (output_flood)"
+    level: Level = "failure" if most_mb > _TOO_MUCH_SHARE * limit_mb else "warning"
+    remedy = "print less: only what changes, or in every 30th step"
+    return [Finding("play.prints_much", level, message, remedy, ", ".join(near_mb))]
 
 
 def _threads(match: Rehearsed, side: str) -> list[Finding]:
     """Return the errors that ended threads of a program that goes on."""
     ended: dict[str, tuple[str, list[str]]] = {}
-    for robot in match.motions:
+    for robot in match.robots:
         for found in _THREAD_ENDED.finditer(match.log(robot)):
             _, robots = ended.setdefault(found["error"], (found["report"], []))
             if robot not in robots:
@@ -299,34 +226,29 @@ def _threads(match: Rehearsed, side: str) -> list[Finding]:
 
 def _complaints(match: Rehearsed, side: str) -> list[Finding]:
     """Return what the controller module found wrong with calls of the program."""
-    said: dict[tuple[str, str], list[str]] = {}
-    for robot in match.motions:
+    complaints: dict[tuple[str, str], list[str]] = {}
+    for robot in match.robots:
         for line in dict.fromkeys(match.log(robot).splitlines()):
-            if complaint := _complaint(line):
-                said.setdefault(complaint, []).append(robot)
+            found = ((words.fullmatch(line), remedy) for words, remedy in _COMPLAINTS)
+            if complaint := next(((hit[1], remedy) for hit, remedy in found if hit is not None), None):
+                complaints.setdefault(complaint, []).append(robot)
     return [
         Finding("play.complaint", "warning", f"{side}{sanitize(what)}", remedy, ", ".join(robots))
-        for (what, remedy), robots in list(said.items())[:_MAX_COMPLAINTS]
+        for (what, remedy), robots in list(complaints.items())[:_MAX_COMPLAINTS]
     ]
-
-
-def _complaint(line: str) -> tuple[str, str] | None:
-    """Return what a line of a log complains of, and what to do; None if it is no complaint."""
-    found = ((words.fullmatch(line), remedy) for words, remedy in _COMPLAINTS)
-    return next(((one[1], remedy) for one, remedy in found if one is not None), None)
 
 
 def _summary(match: Rehearsed, side: str) -> Finding:
     against = "".join(f" against {sanitize(name)}" for name in match.opponents.values())
     score = " : ".join(map(number_words, match.result["score"].values()))
-    touches = sum(1 for motion in match.motions.values() if motion.ball_touches)
+    touches = sum(1 for activity in match.robots.values() if activity.ball_touches)
     summary = f"{side}{match.simulated_s:.0f} s played{against}, score {score}"
     if touches:
-        summary += f", {touches} of {len(match.motions)} robots touched the ball"
+        summary += f", {touches} of {len(match.robots)} robots touched the ball"
     return Finding("play.played", "passed", summary)
 
 
-def _others_failed(match: Rehearsed, side: str) -> list[Finding]:
+def _opponent_failed(match: Rehearsed, side: str) -> list[Finding]:
     """Report failed programs of the opponent: not this team's fault, but then it played against fewer robots."""
     if not match.faults_of_others:
         return []

@@ -26,39 +26,28 @@ PROCESSOR_S = 30
 """Longer than the check waits for an answer: this process ends even if its parent is gone."""
 
 _CATCHES = frozenset({"ImportError", "ModuleNotFoundError", "Exception", "BaseException"})
-_CATCHES_UNREADABLE = frozenset({"SyntaxError", "IndentationError"})
-"""What is raised for a file that exists and cannot be read: only running it can show whether that happens."""
-
-_IMPORTS = (ast.Import, ast.ImportFrom)
-_FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 _MAY_NOT_BE_RUN = (
-    *(*_FUNCTIONS, ast.Lambda, ast.If, ast.While, ast.For, ast.match_case, ast.IfExp, ast.BoolOp),
-    *(ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp),
+    *(ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.If, ast.While, ast.For, ast.match_case, ast.IfExp),
+    *(ast.BoolOp, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp),
 )
 _MAX_WORDS = 500
 
 _CODING = re.compile(rb"[ \t\f]*#.*?coding[:=][ \t]*([-_.a-zA-Z0-9]+)")
 _BLANK_OR_COMMENT = re.compile(rb"[ \t\f]*(?:#|$)")
 _LINE_END = re.compile(rb"\r\n?|\n")
+_MOVES_PATH = re.compile(rb"\bsys\.path\b|\bsys[ \t]+import\b[^\n]*\bpath\b|\baddsitedir\b|\bexec[ \t]*\(")
+"""The file changes ``sys.path``, or runs another one that may."""
 # Those that decode in time proportional to the length, as they are called by `codecs`: punycode and idna do not.
 _ENCODINGS = re.compile(
     r"utf-8(-sig)?|ascii|iso8859-\d+|cp\d+|koi8-[rtu]|mac-\w+|gbk|gb2312|gb18030|big5(hkscs)?|shift_jis\w*|euc_\w+"
     r"|iso2022_\w+|hz|johab|tis-620|kz1048|ptcp154|hp-roman8"
 )
-
-
 _LEAVES = frozenset({ast.Name, ast.Constant, ast.Load, ast.Store, ast.Del, ast.Pass, ast.Break, ast.Continue})
 """What most of a file consists of, with nothing inside."""
 
 
 class _Spot(NamedTuple):
-    """A part of a file.
-
-    Attributes:
-        node: which.
-        guarded: whether a failed import there is caught.
-        certain: whether running the file from its beginning comes there.
-    """
+    """A part of a file: whether a failed import there is caught, and whether running the file certainly reaches it."""
 
     node: ast.AST
     guarded: bool
@@ -66,21 +55,21 @@ class _Spot(NamedTuple):
 
 
 def main() -> None:
-    """Read all files and say what is in them."""
+    """Read all files and report what is in them."""
     limit_itself()
     gc.disable()  # trees have no cycles, and looking for some doubles the time
     warnings.simplefilter("ignore")  # a strange escape in a string is no reason to complain here
     source = sys.stdin.buffer
-    asked = json.loads(source.readline())
-    left = asked["max_imports"]
-    for name, size in asked["files"]:
-        said = read_source(source.read(size), name, left)
-        left -= sum(map(amount_of, said.get("imports", ())))
-        sys.stdout.write(json.dumps(said) + "\n")
+    request = json.loads(source.readline())
+    left = request["max_imports"]
+    for name, size in request["files"]:
+        found = read_source(source.read(size), name, left)
+        left -= sum(map(_amount_of, found.get("imports", ())))
+        sys.stdout.write(json.dumps(found) + "\n")
         sys.stdout.flush()
 
 
-def amount_of(found: dict[str, Any]) -> int:
+def _amount_of(found: dict[str, Any]) -> int:
     """Return the count of an import: the module and each name taken from it."""
     return 1 + len(found["names"])
 
@@ -93,53 +82,52 @@ def read_source(source: bytes, name: str, max_imports: int = sys.maxsize) -> dic
         name: how error messages call it.
         max_imports: modules and names that it may import.
     """
-    wrong = _wrong(source, name)
-    if wrong is not None:
-        return {"error": wrong}
+    error = _find_error(source, name)
+    if error is not None:
+        return {"error": error}
     try:
         tree = compile(source, name, "exec", ast.PyCF_ONLY_AST, dont_inherit=True)
         imports = []
         for found in _imports(tree):
-            max_imports -= amount_of(found)
+            max_imports -= _amount_of(found)
             if max_imports < 0:
-                return {"error": {"kind": "imports", "said": "", "line": found["line"], "column": found["column"]}}
+                return {"error": _error("imports", line=found["line"], column=found["column"])}
             imports.append(found)
-        return {
-            "imports": imports,
-            "moves_path": _moves_path(tree),
-            "empty": not next(ast.iter_child_nodes(tree), None),
-        }
+        empty = not next(ast.iter_child_nodes(tree), None)
+        return {"imports": imports, "moves_path": bool(_MOVES_PATH.search(source)), "empty": empty}
     except (RecursionError, MemoryError):
         # It can be run, only its tree is too much: then its imports are not known.
         return {"imports": [], "moves_path": True, "empty": False}
 
 
-def _wrong(source: bytes, name: str) -> dict[str, Any] | None:
+def _find_error(source: bytes, name: str) -> dict[str, Any] | None:
     """Return why a file is not valid Python; None if it is."""
     line, declared = _declared_encoding(source)
-    encoding = _codec_of(declared)
+    try:
+        encoding = codecs.lookup(declared).name
+    except LookupError:  # Python's own message is better
+        encoding = ""
     if encoding and not _ENCODINGS.fullmatch(encoding):
-        return {"kind": "odd_encoding", "said": declared, "line": line, "column": 0}
+        return _error("odd_encoding", declared, line)
     try:
         compile(source, name, "exec", dont_inherit=True)
     except SyntaxError as error:
-        return _place(error)
+        return _error(type(error).__name__, str(error.msg), error.lineno or 0, error.offset or 0)
     except (RecursionError, MemoryError):
-        return {"kind": "depth", "said": "", "line": 0, "column": 0}
+        return _error("depth")
     except (ValueError, OverflowError) as error:  # null bytes, before Python 3.12
-        return {"kind": "ValueError", "said": str(error)[:_MAX_WORDS], "line": 0, "column": 0}
-    return _not_utf8(source) if encoding.startswith("utf-8") else None
-
-
-def _not_utf8(source: bytes) -> dict[str, Any] | None:
-    """Return where a file is not UTF-8. Python refuses it when it runs the file; `compile` overlooks it in comments."""
-    try:
-        source.decode()
-    except UnicodeDecodeError as error:
-        line = len(_LINE_END.findall(source[: error.start])) + 1
-        said = f"Non-UTF-8 code starting with '\\x{source[error.start]:02x}'"
-        return {"kind": "SyntaxError", "said": said, "line": line, "column": 0}
+        return _error("ValueError", str(error))
+    if encoding.startswith("utf-8"):  # Python refuses other letters when it runs the file, `compile` not in comments
+        try:
+            source.decode()
+        except UnicodeDecodeError as error:
+            line = len(_LINE_END.findall(source[: error.start])) + 1
+            return _error("SyntaxError", f"Non-UTF-8 code starting with '\\x{source[error.start]:02x}'", line)
     return None
+
+
+def _error(kind: str, message: str = "", line: int = 0, column: int = 0) -> dict[str, Any]:
+    return {"kind": kind, "message": message[:_MAX_WORDS], "line": line, "column": column}
 
 
 def _declared_encoding(source: bytes) -> tuple[int, str]:
@@ -153,25 +141,8 @@ def _declared_encoding(source: bytes) -> tuple[int, str]:
     return 0, "utf-8"
 
 
-def _codec_of(encoding: str) -> str:
-    """Return what `codecs` calls an encoding; empty if there is none, which Python says itself."""
-    try:
-        return codecs.lookup(encoding).name
-    except LookupError:
-        return ""
-
-
-def _place(error: SyntaxError) -> dict[str, Any]:
-    return {
-        "kind": type(error).__name__,
-        "said": str(error.msg)[:_MAX_WORDS],
-        "line": error.lineno or 0,
-        "column": error.offset or 0,
-    }
-
-
 def _imports(tree: ast.AST) -> Iterator[dict[str, Any]]:
-    """Yield what a file imports, wherever it does, each with whether failing is caught, and whether it comes there."""
+    """Yield what a file imports, wherever it does, each with whether failing is caught, and whether it is reached."""
     stack = [_Spot(tree, guarded=False, certain=True)]
     while stack:
         spot = stack.pop()
@@ -195,96 +166,47 @@ def _import(
         "level": level,
         "line": node.lineno,
         "column": node.col_offset + 1,
-        "guarded": spot.guarded,
-        "certain": spot.certain,
+        "risk": "caught" if spot.guarded else "certain" if spot.certain else "possible",
     }
 
 
 def _below(spot: _Spot) -> list[_Spot]:
-    """Return what is inside a node."""
+    """Return what is inside a node. What follows a ``while`` at the top, maybe the main loop, may not be reached."""
     node = spot.node
     if isinstance(node, ast.Try | ast.TryStar):
-        return _tried(spot, node)
-    if isinstance(node, ast.With):
-        if not any(_is_suppress(item.context_expr) for item in node.items):
-            return _one_after_the_other(spot, node.body)
-        return _first_imports(_ready_for(spot, _suppressed(node)), node.body)
+        guarded = spot.guarded or any(_catches(handler.type) for handler in node.handlers)
+        return [
+            *_each(spot._replace(guarded=guarded), node.body, certain=False),
+            *_each(spot, [*node.handlers, *node.orelse], certain=False),
+            *_each(spot, node.finalbody, certain=True),
+        ]
+    if isinstance(node, ast.With) and any(_name(item.context_expr) == "suppress" for item in node.items):
+        return _each(spot._replace(guarded=True), node.body, certain=True)
     if isinstance(node, ast.If) and _name(node.test) == "TYPE_CHECKING":
-        return _one_after_the_other(spot, node.orelse)
-    if isinstance(node, ast.Module | ast.ClassDef):
-        return _one_after_the_other(spot, list(ast.iter_child_nodes(node)))
-    return _each(spot, ast.iter_child_nodes(node), certain=not isinstance(node, _MAY_NOT_BE_RUN))
-
-
-def _tried(spot: _Spot, node: ast.Try | ast.TryStar) -> list[_Spot]:
-    caught = [handler.type for handler in node.handlers]
-    return [
-        *_first_imports(_ready_for(spot, caught), node.body),
-        *_each(spot, [*node.handlers, *node.orelse], certain=False),
-        *_each(spot, node.finalbody, certain=not any(map(_holds_while, node.body))),
-    ]
+        return _each(spot, node.orelse, certain=True)
+    children = list(ast.iter_child_nodes(node))
+    if isinstance(node, ast.Module):
+        loop = next((place for place, child in enumerate(children) if isinstance(child, ast.While)), len(children))
+        return _each(spot, children[: loop + 1], certain=True) + _each(spot, children[loop + 1 :], certain=False)
+    return _each(spot, children, certain=not isinstance(node, _MAY_NOT_BE_RUN))
 
 
 def _each(spot: _Spot, nodes: Iterable[ast.AST], *, certain: bool) -> list[_Spot]:
-    guarded, certain = spot.guarded, spot.certain and certain
-    return [_Spot(node, guarded, certain) for node in nodes if type(node) not in _LEAVES]
+    return [_Spot(node, spot.guarded, spot.certain and certain) for node in nodes if type(node) not in _LEAVES]
 
 
-def _one_after_the_other(spot: _Spot, nodes: Sequence[ast.AST]) -> list[_Spot]:
-    """Return statements in a row. A ``while`` may be the program's main loop: what follows is run after the match."""
-    loop = next((place for place, node in enumerate(nodes) if _holds_while(node)), len(nodes))
-    return _each(spot, nodes[: loop + 1], certain=True) + _each(spot, nodes[loop + 1 :], certain=False)
-
-
-def _first_imports(spot: _Spot, nodes: Sequence[ast.AST]) -> list[_Spot]:
-    """Return statements of which any may be the last, because what goes wrong is caught.
-
-    Each import is reported by itself, so those at the beginning count as carried out.
-    """
-    first = next((place for place, node in enumerate(nodes) if not isinstance(node, _IMPORTS)), len(nodes))
-    return _each(spot, nodes[: first + 1], certain=True) + _each(spot, nodes[first + 1 :], certain=False)
-
-
-def _holds_while(tree: ast.AST) -> bool:
-    """Return whether running a node may come to a ``while``; one in a function is not run where it stands."""
-    stack = [tree]
-    while stack:
-        node = stack.pop()
-        if isinstance(node, ast.While):
-            return True
-        if isinstance(node, ast.stmt) and not isinstance(node, _FUNCTIONS):
-            stack += ast.iter_child_nodes(node)
-        elif isinstance(node, ast.ExceptHandler | ast.match_case):
-            stack += node.body
-    return False
-
-
-def _ready_for(spot: _Spot, caught: Sequence[ast.expr | None]) -> _Spot:
-    """Return a part of a file inside of something that catches these errors."""
-    return spot._replace(
-        guarded=spot.guarded or any(_catches(one, _CATCHES) for one in caught),
-        certain=spot.certain and not any(_catches(one, _CATCHES_UNREADABLE) for one in caught if one is not None),
-    )
-
-
-def _catches(caught: ast.expr | None, errors: frozenset[str]) -> bool:
+def _catches(caught: ast.expr | None) -> bool:
+    """Return whether an ``except`` catches a failed import."""
     if caught is None:
         return True
     classes = caught.elts if isinstance(caught, ast.Tuple) else [caught]
-    return any(_name(one) in errors for one in classes)
-
-
-def _is_suppress(context: ast.expr) -> bool:
-    return isinstance(context, ast.Call) and _name(context.func) == "suppress"
-
-
-def _suppressed(node: ast.With) -> list[ast.expr | None]:
-    contexts = (item.context_expr for item in node.items)
-    return [error for one in contexts if isinstance(one, ast.Call) and _is_suppress(one) for error in one.args]
+    return any(_name(one) in _CATCHES for one in classes)
 
 
 def _name(expression: ast.expr) -> str:
-    """Return the last part of a dotted name; nothing of anything else."""
+    """Return the last part of a dotted name, or of what is called; nothing of anything else."""
+    if isinstance(expression, ast.Call):
+        return _name(expression.func)
     if isinstance(expression, ast.Name):
         return expression.id
     return expression.attr if isinstance(expression, ast.Attribute) else ""
@@ -297,27 +219,6 @@ def _called_import(call: ast.Call) -> str:
     (argument,) = call.args
     named = argument.value if isinstance(argument, ast.Constant) else None
     return named if isinstance(named, str) and named.replace(".", "").isidentifier() else ""
-
-
-def _moves_path(tree: ast.AST) -> bool:
-    """Return whether the file uses ``sys.path``, or runs another one that may: modules lie where only it knows."""
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Call) and _name(node.func) == "exec":
-            return True
-        if isinstance(node, ast.Import) and any(alias.name == "sys" and alias.asname for alias in node.names):
-            return True
-        if (
-            isinstance(node, ast.Attribute)
-            and node.attr in ("path", "addsitedir")
-            and _name(node.value) in _PATH_OWNERS
-        ):
-            return True
-        if isinstance(node, ast.ImportFrom) and node.module == "sys" and "path" in {alias.name for alias in node.names}:
-            return True
-    return False
-
-
-_PATH_OWNERS = frozenset({"sys", "site"})
 
 
 def limit_itself() -> None:

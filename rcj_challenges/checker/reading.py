@@ -8,7 +8,10 @@ import sys
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
-from typing import Any
+from typing import Any, Literal
+
+Risk = Literal["certain", "caught", "possible"]
+"""The effect of an import that fails: the program ends, catches the error, or ends if it reaches the import."""
 
 MAX_BYTES = 64_000
 """A longer Python file is not looked into: for some the time that Python takes grows with the square of the length,
@@ -34,8 +37,7 @@ class Import:
         names: what is taken from it (``from module import names``).
         level: how many leading dots.
         line, column: where, from 1.
-        guarded: the program goes on if it fails (``try … except ImportError``).
-        certain: running the file from its beginning comes to it; not so inside a function or under ``if``.
+        risk: what happens if it fails.
     """
 
     module: str
@@ -43,8 +45,7 @@ class Import:
     level: int
     line: int
     column: int
-    guarded: bool
-    certain: bool
+    risk: Risk
 
 
 @dataclass(frozen=True)
@@ -55,9 +56,9 @@ class Source:
         imports: in order.
         moves_path: it uses ``sys.path``, so modules may be found in places that only the program knows.
         empty: there is nothing in it but comments.
-        wrong: why it is no Python: the kind of error, ``depth``, ``crash``, ``slow``, ``odd_encoding``, ``large``,
+        wrong: why it is not Python: the kind of error, ``depth``, ``crash``, ``slow``, ``odd_encoding``, ``large``,
             ``imports`` or ``unread``; empty if it is.
-        said: Python's own words about that.
+        message: Python's own message about that.
         line, column: where; 0 if that is not known.
     """
 
@@ -65,7 +66,7 @@ class Source:
     moves_path: bool = False
     empty: bool = False
     wrong: str = ""
-    said: str = ""
+    message: str = ""
     line: int = 0
     column: int = 0
 
@@ -93,6 +94,8 @@ def read_sources(
             room -= len(content)
     imports_left = MAX_IMPORTS
     for _ in range(_MAX_ROUNDS):
+        if not left:
+            break
         answers, ended = _ask(left, files, imports_left)
         imports_left -= sum(1 + len(one.names) for answer in answers for one in answer.imports)
         found |= dict(zip(left, answers, strict=False))
@@ -100,8 +103,6 @@ def read_sources(
         # At the timeout any of many files may be in progress: one is slow only if it alone took all the time.
         if left and not (ended == "slow" and answers):
             found[left.pop(0)] = Source(wrong=ended)
-        if not left:
-            break
     found |= dict.fromkeys(left, Source(wrong="unread", moves_path=True))
     found |= {path: found[first_one] for first_one, *others in alike.values() for path in others}
     return {path: found[path] for path in files if path in found}
@@ -111,36 +112,33 @@ def _ask(
     paths: Sequence[PurePosixPath], files: Mapping[PurePosixPath, bytes], max_imports: int
 ) -> tuple[list[Source], str]:
     """Return what the reader reports on the files until it ends, and why if it ended too early."""
-    if not paths:
-        return [], ""
     index = [(path.name.encode("utf-8", "replace").decode(), len(files[path])) for path in paths]
-    told = (
-        json.dumps({"files": index, "max_imports": max_imports}).encode()
-        + b"\n"
-        + b"".join(files[path] for path in paths)
-    )
+    request = json.dumps({"files": index, "max_imports": max_imports}).encode() + b"\n"
     command = [sys.executable, "-I", "-S", "-B", "-X", "utf8", str(_READER)]
     ended = "crash"
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
         try:
-            said, _ = process.communicate(told, PATIENCE_S)
+            output, _ = process.communicate(request + b"".join(files[path] for path in paths), PATIENCE_S)
         except subprocess.TimeoutExpired:
             process.kill()
-            said, _ = process.communicate()
+            output, _ = process.communicate()
             ended = "slow"
-        except BaseException:  # somebody has interrupted the check
+        except BaseException:  # the check was interrupted
             process.kill()
             raise
-    lines = said.split(b"\n")[:-1]  # what follows the last line break was never finished
+    lines = output.split(b"\n")[:-1]  # what follows the last line break was never finished
     return [_source(json.loads(line)) for line in lines[: len(paths)]], ended
 
 
-def _source(said: dict[str, Any]) -> Source:
-    error = said.get("error")
+def _source(answer: dict[str, Any]) -> Source:
+    error = answer.get("error")
     if error is not None:
-        kind = error["kind"]
         return Source(
-            moves_path=kind == "imports", wrong=kind, said=error["said"], line=error["line"], column=error["column"]
+            moves_path=error["kind"] == "imports",
+            wrong=error["kind"],
+            message=error["message"],
+            line=error["line"],
+            column=error["column"],
         )
-    imports = tuple(Import(**{**one, "names": tuple(one["names"])}) for one in said["imports"])
-    return Source(imports, said["moves_path"], said["empty"])
+    imports = tuple(Import(**{**one, "names": tuple(one["names"])}) for one in answer["imports"])
+    return Source(imports, answer["moves_path"], answer["empty"])

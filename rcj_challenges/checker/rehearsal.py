@@ -1,21 +1,19 @@
-"""A short match with a team's programs, played by the engine of the tournament; stages read its record.
-
-There is no second way to start or to supervise a program: this calls `play_match` as ``run`` does.
-"""
+"""A short match with a team's programs, played by `play_match` as ``run`` plays one; stages read its record."""
 
 from __future__ import annotations
 
 import math
 import os
 import time
+from collections.abc import Sequence
 from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.checker.growth import Amounts, FollowedTeam, Growth
 from rcj_challenges.controllers.team import Team, TeamError, open_team
 from rcj_challenges.core.play import RefereeOutput, Snapshot
+from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.match.observers import NullObserver, ProgramTimes
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.match.samples import sample_team
@@ -29,8 +27,9 @@ SEED = 1
 _LEAST_PATIENCE_STEPS = 2.0
 _MAX_OVER = 4.0
 _MAX_LOG_BYTES = 100_000  # at each end
+_STARTED_TICKS = 48  # output arrives every 16 ticks; by then that of the start has arrived
 OWN_TEAM = "your own team"
-_NOBODY = "robots that stand still"
+_STANDING_ROBOTS = "robots that stand still"
 _STAND = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
 
 
@@ -62,18 +61,22 @@ class Rehearsal:
 
 
 @dataclass
-class Motion:
-    """How one robot moved.
+class Activity:
+    """What one robot did.
 
     Attributes:
-        path_m: length of its way in m; being put elsewhere is no part of it.
+        path_m: length of its way in m; being put elsewhere does not count.
         turned_rad: how far it turned, both directions added up.
         ball_touches: sub-steps in which it touched a ball.
+        printed_bytes: how much its program printed.
+        late_bytes: how much of that in the later part of the match, beginning at `late_from_ticks`.
     """
 
     path_m: float = 0.0
     turned_rad: float = 0.0
     ball_touches: int = 0
+    printed_bytes: int = 0
+    late_bytes: int = 0
 
 
 @dataclass(frozen=True)
@@ -87,10 +90,8 @@ class Rehearsed:
         result: as in ``result.json``.
         faults: of the team's robots, in order, as in the result.
         faults_of_others: of all other robots, in the same form.
-        motions: by robot of the team.
+        robots: what the robots of the team did, by name.
         waits: by robot of the team.
-        printed: how much the programs of the team printed, by robot.
-        written: how much they wrote into their folders, by robot.
         simulated_s: what was played in s.
         wall_s: what that took in s.
     """
@@ -101,10 +102,8 @@ class Rehearsed:
     result: dict[str, Any]
     faults: list[dict[str, Any]]
     faults_of_others: list[dict[str, Any]]
-    motions: dict[str, Motion]
+    robots: dict[str, Activity]
     waits: dict[str, ProgramTimes]
-    printed: dict[str, Growth]
-    written: dict[str, Growth]
     simulated_s: float
     wall_s: float
 
@@ -112,14 +111,19 @@ class Rehearsed:
         """Return what a program printed, and what the match wrote about it: of much the beginning and the end."""
         try:
             with (self.folder / LOGS / f"{robot}.log").open("rb") as file:
-                said = file.read(_MAX_LOG_BYTES)
-                left = file.seek(0, os.SEEK_END) - len(said)
-                file.seek(max(len(said), len(said) + left - _MAX_LOG_BYTES))
+                head = file.read(_MAX_LOG_BYTES)
+                size = file.seek(0, os.SEEK_END)
+                file.seek(max(len(head), size - _MAX_LOG_BYTES))
                 rest = file.read(_MAX_LOG_BYTES)
         except OSError:
             return ""
-        gap = b"\n...\n" if left > len(rest) else b""
-        return (said + gap + rest).decode("utf-8", "replace")
+        gap = b"\n...\n" if size > len(head) + len(rest) else b""
+        return (head + gap + rest).decode("utf-8", "replace")
+
+
+def late_from_ticks(simulated_s: float) -> int:
+    """Return from which tick of a short match on what programs print counts as what they print all the time."""
+    return max(ticks_from_s(simulated_s) // 2, _STARTED_TICKS)
 
 
 def rehearse(rehearsal: Rehearsal, seats: tuple[str, ...], seconds: float) -> Rehearsed:
@@ -137,19 +141,17 @@ def rehearse(rehearsal: Rehearsal, seats: tuple[str, ...], seconds: float) -> Re
     scenario = rehearsal.loaded.scenario
     short = shortened(rehearsal.loaded, seconds)
     began = time.perf_counter()
-    followed = FollowedTeam(rehearsal.team)
     with ExitStack() as stack:
         cast = {
-            seat: (followed, rehearsal.name) if seat in seats else _other(rehearsal, seat, stack)
+            seat: (rehearsal.team, rehearsal.name) if seat in seats else _opponent(rehearsal, seat, stack)
             for seat in scenario.entrants
         }
-        teams = {seat: team for seat, (team, _) in cast.items()}
         names = {seat: name for seat, (_, name) in cast.items()}
         ours = [robot for seat in seats for robot in scenario.entrants[seat].robots]
-        observer = _Observer(short, Amounts(ours, followed, scenario.limits))
+        observer = _Observer(short, ours)
         plan = MatchPlan(
             loaded=short,
-            teams=teams,
+            teams={seat: team for seat, (team, _) in cast.items()},
             team_names=names,
             seed=SEED,
             out=rehearsal.out,
@@ -164,10 +166,8 @@ def rehearse(rehearsal: Rehearsal, seats: tuple[str, ...], seconds: float) -> Re
         result=played.result,
         faults=[fault for fault in played.result["faults"] if fault["robot"] in ours],
         faults_of_others=[fault for fault in played.result["faults"] if fault["robot"] not in ours],
-        motions=observer.motions,
+        robots=observer.robots,
         waits={wait.robot: wait for wait in observer.waits if wait.robot in ours},
-        printed=observer.amounts.printed,
-        written=observer.amounts.written,
         simulated_s=played.result["simulated_s"],
         wall_s=time.perf_counter() - began,
     )
@@ -193,7 +193,7 @@ def shortened(loaded: Loaded, seconds: float) -> Loaded:
     return load_resolved(resolved, loaded.name)
 
 
-def _other(rehearsal: Rehearsal, seat: str, stack: ExitStack) -> tuple[Team, str]:
+def _opponent(rehearsal: Rehearsal, seat: str, stack: ExitStack) -> tuple[Team, str]:
     """Return who plays in another seat: a sample team, the team against itself, or a stand-in; and its name."""
     scenario = rehearsal.loaded.scenario
     sample = sample_team(scenario, seat)
@@ -205,39 +205,34 @@ def _other(rehearsal: Rehearsal, seat: str, stack: ExitStack) -> tuple[Team, str
         return rehearsal.team, OWN_TEAM
     stand_in = rehearsal.out / "stand_in.py"
     stand_in.write_text(_STAND, encoding="utf-8")
-    return stack.enter_context(open_team(stand_in, scenario.entrants[seat])), _NOBODY
+    return stack.enter_context(open_team(stand_in, scenario.entrants[seat])), _STANDING_ROBOTS
 
 
 class _Observer(NullObserver):
-    """Records how robots move, what they touch, and how much time and output their programs used.
+    """Records how robots move, what they touch and print, and how much time their programs take."""
 
-    Args:
-        loaded: what is played.
-        amounts: of the robots that are watched.
-    """
-
-    def __init__(self, loaded: Loaded, amounts: Amounts) -> None:
-        roster, robots = loaded.roster, list(amounts.printed)
-        self.amounts = amounts
-        self.motions = {robot: Motion() for robot in robots}
+    def __init__(self, loaded: Loaded, robots: Sequence[str]) -> None:
+        roster = loaded.roster
+        self.robots = {robot: Activity() for robot in robots}
         self.waits: tuple[ProgramTimes, ...] = ()
-        self._watched = [(roster.index[robot], self.motions[robot]) for robot in robots]
-        self._of_robot = dict(self._watched)
+        self._by_index = {roster.index[robot]: self.robots[robot] for robot in robots}
         self._balls = range(roster.robots, roster.robots + roster.balls)
         self._last: list[tuple[float, float, float]] | None = None
+        self._is_late = False
+        self._late_from_ticks = late_from_ticks(longest_half_s(loaded.scenario.match))
 
     def ticked(self, snapshot: Snapshot, output: RefereeOutput) -> None:
         """Add up what happened in a tick."""
-        self.amounts.ticked(snapshot.tick)
+        self._is_late = snapshot.tick > self._late_from_ticks
         for poses in snapshot.substeps:
             if self._last is not None:
-                for index, motion in self._watched:
-                    _add(motion, self._last[index], poses[index])
+                for index, activity in self._by_index.items():
+                    _add(activity, self._last[index], poses[index])
             self._last = poses
         for pairs in snapshot.touches:
             for first, second in pairs:
-                if second in self._balls and first in self._of_robot:
-                    self._of_robot[first].ball_touches += 1
+                if second in self._balls and first in self._by_index:
+                    self._by_index[first].ball_touches += 1
         if output.placements and self._last is not None:
             self._last = self._last[:]
             for placement in output.placements:
@@ -245,14 +240,17 @@ class _Observer(NullObserver):
 
     def printed(self, robot: str, text: str) -> None:
         """Record how much a program printed."""
-        self.amounts.said(robot, text)
+        if robot in self.robots:
+            size_bytes = len(text.encode("utf-8", "replace"))
+            self.robots[robot].printed_bytes += size_bytes
+            self.robots[robot].late_bytes += size_bytes * self._is_late
 
     def half_ended(self, half: object, waits: tuple[ProgramTimes, ...]) -> None:
         """Record how long the match waited for programs."""
         self.waits = waits
 
 
-def _add(motion: Motion, before: tuple[float, float, float], now: tuple[float, float, float]) -> None:
-    motion.path_m += math.hypot(now[0] - before[0], now[1] - before[1])
+def _add(activity: Activity, before: tuple[float, float, float], now: tuple[float, float, float]) -> None:
+    activity.path_m += math.hypot(now[0] - before[0], now[1] - before[1])
     turn = abs(now[2] - before[2])
-    motion.turned_rad += min(turn, math.tau - turn) if turn <= math.tau else 0.0
+    activity.turned_rad += min(turn, math.tau - turn) if turn <= math.tau else 0.0

@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
-import re
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
-from rcj_challenges.checker.likeness import BLANK, alike, like_an_entry, mentioned, of_yellow, same_number
-from rcj_challenges.checker.reached import imported_words
+from rcj_challenges.checker.likeness import (
+    BLANK,
+    alike,
+    imported_words,
+    like_an_entry,
+    mentioned,
+    of_yellow,
+    same_number,
+)
 from rcj_challenges.controllers.archive import Files
 from rcj_challenges.controllers.submission_problems import safe_text
 from rcj_challenges.controllers.team import alternatives
@@ -20,8 +27,8 @@ HIDDEN_ENDING = ".py.txt"
 _MAX_DEPTH = 3
 _MAX_FOLDERS = 20
 _MAX_PROGRAMS = 200  # among more files names are not enough
-_GENERIC_NAMES = frozenset({"main", "robot", "player"})
-_OF_A_SCENARIO = re.compile(r"rcj_soccer_|score_goal|pass_ball|robot_?\d", re.IGNORECASE)
+_CLEAR = 2
+"""The rank of a file that has the right name, or a similar one in a similar folder."""
 
 
 @dataclass(frozen=True)
@@ -110,88 +117,68 @@ def _plan_from(folder: PurePosixPath, files: Files, seats: Sequence[Entrant]) ->
     for choice in range(max(map(len, missing), default=0)):
         wanted = dict.fromkeys(PurePosixPath(entries[choice]) for entries in missing if choice < len(entries))
         is_only_one = len(wanted) == 1 and len(missing) == len(chosen)
-        found = [(_find(entry, raised, seats, is_only_one=is_only_one), entry) for entry in wanted]
-        moves = _moves((old, entry) for old, entry in found if old is not None)
-        beside = [Move(PurePosixPath(entry.name), entry) for entry in wanted]
-        if any(old is None for old, _ in found):
-            moves = beside if all(_is_program_at_the_top(move, raised) for move in beside) else None
+        pairs = [
+            (old, entry)
+            for entry in wanted
+            if (old := _find(entry, raised, seats, is_only_one=is_only_one)) is not None
+        ]
+        moves = _moves(pairs) if len(pairs) == len(wanted) else None
         result = _moved(raised, moves) if moves else None
         if moves and result is not None and _is_complete(result, seats):
-            return Plan((*up, *moves), result, _caution(raised, moves, is_beside=moves is beside))
+            old_names = [
+                move.old.stem if move.old.suffix == ".py" else move.old.name
+                for move in moves
+                if move.old.name != move.new.name
+            ]
+            name = mentioned(raised, old_names)
+            caution = f"the programs mention {safe_text(name)}: change that as well" if name else ""
+            return Plan((*up, *moves), result, caution)
     return None
 
 
-def _is_program_at_the_top(move: Move, files: Files) -> bool:
-    return len(move.new.parts) > 1 and bool(files.get(move.old, b"").strip(BLANK))
-
-
-def _caution(files: Files, moves: Sequence[Move], *, is_beside: bool) -> str:
-    if is_beside:
-        return "with a copy of what they import or open beside them"
-    old_names = [
-        move.old.stem if move.old.suffix == ".py" else move.old.name for move in moves if move.old.name != move.new.name
-    ]
-    name = mentioned(files, old_names)
-    return f"the programs mention {safe_text(name)}: change that as well" if name else ""
-
-
 def _find(entry: PurePosixPath, files: Files, seats: Sequence[Entrant], *, is_only_one: bool) -> PurePosixPath | None:
-    """Return the file whose name comes nearest to an entry point, if there is exactly one."""
+    """Return the file whose name comes nearest to an entry point, if there is exactly one.
+
+    Args:
+        entry: the entry point.
+        files: of the submission.
+        seats: the entrants for which programs are asked.
+        is_only_one: whether one program drives all robots: then it may have any name.
+    """
     asked = all_entries(seats)
-    wanted = [set(map(PurePosixPath, alternatives(one))) for seat in seats for one in seat.robots.values()]
-    for_all = set.intersection(*wanted)
+    asked_names = {path.name for path in asked}
     programs = [
         path
         for path in files
         if path.name.casefold().endswith((".py", HIDDEN_ENDING)) and len(path.parts) == len(entry.parts)
     ]
-    libraries = {
-        word
-        for path in programs
-        for word in set(imported_words(files[path])) - {path.stem.encode("utf-8", "surrogateescape")}
-    }
+    imports = Counter(word for path in programs for word in imported_words(files[path]))
     ranks: dict[int, list[PurePosixPath]] = {}
     for path in programs:
-        is_library = len(entry.parts) == 1 and path.stem.encode("utf-8", "surrogateescape") in libraries
-        if path not in asked and files[path].strip(BLANK) and not is_library:
-            is_alone = sum(other.parent == path.parent for other in programs) == 1
-            rank = _likeness(path, entry, is_alone=is_alone) or int(is_only_one and _may_be_the_only_one(path, for_all))
+        stem, own_imports = path.stem.encode("utf-8", "surrogateescape"), imported_words(files[path])
+        is_library = imports[stem] > (stem in own_imports)
+        rank = _likeness(path, entry)
+        if is_library and (len(entry.parts) == 1 or rank < _CLEAR):
+            rank = 0
+        elif not rank:
+            rank = int(is_only_one and b"controller" in own_imports and path.name not in asked_names)
+        if rank and path not in asked and files[path].strip(BLANK):
             ranks.setdefault(rank, []).append(path)
-    best = ranks[max(ranks)] if ranks and max(ranks) > 0 else []
+    best = ranks[max(ranks)] if ranks else []
     if len(best) > 1 and len({files[path] for path in best}) == 1:
         best = [path for path in best if not of_yellow(path.stem)]  # one program for both colours
     return best[0] if len(best) == 1 else None
 
 
-def _likeness(path: PurePosixPath, entry: PurePosixPath, *, is_alone: bool) -> int:
-    """Return how much the names suggest that a file is an entry point; 0 if too little."""
-    is_same, is_like = path.name == entry.name, alike(path.stem, entry.stem)
-    is_hidden = path.name.casefold() == entry.name + ".txt"
-    if len(entry.parts) == 1:
-        return 3 if is_hidden else 2 * is_like
-    is_in_its_folder = alike(str(path.parent), str(entry.parent))
-    if is_in_its_folder and (is_same or is_like or is_hidden):
-        return 4 + is_hidden
-    if is_same or is_hidden:
-        return 3
-    return 2 * ((is_in_its_folder and is_alone) or (like_an_entry(path) and same_number(path.stem, entry.stem)))
+def _likeness(path: PurePosixPath, entry: PurePosixPath) -> int:
+    """Return how much the names suggest that a file is an entry point; 0: not at all."""
+    is_same = path.name == entry.name or path.name.casefold() == entry.name + ".txt"
+    is_like = alike(path.stem, entry.stem) or (like_an_entry(path) and same_number(path.stem, entry.stem))
+    is_in_its_folder = len(entry.parts) > 1 and alike(str(path.parent), str(entry.parent))
+    return _CLEAR * is_same + is_like + is_in_its_folder
 
 
-def _may_be_the_only_one(path: PurePosixPath, for_all: Iterable[PurePosixPath]) -> bool:
-    """Return whether a file with another name may be the only program of a team.
-
-    Args:
-        path: of the file.
-        for_all: the places of a program that drives every robot.
-    """
-    if _OF_A_SCENARIO.search(str(path)) is None:
-        return path.stem.casefold() in _GENERIC_NAMES or like_an_entry(path)
-    if len(path.parts) == 1:  # named after the folder that it should lie in
-        return any(alike(path.stem, entry.stem) for entry in for_all)
-    return path.stem.casefold() in _GENERIC_NAMES and any(path.parent == entry.parent for entry in for_all)
-
-
-def _moves(pairs: Iterable[tuple[PurePosixPath, PurePosixPath]]) -> list[Move] | None:
+def _moves(pairs: Sequence[tuple[PurePosixPath, PurePosixPath]]) -> list[Move] | None:
     """Return the renaming of folders, then of files; None if one folder would need two names."""
     folders: dict[PurePosixPath, PurePosixPath] = {}
     files = []

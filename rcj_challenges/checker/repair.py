@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import io
 import os
-import tempfile
 import zipfile
-from collections.abc import Iterable, Sequence
-from contextlib import suppress
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
 
@@ -15,6 +13,7 @@ from rcj_challenges.checker.archives import Inspection, inspect
 from rcj_challenges.checker.identity import find_logo
 from rcj_challenges.checker.images import PictureError, as_png
 from rcj_challenges.checker.layout import empty_programs
+from rcj_challenges.checker.others import others_that_fit
 from rcj_challenges.checker.renaming import plan_moves
 from rcj_challenges.controllers.archive import Files
 from rcj_challenges.controllers.paths import clean, folded
@@ -88,13 +87,21 @@ def repair(path: Path, out: Path, scenario: Scenario) -> Repaired:
     if hopeless:
         return Repaired(left=hopeless)
     result = Repaired(out)
-    data = _zipped(_still_called(_corrected(found, result.done), found.opening.name.text, out, result.done))
+    data = _zipped(_with_its_name(_corrected(found, scenario, result.done), found.opening.name.text, out, result.done))
     with PrivateFolders() as folders:
         # Under the name it will have: a team without a name is called after its archive.
         trial = folders.place / "trial" / out.name
         trial.parent.mkdir()
         trial.write_bytes(data)
-        result.left = _left(inspect(trial, scenario))
+        written = inspect(trial, scenario)
+    result.left = [
+        with_help(finding.message, finding.remedy)
+        for stage in written.stages
+        for finding in stage.findings
+        if finding.level != "passed"
+    ]
+    if written.stages[0].failed:  # two names, or a file and a folder, in one place
+        return Repaired(left=result.left)
     _write(out, data)
     return result
 
@@ -104,52 +111,22 @@ def _hopeless(found: Inspection) -> list[str]:
     contents = found.opening.contents
     if not contents.complete or any(not trouble.repair for trouble in contents.refused):
         return [str(trouble) for trouble in contents.refused]
-    places = _Places(contents.files)
-    return [
-        f"'{safe_text(name)}' would lie where another file is: rename one"
-        for name in contents.unsafe
-        if not places.take(clean(name))
-    ]
+    taken = set(map(folded, contents.files))
+    clashes = []
+    for name in contents.unsafe:
+        path = clean(name)
+        if path is None or folded(path) in taken:
+            clashes.append(f"'{safe_text(name)}' would lie where another file is: rename one")
+        else:
+            taken.add(folded(path))
+    return clashes
 
 
-class _Places:
-    """The places in an archive that are taken, as a computer without cases sees them."""
-
-    def __init__(self, files: Iterable[PurePosixPath]) -> None:
-        self._files: set[str] = set()
-        self._folders: set[str] = set()
-        for path in files:
-            self._note(path)
-
-    def take(self, path: PurePosixPath | None) -> bool:
-        """Take a place for a file, unless another is, or would be, in it."""
-        if path is None:
-            return False
-        here = folded(path)
-        if here in self._files or here in self._folders or not self._files.isdisjoint(map(folded, path.parents)):
-            return False
-        self._note(path)
-        return True
-
-    def _note(self, path: PurePosixPath) -> None:
-        self._files.add(folded(path))
-        self._folders.update(map(folded, path.parents))
-
-
-def _left(found: Inspection) -> list[str]:
-    return [
-        with_help(finding.message, finding.remedy)
-        for stage in found.stages
-        for finding in stage.findings
-        if finding.level != "passed"
-    ]
-
-
-def _corrected(found: Inspection, done: list[str]) -> Files:
+def _corrected(found: Inspection, scenario: Scenario, done: list[str]) -> Files:
     """Return the files as they should be, and note what was done."""
     contents = found.opening.contents
     codes = dict.fromkeys(trouble.code for trouble in contents.troubles if trouble.repair)
-    done += [told_as for code, told_as in _BY_WRITING.items() if code in codes]
+    done += [text for code, text in _BY_WRITING.items() if code in codes]
     # The new archive names the encoding of its file names: nothing shows any more that it was guessed.
     guessed = (trouble for trouble in contents.troubles if trouble.code == "archive.name_guessed")
     done += [
@@ -161,7 +138,7 @@ def _corrected(found: Inspection, done: list[str]) -> Files:
     if contents.kind == "folder":
         done.append("packed the folder as a ZIP archive")
     opening = _with_safe_names(found.opening, found.seats, done)
-    files = _laid_out(opening, found.seats, done)
+    files = _laid_out(opening, found.seats, scenario, done)
     files = _named(files, opening.name.text, done)
     return _with_a_logo(files, done)
 
@@ -191,17 +168,18 @@ def _with_safe_names(opening: Opening, seats: Sequence[Entrant], done: list[str]
     return opening_of(source, renamed, *seats)
 
 
-def _laid_out(opening: Opening, seats: Sequence[Entrant], done: list[str]) -> Files:
+def _laid_out(opening: Opening, seats: Sequence[Entrant], scenario: Scenario, done: list[str]) -> Files:
     """Return the files with programs and folders where they are asked for."""
     files = opening.files
     if opening.missing:
-        plan = plan_moves(opening.contents.files, seats)
+        others = others_that_fit(opening.contents.files, scenario)
+        plan = plan_moves(opening.contents.files, seats) if not others else None
         if plan is None or plan.caution:
             return opening.contents.files
         files = plan.files
         done += [f"as asked: {move}" for move in plan.moves]
     else:
-        done += _seen_through(opening)
+        done += _changed_folders(opening)
     for empty in empty_programs(files, seats):
         if empty.spare:
             done.append(f"left out the empty {safe_text(empty.path)}")
@@ -209,7 +187,7 @@ def _laid_out(opening: Opening, seats: Sequence[Entrant], done: list[str]) -> Fi
     return files
 
 
-def _seen_through(opening: Opening) -> list[str]:
+def _changed_folders(opening: Opening) -> list[str]:
     """Return which folders have changed."""
     top, done = opening.top, []
     if opening.within is not None and top.parts:
@@ -237,7 +215,7 @@ def _named(files: Files, fallback: str, done: list[str]) -> Files:
     return _placed(files, name.path, _NAME_PATH, content)
 
 
-def _still_called(files: Files, shown: str, out: Path, done: list[str]) -> Files:
+def _with_its_name(files: Files, shown: str, out: Path, done: list[str]) -> Files:
     """Return the files with the name that the team is shown by, where that of its new file would take its place."""
     name = find_team_name(files, called_after(out.name))
     in_a_document = any(trouble.code == "identity.name_document" for trouble in name.troubles)  # for the team to open
@@ -299,33 +277,17 @@ def _taken(out: Path) -> RepairError:
 
 
 def _write(out: Path, data: bytes) -> None:
-    """Write a file that appears whole or not at all, and never in place of another."""
-    temporary = None
+    """Write a file that is not there yet; nothing is left of one that cannot be written whole."""
     try:
-        with tempfile.NamedTemporaryFile(dir=out.parent, prefix=".rcj-repair-", delete=False) as file:
-            temporary = Path(file.name)
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        _give_name(temporary, out)
+        with out.open("xb") as file:
+            try:
+                file.write(data)
+                file.flush()
+            except OSError:
+                out.unlink()
+                raise
     except FileExistsError:
         raise _taken(out) from None
     except OSError as error:
         message = f"{safe_text(out, MAX_PATH_SHOWN)}: cannot be written: {format_error(error)}"
         raise RepairError(message, room_help(error)) from error
-    finally:
-        if temporary is not None:
-            with suppress(OSError):  # gone, or a virus scanner has it open
-                temporary.unlink()
-
-
-def _give_name(temporary: Path, out: Path) -> None:
-    temporary.chmod(0o644)
-    try:
-        out.hardlink_to(temporary)  # fails if something is there, unlike renaming
-    except FileExistsError:
-        raise
-    except OSError:  # a file system without links
-        if os.path.lexists(out):
-            raise FileExistsError from None
-        temporary.rename(out)

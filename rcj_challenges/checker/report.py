@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from rcj_challenges.checker.findings import NO_SUCH_DEVICE, RANKS, STAGES, Finding, Level, Stage, StageName, gravest
+from rcj_challenges.checker.findings import RANKS, STAGES, Finding, Level, Stage, StageName, most_serious
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.core.timing import SUBSTEP_S
@@ -33,7 +32,7 @@ class StageReport(_Part):
 
     name: StageName = _described("which")
     about: str = _described("what it is about")
-    level: Level = _described("the gravest of its findings")
+    level: Level = _described("the most serious of its findings")
     skipped: str = _described("why it was not carried out; empty if it was")
     findings: list[Finding] = _described("what was found")
 
@@ -133,7 +132,7 @@ class CheckReport(_Part):
     scenario: str = _described("id of the scenario")
     title: str = _described("title of the scenario")
     sandbox: str = _described("how programs were isolated: auto, strict or off")
-    level: Level = _described("the gravest verdict of all; unchecked if somebody ended the check")
+    level: Level = _described("the most serious verdict of all; unchecked if somebody ended the check")
     interrupted: bool = _described("whether somebody ended the check before all were checked", default=False)
     summary: Summary
     files: list[FileReport] = _described("the submissions, in the order in which they were given")
@@ -146,10 +145,9 @@ class CheckReport(_Part):
 
     @property
     def exit_code(self) -> int:
-        """0: all pass, with warnings perhaps; 1: at least one does not.
+        """0: all pass, maybe with warnings; 1: one does not; 2: this computer, 3: this project could not check all.
 
-        2: this computer could not do all of it; 3: we could not, by a fault of our own. Unknown results come first:
-        after they are fixed, everything has to be checked again.
+        Unknown results come first: after they are fixed, everything has to be checked again.
         """
         if any(file.our_fault for file in self.files):
             return 3
@@ -181,7 +179,7 @@ def check_report(
         scenario=scenario,
         title=title,
         sandbox=sandbox,
-        level="unchecked" if interrupted else gravest(file.level for file in files),
+        level="unchecked" if interrupted else most_serious(file.level for file in files),
         interrupted=interrupted,
         summary=Summary(files=len(files), **counts),
         files=files,
@@ -211,15 +209,15 @@ def match_report(match: Rehearsed, replay: str, no_replay: str, outputs: dict[st
     """
     faults = {fault["robot"]: fault["kind"] for fault in reversed(match.faults)}
     robots = []
-    for robot, motion in match.motions.items():
+    for robot, activity in match.robots.items():
         wait = match.waits.get(robot)
         steps = wait.steps if wait else 0
         robots.append(
             RobotReport(
                 robot=robot,
-                path_m=round(motion.path_m, 3),
-                turned_rad=round(motion.turned_rad, 2),
-                ball_touches=motion.ball_touches,
+                path_m=round(activity.path_m, 3),
+                turned_rad=round(activity.turned_rad, 2),
+                ball_touches=activity.ball_touches,
                 steps=steps,
                 start_s=round(wait.started_s, 3) if wait else 0.0,
                 step_mean_ms=round(1000 * wait.waited_s / max(1, steps - 1), 3) if wait else 0.0,
@@ -248,8 +246,8 @@ def schema_text() -> str:
     return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"
 
 
-WORDS: dict[Level, str] = {"passed": "ok", "warning": "warning", "failure": "failure", "unchecked": "not checked"}
-"""Names of the levels in the report."""
+LEVEL_NAMES: dict[Level, str] = {"passed": "ok", "warning": "warning", "failure": "failure", "unchecked": "not checked"}
+"""The levels as terminal and page show them."""
 
 
 def is_single(report: CheckReport) -> bool:
@@ -257,45 +255,37 @@ def is_single(report: CheckReport) -> bool:
     return len(report.files) == 1 and not report.interrupted
 
 
-def placed(finding: Finding) -> str:
+def format_finding(finding: Finding) -> str:
     """Return a finding in one line: where, unless the message says so itself, and what."""
     needless = not finding.where or finding.where in finding.message
     return finding.message if needless else f"{finding.where}: {finding.message}"
 
 
 def first_cause(stages: Sequence[Stage | StageReport], level: Level) -> str:
-    """Return what to put right first and how, in one line; empty if all is in order.
-
-    A crash over a device that does not exist is reported as that device, not as the error over None.
-    """
-    found = [finding for stage in stages for finding in stage.findings]
+    """Return what to put right first and how, in one line; empty if all is in order."""
+    found = (finding for stage in stages for finding in stage.findings)
     first = next((finding for finding in found if finding.level == level != "passed"), None)
-    if first is None:
-        return ""
-    asked = re.search(r'getDevice\((".*?")\) returned None', first.remedy)
-    devices = (one for one in found if asked and one.code.endswith(".no_device") and asked[1] in one.message)
-    first = next(devices, first)
-    return "; ".join(filter(None, (placed(first).removesuffix(NO_SUCH_DEVICE), first.remedy)))
+    return "; ".join(filter(None, (format_finding(first), first.remedy))) if first is not None else ""
 
 
 def verdict(file: FileReport) -> str:
-    """Return the verdict in one or two sentences: what follows, what --fix repairs, and what to put right first."""
+    """Return the verdict in one or two sentences: what follows, what --fix repairs, and what to do first."""
     failures, warnings = file.count("failure"), file.count("warning")
     if file.level == "unchecked":
         whose = "a fault of the check itself" if file.our_fault else "a matter of this computer"
         known = f" What failed before ({counted(failures, 'failure')}) stands." if failures else ""
         return f"Not checked: {file.hindrance}. That is {whose} and says nothing about the team.{known}"
-    noticed = f", {counted(warnings, 'warning')}" if warnings else ""
+    warned = f", {counted(warnings, 'warning')}" if warnings else ""
     found = [one for stage in file.stages for one in stage.findings if one.level == file.level != "passed"]
     repairable = sum(finding.repair for finding in found)
     amount = "this" if repairable == len(found) else "part of this"
     fix = f"; --fix OUT.zip repairs {amount}" if repairable else ""
-    first = f" First: {file.cause}" if file.cause else ""
     if failures:
-        return f"It cannot play like this: {counted(failures, 'failure')}{noticed}{fix}.{first}"
+        first = f" First: {found[0].remedy or found[0].message}"
+        return f"It cannot play like this: {counted(failures, 'failure')}{warned}{fix}.{first}"
     if any(stage.skipped for stage in file.stages):
-        return f"In order as far as it was looked at{noticed}{fix}."
-    return f"It will play{noticed}{fix}."
+        return f"In order as far as it was checked{warned}{fix}."
+    return f"It will play{warned}{fix}."
 
 
 def no_replay(match: MatchReport) -> str:

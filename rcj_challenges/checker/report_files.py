@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import errno
-import os
 import shutil
 from pathlib import Path
 
@@ -29,12 +28,9 @@ def ensure_page(path: Path) -> None:
     Raises:
         OSError: it cannot.
     """
-    target = _target(path)
-    if target.is_dir():
+    if path.is_dir():
         raise IsADirectoryError(errno.EISDIR, "it is a folder, not a file")
-    target.parent.mkdir(parents=True, exist_ok=True)
-    if not _is_device(target):
-        ensure_room(target.parent)
+    ensure_folder(path.parent)
 
 
 def write_page(path: Path, text: str) -> None:
@@ -43,11 +39,7 @@ def write_page(path: Path, text: str) -> None:
     Raises:
         OSError: it cannot be written.
     """
-    target = _target(path)
-    if _is_device(target):  # nothing may take the place of /dev/stdout
-        target.write_text(text, encoding="utf-8", newline="\n")
-        return
-    with replaced(target) as file:
+    with replaced(path) as file:
         file.write(text.encode("utf-8"))
 
 
@@ -59,12 +51,3 @@ def copy_page(page: Path, target: Path) -> None:
     """
     with page.open("rb") as source, replaced(target) as file:
         shutil.copyfileobj(source, file)
-
-
-def _target(path: Path) -> Path:
-    """Return where a link leads: the link stays one."""
-    return Path(os.path.realpath(path))
-
-
-def _is_device(path: Path) -> bool:
-    return path.exists() and not path.is_file()

@@ -12,13 +12,12 @@ from urllib.parse import quote
 from jinja2 import Environment, StrictUndefined
 
 from rcj_challenges.checker.report import (
+    LEVEL_NAMES,
     ROBOT_NUMBERS,
-    WORDS,
     CheckReport,
     MatchReport,
     is_single,
     no_replay,
-    placed,
     summary,
     verdict,
 )
@@ -46,11 +45,10 @@ def html_page(report: CheckReport, folder: Path) -> str:
         policy=(
             f"default-src 'none'; style-src 'sha256-{style_hash}'; img-src data:; base-uri 'none'; form-action 'none'"
         ),
-        words=WORDS,
+        words=LEVEL_NAMES,
         numbers=ROBOT_NUMBERS,
         base64=_base64,
         no_replay=no_replay,
-        placed=placed,
         summary=summary,
         verdict=verdict,
         replay_link=lambda match: _replay_link(match, folder),

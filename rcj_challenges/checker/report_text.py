@@ -3,22 +3,20 @@
 from __future__ import annotations
 
 from rich.console import Console, RenderableType
-from rich.measure import Measurement
-from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
 from rcj_challenges.checker.findings import Level
 from rcj_challenges.checker.report import (
+    LEVEL_NAMES,
     ROBOT_NUMBERS,
-    WORDS,
     CheckReport,
     FileReport,
     MatchReport,
     StageReport,
+    format_finding,
     is_single,
     no_replay,
-    placed,
     summary,
     verdict,
 )
@@ -86,7 +84,7 @@ def print_table(console: Console, report: CheckReport) -> None:
         table.add_row(
             Text(file.file),
             Text(file.team),
-            Text(WORDS[file.level], style=_STYLES[file.level]),
+            Text(LEVEL_NAMES[file.level], style=_STYLES[file.level]),
             Text(file.hindrance or file.cause),
         )
     _print(console, table)
@@ -107,10 +105,12 @@ def _print_stage(console: Console, stage: StageReport) -> None:
     if stage.skipped:
         _indented(console, Text(f"{stage.name}: {stage.skipped}", style="dim"), Text(_SKIPPED, style="dim"))
         return
-    word = Text(WORDS[stage.level], style=_STYLES[stage.level])
+    word = Text(LEVEL_NAMES[stage.level], style=_STYLES[stage.level])
     _indented(console, Text(f"{stage.name}: {stage.about}"), word)
     for finding in stage.findings:
-        _indented(console, Text(placed(finding), style="dim" if finding.level == "passed" else _STYLES[finding.level]))
+        _indented(
+            console, Text(format_finding(finding), style="dim" if finding.level == "passed" else _STYLES[finding.level])
+        )
         if finding.remedy:
             _indented(console, Text(f"→ {finding.remedy}"))
         for line in finding.details.splitlines():
@@ -130,32 +130,12 @@ def _indented(console: Console, text: Text, word: Text | None = None) -> None:
 
 
 def _print_robots(console: Console, match: MatchReport) -> None:
-    """Print a table of a short match's robots; where it has no room a paragraph for each, for no number is cut off."""
-    table = _robots(match)
-    if Measurement.get(console, console.options.update(max_width=_WIDE), table).maximum <= console.width - _INDENT:
-        _print(console, Padding(table, (0, 0, 0, _INDENT), expand=False))
-        return
     for robot in match.robots:
         numbers = ", ".join(f"{name} {number_of(robot)}" for name, number_of in ROBOT_NUMBERS.items())
         line = Text(f"{robot.robot}: {numbers}")
         if robot.fault:
             line.append(f", {robot.fault}", style=_STYLES["failure"])
         _indented(console, line)
-
-
-def _robots(match: MatchReport) -> Table:
-    table = Table("robot", box=None, padding=(0, 1, 0, 0), pad_edge=False, header_style="dim")
-    table.columns[0].min_width = len("robot")
-    for column in ROBOT_NUMBERS:
-        table.add_column(column, justify="right", no_wrap=True)
-    table.add_column("", no_wrap=True)
-    for robot in match.robots:
-        table.add_row(
-            robot.robot,
-            *(number_of(robot) for number_of in ROBOT_NUMBERS.values()),
-            Text(robot.fault, style=_STYLES["failure"]),
-        )
-    return table
 
 
 def _print_output(console: Console, robot: str, when: str, output: str) -> None:
@@ -171,4 +151,4 @@ def _print(console: Console, content: RenderableType) -> None:
 
 def progress_line(done: int, total: int, file: FileReport) -> str:
     """Return a line for a submission that is done, while others are not."""
-    return f"{done}/{total}  {WORDS[file.level]:<{_WIDTH}}  {file.file}"
+    return f"{done}/{total}  {LEVEL_NAMES[file.level]:<{_WIDTH}}  {file.file}"

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import platform
 import re
+import sys
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import replace
-from enum import Enum
 from pathlib import PurePosixPath
 
 from rcj_challenges.checker.file_beside import help_for_module_beside
@@ -16,81 +16,68 @@ from rcj_challenges.checker.modules import (
     WELL_KNOWN,
     Library,
     Module,
+    is_always_pythons,
     is_here,
-    is_pythons,
     places_of,
     refused_use,
 )
-from rcj_challenges.checker.preloaded import never_read
-from rcj_challenges.checker.reading import Import, Source, read_sources
-from rcj_challenges.checker.unreadable import PYTHON, what_is_wrong
+from rcj_challenges.checker.reading import Import, Risk, Source, read_sources
+from rcj_challenges.checker.unreadable import PYTHON, describe_error
 from rcj_challenges.controllers.team import Team
+from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.likeness import nearest_name
 from rcj_challenges.core.sanitize import sanitize
-
-_MAX_FINDINGS = 40
-_MAX_LOOKED_FOR = 30  # of modules that are nowhere: to look through thousands of files for each would take hours
 
 Unit = tuple[PurePosixPath, int]
 """A file that a program runs, and in how many packages it lies then: relative imports lead as far up, no further."""
 
+_MAX_FINDINGS = 40
+_MAX_LOOKED_FOR = 30  # of modules that are nowhere: to look through thousands of files for each would take hours
+_RISKS: tuple[Risk, ...] = ("certain", "caught", "possible")
+"""The most serious first: a file that is imported in several ways counts as it does in the most serious of them."""
+_OPTIONAL = "optional_"
+_CONDITIONAL = "conditional_"
+_ONLY_IF_REACHED = "; that ends the program only if it is reached"
+_RUNNING_SHOWS = "; only running the programs can show whether that ends one"
+_NOT_LOOKED_INTO = ("large", "too_many_imports", "unread")
 
-class _Weight(Enum):
-    """The effect on a program when something that it runs fails; the most serious first."""
 
-    FATAL = "it ends, for it comes there at once"
-    CAUGHT = "it is ready for that"
-    IF_REACHED = "only running it can show whether it comes there"
-
-
-def check_sources(team: Team, sandbox: str = "auto") -> Stage:
+def check_sources(team: Team) -> Stage:
     """Check the Python files of a team without running them.
 
     Failures are reported for what a program certainly runs when it is started, by itself or by importing; for all else
     warnings: the stages that run it decide.
-
-    Args:
-        team: whose files.
-        sandbox: ``auto``, ``strict`` or ``off``, as programs will be started.
     """
-    stage = Stage("sources")
     files = dict(team.files)
     entries = {PurePosixPath(entry) for entry in team.entries.values()}
     sources = read_sources(files, entries)
     used: dict[PurePosixPath, bool] = {}
     found: dict[Finding, None] = {}
-    unread: dict[PurePosixPath, str] = {}
     for entry in sorted(entries):
-        passed_over = never_read(files, entry, sandbox)
-        unread |= {path: name for name, path in passed_over.items() if path not in entries}
-        walk = _Walk(team, sources, entry, passed_over)
-        used |= {path: used.get(path, False) or weight is _Weight.FATAL for path, weight in walk.used.items()}
+        walk = _Walk(team, sources, entry)
+        used |= {path: used.get(path, False) or risk == "certain" for path, risk in walk.used.items()}
         found |= dict.fromkeys(walk.findings)
     found |= dict.fromkeys(_unreadable(files, sources, used))
-    found |= dict.fromkeys(_empty(sources, entries))
-    found |= dict.fromkeys(_shadowing(files, entries, unread))
-    stage.findings = _in_order(_gravest(found))
-    if not stage.findings:
-        count = len(sources)
-        told = "1 Python file is" if count == 1 else f"{count} Python files are"
-        stage.findings.append(Finding("sources.ok", "passed", f"{told} in order for {PYTHON}"))
-    return stage
+    for entry in sorted(entries & sources.keys()):
+        if sources[entry].empty:
+            help_ = "put your program into this file"
+            found[Finding("sources.empty", "failure", "the program is empty", help_, sanitize(entry))] = None
+    found |= dict.fromkeys(_taken_names(files, entries))
+    ok = Finding("sources.ok", "passed", f"{counted(len(sources), 'Python file')} in order for {PYTHON}")
+    return Stage("sources", _in_order(found) or [ok])
 
 
 class _Walk:
-    """Follows the imports of one program through the submission."""
+    """Follows the imports of one program through the submission.
 
-    def __init__(
-        self,
-        team: Team,
-        sources: Mapping[PurePosixPath, Source],
-        entry: PurePosixPath,
-        unread: Collection[str],
-    ) -> None:
+    Attributes:
+        used: the files that the program runs, with their risk.
+        findings: what is wrong with their imports.
+    """
+
+    def __init__(self, team: Team, sources: Mapping[PurePosixPath, Source], entry: PurePosixPath) -> None:
         self._team = team
         self._sources = sources
-        self._makes_modules = any(_MAKES_MODULES.search(team.files[path]) for path in sources)
-        self._unread = unread
         self._looked_for = 0
         self._usual = Library(team.files, places_of(entry))
         self._library = self._usual
@@ -100,89 +87,70 @@ class _Walk:
             self._follow(entry)
 
     def _follow(self, entry: PurePosixPath) -> None:
-        self.used: dict[PurePosixPath, _Weight] = {}
+        self.used: dict[PurePosixPath, Risk] = {}
         self.findings: list[Finding] = []
-        todo: dict[_Weight, list[Unit]] = {weight: [] for weight in _Weight}
-        todo[_Weight.FATAL].append((entry, 0))
+        todo: dict[Risk, list[Unit]] = {risk: [] for risk in _RISKS}
+        todo["certain"].append((entry, 0))
         seen: set[Unit] = set()
-        led: dict[tuple[PurePosixPath, Import], list[Unit]] = {}
-        # The gravest first: a file that is imported in several ways counts as it does in the gravest of them.
-        while (weight := next((weight for weight in _Weight if todo[weight]), None)) is not None:
-            unit = todo[weight].pop()
+        followed: dict[tuple[PurePosixPath, Import], list[Unit]] = {}
+        while (risk := next((risk for risk in _RISKS if todo[risk]), None)) is not None:
+            unit = todo[risk].pop()
             file, _ = unit
             if unit in seen or file not in self._sources:
                 continue
             seen.add(unit)
-            self.used.setdefault(file, weight)
+            self.used.setdefault(file, risk)
             for wanted in self._sources[file].imports:
-                counted = _counted(wanted, weight)
-                todo[_weight(counted)] += self._lead(unit, counted, led)
+                weighed = replace(wanted, risk=risk) if wanted.risk == "certain" else wanted
+                for run in self._run_by(unit, weighed, followed):
+                    is_sure = weighed.risk != "certain" or _module_name(run[0]) not in sys.stdlib_module_names
+                    todo[weighed.risk if is_sure else "possible"].append(run)  # Python may have its own loaded
 
-    def _lead(self, unit: Unit, wanted: Import, led: dict[tuple[PurePosixPath, Import], list[Unit]]) -> list[Unit]:
+    def _run_by(
+        self, unit: Unit, wanted: Import, followed: dict[tuple[PurePosixPath, Import], list[Unit]]
+    ) -> list[Unit]:
         """Return what an import runs; what is wrong with it becomes a finding.
 
         Args:
             unit: the file that imports.
             wanted: what.
-            led: where imports lead that were followed before, for files that lie in no package: one that is run again,
-                in other packages, runs the same files.
+            followed: the results of earlier calls, for files that lie in no package: one that is run again, in other
+                packages, runs the same files.
         """
         file, depth = unit
         if wanted.level > depth:
-            return self._outside(unit, wanted)
-        if (file, wanted) not in led:
-            led[file, wanted] = self._relative(file, wanted) if wanted.level else self._absolute(unit, wanted)
-        inside = depth - wanted.level if wanted.level else 0
-        return [(run, inside + packages) for run, packages in led[file, wanted]]
-
-    def _absolute(self, unit: Unit, wanted: Import) -> list[Unit]:
-        first, *rest = wanted.module.split(".")
-        if first in (*INSTALLED[2:], "__main__"):  # there before any file is looked for
+            written = "." * wanted.level + sanitize(wanted.module)
+            message = f'"from {written} import …" does not work here: this file is not inside a package'
+            self._report(file, wanted, "relative_import", message, "write it without the dots")
             return []
-        module = self._top(first, rest) if first not in self._unread else None
-        if module is None and (is_pythons(first) or first in INSTALLED):
-            self._library_module(unit, wanted, first)
+        if (file, wanted) not in followed:
+            followed[file, wanted] = self._relative(file, wanted) if wanted.level else self._absolute(file, wanted)
+        inside = depth - wanted.level if wanted.level else 0
+        return [(run, inside + packages) for run, packages in followed[file, wanted]]
+
+    def _absolute(self, file: PurePosixPath, wanted: Import) -> list[Unit]:
+        first, *rest = wanted.module.split(".")
+        is_pythons = first in sys.stdlib_module_names
+        module = None if is_always_pythons(first) else self._library.top(first, rest)
+        if module is None and (is_pythons or first in (*INSTALLED, "__main__")):
+            self._check_library_module(file, wanted, first, is_pythons=is_pythons)
             return []
         module = module or self._library.top_namespace(first)
         if module is None:
-            self._say(unit, wanted, *self._missing(first, rest))
+            self._report(file, wanted, *self._missing(first, rest))
             return []
-        return self._through(unit, wanted, module, rest, first)
-
-    def _top(self, name: str, parts: list[str]) -> Module | None:
-        """Return the module that an import begins with.
-
-        A program that changes ``sys.path`` may put any folder first: of several modules that one is taken which has
-        the parts that are asked for. It need not look into all folders, either: then what only another folder has
-        does not hide a folder of that name without ``__init__.py``.
-        """
-        found = self._library.tops(name)
-        if self._library is not self._usual:
-            found.sort(key=lambda module: not self._library.has(module, parts))
-            folder = self._usual.top_namespace(name) if not self._usual.tops(name) else None
-            if folder is not None and not (found and self._library.has(found[0], parts)):
-                return folder
-        return found[0] if found else None
-
-    def _outside(self, unit: Unit, wanted: Import) -> list[Unit]:
-        written = "." * wanted.level + sanitize(wanted.module)
-        message = f'"from {written} import …" does not work here: this file is not inside a package'
-        self._say(unit, wanted, "relative_import", message, "write it without the dots")
-        return []
+        return self._through(file, wanted, module, rest, first)
 
     def _relative(self, file: PurePosixPath, wanted: Import) -> list[Unit]:
-        folder = file.parent
-        for _ in range(wanted.level - 1):
-            folder = folder.parent
+        folder = file.parents[wanted.level - 1]
         parts = wanted.module.split(".") if wanted.module else []
-        package = Module(folder, None)
-        return self._through((file, wanted.level), wanted, package, parts, folder.name)
+        return self._through(file, wanted, Module(folder, None), parts, folder.name)
 
-    def _through(self, unit: Unit, wanted: Import, module: Module, parts: list[str], name: str) -> list[Unit]:
+    def _through(self, file: PurePosixPath, wanted: Import, module: Module, parts: list[str], name: str) -> list[Unit]:
         """Walk down ``module.parts``, then to the names that are modules themselves; return all files that are run.
 
         Args:
-            unit: the file that imports.
+            file: that imports.
             wanted: what.
             module: the module already found.
             parts: names still to find, one in the other.
@@ -197,7 +165,7 @@ class _Walk:
             if part:
                 inner = self._library.inside(module.folder, part) if module.folder is not None else None
                 if inner is None:
-                    self._say(unit, wanted, *self._no_such_part(module, name, part))
+                    self._report(file, wanted, *_missing_part(module, name, part))
                     return run
                 module, name = inner, f"{name}.{part}"
             depth += module.folder is not None
@@ -210,109 +178,86 @@ class _Walk:
             if inner is not None and inner.file is not None:
                 run.append((inner.file, depth + (inner.folder is not None)))
             elif inner is None and module.file is None and wanted.level == 0 and part != "*":
-                self._say(unit, wanted, *self._no_such_part(module, name, part))
+                self._report(file, wanted, *_missing_part(module, name, part))
         return run
 
-    def _library_module(self, unit: Unit, wanted: Import, first: str) -> None:
-        use = refused_use(wanted.module, wanted.names)
-        if use:
+    def _check_library_module(self, file: PurePosixPath, wanted: Import, first: str, *, is_pythons: bool) -> None:
+        if use := refused_use(wanted.module, wanted.names):
             message = (
                 f'imports "{sanitize(wanted.module)}", which is for {use}: a match refuses that as soon as it is used'
             )
-            self._add(unit, wanted, "warning", "refused_module", message, "play without it; unused, it does no harm")
-        if is_pythons(first) and not is_here(first):
-            system = platform.system()
-            module = sanitize(first)
-            message = f'imports "{module}", which is part of Python on some computers, but not on this one ({system})'
-            self._say(unit, wanted, "not_on_this_computer", message, "do without it: matches are played on any system")
+            self._add(file, wanted, "warning", "refused_module", message, "play without it; unused, it does no harm")
+        if is_pythons and not is_here(first):
+            message = (
+                f'imports "{sanitize(first)}", which is part of Python on some computers, but not on this one '
+                f"({platform.system()})"
+            )
+            help_ = "do without it: matches are played on any system"
+            self._report(file, wanted, "not_on_this_computer", message, help_)
 
-    def _missing(self, name: str, inside: list[str]) -> tuple[str, str, str]:
-        """Return code, message and remedy for a module that is nowhere.
-
-        Args:
-            name: what it is called.
-            inside: names of what is asked for in it, one in the other: then it is a folder.
-        """
+    def _missing(self, name: str, parts: list[str]) -> tuple[str, str, str]:
+        """Return code, message and remedy for a module that is nowhere."""
         quoted = sanitize(name)
         nowhere = f'imports "{quoted}", which is neither part of Python, nor numpy or scipy, nor in the submission'
         self._looked_for += 1
         if self._looked_for > _MAX_LOOKED_FOR:
             return "missing_module", nowhere, f"put {quoted}.py beside the program, or do without it"
-        names = self._usual.names()
-        other_case = next((near for near in names if near.casefold() == name.casefold()), None)
+        other_case = next((near for near in self._usual.names if near.casefold() == name.casefold()), None)
         if other_case is not None:
             called = sanitize(other_case)
             message = f'imports "{quoted}", but the module is called "{called}": capital and small letters count'
-            return (
-                "wrong_case",
-                message,
-                f'write "{sanitize(other_case)}"; on Windows and macOS the mistake does not show',
-            )
+            return "wrong_case", message, f'write "{called}"; on Windows and macOS the mistake does not show'
         place = self._usual.lies_at(name)
         if place is not None:
             message = f'imports "{quoted}", but {sanitize(place)} is not where Python looks for it'
             return "elsewhere", message, "move the file beside the program, or import it by the name of its folder"
-        return "missing_module", nowhere, self._instead_of_missing(name, inside, names)
+        return "missing_module", nowhere, self._help_for_missing(name, parts)
 
-    def _instead_of_missing(self, name: str, inside: list[str], names: list[str]) -> str:
-        """Return what to do about a module that is nowhere, where ``names`` could be imported."""
+    def _help_for_missing(self, name: str, parts: list[str]) -> str:
         if name in WELL_KNOWN:
-            return f"do without it: {_IN_A_MATCH}"
-        beside = help_for_module_beside(self._team, name)
-        if beside:
+            return "do without it: in a match there are only Python's own library, numpy and scipy"
+        if beside := help_for_module_beside(self._team, name):
             return beside
-        hidden = self._usual.hidden(name)
-        if hidden is not None:
+        if (hidden := self._usual.hidden(name)) is not None:
             return f"call {sanitize(hidden)} {sanitize(name)}.py: Windows hides the last ending"
-        near = nearest_name(name, [*INSTALLED, *names], 0.75)
+        near = nearest_name(name, [*INSTALLED, *self._usual.names], 0.75)
         # Of robot1, robot2 and robot3 none is another one misspelled: that file was forgotten.
         if near is not None and re.findall(r"\d+", near) == re.findall(r"\d+", name):
             return f'did you mean "{sanitize(near)}"?'
-        if inside:
-            folder = f"the folder {sanitize(name)} (with {sanitize('/'.join(inside))}.py in it)"
+        if parts:
+            folder = f"the folder {sanitize(name)} (with {sanitize('/'.join(parts))}.py in it)"
             return f"put {folder} beside the program or the program's folder, or do without it"
         return f"put {sanitize(name)}.py beside the program, or do without it"
 
-    def _no_such_part(self, module: Module, name: str, part: str) -> tuple[str, str, str]:
-        whole = sanitize(f"{name}.{part}")
-        if module.folder is None:
-            return (
-                "missing_part",
-                f'imports "{whole}", but "{sanitize(name)}" is a file, not a folder',
-                f"correct the import: a file of the same folder is imported as {sanitize(part)}",
-            )
-        message = f'imports "{whole}", but there is no {sanitize(part)}.py in the folder {sanitize(module.folder)}'
-        return "missing_part", message, "add the file to the submission, or correct the import"
-
-    def _say(self, unit: Unit, wanted: Import, code: str, message: str, remedy: str) -> None:
+    def _report(self, file: PurePosixPath, wanted: Import, code: str, message: str, remedy: str) -> None:
         """Report an import that fails: it ends the program, unless it is caught or never reached."""
-        weight = _weight(wanted)
-        if weight is _Weight.CAUGHT:
+        if wanted.risk == "caught":
             message += "; the program has a way out (try … except)"
-            self._add(unit, wanted, "warning", f"{_OPTIONAL}{code}", message, "make sure that it plays well without")
-        elif weight is _Weight.IF_REACHED:
-            self._add(unit, wanted, "warning", f"{_CONDITIONAL}{code}", message + _ONLY_IF_REACHED, remedy)
-        elif self._makes_modules and code == "missing_module":
-            self._add(unit, wanted, "warning", f"{_CONDITIONAL}{code}", message + _RUNNING_SHOWS, remedy)
+            self._add(file, wanted, "warning", f"{_OPTIONAL}{code}", message, "make sure that it plays well without")
+        elif wanted.risk == "possible":
+            self._add(file, wanted, "warning", f"{_CONDITIONAL}{code}", message + _ONLY_IF_REACHED, remedy)
         else:
-            self._add(unit, wanted, "failure", code, message, remedy)
+            self._add(file, wanted, "failure", code, message, remedy)
 
-    def _add(self, unit: Unit, wanted: Import, level: Level, code: str, message: str, remedy: str) -> None:
-        where = f"{sanitize(unit[0])}:{wanted.line}:{wanted.column}"
+    def _add(self, file: PurePosixPath, wanted: Import, level: Level, code: str, message: str, remedy: str) -> None:
+        where = f"{sanitize(file)}:{wanted.line}:{wanted.column}"
         self.findings.append(Finding(f"sources.{code}", level, message, remedy, where))
 
 
-def _weight(wanted: Import) -> _Weight:
-    if wanted.guarded:
-        return _Weight.CAUGHT
-    return _Weight.FATAL if wanted.certain else _Weight.IF_REACHED
+def _module_name(path: PurePosixPath) -> str:
+    return path.parent.name if path.stem == "__init__" else path.stem
 
 
-def _counted(wanted: Import, weight: _Weight) -> Import:
-    """Return an import as it counts in a file that is run with such a weight itself."""
-    if _weight(wanted) is not _Weight.FATAL:
-        return wanted
-    return replace(wanted, guarded=weight is _Weight.CAUGHT, certain=weight is not _Weight.IF_REACHED)
+def _missing_part(module: Module, name: str, part: str) -> tuple[str, str, str]:
+    whole = sanitize(f"{name}.{part}")
+    if module.folder is None:
+        return (
+            "missing_part",
+            f'imports "{whole}", but "{sanitize(name)}" is a file, not a folder',
+            f"correct the import: a file of the same folder is imported as {sanitize(part)}",
+        )
+    message = f'imports "{whole}", but there is no {sanitize(part)}.py in the folder {sanitize(module.folder)}'
+    return "missing_part", message, "add the file to the submission, or correct the import"
 
 
 def _unreadable(
@@ -328,7 +273,7 @@ def _unreadable(
     for path, source in sources.items():
         if not source.wrong:
             continue
-        code, message, remedy = what_is_wrong(source, files[path])
+        code, message, remedy = describe_error(source, files[path])
         where = ":".join([sanitize(path), *(str(number) for number in (source.line, source.column) if number)])
         level: Level = "failure" if used.get(path) and code not in _NOT_LOOKED_INTO else "warning"
         if path not in used:
@@ -338,79 +283,37 @@ def _unreadable(
         yield Finding(f"sources.{code}", level, message, remedy, where)
 
 
-# Modules by a name of the program's own, from an archive, or written before they are imported.
-_MAKES_MODULES = re.compile(
-    rb"""\bsys\.modules[ ]?\[[^\]\n]{1,80}\][ ]?=|\.zip["']|\bmeta_path\b|\.py["'],[ ]?(?:mode[ ]?=[ ]?)?["'][wx]"""
-)
-_OPTIONAL = "optional_"
-_CONDITIONAL = "conditional_"
-_ONLY_IF_REACHED = "; that ends the program only if it is reached"
-_RUNNING_SHOWS = "; only running the programs can show whether that ends one"
-_IN_A_MATCH = "in a match there are only Python's own library, numpy and scipy"
-_NOT_LOOKED_INTO = ("large", "too_many_imports", "unread")
-
-
-def _empty(sources: Mapping[PurePosixPath, Source], entries: set[PurePosixPath]) -> Iterable[Finding]:
-    for entry in sorted(entries):
-        if entry in sources and sources[entry].empty:
-            message = "the program is empty"
-            yield Finding("sources.empty", "failure", message, "put your program into this file", sanitize(entry))
-
-
-def _shadowing(
-    files: Iterable[PurePosixPath], entries: set[PurePosixPath], unread: Mapping[PurePosixPath, str]
-) -> Iterable[Finding]:
-    """Report files that a program imports by mistake, and those that it never gets.
-
-    Args:
-        files: all files.
-        entries: the programs.
-        unread: the files in whose place Python always gives a module of its own, with its name.
-    """
-    listed = tuple(files)
-    hiding = {path for entry in entries for path in Library(listed, places_of(entry)).shadows()} - entries
-    for path in sorted(_never_imported(listed, entries)):
-        message = f'"import controller" always gives the module of the match: {sanitize(path)} is never imported'
-        remedy = "give it another name if programs need what is in it; if it is only for your editor, all is well"
-        yield Finding("sources.passed_over", "warning", message, remedy, sanitize(path))
-    for path, name in sorted(unread.items()):
-        file = sanitize(path)
-        message = f'"import {name}" always gives the module of Python, loaded before any program: {file} is never read'
-        remedy = "give it another name, and import it by that; as it is, no program gets what is in it"
-        yield Finding("sources.passed_over", "warning", message, remedy, sanitize(path))
-    for path in sorted(hiding - unread.keys()):
-        message = (
-            f'this file hides "{sanitize(path.stem)}", a module of Python or of numpy and scipy, from your programs'
-        )
-        yield Finding(
-            "sources.shadows", "warning", message, "give it another name, unless you mean that", sanitize(path)
-        )
-
-
-def _never_imported(files: Iterable[PurePosixPath], entries: set[PurePosixPath]) -> set[PurePosixPath]:
-    """Return the files that programs would find as ``controller`` if the match did not give them its own."""
-    found = {module.file for entry in entries for module in Library(files, places_of(entry)).tops(INSTALLED[2])}
-    return {path for path in found if path is not None} - entries
-
-
-def _gravest(found: Iterable[Finding]) -> list[Finding]:
-    """Leave out warnings where there is a failure of the kind: one program comes there for certain, another may not."""
-    listed = list(found)
-    fatal = {(finding.where, finding.code) for finding in listed if finding.level == "failure"}
-    return [finding for finding in listed if finding.level == "failure" or (finding.where, _kind(finding)) not in fatal]
-
-
-def _kind(finding: Finding) -> str:
-    return finding.code.replace(_OPTIONAL, "").replace(_CONDITIONAL, "")
+def _taken_names(files: Collection[PurePosixPath], entries: set[PurePosixPath]) -> Iterable[Finding]:
+    """Report files that have the name of a module of Python, numpy, scipy or the match."""
+    named_so = {path for entry in entries for path in Library(files, places_of(entry)).named_like_pythons()}
+    for path in sorted(named_so - entries):
+        name = _module_name(path)
+        file, module = sanitize(path), sanitize(name)
+        if is_always_pythons(name):
+            message = f'"import {module}" never finds {file}: it always gives the module of Python or of the match'
+            remedy = "give it another name if programs need what is in it; if it is only for your editor, all is well"
+            yield Finding("sources.passed_over", "warning", message, remedy, file)
+        else:
+            message = f'this file hides "{module}", a module of Python or of numpy and scipy, or is hidden by it'
+            yield Finding("sources.shadows", "warning", message, "give it another name", file)
 
 
 def _in_order(found: Iterable[Finding]) -> list[Finding]:
-    """Return the most serious first, and at most as many as are readable."""
-    ordered = sorted(found, key=lambda finding: finding.level != "failure")
-    if len(ordered) > _MAX_FINDINGS:
-        left_out = len(ordered) - _MAX_FINDINGS
-        ordered = [
-            *ordered[:_MAX_FINDINGS],
-            Finding("sources.more", "warning", f"{left_out} more of the kind", "start with those above"),
-        ]
-    return ordered
+    """Return the most serious first, at most as many as are readable.
+
+    Warnings are left out where there is a failure of the kind: one program certainly gets there, another may not.
+    """
+    failures = [finding for finding in found if finding.level == "failure"]
+    fatal = {(finding.where, finding.code) for finding in failures}
+    warnings = [
+        finding
+        for finding in found
+        if finding.level != "failure"
+        and (finding.where, finding.code.replace(_OPTIONAL, "").replace(_CONDITIONAL, "")) not in fatal
+    ]
+    ordered = [*failures, *warnings]
+    left_out = len(ordered) - _MAX_FINDINGS
+    if left_out <= 0:
+        return ordered
+    more = Finding("sources.more", "warning", f"{left_out} more of the kind", "start with those above")
+    return [*ordered[:_MAX_FINDINGS], more]

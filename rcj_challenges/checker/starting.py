@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rcj_challenges.checker.devices import MissingDevices, device_findings, missing_by_device
-from rcj_challenges.checker.failing import fault_findings
+from rcj_challenges.checker.faults import MissingDevices, device_findings, fault_findings, missing_by_device
 from rcj_challenges.checker.findings import Finding, Stage
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed, rehearse
 from rcj_challenges.core.timing import TICK_S
@@ -47,7 +46,7 @@ def check_start(rehearsal: Rehearsal) -> Started:
         stage.findings.append(slow)
     if not stage.failed:
         longest_s = max((wait.started_s for wait in started.waits.values()), default=0.0)
-        robots = ", ".join(started.motions)
+        robots = ", ".join(started.robots)
         stage.findings.append(
             Finding(
                 "start.ok", "passed", f"all robots start and answer, the slowest after {longest_s:.1f} s", "", robots

@@ -11,78 +11,67 @@ from rcj_challenges.core.sanitize import sanitize
 PYTHON = f"Python {platform.python_version()}"
 
 _SMALLER_STEPS = "write it in several smaller steps"
+_SAVE_AS_UTF8 = "save the file as UTF-8 text in your editor"
+_LEAVE_OUT = "leave out what is not needed"
 _LEFT_BY_GIT = (b"<<<<<<< ", b">>>>>>> ")
 _SYNTAX_HELP = (
+    (r"Missing parentheses in call to '(?:print|exec)'", "this is Python 2: a call needs brackets, print(…)"),
+    (r"tabs and spaces|^TabError", "indent with spaces only"),
+    (r"^IndentationError", "correct how far this line is indented"),
+    (r"too many (?:statically )?nested", _SMALLER_STEPS),
     (
-        re.compile(r"Missing parentheses in call to '(?:print|exec)'"),
-        "this is Python 2: a call needs brackets, print(…)",
-    ),
-    (
-        re.compile("exception types must be parenthesized"),
-        "write except (A, B): for several, except A as error: for one",
-    ),
-    (re.compile("tabs and spaces|^TabError"), "indent with spaces only"),
-    (re.compile("^IndentationError"), "correct how far this line is indented"),
-    (re.compile("too many (?:statically )?nested"), _SMALLER_STEPS),
-    (
-        re.compile("invalid (?:character|non-printable character)"),
+        r"invalid (?:character|non-printable character)",
         "delete this character (it may be invisible) and type it on the keyboard: web pages use other ones",
     ),
 )
 """Help by Python's message."""
 
-_SAVE_AS_UTF8 = "save the file as UTF-8 text in your editor"
 _TOO_DEEP = (
     "too_deep",
     "brackets or expressions lie so deep in one another that Python cannot read the file",
     _SMALLER_STEPS,
 )
-# Reasons why reading ended without a message from Python.
-_WITHOUT_WORDS = {
+_WITHOUT_MESSAGE = {
     "depth": _TOO_DEEP,
     "crash": _TOO_DEEP,
     "slow": ("too_slow", "Python takes far too long to read the file", "split it, or put data into a file of its own"),
     "large": (
         "large",
         f"more than {MAX_BYTES / 1000:g} kB of Python: not looked into",
-        "put large data into a file that is no program",
+        "put large data into a file that is not a program",
     ),
     "imports": (
         "too_many_imports",
         f"with this file the programs import more than {MAX_IMPORTS} modules and names: it is not looked into",
-        "leave out what is not needed",
+        _LEAVE_OUT,
     ),
-    "unread": ("unread", "not looked into: those before it are too much for Python", "leave out what is not needed"),
+    "unread": ("unread", "not looked into: those before it are too much for Python", _LEAVE_OUT),
 }
+"""Code, message and remedy where reading ended without a message from Python."""
 
 
-def what_is_wrong(source: Source, content: bytes) -> tuple[str, str, str]:
+def describe_error(source: Source, content: bytes) -> tuple[str, str, str]:
     """Return code, message and remedy of a file that is not valid Python.
 
     Args:
-        source: what the reader says of it.
+        source: the reader's answer.
         content: of the file.
     """
-    if source.wrong in _WITHOUT_WORDS:
-        return _WITHOUT_WORDS[source.wrong]
-    said = sanitize(source.said)
+    if source.wrong in _WITHOUT_MESSAGE:
+        return _WITHOUT_MESSAGE[source.wrong]
+    message = sanitize(source.message)
     if source.wrong == "odd_encoding":
-        return "odd_encoding", f"the file says that it is written in {said}, which no editor writes", _SAVE_AS_UTF8
-    if "null bytes" in said:
-        return "null_bytes", "there are zero bytes in the file: it is no text", _SAVE_AS_UTF8
-    if any(words in said for words in ("codec can't decode", "encoding", "Non-UTF-8")):
-        return "encoding", f"the letters of the file cannot be read ({said})", _SAVE_AS_UTF8
-    if _line(content, source.line).startswith(_LEFT_BY_GIT):
+        return "odd_encoding", f"the file declares the encoding {message}, which no editor writes", _SAVE_AS_UTF8
+    if "null bytes" in message:
+        return "null_bytes", "there are zero bytes in the file: it is not text", _SAVE_AS_UTF8
+    if any(words in message for words in ("codec can't decode", "encoding", "Non-UTF-8")):
+        return "encoding", f"the letters of the file cannot be read ({message})", _SAVE_AS_UTF8
+    lines = content.splitlines()
+    if 0 < source.line <= len(lines) and lines[source.line - 1].startswith(_LEFT_BY_GIT):
         remedy = "git found two versions here: keep one of them, and delete the lines <<<, === and >>>"
     else:
-        error = f"{source.wrong}: {said}"
+        error = f"{source.wrong}: {message}"
         other = f"correct this line or the one before it; {PYTHON} is used here, so newer syntax does not exist yet"
-        remedy = next((text for pattern, text in _SYNTAX_HELP if pattern.search(error)), other)
+        remedy = next((text for pattern, text in _SYNTAX_HELP if re.search(pattern, error)), other)
     code = "too_deep" if remedy == _SMALLER_STEPS else "syntax"
-    return code, f"{PYTHON} cannot read this: {said}", remedy
-
-
-def _line(content: bytes, number: int) -> bytes:
-    """Return a line, counted from 1; empty if there is none."""
-    lines = content.splitlines()  # of bytes: at the same places as Python does
-    return lines[number - 1] if 0 < number <= len(lines) else b""
+    return code, f"{PYTHON} cannot read this: {message}", remedy

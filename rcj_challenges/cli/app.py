@@ -9,16 +9,22 @@ import typer
 
 from rcj_challenges import __version__
 from rcj_challenges.cli import check, judge, run, stats, tournament, verify, video
-from rcj_challenges.cli.completion import complete_scenarios, complete_seats
+from rcj_challenges.cli.completion import complete_scenarios
 from rcj_challenges.cli.help import PLAY, WATCH, WRITE, Command, Group
 from rcj_challenges.cli.options import (
+    AtOnce,
     Blue,
     Duration,
     Halves,
+    Json,
+    OutFolder,
     Overrides,
+    Quiet,
+    Run,
+    RunsFolder,
     Sandbox,
-    ScenarioFiles,
     ScenarioName,
+    Teams,
     Yellow,
     all_overrides,
     all_teams,
@@ -66,7 +72,7 @@ def validate(
     ],
     set_: Overrides = None,
     strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 if there is a warning; for CI.")] = False,
-    json_: Annotated[bool, typer.Option("--json", help="Print the verdicts as JSON and nothing else.")] = False,
+    json_: Json = False,
 ) -> None:
     """Check scenario and tournament files; each mistake is named with file, line and column, doubts as a warning."""
     from rcj_challenges.cli.validate import validate_files
@@ -76,9 +82,14 @@ def validate(
 
 @app.command("test", cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge test relay_race.yaml")
 def play_tests(
-    files: ScenarioFiles,
+    files: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="FILE...", autocompletion=complete_scenarios, help="Scenario files, or names of shipped ones."
+        ),
+    ],
     set_: Overrides = None,
-    json_: Annotated[bool, typer.Option("--json", help="Print the outcome as JSON and nothing else.")] = False,
+    json_: Json = False,
 ) -> None:
     """Play the tests written in scenario files (expect:), without physics and without programs.
 
@@ -194,26 +205,16 @@ def sheet(
 def simulate(
     scenario: ScenarioName,
     seeds: Annotated[str, typer.Option("--seeds", metavar="1..N", help="Which seeds: 1..10, 3 or 1,4,7..9.")] = "1..10",
-    team: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--team",
-            metavar="ENTRANT=TEAM",
-            autocompletion=complete_seats,
-            help="Who plays; left out: the sample team. Repeatable.",
-        ),
-    ] = None,
+    team: Teams = None,
     blue: Blue = None,
     yellow: Yellow = None,
     duration: Duration = None,
     halves: Halves = None,
     set_: Overrides = None,
-    out: Annotated[Path, typer.Option("--out", metavar="DIR", help="Where the records are made.")] = Path("runs"),
-    at_once: Annotated[
-        int | None, typer.Option("--at-once", metavar="N", min=1, help="Matches at a time; default: cores.")
-    ] = None,
-    json_: Annotated[bool, typer.Option("--json", help="Print the summary as JSON and nothing else.")] = False,
-    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress lines.")] = False,
+    out: OutFolder = Path("runs"),
+    at_once: AtOnce = None,
+    json_: Json = False,
+    quiet: Quiet = False,
     sandbox: Sandbox = "auto",
 ) -> None:
     """Play a challenge with many seeds in parallel and report scores, events and faults."""
@@ -235,19 +236,13 @@ def teams() -> None:
     raise typer.Exit(list_teams())
 
 
-_Out = Annotated[Path, typer.Option("--runs", "--out", metavar="DIR", help="Where the records are.")]
-
-
 @app.command(cls=Command, rich_help_panel=WATCH, epilog="rcj-challenge view\nrcj-challenge view --list")
 def view(
-    run: Annotated[
-        Path | None,
-        typer.Argument(metavar="RUN", help="A record's folder or the beginning of its name; left out: the newest."),
-    ] = None,
+    run: Run = None,
     list_: Annotated[
         bool, typer.Option("--list", "-l", help="List the records instead, of DIR or of a folder given as RUN.")
     ] = False,
-    out: _Out = Path("runs"),
+    out: RunsFolder = Path("runs"),
 ) -> None:
     """Open the replay page of a record in the browser."""
     from rcj_challenges.cli.view import list_records, view_record
@@ -257,8 +252,8 @@ def view(
 
 @app.command(cls=Command, rich_help_panel=WATCH, epilog="rcj-challenge replay")
 def replay(
-    run: Annotated[Path | None, typer.Argument(metavar="RUN", help="A record's folder; left out: the newest.")] = None,
-    out: _Out = Path("runs"),
+    run: Run = None,
+    out: RunsFolder = Path("runs"),
 ) -> None:
     """Write the replay page of a record again."""
     from rcj_challenges.cli.view import rebuild_replay

@@ -13,15 +13,17 @@ import typer
 
 from rcj_challenges.cli.completion import complete_scenarios
 from rcj_challenges.cli.help import SUBMIT, Command
-from rcj_challenges.cli.stdio import print_json, print_progress
+from rcj_challenges.cli.options import Json, Overrides, Sandbox
+from rcj_challenges.cli.stdio import print_json, print_lines, print_progress
 from rcj_challenges.core.errors import RcjError, format_error, room_help
+from rcj_challenges.core.sanitize import sanitize
 
 if TYPE_CHECKING:
     from rich.console import Console
 
     from rcj_challenges.checker.check import CheckOptions
-    from rcj_challenges.checker.many_given import Given
-    from rcj_challenges.checker.report import CheckReport, FileReport, LeftOut
+    from rcj_challenges.checker.report import CheckReport, FileReport
+    from rcj_challenges.checker.submissions import Submissions
     from rcj_challenges.scenario.load import Loaded
 
 
@@ -73,10 +75,7 @@ def _check(
             help="What they are for: a file, or a shipped one's name.",
         ),
     ] = "match",
-    set_: Annotated[
-        list[str] | None,
-        typer.Option("--set", metavar="PATH=VALUE", help="Change a param or any value of the scenario. Repeatable."),
-    ] = None,
+    set_: Overrides = None,
     fix: Annotated[
         Path | None,
         typer.Option("--fix", metavar="OUT.zip", help="Write a repaired archive, and check that one."),
@@ -84,7 +83,7 @@ def _check(
     html: Annotated[
         Path | None, typer.Option("--html", metavar="OUT", help="Write the report as an HTML page.")
     ] = None,
-    json_: Annotated[bool, typer.Option("--json", help="Print the report as JSON and nothing else.")] = False,
+    json_: Json = False,
     replay: Annotated[
         Path | None, typer.Option("--replay", metavar="DIR", help="Keep the replay pages of the short matches.")
     ] = None,
@@ -94,9 +93,7 @@ def _check(
         int | None,
         typer.Option("--jobs", "-j", metavar="N", min=1, help="How many at a time; default: as many as cores."),
     ] = None,
-    sandbox: Annotated[
-        str, typer.Option("--sandbox", metavar="auto|strict|off", help="How programs are isolated (docs/isolation.md).")
-    ] = "auto",
+    sandbox: Sandbox = "auto",
 ) -> None:
     """Say whether submissions will play in the tournament, and what to do if not: opens, starts and plays them.
 
@@ -104,17 +101,7 @@ def _check(
     some could not be checked on this computer; 3: some could not be checked, by a fault of this project.
     """
     command = CheckCommand(
-        paths=paths,
-        scenario=scenario,
-        overrides=set_ or [],
-        sandbox=sandbox,
-        jobs=jobs,
-        fix=fix,
-        html=html,
-        json=json_,
-        replays=replay,
-        show_output=show_output,
-        play=play,
+        paths, scenario, set_ or [], sandbox, jobs, fix, html, json_, replay, show_output=show_output, play=play
     )
     raise typer.Exit(check_submissions(command))
 
@@ -124,7 +111,7 @@ def check_submissions(command: CheckCommand) -> int:
 
     Raises:
         RcjError: wrong usage.
-        KeyboardInterrupt: somebody interrupted it; what was checked before has been reported.
+        KeyboardInterrupt: it was interrupted; what was checked before has been reported.
     """
     from rcj_challenges.cli.output_paths import refuse_devices
     from rcj_challenges.cli.teams import path_or_sample_team
@@ -142,40 +129,44 @@ def check_submissions(command: CheckCommand) -> int:
     _ensure_outputs(command)
 
     from rcj_challenges.checker.check import CheckOptions
-    from rcj_challenges.checker.report import check_report
+    from rcj_challenges.checker.report import LeftOut, check_report
+    from rcj_challenges.checker.submissions import name_submissions
     from rcj_challenges.views.console import console_for
 
-    options = CheckOptions(
-        sandbox=command.sandbox, play=command.play, replays=command.replays, show_output=command.show_output
-    )
-    if len(given.paths) == 1:
-        try:
-            checked = _Checked([_check_one(given.paths[0], loaded, options, command.fix)])
-        except KeyboardInterrupt:  # it may name the record of a short match, which is gone by now
-            checked = _Checked([], interrupted=True)
-    else:
-        checked = _check_many(given.paths, loaded, options, command)
+    options = CheckOptions(command.sandbox, command.play, replays=command.replays, show_output=command.show_output)
+    done: list[FileReport] = []
+    interrupted = False
+    try:
+        if len(given.paths) == 1:
+            done.append(_check_one(given.paths[0], loaded, options, command.fix))
+        else:
+            _check_many(given.paths, loaded, options, command, done)
+    except KeyboardInterrupt:
+        interrupted = True
+    order = {one.name: number for number, one in enumerate(name_submissions(given.paths))} if interrupted else {}
+    names = {file.file for file in done}
+    reason = "the check was interrupted before it was done"
     report = check_report(
         loaded.scenario.id,
         loaded.scenario.title,
         command.sandbox,
-        checked.files,
-        [*given.left_out, *_not_come_to(given.paths, checked)],
-        interrupted=checked.interrupted,
+        sorted(done, key=lambda file: order.get(file.file, 0)),
+        [*given.left_out, *(LeftOut(file=name, reason=reason) for name in order if name not in names)],
+        interrupted=interrupted,
     )
     _publish(report, command, console_for(to_stderr=command.json))
-    if checked.interrupted:
+    if interrupted:
         raise KeyboardInterrupt
     return report.exit_code
 
 
-def submissions(given: list[Path]) -> Given:
+def submissions(given: list[Path]) -> Submissions:
     """Return the submissions: of a folder full of archives each of them, everything else as it is.
 
     Raises:
         CheckUsageError: one cannot be opened.
     """
-    from rcj_challenges.checker.many_given import in_folders
+    from rcj_challenges.checker.submissions import find_submissions
 
     for path in given:
         with _or_usage_error(path, "opened"):
@@ -183,11 +174,11 @@ def submissions(given: list[Path]) -> Given:
             if path.is_file():
                 path.open("rb").close()
             elif not path.is_dir():
-                message = f"{_safe(path)}: cannot be opened: it is neither a file nor a folder"
+                message = f"{sanitize(path)}: cannot be opened: it is neither a file nor a folder"
                 raise CheckUsageError(message, code="cannot-open")
             else:
-                in_folders([path])
-    return in_folders(given)
+                find_submissions([path])
+    return find_submissions(given)
 
 
 def _ensure_outputs(command: CheckCommand) -> None:
@@ -213,38 +204,12 @@ def _or_usage_error(path: Path, done: str) -> Iterator[None]:
         yield
     except (OSError, ValueError) as error:
         code = "cannot-open" if done == "opened" else "cannot-write"
-        message = f"{_safe(path)}: cannot be {done}: {format_error(error)}"
+        message = f"{sanitize(path)}: cannot be {done}: {format_error(error)}"
         raise CheckUsageError(message, room_help(error), code=code) from error
-
-
-@dataclass
-class _Checked:
-    """What was checked.
-
-    Attributes:
-        files: reports, in the order of the submissions.
-        interrupted: whether somebody ended it before all were checked.
-    """
-
-    files: list[FileReport]
-    interrupted: bool = False
-
-
-def _not_come_to(paths: list[Path], checked: _Checked) -> list[LeftOut]:
-    """Return the submissions whose check was interrupted, or never begun."""
-    if not checked.interrupted:
-        return []
-    from rcj_challenges.checker.many_given import called
-    from rcj_challenges.checker.report import LeftOut
-
-    done = {file.file for file in checked.files}
-    reason = "somebody interrupted the check before it was done"
-    return [LeftOut(file=one.name, reason=reason) for one in called(paths) if one.name not in done]
 
 
 def _check_one(path: Path, loaded: Loaded, options: CheckOptions, fix: Path | None) -> FileReport:
     from rcj_challenges.checker.check import check_file
-    from rcj_challenges.core.sanitize import sanitize
 
     if fix is None:
         return check_file(path, loaded, options)
@@ -258,30 +223,34 @@ def _check_one(path: Path, loaded: Loaded, options: CheckOptions, fix: Path | No
     return check_file(repaired.out, loaded, options, [*map(sanitize, repaired.done)] or [f"nothing: {why_nothing}"])
 
 
-def _check_many(paths: list[Path], loaded: Loaded, options: CheckOptions, command: CheckCommand) -> _Checked:
-    """Check several, and say of each when it is done; those that are done by then survive an interruption."""
+def _check_many(
+    paths: list[Path], loaded: Loaded, options: CheckOptions, command: CheckCommand, done: list[FileReport]
+) -> None:
+    """Check several, and print a line for each when it is done.
+
+    Args:
+        paths: of the submissions.
+        loaded: the scenario.
+        options: what to do.
+        command: the options as given.
+        done: takes the reports: as they come, so that they survive an interruption, at the end in order.
+    """
     from rcj_challenges.checker.many import check_many
-    from rcj_challenges.checker.many_given import called
     from rcj_challenges.checker.report_text import progress_line
     from rcj_challenges.views.console import console_for
 
     console = console_for(to_stderr=True)
-    done: list[FileReport] = []
 
     def on_done(file: FileReport) -> None:
         done.append(file)
         if not command.json:
             print_progress(console, progress_line(len(done), len(paths), file))
 
-    try:
-        return _Checked(check_many(paths, loaded, options, command.jobs or os.cpu_count() or 1, on_done))
-    except KeyboardInterrupt:
-        order = [one.name for one in called(paths)]
-        return _Checked(sorted(done, key=lambda file: order.index(file.file)), interrupted=True)
+    done[:] = check_many(paths, loaded, options, command.jobs or os.cpu_count() or 1, on_done)
 
 
 def _publish(report: CheckReport, command: CheckCommand, console: Console) -> None:
-    """Print the report, and write the page if one is asked for: also if the report finds no room where it is printed.
+    """Print the report, and write the page if one is asked for: also if the report cannot be printed.
 
     Raises:
         CheckUsageError: the page cannot be written.
@@ -295,21 +264,11 @@ def _publish(report: CheckReport, command: CheckCommand, console: Console) -> No
             print_report(console, report)
     finally:
         if command.html is not None:
-            _write_page(report, command.html)
+            from rcj_challenges.checker.report_files import write_page
+            from rcj_challenges.checker.report_html import html_page
+
+            page = html_page(report, command.html.parent)
+            with _or_usage_error(command.html, "written"):
+                write_page(command.html, page)
     if command.html is not None and not command.json:
-        console.print(f"report: {_safe(command.html)}", markup=False, highlight=False, soft_wrap=True)
-
-
-def _write_page(report: CheckReport, path: Path) -> None:
-    from rcj_challenges.checker.report_files import write_page
-    from rcj_challenges.checker.report_html import html_page
-
-    page = html_page(report, path.parent)
-    with _or_usage_error(path, "written"):
-        write_page(path, page)
-
-
-def _safe(path: Path) -> str:
-    from rcj_challenges.core.sanitize import sanitize
-
-    return sanitize(path)
+        print_lines(console, f"report: {sanitize(command.html)}")

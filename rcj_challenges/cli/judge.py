@@ -12,7 +12,8 @@ import typer
 
 from rcj_challenges.cli.completion import complete_scenarios
 from rcj_challenges.cli.help import ORGANIZE, Command
-from rcj_challenges.cli.stdio import print_json
+from rcj_challenges.cli.options import Json, Overrides, Runs, RunsFolder
+from rcj_challenges.cli.stdio import print_json, print_lines
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.diagnostics import render_error
 from rcj_challenges.core.errors import RcjError
@@ -46,7 +47,7 @@ class JudgeOptions:
 
     @property
     def other_rules(self) -> bool:
-        """Whether it is to be judged by others than its own rules."""
+        """Whether it is judged by other rules than its own."""
         return self.scenario is not None or bool(self.overrides)
 
 
@@ -62,7 +63,7 @@ class _Judged:
 
     @property
     def is_as_recorded(self) -> bool:
-        """Whether the same came out: events, and of a match that is whole also what rules count without telling it."""
+        """Whether the same came out: events, and of a complete match also scores and ranking."""
         if self.differences or not (self.result.complete and self.judgement.complete):
             return not self.differences
         ranking = [one.model_dump() for one in self.result.ranking]
@@ -80,10 +81,7 @@ def register(app: typer.Typer) -> None:
 
 
 def _judge(
-    runs: Annotated[
-        list[Path] | None,
-        typer.Argument(metavar="RUN...", help="Records' folders, or how their names begin; left out: the newest."),
-    ] = None,
+    runs: Runs = None,
     scenario: Annotated[
         str | None,
         typer.Option(
@@ -93,12 +91,9 @@ def _judge(
             help="Judge by the rules of this one; left out: by their own.",
         ),
     ] = None,
-    set_: Annotated[
-        list[str] | None,
-        typer.Option("--set", metavar="PATH=VALUE", help="Change a value of these rules. Repeatable."),
-    ] = None,
-    out: Annotated[Path, typer.Option("--runs", "--out", metavar="DIR", help="Where the records are.")] = Path("runs"),
-    json_: Annotated[bool, typer.Option("--json", help="Print the verdicts as JSON and nothing else.")] = False,
+    set_: Overrides = None,
+    out: RunsFolder = Path("runs"),
+    json_: Json = False,
 ) -> None:
     """Judge recorded matches again, by their own rules or by changed ones, and say what comes out differently.
 
@@ -120,7 +115,7 @@ def judge(options: JudgeOptions) -> int:
 
     scenario = load(options.scenario, options.overrides).scenario if options.scenario is not None else None
     console, code = console_for(), 0
-    told: list[dict[str, Any]] = []
+    records: list[dict[str, Any]] = []
     for run in options.runs:
         name = None if run is None else run.name
         try:
@@ -129,29 +124,27 @@ def judge(options: JudgeOptions) -> int:
             judged = _judge_one(folder, options, scenario)
         except RcjError as error:
             code = RcjError.exit_code
-            told.append({"record": name, "problem": str(error), "code": error.code, "help": error.help})
+            records.append({"record": name, "problem": str(error), "code": error.code, "help": error.help})
             sys.stderr.write(f"{render_error(error)}\n")
             continue
         if not (judged.is_as_recorded or options.other_rules):
             code = max(code, 1)
-        told.append(_as_json(judged))
+        records.append(_as_json(judged))
         if not options.as_json:
-            for line in _lines(judged, options):
-                console.print(line, markup=False, highlight=False, soft_wrap=True)
+            print_lines(console, *_lines(judged, options))
     if options.as_json:
-        print_json({"other_rules": options.other_rules, "records": told})
+        print_json({"other_rules": options.other_rules, "records": records})
     else:
-        for line in _closing(told, options):
-            console.print(line, markup=False, highlight=False, soft_wrap=True)
+        print_lines(console, *_closing(records, options))
     return code
 
 
-def _closing(told: Sequence[dict[str, Any]], options: JudgeOptions) -> Iterator[str]:
-    """Yield what is to be said after all records: of how many the score differs, and what to think of that."""
-    judged = [one for one in told if one["problem"] is None]
-    if len(told) > 1:
+def _closing(records: Sequence[dict[str, Any]], options: JudgeOptions) -> Iterator[str]:
+    """Yield the last lines: how many scores differ, and that poses stay."""
+    judged = [one for one in records if one["problem"] is None]
+    if len(records) > 1:
         other = sum(one["recorded"]["score"] != one["judged"]["score"] for one in judged)
-        left = f"; {len(told) - len(judged)} could not be judged" if len(judged) < len(told) else ""
+        left = f"; {len(records) - len(judged)} could not be judged" if len(judged) < len(records) else ""
         yield f"{counted(len(judged), 'record')} judged, {other} of them with another score{left}"
     if judged and options.other_rules:
         yield "Poses stay those of the record: what these rules put elsewhere goes on from where it was."
@@ -204,7 +197,7 @@ def _as_json(judged: _Judged) -> dict[str, Any]:
 
 
 def _lines(judged: _Judged, options: JudgeOptions) -> Iterator[str]:
-    """Yield what people read of a judgement: scores, then each event that differs."""
+    """Yield the lines about a judgement: scores, then each event that differs."""
     from rcj_challenges.core.sanitize import sanitize
     from rcj_challenges.views.naming import changes_sides
     from rcj_challenges.views.scoreboard import ranking_lines, score_line
@@ -238,10 +231,10 @@ def _line(one: Difference) -> str:
     from rcj_challenges.core.timing import s_from_ticks
     from rcj_challenges.views.sentences import clock
 
-    told = f"  half {one.half} {clock(s_from_ticks(one.tick)):>7}  {sanitize(one.event, 60)}: "
+    when = f"  half {one.half} {clock(s_from_ticks(one.tick)):>7}  {sanitize(one.event, 60)}: "
     if one.before is None or one.after is None:
         which = "only now" if one.before is None else "only in the record"
         payload = ", ".join(f"{key} {sanitize(value)}" for key, value in (one.after or one.before or {}).items())
-        return told + which + (f" ({payload})" if payload else "")
+        return when + which + (f" ({payload})" if payload else "")
     keys = [key for key in one.before | one.after if one.before.get(key) != one.after.get(key)]
-    return told + ", ".join(f"{key} {sanitize(one.before.get(key))} -> {sanitize(one.after.get(key))}" for key in keys)
+    return when + ", ".join(f"{key} {sanitize(one.before.get(key))} -> {sanitize(one.after.get(key))}" for key in keys)

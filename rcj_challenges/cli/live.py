@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.cli.help import Command
+from rcj_challenges.cli.stdio import print_lines
 from rcj_challenges.core.errors import RcjError
 
 if TYPE_CHECKING:
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class LiveOptionError(RcjError):
-    """An option of the live view that makes no sense."""
+    """An option of the live view that does not fit."""
 
 
 class RunCommand(Command):
@@ -90,21 +91,22 @@ def on_air(
     if options is None:
         yield None
         return
+    import webbrowser
+
     from rcj_challenges.views.live import LiveShow
 
     with LiveShow(scenario, titles, seed, logos=logos, port=options.port, speed=options.speed) as show:
-        _say(console, f"live:   {show.address}")
-        _say(console, f"steer:  {show.steering_address}")
-        if options.open and not _opened(show.steering_address):
-            _say(console, "no browser could be opened: open one of these addresses yourself")
+        print_lines(console, f"live:   {show.address}", f"steer:  {show.steering_address}")
+        if options.open and not webbrowser.open(show.steering_address):
+            print_lines(console, "no browser could be opened: open one of these addresses yourself")
         yield show
 
 
 def stay_on_air(show: LiveShow, options: LiveOptions, console: Console) -> None:
     """Go on serving after the match, for as long as was asked for."""
-    with suppress(KeyboardInterrupt):  # from the moment on at which we say so
+    with suppress(KeyboardInterrupt):
         if options.for_s is None:
-            _say(console, f"live:   the match is over; {show.address} shows it until Ctrl-C")
+            print_lines(console, f"live:   the match is over; {show.address} shows it until Ctrl-C")
         show.linger(options.for_s)
 
 
@@ -121,13 +123,3 @@ def _speed(text: str | None) -> float:
         allowed = f"give how many times real time, from {SLOWEST:g} to {FASTEST:g}, or max"
         raise LiveOptionError(f"--speed {text}: not a speed", allowed, code="bad-speed")
     return speed
-
-
-def _opened(address: str) -> bool:
-    import webbrowser
-
-    return webbrowser.open(address)
-
-
-def _say(console: Console, line: str) -> None:
-    console.print(line, markup=False, highlight=False, soft_wrap=True)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from rcj_challenges.cli.completion import complete_scenarios, complete_teams
+from rcj_challenges.cli.completion import complete_scenarios, complete_seats, complete_teams
 
 Overrides = Annotated[
     list[str] | None,
@@ -17,7 +18,28 @@ Sandbox = Annotated[
     typer.Option("--sandbox", metavar="auto|strict|off", help="How programs are isolated (docs/isolation.md)."),
 ]
 
-
+Json = Annotated[bool, typer.Option("--json", help="Print JSON and nothing else.")]
+Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Print no progress.")]
+AtOnce = Annotated[int | None, typer.Option("--at-once", metavar="N", min=1, help="Matches at a time; default: cores.")]
+Runs = Annotated[
+    list[Path] | None,
+    typer.Argument(metavar="RUN...", help="Records' folders, or how their names begin; left out: the newest."),
+]
+Run = Annotated[
+    Path | None,
+    typer.Argument(metavar="RUN", help="A record's folder or the beginning of its name; left out: the newest."),
+]
+RunsFolder = Annotated[Path, typer.Option("--runs", "--out", metavar="DIR", help="Where the records are.")]
+OutFolder = Annotated[Path, typer.Option("--out", metavar="DIR", help="Where the records' folders are made.")]
+Teams = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--team",
+        metavar="ENTRANT=TEAM",
+        autocompletion=complete_seats,
+        help="Who plays: a folder, a ZIP, a .py file or the name of a sample team. Repeatable.",
+    ),
+]
 Blue = Annotated[
     list[str] | None,
     typer.Option("--blue", metavar="TEAM", autocompletion=complete_teams, help="Short for --team blue=TEAM."),
@@ -30,20 +52,12 @@ Duration = Annotated[
     str | None, typer.Option("--duration", metavar="TIME", help="Length of a half in simulated time: 90, 90s or 1:30.")
 ]
 Halves = Annotated[int | None, typer.Option("--halves", metavar="N", help="How many halves.")]
-
-
 ScenarioName = Annotated[
     str,
     typer.Argument(
         metavar="SCENARIO",
         autocompletion=complete_scenarios,
         help="A scenario file, or the name of one that comes with this: match.",
-    ),
-]
-ScenarioFiles = Annotated[
-    list[str],
-    typer.Argument(
-        metavar="FILE...", autocompletion=complete_scenarios, help="Scenario files, or names of shipped ones."
     ),
 ]
 

@@ -22,12 +22,12 @@ class OutputNameError(RcjError):
 
 
 def refuse_devices(**outputs: Path | None) -> None:
-    """Refuse what no file on Windows may be called, on every system: what is made is handed on.
+    """Refuse names of Windows devices on every system: files are handed on.
 
-    Only the last name of a path counts: who has a folder of such a name already knows where it works.
+    Only the last name of a path counts: a folder of such a name exists where it can.
 
     Args:
-        outputs: what was given, by the option's name without its dashes; None: nothing.
+        outputs: the paths by the option's name without its dashes; None: not given.
 
     Raises:
         OutputNameError: one of them is the name of a device.
@@ -39,17 +39,8 @@ def refuse_devices(**outputs: Path | None) -> None:
             raise OutputNameError(message, "choose another name")
 
 
-def _to_stdout(document: str) -> None:
-    """Write a document as other files of it are, in UTF-8; a terminal gets the letters that it has."""
-    if sys.stdout.isatty():
-        sys.stdout.write(document)
-    else:
-        sys.stdout.flush()
-        sys.stdout.buffer.write(document.encode("utf-8"))
-
-
 def check_ending(out: Path | None, endings: tuple[str, ...], complaint: str) -> None:
-    """Refuse a file whose name would promise something else than what is written, or is none everywhere.
+    """Refuse a file whose ending does not fit its content.
 
     Raises:
         OutputError: it has none of these endings.
@@ -60,16 +51,23 @@ def check_ending(out: Path | None, endings: tuple[str, ...], complaint: str) -> 
         raise OutputError(f"--out {out}: {complaint}", code="bad-out")
 
 
-def deliver(content: str | bytes, out: Path | None) -> int:
-    """Write a document to a file and print where, or to standard output; returns 0.
+def deliver(content: str | bytes, out: Path | None, *, make_folder: bool = False) -> int:
+    """Write a document to a file, whose folder may be made, and print where; or to standard output. Returns 0.
 
     Raises:
         OutputError: it cannot be written.
     """
     if out is None:
-        _to_stdout(str(content))  # pictures of bytes always have a file
+        document = str(content)  # pictures of bytes always have a file
+        if sys.stdout.isatty():
+            sys.stdout.write(document)
+        else:  # UTF-8, as in files
+            sys.stdout.flush()
+            sys.stdout.buffer.write(document.encode("utf-8"))
         return 0
     try:
+        if make_folder:
+            out.parent.mkdir(parents=True, exist_ok=True)
         # Bytes, so that no system changes the ends of lines.
         out.write_bytes(content.encode("utf-8") if isinstance(content, str) else content)
     except OSError as error:

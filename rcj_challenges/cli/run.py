@@ -7,16 +7,18 @@ from typing import Annotated, Literal
 
 import typer
 
-from rcj_challenges.cli.completion import complete_seats
 from rcj_challenges.cli.help import PLAY
 from rcj_challenges.cli.live import LiveOptions, RunCommand
 from rcj_challenges.cli.options import (
     Blue,
     Duration,
     Halves,
+    Json,
+    OutFolder,
     Overrides,
     Sandbox,
     ScenarioName,
+    Teams,
     Yellow,
     all_overrides,
     all_teams,
@@ -36,15 +38,7 @@ def register(app: typer.Typer) -> None:
 
 def run(
     scenario: ScenarioName,
-    team: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--team",
-            metavar="ENTRANT=TEAM",
-            autocompletion=complete_seats,
-            help="Who plays: a folder, a ZIP, a .py file or the name of a sample team. Repeatable.",
-        ),
-    ] = None,
+    team: Teams = None,
     blue: Blue = None,
     yellow: Yellow = None,
     team_name: Annotated[
@@ -57,10 +51,8 @@ def run(
     match_id: Annotated[
         int, typer.Option("--match-id", metavar="N", min=0, help="Number of the match in its log.")
     ] = 0,
-    out: Annotated[Path, typer.Option("--out", metavar="DIR", help="Where the record's folder is made.")] = Path(
-        "runs"
-    ),
-    json_: Annotated[bool, typer.Option("--json", help="Print the result as JSON and nothing else.")] = False,
+    out: OutFolder = Path("runs"),
+    json_: Json = False,
     quiet: Annotated[
         bool, typer.Option("--quiet", "-q", help="Print only the last lines, and what --show-output shows.")
     ] = False,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from rcj_challenges.cli.output_paths import check_ending, deliver
+from rcj_challenges.cli.output_paths import OutputError, check_ending, deliver
 from rcj_challenges.cli.stdio import shell_quoted
 
 _HTML = (".html", ".htm")
@@ -36,5 +36,7 @@ def sheet(scenario: str, out: Path | None, overrides: list[str]) -> int:
     from rcj_challenges.views.drawing import draw_scenario
 
     drawing = out.with_suffix(".svg")
+    if drawing.exists() and not out.exists():  # it is not the drawing of an earlier sheet
+        raise OutputError(f"{drawing} exists already; nothing was written", "choose another --out", code="file-exists")
     deliver(draw_scenario(loaded.scenario, loaded.roster), drawing)
     return deliver(sheet_markdown(loaded.scenario, loaded.roster, f"![The field]({quote(drawing.name)})"), out)

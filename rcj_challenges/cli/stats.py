@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from rcj_challenges.cli.help import WATCH, Command
-from rcj_challenges.cli.stdio import print_json
+from rcj_challenges.cli.options import Json, Runs, RunsFolder
+from rcj_challenges.cli.stdio import print_json, print_lines
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.diagnostics import render_error
 
@@ -43,12 +44,9 @@ def register(app: typer.Typer) -> None:
 
 
 def _stats(
-    runs: Annotated[
-        list[Path] | None,
-        typer.Argument(metavar="RUN...", help="Records' folders, or how their names begin; left out: the newest."),
-    ] = None,
-    out: Annotated[Path, typer.Option("--runs", "--out", metavar="DIR", help="Where the records are.")] = Path("runs"),
-    json_: Annotated[bool, typer.Option("--json", help="Print the figures as JSON and nothing else.")] = False,
+    runs: Runs = None,
+    out: RunsFolder = Path("runs"),
+    json_: Json = False,
     explain: Annotated[bool, typer.Option("--explain", help="Say below the table how each figure is defined.")] = False,
 ) -> None:
     """Possession, distance, speeds, shots, faults and referee calls; several runs are added up by team."""
@@ -66,7 +64,7 @@ def show_stats(runs: Sequence[Path | None], out: Path, *, as_json: bool, explain
     from rcj_challenges.views.replay.browse import find_run
     from rcj_challenges.views.stats import run_stats, stats_as_json, together
 
-    found, complaints = [], []
+    found, errors = [], []
     folders: dict[Path, Path] = {}  # what is given twice counts once
     for run in runs:
         try:
@@ -74,22 +72,19 @@ def show_stats(runs: Sequence[Path | None], out: Path, *, as_json: bool, explain
             if folders.setdefault(folder.resolve(), folder) is folder:
                 found.append(run_stats(folder))
         except RecordError as error:
-            complaints.append(error)
+            errors.append(error)
     if not found:
-        raise complaints[0]
+        raise errors[0]
     stats = together(found)
-    stats.notes += [str(error) for error in complaints]
-    if len(found) + len(complaints) < len(runs):
-        stats.notes.append(
-            f"{len(runs) - len(found) - len(complaints)} of the runs are the same as others: counted once"
-        )
+    stats.notes += map(str, errors)
+    if same := len(runs) - len(found) - len(errors):
+        stats.notes.append(f"{same} of the runs are the same as others: counted once")
     if as_json:
         print_json(stats_as_json(stats))
+        sys.stderr.writelines(f"{render_error(one)}\n" for one in errors)
     else:
         _print(console_for(), stats, explain=explain)
-    for complaint in complaints if as_json else ():
-        sys.stderr.write(f"{render_error(complaint)}\n")
-    return 1 if complaints else 0
+    return 1 if errors else 0
 
 
 def _print(console: Console, stats: Stats, *, explain: bool) -> None:
@@ -98,14 +93,11 @@ def _print(console: Console, stats: Stats, *, explain: bool) -> None:
 
     _print_table(console, stats)
     _print_calls(console, stats)
-    for note in stats.notes:
-        console.print(f"note: {sanitize(note, 500)}", markup=False, highlight=False, soft_wrap=True)
+    print_lines(console, *(f"note: {sanitize(note, 500)}" for note in stats.notes))
     if explain:
-        for key in figure_keys(stats):
-            line = f"{DEFINITIONS[key].title}: {DEFINITIONS[key].text}"
-            console.print(line, markup=False, highlight=False, soft_wrap=True)
+        print_lines(console, *(f"{DEFINITIONS[key].title}: {DEFINITIONS[key].text}" for key in figure_keys(stats)))
     else:
-        console.print("--explain says how each figure is defined.", markup=False, highlight=False)
+        print_lines(console, "--explain says how each figure is defined.")
 
 
 def _print_table(console: Console, stats: Stats) -> None:
@@ -119,8 +111,8 @@ def _print_table(console: Console, stats: Stats) -> None:
 
     keys = [key for key in figure_keys(stats) if key not in ("faults", "calls")]
     blocks = _blocks(stats, keys)
-    told = [cells for block in blocks for _, cells, _ in block]
-    widths = [max(map(len, [*_HEADS[key].splitlines(), *(cells[key] for cells in told)])) for key in keys]
+    rows = [cells for block in blocks for _, cells, _ in block]
+    widths = [max(map(len, [*_HEADS[key].splitlines(), *(cells[key] for cells in rows)])) for key in keys]
     title = f"{counted(len(stats.runs), 'run')}, {clock(stats.play_ticks * TICK_S)} of play"
     for part in _parts(widths, console.width):
         table = Table(
@@ -131,15 +123,15 @@ def _print_table(console: Console, stats: Stats) -> None:
         for place in part:
             table.add_column(_HEADS[keys[place]], justify="right", no_wrap=True)
         for block in blocks:
-            for who, cells, style in block:
-                table.add_row(who, *(cells[keys[place]] for place in part), style=style)
+            for name, cells, style in block:
+                table.add_row(name, *(cells[keys[place]] for place in part), style=style)
             table.add_section()
         console.print(table)
         title = ""
 
 
 def _blocks(stats: Stats, keys: Sequence[str]) -> list[list[tuple[str, dict[str, str], str]]]:
-    """Return the lines of each team and those of the balls: who, the figures by key, how it is printed."""
+    """Return the rows of each team and those of the balls: name, figures by key, style."""
     from rcj_challenges.core.measures import number_words
     from rcj_challenges.core.sanitize import sanitize
     from rcj_challenges.views.stats.figures import figures
@@ -179,18 +171,17 @@ def _print_calls(console: Console, stats: Stats) -> None:
 
     for name, team in stats.teams.items():
         for label, robot in sorted(team.robots.items()):
-            told = [f"{event} {count}" for event, count in sorted(robot.calls.items())]
-            told += [f"program fault: {kind} {count}" for kind, count in sorted(robot.faults.items())]
-            if told:
-                line = f"{sanitize(name, 32)} {sanitize(label, 40)}: {', '.join(told)}"
-                console.print(line, markup=False, highlight=False, soft_wrap=True)
+            counts = [f"{event} {count}" for event, count in sorted(robot.calls.items())]
+            counts += [f"program fault: {kind} {count}" for kind, count in sorted(robot.faults.items())]
+            if counts:
+                print_lines(console, f"{sanitize(name, 32)} {sanitize(label, 40)}: {', '.join(counts)}")
     if stats.calls:
-        told = [f"{event} {count}" for event, count in sorted(stats.calls.items())]
-        console.print(f"about no robot: {', '.join(told)}", markup=False, highlight=False, soft_wrap=True)
+        counts = [f"{event} {count}" for event, count in sorted(stats.calls.items())]
+        print_lines(console, f"about no robot: {', '.join(counts)}")
 
 
-def _cells(told: Mapping[str, Any], keys: Sequence[str]) -> dict[str, str]:
-    return {key: _cell(key, told.get(key)) for key in keys}
+def _cells(values: Mapping[str, Any], keys: Sequence[str]) -> dict[str, str]:
+    return {key: _cell(key, values.get(key)) for key in keys}
 
 
 def _cell(key: str, value: Any) -> str:

@@ -24,9 +24,9 @@ from rcj_challenges.core.sanitize import sanitize
 
 
 def print_json(value: Any) -> None:
-    """Print a value as JSON and nothing else; who reads no more of it changes nothing about a command's exit code.
+    """Print a value as JSON and nothing else. A reader that goes away does not change the exit code.
 
-    Letters stand in it as they are where the output is UTF-8, else as JSON's own escapes: it means the same then.
+    Letters are printed as they are if the output is UTF-8, else as JSON's escapes.
 
     Raises:
         HostError: it cannot be written, as to a file on a full disk.
@@ -46,14 +46,20 @@ def print_json(value: Any) -> None:
         raise trouble from error
 
 
-def print_progress(console: Console, line: str) -> None:
-    """Print progress of a long command. Errors while printing are ignored."""
-    with contextlib.suppress(OSError):
+def print_lines(console: Console, *lines: str) -> None:
+    """Print lines as they are, without markup and however long they are."""
+    for line in lines:
         console.print(line, markup=False, highlight=False, soft_wrap=True)
 
 
+def print_progress(console: Console, line: str) -> None:
+    """Print progress of a long command. Errors while printing are ignored."""
+    with contextlib.suppress(OSError):
+        print_lines(console, line)
+
+
 def output_error(error: OSError) -> HostError:
-    """Return what is wrong with our output as an error, with the name of the file that it goes to (on Linux)."""
+    """Return an error of our output with the name of the file that it goes to (on Linux)."""
     where = ""
     with contextlib.suppress(OSError, ValueError):
         if _is_file(sys.stdout):
@@ -84,7 +90,7 @@ def shell_quoted(path: object) -> str:
 
 
 def discard_output(stream: Any) -> None:
-    """Let what is still printed there go nowhere: else the interpreter complains of it at its end."""
+    """Discard what is still printed there: else the interpreter reports the error again at its end."""
     with contextlib.suppress(OSError, ValueError), contextlib.ExitStack() as stack:
         nowhere = os.open(os.devnull, os.O_WRONLY)
         stack.callback(os.close, nowhere)
@@ -92,7 +98,7 @@ def discard_output(stream: Any) -> None:
 
 
 def replace_unencodable() -> None:
-    """Let letters that the encoding of our output lacks be no error: on Windows a path may have them, and a title.
+    """Print replacements for letters that the encoding of our output lacks: on Windows a path or title may have them.
 
     There Python's own choice is ``surrogateescape``. Where that keeps the bytes of names (``LC_ALL=C``), it stays.
     """
@@ -123,7 +129,7 @@ def _to_reader(stream: io.TextIOWrapper) -> io.TextIOWrapper:
 
 
 class _ToReader(io.RawIOBase):
-    """One end of a pipe. Of a reader who is gone Windows says that the argument is invalid."""
+    """One end of a pipe. If its reader is gone, Windows reports an invalid argument."""
 
     def __init__(self, fd: int) -> None:
         self._fd = fd
@@ -144,9 +150,9 @@ class _ToReader(io.RawIOBase):
 
 
 def open_closed_streams() -> None:
-    """Let the three standard streams lead nowhere where they are closed, as cron and services like to start commands.
+    """Open standard streams that are closed, as cron and services may start commands.
 
-    Else the next files that are opened take their places, such as the log of the match, and get what is printed.
+    Else the next files that are opened, such as the log of the match, take their places and get what is printed.
     """
     for number, name in enumerate(("stdin", "stdout", "stderr")):
         try:

@@ -13,6 +13,7 @@ import typer
 
 from rcj_challenges.cli import OK, OUR_FAULT
 from rcj_challenges.cli.help import ORGANIZE, Command
+from rcj_challenges.cli.options import AtOnce, Json, Runs, RunsFolder, Sandbox
 from rcj_challenges.cli.stdio import print_json, print_progress
 
 if TYPE_CHECKING:
@@ -32,24 +33,17 @@ def register(app: typer.Typer) -> None:
 
 
 def _verify(
-    runs: Annotated[
-        list[Path] | None,
-        typer.Argument(metavar="RUN...", help="Records' folders, or how their names begin; left out: the newest."),
-    ] = None,
+    runs: Runs = None,
     team: Annotated[
         list[str] | None,
         typer.Option(
             "--team", metavar="PATH", help="What played: a submission, a folder of ZIPs, or a sample team. Repeatable."
         ),
     ] = None,
-    out: Annotated[Path, typer.Option("--runs", "--out", metavar="DIR", help="Where the records are.")] = Path("runs"),
-    at_once: Annotated[
-        int | None, typer.Option("--at-once", metavar="N", min=1, help="Matches at a time; default: cores.")
-    ] = None,
-    sandbox: Annotated[
-        str, typer.Option("--sandbox", metavar="auto|strict|off", help="How programs are isolated (docs/isolation.md).")
-    ] = "auto",
-    json_: Annotated[bool, typer.Option("--json", help="Print the verdicts as JSON and nothing else.")] = False,
+    out: RunsFolder = Path("runs"),
+    at_once: AtOnce = None,
+    sandbox: Sandbox = "auto",
+    json_: Json = False,
 ) -> None:
     """Play recorded matches again and compare their digests; the sample teams need not be given.
 
@@ -99,18 +93,18 @@ def _located(teams: Sequence[str]) -> list[Path]:
     from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 
     paths = [locate_team(team) for team in teams]
-    missing = [Diagnostic("no-such-file", f"no file or folder '{path}'", "give a submission, a folder of ZIPs, or the "
-               "name of a sample team") for path in paths if not path.exists()]  # fmt: skip
+    help_ = "give a submission, a folder of ZIPs, or the name of a sample team"
+    missing = [Diagnostic("no-such-file", f"no file or folder '{path}'", help_) for path in paths if not path.exists()]
     if missing:
         raise DiagnosticError(*missing)
     return paths
 
 
 def _recorded(folder: Path, teams: Sequence[Path], place: Workplace, sandbox: str) -> Recorded:
-    """Return a record as a match to be played again; its programs and its scenario are put where jobs find them.
+    """Return a record as a match to be played again, with its programs and its scenario copied for the job.
 
     Raises:
-        RcjError: it is not complete, or a program is not to be found.
+        RcjError: it is not complete, or a program cannot be found.
     """
     from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
     from rcj_challenges.records.folder import SCENARIO, read_file
@@ -127,15 +121,13 @@ def _recorded(folder: Path, teams: Sequence[Path], place: Workplace, sandbox: st
     loaded = load_resolved(parsed(read_file(folder / SCENARIO)))
     seats: dict[str, tuple[Program, ...]] = {}
     for seat, entrant in result.entrants.items():
-        wanted = {member.programs: member.name for member in entrant.members} or {entrant.programs: entrant.name}
-        entrants = entrants_of(seat, loaded.scenario)
-        known = _programs(wanted, _candidates(folder, teams), entrants, place)
-        members = [member.programs for member in entrant.members] or [entrant.programs]
-        for digest in members:
-            if digest not in known:
-                message = f"{folder.name}: the programs of {seat} ({wanted[digest]}) are not here"
+        members = [(member.programs, member.name) for member in entrant.members] or [(entrant.programs, entrant.name)]
+        found = _programs(dict(members), _candidates(folder, teams), entrants_of(seat, loaded.scenario), place)
+        for digest, name in members:
+            if digest not in found:
+                message = f"{folder.name}: the programs of {seat} ({name}) are not here"
                 raise DiagnosticError(Diagnostic("programs-missing", message, "give their submission with --team PATH"))
-        seats[seat] = tuple(known[digest] for digest in members)
+        seats[seat] = tuple(found[digest] for digest, _ in members)
     job = MatchJob(
         scenario=place.keep_scenario(loaded),
         seats=seats,
@@ -151,10 +143,10 @@ def _recorded(folder: Path, teams: Sequence[Path], place: Workplace, sandbox: st
 
 def _candidates(folder: Path, teams: Sequence[Path]) -> Iterable[Path]:
     """Yield the submissions among which the programs of a record may be."""
-    from rcj_challenges.checker.many_given import in_folders
+    from rcj_challenges.checker.submissions import find_submissions
     from rcj_challenges.scenario.resources import teams_folder
 
-    yield from in_folders(teams).paths
+    yield from find_submissions(teams).paths
     yield from sorted((folder.resolve().parents[1] / "submissions").glob("*.*"))  # of a tournament
     yield from sorted(path for path in teams_folder().iterdir() if path.is_dir())
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from fractions import Fraction
 from pathlib import Path
@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from rcj_challenges.cli.help import WATCH, Command
+from rcj_challenges.cli.options import Quiet, Run
+from rcj_challenges.cli.stdio import print_lines
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -22,10 +24,6 @@ if TYPE_CHECKING:
 MIN_SPEED, MAX_SPEED = 0.05, 100.0
 MAX_FPS = 240
 
-_Run = Annotated[
-    Path | None,
-    typer.Argument(metavar="RUN", help="A record's folder or the beginning of its name; left out: the newest."),
-]
 _Half = Annotated[
     int | None, typer.Option("--half", metavar="N", help="Only this half; times count from its beginning.")
 ]
@@ -43,7 +41,7 @@ def register(app: typer.Typer) -> None:
 
 
 def video(
-    run: _Run = None,
+    run: Run = None,
     out: Annotated[
         Path | None, typer.Option("--out", "-o", metavar="FILE", help=".mp4; left out: video.mp4 in the record.")
     ] = None,
@@ -62,19 +60,23 @@ def video(
         bool, typer.Option("--highlights", help="Only the 6 s before each change of the score, and 1 s after.")
     ] = False,
     runs: _Runs = Path("runs"),
-    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress bar, no notes.")] = False,
+    quiet: Quiet = False,
 ) -> None:
     """Make an MP4 of a record, with scoreboard and captions."""
     from rcj_challenges.cli.output_paths import refuse_devices
-    from rcj_challenges.views.video.errors import require_packages
+    from rcj_challenges.views.video.errors import VideoError, require_packages
 
     refuse_devices(out=out)
     require_packages("av", "PIL")
     from rcj_challenges.views.console import console_for
     from rcj_challenges.views.video import clips, make
 
-    size_px, rate = make.parse_size(size, even=True), _fps(fps)
-    _check_speed(speed)
+    size_px = make.parse_size(size, even=True)
+    if not 1 <= fps <= MAX_FPS:
+        raise VideoError("bad-fps", f"--fps {fps:g}: a second of video has 1 to {MAX_FPS} pictures")
+    rate = Fraction(str(fps)).limit_denominator(1001)
+    if not MIN_SPEED <= speed <= MAX_SPEED:
+        raise VideoError("bad-speed", f"--speed {speed:g}: it must be {MIN_SPEED:g} (slow motion) to {MAX_SPEED:g}")
     start_s, stop_s = (None if text is None else clips.parse_seconds(text) for text in (from_, to))
     folder, footage = _footage(run, runs)
     shown = clips.clips_between(footage, start_s, stop_s, half)
@@ -83,21 +85,23 @@ def video(
     path = _out(out, folder / ("highlights.mp4" if highlights else "video.mp4"))
     console = console_for(to_stderr=True)
     with make.opened_renderer(footage, size_px, camera) as draw:
-        _print(console, footage.warnings, quiet=quiet)
+        if not quiet:
+            print_lines(console, *footage.warnings)
         total = clips.frame_count(shown, float(rate), speed)
         begin = time.perf_counter()
         with _progress(console, total, shown=not quiet) as progress:
             make.write_video(draw, footage, shown, path, size=size_px, fps=rate, speed=speed, progress=progress)
         took_s = time.perf_counter() - begin
-    summary = f"{total / float(rate):.1f} s of video, {total} pictures, {total / took_s:.0f} a second"
-    _print(console, [summary], quiet=quiet)
+    if not quiet:
+        speed_note = f"{total / took_s:.0f} a second"
+        print_lines(console, f"{total / float(rate):.1f} s of video, {total} pictures, {speed_note}")
     sys.stdout.write(f"{path}\n")
     raise typer.Exit
 
 
 def snapshot(
     at: Annotated[str, typer.Option("--at", metavar="TIME", help="Which moment: 113.9 or 1:53.9.")],
-    run: _Run = None,
+    run: Run = None,
     out: Annotated[
         Path | None, typer.Option("--out", "-o", metavar="FILE", help=".png; left out: into the record.")
     ] = None,
@@ -119,7 +123,7 @@ def snapshot(
     folder, footage = _footage(run, runs)
     moment = clips.moment_at(footage, at_s, half)
     path = _out(out, folder / f"snapshot-half{moment.half.info.half}-{moment.t_s:.3f}s.png")
-    _print(console_for(to_stderr=True), footage.warnings)
+    print_lines(console_for(to_stderr=True), *footage.warnings)
     with make.opened_renderer(footage, size_px, camera, fine=True) as draw:
         make.write_snapshot(draw, moment, path)
     sys.stdout.write(f"{path}\n")
@@ -152,24 +156,9 @@ def _out(wanted: Path | None, default: Path) -> Path:
     return out
 
 
-def _fps(fps: float) -> Fraction:
-    from rcj_challenges.views.video.errors import VideoError
-
-    if not 1 <= fps <= MAX_FPS:
-        raise VideoError("bad-fps", f"--fps {fps:g}: a second of video has 1 to {MAX_FPS} pictures")
-    return Fraction(str(fps)).limit_denominator(1001)
-
-
-def _check_speed(speed: float) -> None:
-    from rcj_challenges.views.video.errors import VideoError
-
-    if not MIN_SPEED <= speed <= MAX_SPEED:
-        raise VideoError("bad-speed", f"--speed {speed:g}: it must be {MIN_SPEED:g} (slow motion) to {MAX_SPEED:g}")
-
-
 @contextmanager
 def _progress(console: Console, total: int, *, shown: bool) -> Iterator[Callable[[int, int], None] | None]:
-    """Show a bar with pictures a second and remaining time while the video is made; nothing where no terminal is."""
+    """Show a bar with pictures a second and remaining time while the video is made; nothing without a terminal."""
     if not shown or not console.is_terminal:
         yield None
         return
@@ -191,9 +180,3 @@ def _progress(console: Console, total: int, *, shown: bool) -> Iterator[Callable
             bars.update(task, completed=done, rate=f"{speed:.0f} a second" if speed else "")
 
         yield show
-
-
-def _print(console: Console, sentences: Sequence[str], *, quiet: bool = False) -> None:
-    for sentence in sentences:
-        if not quiet:
-            console.print(sentence, markup=False, highlight=False, soft_wrap=True)

@@ -5,8 +5,10 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+from rcj_challenges.cli.stdio import print_lines
+
 _NARROW = 70
-"""Columns of a terminal from which on date, scenario and score find room beside a record's name."""
+"""Narrower terminals get lines instead of a table."""
 
 
 def view_record(run: Path | None, out: Path) -> int:
@@ -68,9 +70,7 @@ def list_records(out: Path) -> int:
         rows.append((sanitize(row.folder.name), started, row.result.scenario, score))
     console = console_for()
     if console.width < _NARROW:  # a table would cut off its cells
-        for cells in rows:
-            line = "  ".join(cell for cell in cells if cell)
-            console.print(line, markup=False, highlight=False, soft_wrap=True)
+        print_lines(console, *("  ".join(filter(None, cells)) for cells in rows))
         return 0
     for cells in rows:
         table.add_row(*cells)

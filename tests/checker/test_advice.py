@@ -60,20 +60,18 @@ def python_error(program):
     ("program", "expected"),
     [
         ("import no_such_module", "missing_module"),
+        ("import math\nmath.cube", "module_content"),
+        ("from collections import Mapping", "module_content"),
         ("n = 0\ndef f():\n n += 1\nf()", "local_variable"),
         ("math.pi", "not_imported"),
-        ("np.array([1])", "numpy_not_imported"),
-        ("spede", "unknown_name"),
+        ("np.array([1])", "unknown_name"),
         ("'x'.upper > 0", "no_brackets"),
-        ("0 < [].append", "no_brackets"),
         ("'x'.split[0]", "no_brackets"),
         ("x, y, z = 'x'.split", "no_brackets"),
         ("max = 3\nmax(1, 2)", "not_callable"),
         ("ball = None\nball[0]", "none"),
         ("ball = None\nball.angle", "none"),
-        ("ball = None\n1.0 - ball", "none"),
         ("x, y = None", "none"),
-        ("int(None)", "none"),
         ("'x: ' + 1.5", "add_text"),
         ("1.5 + ' m'", "add_text"),
         ("[1, 2] - [0, 0]", "vectors"),
@@ -81,66 +79,24 @@ def python_error(program):
         ("range(10 / 2)", "whole_number"),
         ("speeds = [1, 2, 3]\nspeeds[4 / 2]", "whole_number"),
         ("x, y = [1, 2, 3]", "too_many_values"),
-        ("b'\\xfc'.decode()", "encoding"),
+        ("b'\\xfc'.decode()", "bytes_or_text"),
         ("b'1,2'.split(',')", "bytes_or_text"),
-        ("b'x: ' + 'y'", "bytes_or_text"),
         ("'1,2'.decode()", "bytes_or_text"),
-        ("b'1,2'.encode()", "bytes_or_text"),
-        ("import struct\nstruct.unpack('dd', b'xy')", "packet_size"),
+        ("import struct\nstruct.unpack('dd', b'xy')", "bytes_or_text"),
         ("int(float('nan'))", "not_a_number"),
-        ("raise RuntimeError(\"'receiver': getData was called with an empty queue; ask\")", "empty_queue"),
         ("raise PermissionError(1, 'Operation not permitted')", "refused"),
+        ("raise SyntaxError('invalid syntax')", "syntax"),
         ("open('/no/such/folder/x')", "no_file"),
-        ("from collections import Mapping", "old_name"),
-        ("import numpy\nnumpy.mat", "old_name"),
-        pytest.param("from scipy.integrate import simps", "old_name", marks=pytest.mark.nightly),  # imports scipy
-        ("{}.has_key(1)", "old_name"),
-        ("for n in xrange(3): pass", "old_name"),
         ("1 / 0", ""),
         ("raise RuntimeError('no ball')", ""),
-        ("{}['ball']", ""),
     ],
 )
 def test_each_common_crash_gets_its_hint(advise, program, expected):
     assert code(advise(python_error(program), program)) == expected
 
 
-@pytest.mark.parametrize(
-    ("detail", "expected"),
-    [
-        ("bdb.BdbQuit", "debugger"),
-        ("SyntaxError: invalid syntax", "syntax"),
-    ],
-)
-def test_crashes_that_cannot_be_provoked_here_get_their_hint_too(advise, detail, expected):
-    assert code(advise(detail)) == expected
-
-
 def test_every_help_text_can_be_formatted(advise):
     assert all(row.help.format(name="x") for row in TABLE)
-
-
-@pytest.mark.parametrize(
-    ("detail", "instead"),
-    [
-        ("AttributeError: `np.mat` was removed in the NumPy 2.0 release. Use `np.asmatrix` instead.", "np.asmatrix"),
-        ("AttributeError: 'numpy.ndarray' object has no attribute 'tostring'", ".tobytes()"),
-        ("ModuleNotFoundError: No module named 'scipy.misc'", "numpy"),
-        ("ImportError: cannot import name 'gcd' from 'fractions' (python/fractions.py)", "math.gcd"),
-        ("AttributeError: module 'time' has no attribute 'clock'", "time.perf_counter"),
-        ("AttributeError: module 'scipy.signal' has no attribute 'wiener2'", "successor"),
-    ],
-)
-def test_a_name_that_a_library_no_longer_has_is_replaced(advise, detail, instead):
-    hint = advise(detail)
-    assert hint.code == "old_name"
-    assert instead in hint.remedy
-
-
-def test_a_file_with_the_name_of_a_module_of_python_is_named(advise):
-    detail = "AttributeError: module 'random' has no attribute 'choice'"
-    assert code(advise(detail, files=[f"{FOLDER}/random.py"])) == "hidden_module"
-    assert code(advise("AttributeError: module 'math' has no attribute 'cube'")) == ""
 
 
 @pytest.mark.parametrize(
@@ -175,35 +131,22 @@ def device_log(*names):
 
 
 @pytest.mark.parametrize(
-    ("program", "named"),
+    ("detail", "log", "expected"),
     [
-        ("imu.getValues()\nimu = robot.getDevice('imu')\nled = robot.getDevice('led')\n", ['getDevice("imu")']),
-        ("robot.getDevice('imu').getValues()\nrobot.getDevice('led')\n", ['getDevice("imu")']),
-        ("sensors['a'].getValues()\n", ['getDevice("imu")', 'getDevice("led")']),
+        (NONE, device_log("imu", "led"), 'getDevice("imu") or getDevice("led") returned None: these robots have'),
+        (NONE, device_log("gpss"), 'getDevice("gpss") returned None: did you mean "gps"?'),
+        (NONE, "Warning: getFromDef is ignored and gives None\n", "getFromDef returned None: only a referee"),
     ],
 )
-def test_the_missing_device_behind_a_none_is_named(advise, program, named):
-    hint = advise(NONE, program, log=device_log("imu", "led"))
+def test_the_missing_device_behind_a_none_is_named(advise, detail, log, expected):
+    hint = advise(detail, log=log)
     assert hint.code == "no_device"
-    assert [name for name in ('getDevice("imu")', 'getDevice("led")') if name in hint.remedy] == named
+    assert hint.remedy.startswith(expected)
 
 
-def test_a_misspelled_device_is_corrected(advise):
-    assert "gps" in advise(NONE, "g.getValues()\ng = robot.getDevice('gpss')\n", log=device_log("gpss")).remedy
-
-
-def test_a_none_from_another_device_or_from_no_device_is_not_blamed_on_a_missing_one(advise):
-    there = "gps.getValues()\ngps = robot.getDevice('gps')\n"
-    assert code(advise(NONE, there, log=device_log("led"))) == "none"
-    ball = NONE.replace("getValues", "angle")
-    assert code(advise(ball, "ball.angle\nball = find()\n", log=device_log("led"))) == "none"
-
-
-def test_a_none_from_a_call_of_a_supervisor_is_named(advise):
-    log = "Warning: getFromDef is ignored and gives None\n"
-    hint = advise(NONE, "ball.getValues()\nball = robot.getFromDef('BALL')\n", log=log)
-    assert hint.code == "no_device"
-    assert hint.remedy.startswith("getFromDef ")
+def test_a_none_that_is_no_device_is_not_blamed_on_a_missing_one(advise):
+    assert code(advise(NONE.replace("getValues", "angle"), log=device_log("led"))) == "none"
+    assert code(advise(NONE)) == "none"
 
 
 @pytest.mark.nightly
@@ -215,69 +158,47 @@ def test_programs_and_logs_of_any_length_are_searched_quickly(advise):
 
 # -- packets of the referee -------------------------------------------------------------------------------------------
 
-READS_JSON = "import json\nr = robot.getDevice('supervisor receiver')\njson.loads(r.getString())\n"
-READS_BYTE = "r = robot.getDevice('supervisor receiver')\nstruct.unpack('?', r.getData())\n"
+READS = "r = robot.getDevice('supervisor receiver')\n"
 V22 = load("match", ["kits.v2.messages=v2.2"]).scenario
 NO_JSON = f"json.decoder.JSONDecodeError: Expecting value: line 1 column 1 (char 0) ({ENTRY}, line 3)"
 NO_BYTES = f"TypeError: a bytes-like object is required, not 'str' ({ENTRY}, line 2)"
 
 
 @pytest.mark.parametrize(
-    ("scenario", "detail", "program", "setting"),
+    ("scenario", "detail", "setting"),
     [
-        (MATCH, NO_JSON, READS_JSON, "kits.v2.messages=v2.2"),
-        (V22, NO_BYTES, READS_BYTE, "kits.v2.messages=v2.1"),
-        (V22, "struct.error: unpack requires a buffer of 1 bytes", READS_BYTE, "kits.v2.messages=v2.1"),
+        (MATCH, NO_JSON, "kits.v2.messages=v2.2"),
+        (V22, NO_BYTES, "kits.v2.messages=v2.1"),
+        (V22, "struct.error: unpack requires a buffer of 1 bytes", "kits.v2.messages=v2.1"),
     ],
 )
-def test_a_program_for_other_messages_gets_the_setting_that_it_needs(advise, scenario, detail, program, setting):
-    hint = advise(detail, program, scenario=scenario)
+def test_a_program_for_other_messages_gets_the_setting_that_it_needs(advise, scenario, detail, setting):
+    hint = advise(detail, READS, scenario=scenario)
     assert hint.code == "other_messages"
     assert setting in hint.remedy
-    assert hint.message
+
+
+@pytest.mark.parametrize(("program", "tick"), [(READS, 400), ("", 2)])
+def test_a_crash_that_comes_late_or_without_the_referees_packets_says_nothing_about_messages(advise, program, tick):
+    assert code(advise(NO_BYTES, program, scenario=V22, tick=tick)) == "bytes_or_text"
 
 
 @pytest.mark.parametrize(
-    ("scenario", "detail", "program", "tick"),
+    ("scenario", "size", "part"),
     [
-        (MATCH, NO_JSON, READS_JSON + "struct.unpack('?', b'')\n", 2),
-        (MATCH, NO_JSON, READS_JSON.replace("r.getString()", "open('x').read()"), 2),
-        (MATCH, NO_JSON, READS_JSON, 400),
-        (V22, NO_BYTES, READS_JSON + READS_BYTE.replace("'?'", "'<d'"), 2),
+        (MATCH_OF_2021, 160, "kits.legacy_2021.packet_has_flag=false"),
+        (FIRST_DEMO, 161, "kits.legacy_2021.packet_has_flag=true"),
+        (FAST_SHOOTER, 161, 'struct.unpack("ddd" * 1 + "dd?", packet)'),
+        (LIDAR, 161, 'struct.unpack("dd?", packet)'),
     ],
 )
-def test_other_crashes_over_json_or_bytes_say_nothing_about_messages(advise, scenario, detail, program, tick):
-    assert code(advise(detail, program, scenario=scenario, tick=tick)) != "other_messages"
-
-
-def size_error(size):
-    return f"struct.error: unpack requires a buffer of {size} bytes"
-
-
-@pytest.mark.parametrize(
-    ("scenario", "size", "expected", "part"),
-    [
-        (MATCH_OF_2021, 160, "packet_flag", "kits.legacy_2021.packet_has_flag=false"),
-        (FIRST_DEMO, 161, "packet_flag", "kits.legacy_2021.packet_has_flag=true"),
-        (FAST_SHOOTER, 40, "packet_flag", "kits.legacy_2021.packet_has_flag=false"),
-        (FAST_SHOOTER, 161, "other_packets", 'struct.unpack("ddd" * 1 + "dd?", packet)'),
-        (LIDAR, 161, "other_packets", 'struct.unpack("dd?", packet)'),
-        (LIDAR, 41, "other_packets", "--scenario fast_shooter"),
-        (FAST_SHOOTER, 17, "other_packets", "--scenario precision_lidar"),
-        (FAST_SHOOTER, 41, "packet_size", ""),
-        (MATCH, 161, "packets_of_2021", "gps"),
-    ],
-)
-def test_a_packet_of_another_size_is_recognized(advise, scenario, size, expected, part):
-    hint = advise(size_error(size), READS_BYTE, scenario=scenario)
-    assert hint.code == expected
+def test_a_packet_of_another_size_is_described(advise, scenario, size, part):
+    hint = advise(f"struct.error: unpack requires a buffer of {size} bytes", scenario=scenario)
+    assert hint.code == "other_packets"
     assert part in hint.remedy
 
 
 # -- programs that end or hang ----------------------------------------------------------------------------------------
-
-UNCALLED = BEGIN + "def play():\n    while robot.step(32) != -1:\n        pass\n"
-METHOD = BEGIN + "class Bot:\n    def run(self):\n        while robot.step(32) != -1:\n            pass\nbot = Bot()\n"
 
 
 @pytest.mark.parametrize(
@@ -286,12 +207,6 @@ METHOD = BEGIN + "class Bot:\n    def run(self):\n        while robot.step(32) !
         (BEGIN + "while robot.step(32):\n    pass\n", 1, "loop_ends"),
         (BEGIN + "while robot.step(32) == -1:\n    pass\n", 1, "loop_ends"),
         (BEGIN + "while robot.step(int(STEP)) > 0:\n    pass\n", 1, "loop_ends"),
-        (UNCALLED, 0, "never_called"),
-        (METHOD, 0, "never_called"),
-        (METHOD + "bot.run()\n", 0, ""),
-        (UNCALLED + LOOP, 9, ""),
-        (UNCALLED + "if __name__ == 'main':\n    play()\n", 0, "wrong_main"),
-        (UNCALLED + "if __name__ == '__main__':\n    play()\n", 0, ""),
         (BEGIN + "try:\n    1 / 0\nexcept:\n    pass\n", 1, "hidden_error"),
         (BEGIN + "try:\n    1 / 0\nexcept Exception: return\n", 1, "hidden_error"),
         (BEGIN + "try:\n    1 / 0\nexcept Exception:\n    raise\n", 1, ""),

@@ -1,4 +1,4 @@
-"""The process that reads a team's sources: it ends with who asked, and by itself."""
+"""The process that reads a team's sources ends with the check, and by itself."""
 
 from __future__ import annotations
 
@@ -10,21 +10,21 @@ import pytest
 
 from rcj_challenges.checker import reader, reading
 from rcj_challenges.checker.reading import Source
-from rcj_challenges.checker.unreadable import what_is_wrong
+from rcj_challenges.checker.unreadable import describe_error
 
 NAME = PurePosixPath("robot.py")
 # Python compares each name with each other one: that takes minutes.
 SLOW = f"f({', '.join(f'a{number}=1' for number in range(100_000))})\n"
 
 
-def test_who_stops_waiting_for_the_reader_leaves_none_behind(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_interrupted_check_leaves_no_reader_behind(monkeypatch: pytest.MonkeyPatch) -> None:
     started = []
 
     class Interrupted(subprocess.Popen):
-        def communicate(self, told: bytes | None = None, timeout: float | None = None) -> tuple[bytes, bytes]:
+        def communicate(self, data: bytes | None = None, timeout: float | None = None) -> tuple[bytes, bytes]:
             started.append(self)
             try:
-                super().communicate(told, 0.2)
+                super().communicate(data, 0.2)
             except subprocess.TimeoutExpired:
                 raise KeyboardInterrupt from None
             pytest.fail("this file was to be read for longer")
@@ -44,10 +44,10 @@ def test_who_stops_waiting_for_the_reader_leaves_none_behind(monkeypatch: pytest
 @pytest.mark.skipif(sys.platform == "win32", reason="processor time is limited by POSIX alone")
 def test_a_reader_whose_check_was_killed_comes_to_its_end_by_itself() -> None:
     ask = "import reader, resource; reader.limit_itself(); print(*resource.getrlimit(resource.RLIMIT_CPU))"
-    told = subprocess.run(
+    done = subprocess.run(
         [sys.executable, "-c", ask], cwd=Path(reader.__file__).parent, capture_output=True, text=True, check=True
     )
-    limits_s = [int(limit) for limit in told.stdout.split()]
+    limits_s = [int(limit) for limit in done.stdout.split()]
     assert reading.PATIENCE_S < max(limits_s) <= 2 * reading.PATIENCE_S
 
 
@@ -64,18 +64,18 @@ def _reading(names: list[str], in_a_round: int, monkeypatch: pytest.MonkeyPatch)
     return {path.stem: source.wrong for path, source in found.items() if source.wrong}
 
 
-def test_a_large_library_that_is_not_read_at_once_on_a_busy_computer_is_read_on(
+def test_large_library_that_is_not_read_at_once_is_read_on(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Which of its files is in hand when patience ends is chance."""
     assert _reading([f"part_{number}" for number in range(9)], 2, monkeypatch) == {}
 
 
-def test_a_file_that_takes_too_long_by_itself_is_told_wherever_it_stands(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_file_that_takes_too_long_by_itself_is_reported_wherever_it_stands(monkeypatch: pytest.MonkeyPatch) -> None:
     assert _reading(["part_1", "hard_1", "part_2", "hard_2"], 3, monkeypatch) == {"hard_1": "slow", "hard_2": "slow"}
 
 
-def test_of_what_nobody_came_to_no_fault_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_files_that_are_not_reached_are_reported_as_unread(monkeypatch: pytest.MonkeyPatch) -> None:
     names = [*(f"hard_{number}" for number in range(30)), "robot"]
     wrong = _reading(names, 1, monkeypatch)
     assert wrong["hard_0"] == "slow"
@@ -130,4 +130,4 @@ def test_a_comment_that_is_not_utf8_is_refused_with_its_line(head: bytes) -> Non
     """Python refuses such a file when it runs it; `compile` passes over comments."""
     error = reader.read_source(head + b"import a\n# f\xfcr\n", "robot.py")["error"]
     assert error["line"] == head.count(b"\n") + 2
-    assert what_is_wrong(Source(wrong=error["kind"], said=error["said"]), b"")[0] == "encoding"
+    assert describe_error(Source(wrong=error["kind"], message=error["message"]), b"")[0] == "encoding"

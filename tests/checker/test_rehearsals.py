@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import io
 import json
-import re
 import zipfile
 from dataclasses import replace
 
 import pytest
+from rich.console import Console
 
 from rcj_challenges.checker import check as check_module
 from rcj_challenges.checker import starting
 from rcj_challenges.checker.check import CheckOptions, check_file
-from rcj_challenges.checker.many_given import file_slug
 from rcj_challenges.checker.rehearsal import shortened
+from rcj_challenges.checker.report import check_report
+from rcj_challenges.checker.report_html import html_page
+from rcj_challenges.checker.report_text import print_file
 from rcj_challenges.controllers.team import TeamError
 from rcj_challenges.scenario.load import load, load_text
 from rcj_challenges.scenario.resources import teams_folder
@@ -125,29 +128,6 @@ def test_a_device_that_no_robot_has_is_told_with_the_nearest_name(pack):
     assert report.level == "warning"
 
 
-FOR_2021 = """\
-from controller import Robot
-robot = Robot()
-receiver = robot.getReceiver("receiver")
-motors = [robot.getMotor("left wheel motor"), robot.getMotor("right wheel motor")]
-"""
-
-
-def no_device(report):
-    (found,) = [finding for finding in findings(report, "start") if finding.code == "start.no_device"]
-    return found
-
-
-def test_a_program_for_the_robots_of_2021_is_told_so_and_what_there_is_instead(pack):
-    report = check_file(pack(FOR_2021 + "receiver.enable(64)\n" + LOOP, entry="robot.py"), ALONE, SHORT)
-    found = no_device(report)
-    assert (found.level, report.level) == ("warning", "failure")
-    assert "seems to be written for the robots of 2021" in found.message
-    assert '"supervisor receiver" gets the referee\'s packets' in found.remedy
-    assert "gps, compass" in found.remedy
-    assert "did you mean" not in found.remedy
-
-
 IMPORTS_LATER = """\
 if name == "Y1":
     import torch
@@ -211,12 +191,6 @@ def test_a_robot_that_sleeps_the_match_away_is_told_so_and_not_to_look_for_its_m
     assert "setPosition" not in told[0].remedy
 
 
-@pytest.mark.parametrize("step_ms", [128])
-def test_a_robot_that_steps_in_its_own_time_takes_part(pack, step_ms):
-    report = check_file(pack(BEGIN + LOOP.replace("32", str(step_ms))), ALONE, SHORT)
-    assert "play.absent" not in {finding.code for finding in findings(report, "play")}
-
-
 def complaints(report):
     return [finding for finding in findings(report, "play", "warning") if finding.code == "play.complaint"]
 
@@ -256,14 +230,21 @@ def test_what_a_program_itself_prints_about_warnings_is_its_own_business(pack):
 
 def test_output_and_replay_are_there_on_request_and_safe(pack, tmp_path):
     program = BEGIN + "print('\\x1b[2J schön', name)\n" + LOOP
-    name = "a b.zip"
     options = replace(SHORT, replays=tmp_path / "replays", show_output=True)
-    report = check_file(pack(program, name), DUEL, options)
+    report = check_file(pack(program), DUEL, options)
+    assert report.started == {}
     assert "\\x1b[2J schön Y1" in report.matches[1].robots[0].output
-    pages = sorted(path.name for path in (tmp_path / "replays").iterdir())
-    slug = file_slug(name)
-    assert pages == [f"{slug}-blue.html", f"{slug}-yellow.html"]
-    assert (tmp_path / "replays" / pages[0]).read_text("utf-8").startswith("<!")
+    assert sorted(path.name for path in (tmp_path / "replays").iterdir()) == ["team-blue.html", "team-yellow.html"]
+
+
+def test_output_of_a_program_that_fails_at_its_start_is_shown_on_request(pack, tmp_path):
+    report = check_file(pack("print('no <ball>')\n" + BEGIN), ALONE, replace(SHORT, show_output=True))
+    assert report.matches == []
+    assert "no <ball>\n" in report.started["B1"]
+    console = Console(file=io.StringIO(), width=200)
+    print_file(console, report)
+    assert "B1 | no <ball>\n" in console.file.getvalue()
+    assert "no &lt;ball&gt;" in html_page(check_report("alone", "Alone", "auto", [report]), tmp_path)
 
 
 def test_without_being_asked_for_no_output_is_quoted_and_nothing_is_left(pack, tmp_path):
@@ -364,11 +345,3 @@ def test_an_interruption_that_a_library_made_an_error_of_ends_the_check(pack, mo
     monkeypatch.setattr(check_module, "check_sources", imported)
     with pytest.raises(KeyboardInterrupt):
         check_file(pack(BEGIN + LOOP), MATCH, SHORT)
-
-
-def test_names_of_replays_are_legal_everywhere_and_never_the_same():
-    names = ["team.zip", "a/../b", "ü.zip", "ö.zip", "con trol", "x" * 200 + ".zip", "x" * 199 + "y.zip", ".zip"]
-    slugs = [file_slug(name) for name in names]
-    assert len(set(slugs)) == len(names)
-    assert slugs[0] == "team"
-    assert all(re.fullmatch(r"[A-Za-z0-9_-]{1,80}", slug) for slug in slugs)

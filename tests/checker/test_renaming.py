@@ -59,12 +59,6 @@ def test_programs_for_both_colours_that_are_the_same_count_once():
     assert plan(both | {"rcj_soccer_player_y1/rcj_soccer_player_y1.py": PROGRAM + b"x = 1\n"}) is None
 
 
-def test_programs_beside_their_folders_are_left_to_the_team():
-    into_folders = [(f"robot{number}.py", f"robot{number}/robot{number}.py") for number in (1, 2, 3)]
-    assert plan(FLAT) == (into_folders, True)
-    assert plan(below("cats", FLAT)) == ([("cats", "."), *into_folders], True)
-
-
 @pytest.mark.parametrize(
     ("line", "is_mentioned"),
     [
@@ -86,8 +80,7 @@ def test_a_name_that_programs_use_is_not_changed_without_the_team(line, is_menti
         {"robot1.py": PROGRAM, "robot2.py": PROGRAM},
         {"cats/plot.py": b"import math\n"},
         {f"robot{number}/robot{number}.py": PROGRAM for number in (2, 3)},
-        FLAT | {"robot1": b"x"},
-        below(TEAM, {"score_goal.py": MAIN} | LIBRARIES),
+        FLAT,
     ],
 )
 def test_without_a_clear_renaming_none_is_planned(files):
@@ -96,9 +89,8 @@ def test_without_a_clear_renaming_none_is_planned(files):
 
 @pytest.mark.parametrize(
     ("files", "code", "repair"),
-    [({"main.py": MAIN} | LIBRARIES, "layout.misnamed", True), (FLAT, "layout.misnamed", False),
-     ({"cats/plot.py": PROGRAM}, "layout.missing", False)],
-)  # fmt: skip
+    [({"main.py": MAIN} | LIBRARIES, "layout.misnamed", True), (FLAT, "layout.missing", False)],
+)
 def test_the_finding_says_whether_the_renaming_can_be_done(tmp_path, files, code, repair):
     path = tmp_path / "team.zip"
     path.write_bytes(plain(files | {"team_name.txt": b"Cats"}))

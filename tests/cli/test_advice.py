@@ -101,8 +101,7 @@ def test_a_match_is_told_also_where_the_advice_fails_by_a_fault_of_ours(tmp_path
         ("robot = controller.Robot()\nwhile robot.step(32): pass\n", "line 3"),
         ("controller.Robot().getDevice('left_wheel_motor').setPosition(0)\n", '"left wheel motor"'),
         ("lidar = None\nlidar = controller.Robot().getDevice('lidar')\nlidar.enable(9)\n", 'getDevice("lidar")'),
-        ("controller.Robot().getDevice('receiver').enable(64)\n", '"supervisor receiver"'),
-        ("controller.Robot().getDevice('lidar')\nball = None\nball.getX()\n", "if ball is not None"),
+        ("controller.Robot().getDevice('lidar')\nball = None\nball.angle\n", "if ball is not None"),
         ("1 / 0\n", ""),
     ],
 )

@@ -1,20 +1,18 @@
-"""Finds help for a failed program: tries the table and the special cases in turn."""
+"""Finds help for a failed program: tries the special cases and the table in turn."""
 
 from __future__ import annotations
 
 import re
-import sys
 from collections.abc import Mapping
 from pathlib import PurePosixPath, PureWindowsPath
 from posixpath import relpath
 from typing import Any
 
-from rcj_challenges.checker.advice.crash_site import code_at, unquote
-from rcj_challenges.checker.advice.devices import DeviceAdvice, missing_devices, none_hint
-from rcj_challenges.checker.advice.endings import hidden_error, why_it_ended
+from rcj_challenges.checker.advice.devices import device_help, missing_devices, none_hint
+from rcj_challenges.checker.advice.endings import ending_loop_help, hidden_error_help
 from rcj_challenges.checker.advice.packets import packet_hint
-from rcj_challenges.checker.advice.table import Hint, find_old_name, find_row
-from rcj_challenges.checker.file_beside import help_for_file_beside
+from rcj_challenges.checker.advice.table import Hint, find_row
+from rcj_challenges.checker.file_beside import help_for_module_beside
 from rcj_challenges.controllers.log import AFTER_ITS_END, ANOTHER_THREAD
 from rcj_challenges.controllers.team import Team
 from rcj_challenges.core.sanitize import sanitize
@@ -38,16 +36,6 @@ REMEDIES = {
 }
 """Help by the kind of fault, if nothing more specific is known."""
 _STANDS = 'if it waits on purpose, all is well; else call setPosition(float("inf")) and setVelocity on both motors'
-
-_MAX_CODE_LETTERS = 80
-_PLACE = re.compile(r'^  File "(?P<file>[^"]+)", line (?P<line>[0-9]{1,7})\b', re.MULTILINE)
-_OF_MODULE = re.compile(
-    r"cannot import name '\w+' from (?:partially initialized module )?'(?P<a>\w+)'|module '(?P<b>\w+)' has no attribute"
-)
-_NO_FILE = re.compile(
-    r"""^FileNotFoundError: \[Errno 2\] No such file or directory: """
-    r"""(?P<path>'(?:[^'\\]|\\.){1,300}'|"(?:[^"\\]|\\.){1,300}")"""
-)
 _CALLED_EXIT = (
     "leave out exit(), quit() and sys.exit(), or call them only after step has returned -1: "
     "the robot of a program that ends stands for the rest of the half"
@@ -56,6 +44,10 @@ _THREADS_ALONE = (
     "the program itself came to its end, and only its threads go on: let one of them call robot.step(32) in a loop, or "
     "keep that loop in the program itself"
 )
+_MAX_CODE_LETTERS = 80
+_PLACE = re.compile(r'^  File "(?P<file>[^"]+)", line (?P<line>[0-9]{1,7})\b', re.MULTILINE)
+_NO_MODULE = re.compile(r"^ModuleNotFoundError: No module named '(?P<name>\w{1,100})")
+_NO_FILE = re.compile(r"^FileNotFoundError: \[Errno 2\] No such file or directory: '(?P<path>[^']{1,300})'")
 
 
 def hint_for(
@@ -73,12 +65,14 @@ def hint_for(
     kind, detail = fault["kind"], fault["detail"]
     entry = PurePosixPath(team.entries.get(fault["robot"], ""))
     if kind == "crash":
-        return _crash_hint(scenario, team, fault, entry.parent, log)
+        special = packet_hint(scenario, team, fault) or none_hint(scenario, team, fault, log)
+        return special or _missing_hint(team, detail, entry.parent) or find_row(detail)
     if kind == "exit" and detail.startswith("the program called sys.exit"):
         return Hint("called_exit", _CALLED_EXIT)
     if kind == "exit" and detail.startswith("the program came to its end"):
-        code, remedy = why_it_ended(team.files, entry, has_stepped=fault["tick"] > 0)
-        return Hint(code, remedy) if code else None
+        helps = (("loop_ends", ending_loop_help), ("hidden_error", hidden_error_help))
+        found = (Hint(code, text) for code, find in helps if (text := find(team.files, entry)))
+        return next(found, None)
     if kind in ("step_timeout", "start_timeout") and whereabouts:
         return _timeout_hint(team, whereabouts)
     return None
@@ -103,56 +97,34 @@ def standing_help(scenario: Scenario, team: Team, robot: str, log: str = "") -> 
     """
     missing = missing_devices(log)
     for name, has in missing.items():
-        help_ = DeviceAdvice(scenario, team, missing).remedy(name, robot, has)
-        return f'it asks for a device "{sanitize(name)}"; {help_}'
-    hidden = hidden_error(team.files, PurePosixPath(team.entries[robot]))
+        return f'it asks for a device "{sanitize(name)}"; {device_help(scenario, team, name, has, missing)}'
+    hidden = hidden_error_help(team.files, PurePosixPath(team.entries[robot]))
     return f"{_STANDS}; or an error is hidden: {hidden}" if hidden else _STANDS
 
 
-def _crash_hint(
-    scenario: Scenario, team: Team, fault: Mapping[str, Any], current: PurePosixPath, log: str
-) -> Hint | None:
-    detail = fault["detail"]
-    texts = (
-        ("file_not_given", help_for_file_beside(team, detail)),
-        ("no_device", none_hint(scenario, team, fault["robot"], detail, log)),
-        ("hidden_module", _hidden_module(team, detail)),
-        ("old_name", find_old_name(detail)),
-        ("no_file", _missing_file(team, detail, current)),
-    )
-    special = next((Hint(code, text) for code, text in texts if text), None)
-    return packet_hint(scenario, team, fault) or special or find_row(detail)
-
-
-def _hidden_module(team: Team, detail: str) -> str:
-    """Return what to do if a file of the team hides a module of Python; else empty."""
-    found = _OF_MODULE.search(detail)
-    module = (found["a"] or found["b"]) if found is not None else ""
-    own = next((path for path in team.files if path.name == f"{module}.py"), None)
-    if own is None or module not in sys.stdlib_module_names:
-        return ""
-    return (
-        f'{sanitize(own)} has the name of a module of Python, "{module}": give it another name, and import it by that'
-    )
-
-
-def _missing_file(team: Team, detail: str, current: PurePosixPath) -> str:
-    """Return where a file is that was not found, or where to put it; empty if that is not the reason."""
+def _missing_hint(team: Team, detail: str, current: PurePosixPath) -> Hint | None:
+    """Return where a module or a file is that was not found, or where to put it; None if that is not the reason."""
+    module = _NO_MODULE.match(detail)
+    beside = help_for_module_beside(team, module["name"]) if module is not None else ""
+    if beside:
+        return Hint("file_not_given", beside)
     missing = _NO_FILE.match(detail)
     if missing is None:
-        return ""
-    name = PureWindowsPath(unquote(missing["path"])).name
+        return None
+    name = PureWindowsPath(missing["path"]).name
     found = next((path for path in team.files if path.name.casefold() == name.casefold()), None)
-    root = PurePosixPath("/")  # so that the current folder of this process does not matter
     folder = sanitize(current) if current.parts else "the folder of the program"
     if found is not None:
-        return (
+        root = PurePosixPath("/")  # so that the current folder of this process does not matter
+        return Hint(
+            "no_file",
             f'write "{sanitize(relpath(root / found, root / current))}": the file is {sanitize(found)}, and the '
-            f"current folder is {folder}; capital and small letters count, and / separates folders"
+            f"current folder is {folder}; capital and small letters count, and / separates folders",
         )
-    return (
+    return Hint(
+        "no_file",
         f'{sanitize(name)} is not in the submission: put it into {folder} and open it as "{sanitize(name)}"; '
-        "a folder to write into has to be made first (os.makedirs)"
+        "a folder to write into has to be made first (os.makedirs)",
     )
 
 
@@ -164,12 +136,16 @@ def _timeout_hint(team: Team, whereabouts: str) -> Hint | None:
     found = _PLACE.search(whereabouts)
     if found is None or ANOTHER_THREAD.strip() in lines:
         return None
-    code = code_at(team.files, found["file"], int(found["line"]))
-    where = f"line {found['line']} of {sanitize(found['file'])}" + (
-        f" ({sanitize(code, _MAX_CODE_LETTERS)})" if code else ""
-    )
+    code = _code_at(team.files, found["file"], int(found["line"]))
+    place = f"line {found['line']} of {sanitize(found['file'])}" + (f" ({code})" if code else "")
     return Hint(
         "no_step",
-        f"look for a loop or a wait that never calls robot.step(32): the program was in {where}; between two steps "
+        f"look for a loop or a wait that never calls robot.step(32): the program was in {place}; between two steps "
         "nothing arrives",
     )
+
+
+def _code_at(files: Mapping[PurePosixPath, bytes], file: str, line: int) -> str:
+    """Return the beginning of a line, counted from 1; empty if there is none."""
+    lines = files.get(PurePosixPath(file.replace("\\", "/")), b"").splitlines()
+    return sanitize(lines[line - 1][:500].strip(), _MAX_CODE_LETTERS) if 0 < line <= len(lines) else ""

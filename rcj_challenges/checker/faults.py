@@ -1,9 +1,10 @@
-"""Faults of programs as findings: what happened, to which robots, and what a pupil can do about it."""
+"""Findings on programs that failed or requested missing devices: what happened, to which robots, and what helps."""
 
 from __future__ import annotations
 
 from typing import Any
 
+from rcj_challenges.checker.advice.devices import device_help, missing_devices
 from rcj_challenges.checker.advice.hints import REMEDIES, hint_for, whereabouts_in
 from rcj_challenges.checker.advice.table import Hint
 from rcj_challenges.checker.findings import Finding, StageName
@@ -11,6 +12,10 @@ from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed
 from rcj_challenges.core.sanitize import sanitize, sanitize_block
 from rcj_challenges.core.timing import s_from_ticks
 
+MissingDevices = dict[tuple[str, str], list[str]]
+"""Robots by the name of the device that they lack, and by what they have."""
+
+_MAX_DEVICES = 10
 _OTHER_REMEDY = "see the report below, if there is one, and the program's output (--show-output)"
 
 
@@ -29,13 +34,12 @@ def fault_findings(stage: StageName, rehearsal: Rehearsal, match: Rehearsed, sid
         ended = fault["kind"] == "exit"
         why = hint_for(rehearsal.loaded.scenario, rehearsal.team, fault) if ended else None
         alike.setdefault((fault["kind"], fault["detail"], fault["traceback"], why), []).append(fault)
-    return [_finding(stage, rehearsal, match, side, faults) for faults in alike.values()]
+    return [_fault_finding(stage, rehearsal, match, side, faults) for faults in alike.values()]
 
 
-def _finding(
+def _fault_finding(
     stage: StageName, rehearsal: Rehearsal, match: Rehearsed, side: str, faults: list[dict[str, Any]]
 ) -> Finding:
-    """Return the finding on equal faults."""
     first, robots = faults[0], [fault["robot"] for fault in faults]
     kind, detail, traceback = first["kind"], first["detail"], first["traceback"]
     # Robots that hang are stopped at different places: one is enough.
@@ -48,8 +52,35 @@ def _finding(
     return Finding(
         code=f"{stage}.{kind}",
         level="failure",
-        message=f"{when}{sanitize(detail, 300) or kind}{hint.message}",
+        message=f"{when}{sanitize(detail, 300) or kind}",
         remedy=hint.remedy,
         where=", ".join(robots),
         details=sanitize_block(report) if report else "",
     )
+
+
+def missing_by_device(match: Rehearsed) -> MissingDevices:
+    """Return the devices that robots of the team lacked in a match."""
+    missing: MissingDevices = {}
+    for robot in match.robots:
+        for found in missing_devices(match.log(robot)).items():
+            missing.setdefault(found, []).append(robot)
+    return missing
+
+
+def device_findings(stage: StageName, missing: MissingDevices, rehearsal: Rehearsal, side: str = "") -> list[Finding]:
+    """Return a warning for each missing device that a program requested.
+
+    Args:
+        stage: in which it was found.
+        missing: the devices.
+        rehearsal: what was to be played.
+        side: where the team played, as the message begins.
+    """
+    names = {name for name, _ in missing}
+    findings = []
+    for (name, has), robots in list(missing.items())[:_MAX_DEVICES]:
+        message = f'{side}asks for a device "{sanitize(name)}"; there is none'
+        remedy = device_help(rehearsal.loaded.scenario, rehearsal.team, name, has, names)
+        findings.append(Finding(f"{stage}.no_device", "warning", message, remedy, ", ".join(robots)))
+    return findings

@@ -22,11 +22,11 @@ _MAX_OLD_ARCHIVES = 1
 
 
 @dataclass(frozen=True)
-class Called:
+class SubmissionName:
     """The unique names of a submission within one check.
 
     Attributes:
-        name: its file's name, with as many folders before it as make it unique; safe to show.
+        name: its file's name, or its whole path where another file has the same name; safe to show.
         slug: how the names of its replay pages begin: legal everywhere, whatever the file is called.
     """
 
@@ -35,7 +35,7 @@ class Called:
 
 
 @dataclass(frozen=True)
-class Given:
+class Submissions:
     """The submissions to check.
 
     Attributes:
@@ -47,7 +47,7 @@ class Given:
     left_out: list[LeftOut]
 
 
-def in_folders(given: Sequence[Path]) -> Given:
+def find_submissions(given: Sequence[Path]) -> Submissions:
     """Return the submissions: of a folder full of archives each of them, everything else as it is.
 
     Args:
@@ -60,30 +60,30 @@ def in_folders(given: Sequence[Path]) -> Given:
     beside: dict[str, LeftOut] = {}
     for path in given:
         found, others = _in_folder(path) if path.is_dir() else ([path], {})
-        for submission in found:
-            paths.setdefault(_place(submission), submission)
+        paths |= {_place(submission): submission for submission in found if _place(submission) not in paths}
         for other, reason in others.items():
-            beside.setdefault(_place(other), LeftOut(file=sanitize(from_disk(str(other))), reason=reason))
-    return Given(list(paths.values()), [other for place, other in beside.items() if place not in paths])
+            beside[_place(other)] = LeftOut(file=sanitize(from_disk(str(other))), reason=reason)
+    return Submissions(list(paths.values()), [other for place, other in beside.items() if place not in paths])
 
 
-def called(paths: Sequence[Path]) -> list[Called]:
-    """Return what the submissions at these paths are called, in their order."""
-    names = _distinct_path_ends([Path(from_disk(_place(path))).parts for path in paths])
-    taken: set[str] = set()
+def name_submissions(paths: Sequence[Path]) -> list[SubmissionName]:
+    """Return the names of the submissions at these paths, in their order."""
+    places = [Path(from_disk(_place(path))) for path in paths]
+    tails = [["/".join(place.parts[-length:]) for length in (1, 2)] for place in places]
+    counts = Counter(tail for own in tails for tail in set(own))
+    names = [
+        next((tail for tail in own if counts[tail] == 1), place.as_posix())
+        for own, place in zip(tails, places, strict=True)
+    ]
+    slugs = [file_slug(name) for name in names]
+    taken = Counter(map(str.casefold, slugs))
+    shown = Counter(map(sanitize, names))
     found = []
-    for path, name in zip(paths, names, strict=True):
-        slug = file_slug(name)
-        if slug.casefold() in taken:  # team.zip and the folder team; Team.zip where capital letters do not count
-            slug = f"{slug}-{_digest(_place(path))}"
-        taken.add(slug.casefold())
-        found.append(Called(name, slug))
-    seen: Counter[str] = Counter()
-    for index, one in enumerate(found):
-        name = sanitize(one.name)
-        seen[name] += 1
-        # Of very long names the middle is not shown.
-        found[index] = Called(name if seen[name] == 1 else f"{name} ({seen[name]})", one.slug)
+    for name, slug, place in zip(names, slugs, places, strict=True):
+        # Of very long names the middle is not shown; slugs are equal of team.zip, the folder team and TEAM.zip.
+        digest = _digest(str(place))
+        safe = sanitize(name) if shown[sanitize(name)] == 1 else f"{sanitize(name)} ({digest})"
+        found.append(SubmissionName(safe, slug if taken[slug.casefold()] == 1 else f"{slug}-{digest}"))
     return found
 
 
@@ -103,21 +103,8 @@ def _place(path: Path) -> str:
     return os.path.abspath(path)  # noqa: PTH100 - `absolute` leaves ".." as it is
 
 
-def _distinct_path_ends(places: Sequence[tuple[str, ...]]) -> list[str]:
-    """Return the ends of paths, each as long as it takes to be the only one of its kind."""
-    lengths = [1] * len(places)
-    while True:
-        names = ["/".join(place[-length:]) for place, length in zip(places, lengths, strict=True)]
-        counts = Counter(names)
-        alike = [index for index, name in enumerate(names) if counts[name] > 1 and lengths[index] < len(places[index])]
-        if not alike:
-            return names
-        for index in alike:
-            lengths[index] += 1
-
-
 def _in_folder(folder: Path) -> tuple[list[Path], dict[Path, str]]:
-    """Return the submissions in a folder, or the folder if it is a team's own; and why what is left is none."""
+    """Return the submissions in a folder, or the folder if it is a team's own; and what else lies there, with why."""
     entries = sorted(folder.iterdir())
     archives = [entry for entry in entries if _is_archive(entry)]
     program = _a_program(entries)
@@ -147,13 +134,7 @@ def _a_program(entries: Sequence[Path]) -> Path | None:
 def _why_not(entry: Path) -> str:
     """Return why something beside archives is not looked at, and what to do if it should be."""
     if entry.name.startswith("."):
-        return "its name begins with a dot, as of what other programs leave behind"
-    if entry.is_symlink() and not entry.exists():
-        return "it is a link that leads nowhere"
+        return "its name begins with a dot, like files that other programs leave behind"
     if entry.is_dir():
         return "it is a folder: give it by its name if it is a submission, or if there are some in it"
-    if not entry.is_file():
-        return "it is neither a file nor a folder"
-    if entry.suffix == ".py":
-        return "it is a single program beside archives: give it by its name if it is a submission"
-    return "its name does not end as that of an archive: call it .zip if it is one"
+    return "its name does not end like that of an archive: give it by its name if it is a submission"
