@@ -70,7 +70,7 @@ way from an idea to a published challenge, [recipes.md](recipes.md) has complete
 
 Lengths are in metres, times in seconds, angles in radians; x runs along the short side of the field, y along the long
 side, the origin is the centre, and blue defends the goal at +y. Names carry their unit: `_m`, `_s`, `_rad`, `_mps`.
-Durations are rounded up to ticks of 0.032 s. A field without a default must be given. Any single value
+Durations are rounded up to ticks of 0.032 s. A field marked *required* has no default. Any single value
 may be `{{param: NAME}}`; a number may also be `{{param: NAME, times: -1, plus: 0.02}}`: the param times a number plus a
 number (omit either). Everything that has a name is a mapping keyed by that name.
 
@@ -160,7 +160,7 @@ CHAPTERS = (
     ),
     Chapter(
         "Robots and entrants",
-        "Sections `kits`, `robots` and `entrants`: the machines, what they sense, and who drives them.",
+        "Sections `kits`, `robots` and `entrants`: the robots, their sensors, and the teams that control them.",
         (
             Word("kits", robots.Kit),
             Word("chassis", robots.Chassis),
@@ -172,7 +172,7 @@ CHAPTERS = (
     ),
     Chapter(
         "Devices",
-        "What a kit or a robot has under `devices`, by the name that programs ask for.",
+        "Entries of `devices` in a kit or a robot, by the name that programs pass to `getDevice`.",
         _tagged(AnyDevice),
         "devices",
         "device",
@@ -186,7 +186,7 @@ CHAPTERS = (
     ),
     Chapter(
         "Gates, spots, groups",
-        "Section `gates`: lines to be crossed. Section `spots`: points with a name. Section `groups`: several robots, "
+        "Section `gates`: lines to cross. Section `spots`: named points. Section `groups`: several robots, "
         "balls, obstacles, zones, gates or spots under one name; `robots`, `balls`, `obstacles`, `walls` and each "
         "colour of a robot always exist.",
         (Word("gates", places.Gate), Word("spots", places.Spot, example="spot")),
@@ -203,7 +203,7 @@ CHAPTERS = (
         ),
         "places",
     ),
-    Chapter("Where things go", "What `at:` may be, besides the word `start`.", _tagged(At), "places"),
+    Chapter("Where things go", "The forms of `at:`; the word `start` alone is also allowed.", _tagged(At), "places"),
     Chapter(
         "What rules remember",
         "Sections `draws`, `counters`, `flags`, `timers`, `sequences`.",
@@ -213,11 +213,11 @@ CHAPTERS = (
             Word("flags", state.Flag, example="flag"),
             Word("timers", state.Timer),
             Word("sequences", state.Sequence),
-            Word("any_of", state.AnyStep, own_example=False),
+            Word("any_of", state.AnyStep, own_example=False, example="sequences"),
         ),
         "conditions",
     ),
-    Chapter("Phases", "Section `phases`: what there is besides `play`.", (Word("phases", state.Phase),), "rules"),
+    Chapter("Phases", "Section `phases`: phases other than `play`.", (Word("phases", state.Phase),), "rules"),
     Chapter(
         "Rules", "Section `rules`, in the order in which they are judged.", (Word("rules", scenario.Rule),), "rules"
     ),
@@ -232,11 +232,13 @@ CHAPTERS = (
     Chapter("Actions", "What a rule does when it fires, in order.", _tagged(AnyAction), "actions", "action"),
     Chapter(
         "Values",
-        "What may stand in a payload or a broadcast, besides a literal; in `points:` and `count` too: `counter`, "
-        "`flag`, `timer` and times by `word` (whole seconds, rounded down, or with `fraction: true`), `distance` (0 "
-        "while it is null), `way`, `told` if it is a number (else 0), and `draw` and `word` if they are numbers, or "
-        "a list to be summed: numbers, and these, each with a `weight` beside its own keys. Conditions compare "
-        "with numbers, `counter`, `lowest` and `highest`.",
+        "A payload or a broadcast may contain literals and any of these values, except `lowest`, `highest` and "
+        "`weight`. "
+        "`points` and `count` accept numbers, `counter`, `flag`, `timer` and times by `word` (in whole "
+        "seconds, rounded down, unless `fraction: true` is given), `distance` (0 while it is null), `way`, "
+        "`told` (0 if it is not a number), and `draw` and `word` if they are numbers; or a list of these to be "
+        "summed, each with an optional `weight` beside its own keys. Conditions compare with numbers, "
+        "`counter`, `lowest` and `highest`.",
         (
             *_tagged(Value),
             Word("lowest", LowestOfOthers, own_example=False),
@@ -260,7 +262,7 @@ CHAPTERS = (
     ),
     Chapter(
         "Tests",
-        "Section `expect`: tests. Things are moved by hand; the referee's output is compared with the expected one.",
+        "Section `expect`: tests. A script moves things; the referee's decisions are compared with the expected ones.",
         (
             Word("expect", scenario.Expectation),
             Word("given", scenario.Given),
@@ -367,7 +369,8 @@ def _type_text(shape: Any) -> str:
         return known
     arguments = get_args(kind)
     if is_union(kind):
-        text = " or ".join(dict.fromkeys(_type_text(member) for member in members(shape)))
+        kinds = dict.fromkeys(_type_text(member) for member in members(shape))
+        text = " or ".join(one for one in kinds if one != "whole number" or "number" not in kinds)
     elif is_model(kind):
         word = next((word.name for chapter in CHAPTERS for word in chapter.words if word.model is kind), None)
         is_value = kind in (CounterValue, FlagValue, DrawValue)
@@ -396,7 +399,7 @@ def _bounds(info: FieldInfo, shape: Any) -> str:
 def _default(info: FieldInfo) -> str:
     default = info.default
     if default is PydanticUndefined:
-        return "must be given"
+        return "required"
     if default is None or default in ({}, (), ""):
         return ""
     if isinstance(default, BaseModel):

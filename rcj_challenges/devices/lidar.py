@@ -25,21 +25,24 @@ _MAX_SECTORS = 1_000
 
 
 class LidarDevice(Device):
-    """A laser scanner of one layer. The defaults are those of the original's robots."""
+    """A laser scanner with one layer. The defaults are those of the original's robots."""
 
     # Their source: reference, section 4.2.
 
     device: Literal["lidar"]
-    points: int = described(360, "how many readings there are, evenly over field_of_view_rad", ge=1, le=1440)
+    points: int = described(360, "number of readings, evenly spaced over field_of_view_rad", ge=1, le=1440)
     field_of_view_rad: Positive = described(6.283185307179586, "angle covered by the readings in rad", le=6.2832)
-    min_range_m: NotNegative = described(0.01, "nearer things read as inf, in m")
-    max_range_m: Positive = described(3.0, "farther things read as inf, in m", le=50)
+    min_range_m: NotNegative = described(0.01, "things nearer than this, in m, read as inf")
+    max_range_m: Positive = described(3.0, "things farther than this, in m, read as inf", le=50)
     frame: Literal["field", "legacy"] = described(
-        "field", "of its points; field: x ahead, y left, z up; legacy: x left, y up, z ahead as in the 2021 worlds"
+        "field",
+        "frame of its points; field: x ahead, y left, z up; legacy: x left, y up, z ahead as in the 2021 worlds",
     )
     height_m: Positive = described(0.0425, "height of the scanning plane above the floor in m")
-    rotating: bool = described(True, "True: a turning head refreshes part of the readings each tick; False: all")
-    frequency_hz: Positive = described(10.0, "turns per second of a rotating head", le=31)
+    rotating: bool = described(
+        True, "True: a rotating head refreshes part of the readings each tick; False: all are refreshed"
+    )
+    frequency_hz: Positive = described(10.0, "revolutions per second of a rotating head", le=31)
     noise_m: NotNegative = described(0.0, "standard deviation of each reading in m")
 
     CLASS = "lidar"

@@ -16,7 +16,7 @@ class MotorDevice(Device):
     """A wheel's motor."""
 
     device: Literal["motor"]
-    wheel: Literal["left", "right"] = described(..., "the wheel it turns; left is +y of the robot that looks along +x")
+    wheel: Literal["left", "right"] = described(..., "the wheel it turns; left is the robot's +y side")
     direction: OneOrMinusOne = described(1, "1: positive velocity drives the robot along its +x; -1: along -x")
 
     CLASS = "motor"

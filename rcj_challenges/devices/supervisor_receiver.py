@@ -11,7 +11,7 @@ RANGE_M = 10.0
 
 
 class SupervisorReceiverDevice(ReceiverDevice):
-    """The receiver of the referee's packets, one per tick, or at the interval set in the kit."""
+    """Receives the referee's packets: one per tick, or at the interval set in the kit."""
 
     device: Literal["supervisor_receiver"]
     channel: int = described(1, "channel number that getChannel returns")

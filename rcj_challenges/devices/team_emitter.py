@@ -26,19 +26,19 @@ _MS_PER_S = 1000
 
 
 class TeamEmitterDevice(Device):
-    """The emitter of its own team's radio."""
+    """Sends on the team's radio channel."""
 
     device: Literal["team_emitter"]
-    range_m: Positive = described(
-        10.0, "how far away it is heard, in m; the shorter of its range and the receiver's applies"
+    range_m: Positive = described(10.0, "range in m; the shorter of this and the receiver's range applies")
+    baud: int = described(
+        115_200, "speed in bits per second, at 8 bits per byte: 460.8 bytes per tick by default", gt=0
     )
-    baud: int = described(115_200, "speed in bits per second; 8 bits a byte, so 460.8 bytes a tick by default", gt=0)
 
     CLASS = "emitter"
     ACCEPTS = frozenset({"emissions"})
     EXAMPLE = """
 robots:
-  # What Y1 sends goes out slowly: 38 bytes a tick.
+  # Y1 sends slowly: 38 bytes per tick.
   Y1: {devices: {team emitter: {device: team_emitter, baud: 9600}}}
 """
     SENTENCE = "team radio, sends up to 10 m far, 9600 baud (38.4 bytes in a tick)"

@@ -9,16 +9,14 @@ from rcj_challenges.rules.phrasing import metres
 
 
 class TeamReceiverDevice(ReceiverDevice):
-    """The receiver of its own team's radio. Its channel is that of the team."""
+    """Receives the team's radio, on the team's channel."""
 
     device: Literal["team_receiver"]
-    range_m: Positive = described(
-        10.0, "how far away it hears, in m; the shorter of its range and the emitter's applies"
-    )
+    range_m: Positive = described(10.0, "range in m; the shorter of this and the emitter's range applies")
 
     EXAMPLE = """
 robots:
-  # Y1 hears its mates from half a metre at most.
+  # Y1 receives team-mates within half a metre only.
   Y1: {devices: {team receiver: {device: team_receiver, range_m: 0.5}}}
 """
     SENTENCE = "team radio, receives from up to 0.5 m"

@@ -9,11 +9,11 @@ from rcj_challenges.rules.fields import OneOrMinusOne, described
 
 
 class WheelSensorDevice(Device):
-    """The turning angle of a wheel in rad."""
+    """Measures how far a wheel has turned, in rad."""
 
     device: Literal["wheel_sensor"]
-    wheel: Literal["left", "right"] = described(..., "the wheel it measures; left is +y of the robot")
-    direction: OneOrMinusOne = described(1, "1: grows while the robot drives along its +x; -1: falls")
+    wheel: Literal["left", "right"] = described(..., "the wheel it measures; left is the robot's +y side")
+    direction: OneOrMinusOne = described(1, "1: the value grows while the robot drives along its +x; -1: it falls")
 
     CLASS = "position_sensor"
     ACCEPTS = frozenset({"sampling"})

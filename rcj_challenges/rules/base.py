@@ -19,7 +19,7 @@ from rcj_challenges.tracking.bound_rules import Act, Firing, Reader, Test
 from rcj_challenges.tracking.places import PlaceResolver
 from rcj_challenges.tracking.state import Number
 
-ENTITY_DESCRIPTION = "which entity: an entity (a robot, a ball or a movable obstacle), a group (any of them), or each"
+ENTITY_DESCRIPTION = "an entity (a robot, a ball or a movable obstacle), a group (any member), or each"
 
 
 class Word(Strict):

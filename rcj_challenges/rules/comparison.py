@@ -23,13 +23,13 @@ class Compared(Condition):
     """A condition with bounds, of which it has one at least."""
 
     at_least: Bound | None = described(
-        None, "holds from this value on; a number, {counter: NAME}, {lowest: NAME} or {highest: NAME}"
+        None, "holds at this value and above; a number, {counter: NAME}, {lowest: NAME} or {highest: NAME}"
     )
     at_most: Bound | None = described(
-        None, "holds up to this value; a number, {counter: NAME}, {lowest: NAME} or {highest: NAME}"
+        None, "holds at this value and below; a number, {counter: NAME}, {lowest: NAME} or {highest: NAME}"
     )
     equals: Bound | None = described(
-        None, "holds at this value only; a number, {counter: NAME}, {lowest: NAME} or {highest: NAME}"
+        None, "holds at exactly this value; a number, {counter: NAME}, {lowest: NAME} or {highest: NAME}"
     )
 
     def compares_with_counter(self) -> bool:

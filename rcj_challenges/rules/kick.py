@@ -26,16 +26,16 @@ class DrawnSpeed(Strict):
 
 
 class Kick(Strict):
-    """A ball rolls away from where it is put; mirroring its place also mirrors its aim. In tests it stays there."""
+    """Makes a placed ball roll away; a mirror of its place also mirrors the aim. In tests the ball stays."""
 
-    towards: At = described(..., "where it rolls to: any word of `at`; random words are drawn each time")
+    towards: At = described(..., "where it rolls to: any form of `at`; random places are drawn each time")
     speed_mps: (
         _KickSpeed | Annotated[tuple[_KickSpeed, _KickSpeed], Field(strict=False)] | DrawnSpeed | CounterValue
     ) = described(
         ...,
-        "how fast it sets off, in m/s, over 0 and up to 3; [least, most]: any speed in between, equally likely; "
-        "{draw: NAME}: the drawn value; {counter: NAME}: the counter's value when the ball is placed (capped at 3; 0 "
-        "or less: it lies still)",
+        "initial speed in m/s, over 0 and at most 3; [least, most]: a random speed in between; {draw: NAME}: "
+        "the drawn value; {counter: NAME}: the counter's value when the ball is placed (capped at 3; at 0 or "
+        "less the ball lies still)",
         union_mode="left_to_right",
     )
 

@@ -25,11 +25,13 @@ class Message(Strict):
 
     text: Said | Annotated[tuple[Said, ...], Field(strict=False, min_length=1)] | DrawValue | None = described(
         None,
-        "what it must say: text, a number, one of a list, or {draw: NAME}: the drawn value; surrounding spaces are "
-        "ignored; left out: anything",
+        "required content: text, a number, one of a list, or {draw: NAME} for the drawn value; surrounding "
+        "spaces are ignored; if omitted: anything",
     )
     is_a: Literal["number", "position"] | None = described(
-        None, "number: it must be one number; position: two numbers, x and y in m, 10 at most; left out: anything"
+        None,
+        "number: it must be one number; position: it must be two numbers, x and y in m, each at most 10; if "
+        "omitted: anything",
     )
 
     def matcher(self, draws: Mapping[str, Scalar]) -> Callable[[str], bool]:

@@ -12,11 +12,11 @@ from rcj_challenges.tracking.state import RefereeState
 
 
 class Mirror(Strict):
-    """Mirror place and aim (not the facing), always or while a flag is set: formations that change ends."""
+    """Mirrors the place and the aim, but not the facing, always or while a flag is set."""
 
     axis: Literal["x", "y", "both"] = described(..., "x: x becomes -x; y: y becomes -y; both")
     when: Annotated[Name | None, FLAG] = described(
-        None, "a flag; mirrored if it is true when the action runs. Left out: always"
+        None, "a flag: mirrored if it is set when the action runs; if omitted: always"
     )
 
     def compile(self, state: RefereeState) -> Callable[[], Point]:

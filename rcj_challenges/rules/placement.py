@@ -23,18 +23,17 @@ Attempts = Annotated[
     Field(
         ge=1,
         le=10_000,
-        description="how often a random place is drawn before giving up; a placement waiting for room tries 4 times "
-        "per tick",
+        description="number of random places to try before giving up; a placement that waits for room tries 4 per tick",
     ),
 ]
 WithoutRoom = Annotated[
     Literal["retry", "stay"],
     Field(
-        description="no room: retry on every tick in which the rule is active, without repeating events, or stay where "
-        "it is; the log says which"
+        description="if there is no room: retry in each tick in which the rule is active, without repeating events, or "
+        "stay where it is"
     ),
 ]
-Roll = Annotated[Kick | None, Field(description="only balls: it rolls away from there; left out: it lies still")]
+Roll = Annotated[Kick | None, Field(description="balls only: it rolls away from there; if omitted: it lies still")]
 
 
 class _Placement(Protocol):

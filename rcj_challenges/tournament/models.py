@@ -201,7 +201,7 @@ class Tournament(Strict):
     """A tournament: its teams, its stages, and what decides."""
 
     tournament_version: One = described(..., "version of this format: 1")
-    title: str = described(..., "what people call it", min_length=1, max_length=120)
+    title: str = described(..., "its title", min_length=1, max_length=120)
     description: str = described("", "for the site", max_length=4000)
     seed: int | Annotated[str, StringConstraints(min_length=1, max_length=200)] = described(
         ...,

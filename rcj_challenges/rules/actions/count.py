@@ -20,25 +20,25 @@ class Count(Action):
     action: Literal["count"]
     counter: Annotated[Name, COUNTER] = described(..., "the counter")
     entity: Annotated[Name | None, WHOSE] = described(
-        None, "for a counter kept per entity: whose; each; left out: all of them"
+        None, "for a counter kept per entity: which entity, or each; if omitted: all of them"
     )
     by: Points | None = described(
         None,
-        "what is added, a number, {counter, flag, draw, timer, way or word: NAME} or {distance: [A, B]}, or a list "
-        "to be summed, each with a weight; 1 if neither `by` nor `to` is given",
+        "what is added: a number, {counter, flag, draw, timer, way or word: NAME}, {distance: [A, B]}, or a "
+        "list of these, which may have weights, to be summed; 1 if neither `by` nor `to` is given",
     )
     to: Points | None = described(
         None,
-        "what it is set to, a number, {counter, flag, draw, timer, way or word: NAME} or {distance: [A, B]}, or a "
-        "list to be summed, each with a weight",
+        "the new value: a number, {counter, flag, draw, timer, way or word: NAME}, {distance: [A, B]}, or a "
+        "list of these, which may have weights, to be summed",
     )
-    at_least: float | None = described(None, "`by` or `to` is no less than this, whatever the sum is")
-    at_most: float | None = described(None, "`by` or `to` is no more than this, whatever the sum is")
+    at_least: float | None = described(None, "smallest amount of `by` or `to`, whatever the sum is")
+    at_most: float | None = described(None, "largest amount of `by` or `to`, whatever the sum is")
     keeps_at_least: float | None = described(
-        None, "with `by`: the counter does not fall below this; a value already below it is unchanged"
+        None, "with `by`: the counter does not fall below this; a value that is already lower stays unchanged"
     )
     keeps_at_most: float | None = described(
-        None, "with `by`: the counter does not rise above this; a value already above it is unchanged"
+        None, "with `by`: the counter does not rise above this; a value that is already higher stays unchanged"
     )
 
     EXAMPLE = """

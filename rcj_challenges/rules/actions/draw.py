@@ -21,8 +21,8 @@ class DrawAction(Action):
     as_: Annotated[Scalar | None, DrawnValue()] = Field(
         None,
         alias="as",
-        description="set it to this value instead of drawing; each: to the name of the member the rule applies to "
-        "(for_each); other: of the one touched",
+        description="the value to set; each: the name of the for_each member; other: the name of the touched thing; if "
+        "omitted: a random one",
     )
 
     EXAMPLE = """
@@ -30,7 +30,7 @@ draws: {side: {values: [left, right]}}
 rules:
   decide:
     triggers: [{trigger: time_reached, at_s: 1}]
-    # as: sets it to this value instead of drawing.
+    # `as` sets the draw to this value.
     actions: [{action: draw, draw: side, as: left}, {action: emit, event: SIDE, payload: {side: {draw: side}}}]
 expect:
   it_is_left_now:

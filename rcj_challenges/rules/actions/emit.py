@@ -15,7 +15,7 @@ class Emit(Action):
 
     action: Literal["emit"]
     event: EventName = described(..., "its name")
-    payload: dict[Name, Value] = described({}, "data of the event: literals, or {counter: NAME} and the other values")
+    payload: dict[Name, Value] = described({}, "data of the event: literals, {counter: NAME} or any other value")
 
     EXAMPLE = """
 rules:

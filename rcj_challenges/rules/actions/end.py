@@ -14,9 +14,10 @@ class End(Action):
 
     action: Literal["end"]
     what: Literal["half", "match"] = described(
-        "half", "half: the next one still follows; match: none follows, even if a half is over already (half_ended)"
+        "half",
+        "half: the next half still follows; match: no half follows, even if this one is already over (half_ended)",
     )
-    reason: str = described("", "why, for the record", max_length=200)
+    reason: str = described("", "the reason, for the record", max_length=200)
 
     EXAMPLE = """
 rules:

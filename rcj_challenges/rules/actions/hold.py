@@ -24,9 +24,9 @@ class Hold(Action):
     entity: Annotated[Names, ROBOTS] = described(..., "which robots are held: robots, groups, or each")
     for_s: Lasts | None = described(
         None,
-        "how long, in s, even while it is off the field: a number, {draw: NAME} or {counter: NAME}, read at that "
-        "moment (0 or less: not at all); left out: until a rule releases it; a robot that is held already stays so "
-        "until the later of the two ends",
+        "how long in s, time off the field included: a number, {draw: NAME} or {counter: NAME}, read when the "
+        "action runs (0 or less: not at all); if omitted: until a rule releases it; if two holds overlap, the "
+        "later end counts",
     )
 
     EXAMPLE = """
@@ -35,17 +35,17 @@ rules:
   frozen:
     for_each: yellow
     triggers: [{trigger: touches, entity: each, other: B1}]
-    actions: [{action: hold, entity: each}]  # until a rule lets it go
+    actions: [{action: hold, entity: each}]  # until a rule releases it
   freed:
     for_each: yellow
     triggers: [{trigger: touches, entity: each, other: yellow}]
     actions: [{action: release, entity: each}]
   penalty:
     triggers: [{trigger: touches, entity: B1, other: walls}]
-    # A number, or what a counter or a draw is set to: each time a second longer.
+    # A number, or the value of a counter or a draw: here a second longer each time.
     actions: [{action: count, counter: penalty_s}, {action: hold, entity: B1, for_s: {counter: penalty_s}}]
 expect:
-  who_is_touched_by_a_team_mate_is_free_again:
+  the_touch_of_a_team_mate_frees_a_robot:
     keyframes: [{at_s: 1, touch: [[Y1, B1], [Y2, B1]]}, {at_s: 2, touch: [[Y2, Y3]]}, {at_s: 3, touch: [[B1, walls]]}]
     lasts_s: 7
     held: {Y1: true, Y2: false, Y3: false, B1: true}

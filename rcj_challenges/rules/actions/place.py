@@ -17,18 +17,18 @@ from rcj_challenges.tracking.bound_rules import Act
 
 
 class Place(Action):
-    """Put entities somewhere: either one placement, or a layout by its name."""
+    """Place entities: either a single placement, or a layout by its name."""
 
     action: Literal["place"]
     layout: Annotated[Name | DrawValue | None, SectionRef("layout", ("placements",))] = described(
         None, "a layout of `placements`, or {draw: NAME}, a draw whose values are layouts"
     )
-    entity: Annotated[Names | None, ENTITIES] = described(None, "what is put there: entities, groups, or each")
+    entity: Annotated[Names | None, ENTITIES] = described(None, "what is placed: entities, groups, or each")
     at: At | None = described(None, "where")
-    facing: Facing = described("start", "which way it looks afterwards")
+    facing: Facing = described("start", "which way it faces afterwards")
     noise_m: NoiseM = (0.0, 0.0)
     mirror: Mirror | None = described(
-        None, "mirror the place, and what a kick is aimed at; with a layout: all its places and aims"
+        None, "mirrors the place and the aim of a kick; with a layout: all its places and aims"
     )
     min_clearance_m: ClearanceM = 0.0
     max_attempts: Attempts = 100

@@ -12,7 +12,7 @@ from rcj_challenges.tracking.bound_rules import Act
 
 
 class Release(Action):
-    """Release robots that rules hold: they drive again from the next tick on.
+    """Release robots that are held by rules: they can drive again from the next tick on.
 
     What a phase with `robots: held` holds stays held until the phase is over.
     """

@@ -16,17 +16,18 @@ from rcj_challenges.tracking.bound_rules import Act, Firing
 
 
 class Remove(Action):
-    """Take an entity off the field: parked, silent, invisible; any later placement brings it back."""
+    """Take an entity off the field: it is parked, silent and invisible until a placement brings it back."""
 
     action: Literal["remove"]
     entity: Annotated[Names, ENTITIES] = described(..., "what is taken off: entities, groups, or each")
     for_s: Lasts | None = described(
         None,
-        "it comes back after this time, in s: a number, {draw: NAME} or {counter: NAME}, read at that moment (0 or "
-        "less: one tick); left out: when a rule places it; if it is already off, the later action decides",
+        "time in s after which it comes back: a number, {draw: NAME} or {counter: NAME}, read when the action "
+        "runs (0 or less: one tick); if omitted: when a rule places it; if it is already off the field, the "
+        "later action decides",
     )
     back_at: At = described("start", "where it comes back to")
-    facing: Facing = described("start", "which way it looks when it comes back")
+    facing: Facing = described("start", "which way it faces when it comes back")
 
     EXAMPLE = """
 rules:

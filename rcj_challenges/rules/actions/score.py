@@ -18,7 +18,7 @@ _RECEIVER = SectionRef("entrant", ("entrants",), words=frozenset({"each", "other
 
 
 class LastToucher(Strict):
-    """The entrant of the robot that touched something last, since it was put where it is."""
+    """The entrant of the robot that was the last to touch something since it was placed."""
 
     last_touch: Annotated[Name, THING] = described(..., "what was touched: an entity, a fixed obstacle, or each")
 
@@ -29,23 +29,23 @@ class Score(Action):
     action: Literal["score"]
     entrant: Annotated[Name | LastToucher, _RECEIVER] = described(
         ...,
-        "who gets them (the seat as played in this half); each: who drives the robot of for_each; other: who drives "
-        "the robot touched; "
-        "{last_touch: ball}: who drives the robot that touched it last since it was put where it is, else no entrant",
+        "the entrant that gets them, by its seat in this half; each, other: the entrant of that robot; "
+        "{last_touch: ball}: the entrant of the robot that was the last to touch the ball since it was placed, "
+        "if any",
         union_mode="left_to_right",
     )
     points: Points = described(
         1,
-        "how many: a number, {counter, flag, draw, timer, way or word: NAME}, {distance: [A, B]}, or a list to be "
-        "summed: numbers, and these with weights",
+        "how many: a number, {counter, flag, draw, timer, way or word: NAME}, {distance: [A, B]}, or a list of "
+        "these, which may have weights, to be summed",
     )
-    at_least: float | None = described(None, "no fewer points are given than this, whatever the sum is")
-    at_most: float | None = described(None, "no more points are given than this, whatever the sum is")
+    at_least: float | None = described(None, "smallest number of points given, whatever the sum is")
+    at_most: float | None = described(None, "largest number of points given, whatever the sum is")
     keeps_at_least: float | None = described(
-        None, "points taken away do not take the entrant's score below this; a value already below it is unchanged"
+        None, "the action does not take the entrant's score below this; a score that is already lower stays unchanged"
     )
     keeps_at_most: float | None = described(
-        None, "points given do not take the entrant's score above this; a value already above it is unchanged"
+        None, "the action does not take the entrant's score above this; a score that is already higher stays unchanged"
     )
 
     EXAMPLE = """
@@ -60,7 +60,7 @@ rules:
       - {action: score, entrant: yellow, points: [{counter: streak, weight: 10}, {flag: bonus, weight: 5}], at_most: 24}
   own_touch:
     triggers: [{trigger: touches, entity: Y1, other: walls}]
-    # Takes 50 points, or as many as there are.
+    # Takes 50 points away, or all if there are fewer.
     actions: [{action: score, entrant: yellow, points: -50, keeps_at_least: 0}]
 expect:
   one_and_twice_ten_and_five_but_24_at_most:

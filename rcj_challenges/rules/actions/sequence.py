@@ -11,12 +11,12 @@ from rcj_challenges.tracking.bound_rules import Act, Firing
 
 
 class SequenceAction(Action):
-    """Begin a sequence again: the steps made so far are forgotten."""
+    """Restart a sequence: its completed steps are lost."""
 
     action: Literal["sequence"]
     sequence: Annotated[Name, SEQUENCE] = described(..., "the sequence")
     entity: Annotated[Name | None, ENTITY] = described(
-        None, "for a sequence kept per entity: whose; each; left out: all of them"
+        None, "for a sequence kept per entity: which entity, or each; if omitted: all of them"
     )
     do: Literal["reset"] = described("reset", "reset: back to before the first step, or on it if the entity is there")
 

@@ -17,7 +17,7 @@ class SetFlag(Action):
     action: Literal["set_flag"]
     flag: Annotated[Name, FLAG] = described(..., "the flag")
     entity: Annotated[Name | None, WHOSE] = described(
-        None, "for a flag kept per entity: whose; each; left out: all of them"
+        None, "for a flag kept per entity: which entity, or each; if omitted: all of them"
     )
     to: bool = described(True, "the new value")
 

@@ -17,7 +17,7 @@ from rcj_challenges.tracking.bound_rules import Act, Firing
 
 
 class SetSpot(Action):
-    """Set a spot to where something is now, and so remember that place; each half starts from the file's position.
+    """Set a spot to where something is now. In each half it starts where the file puts it.
 
     What is off the field leaves it where it is, and so does a message that is no position. What is placed in the same
     tick is still where it was before.
@@ -36,14 +36,14 @@ class SetSpot(Action):
     ] = described(
         ...,
         "an entity, each, a spot, a zone with a centre (a circle, a rect with four sides), a draw's name, [x, y] in m, "
-        "{told: NAME}: the position that a robot has sent by radio, {uniform_in: ZONES} or {on_line: [[x, y], [x, y]]}"
-        ", a random point",
+        "{told: NAME} (the position that a robot has sent by radio), or a random point: {uniform_in: ZONES}, "
+        "{on_line: [[x, y], [x, y]]}",
     )
-    mirror: Mirror | None = described(None, "set it to the mirror image of that place")
+    mirror: Mirror | None = described(None, "sets it to the mirror image of that place")
 
     EXAMPLE = """
 spots:
-  # Where it is until a rule sets it, in every half.
+  # Its place in every half until a rule sets it.
   kicked_from: {x_m: 0, y_m: 0}
 counters: {longest_pass_m: {}}
 rules:

@@ -17,10 +17,10 @@ class TimerAction(Action):
     action: Literal["timer"]
     timer: Annotated[Name, TIMER] = described(..., "the timer")
     entity: Annotated[Name | None, WHOSE] = described(
-        None, "for a timer kept per entity: whose; each; left out: all of them"
+        None, "for a timer kept per entity: which entity, or each; if omitted: all of them"
     )
     do: Literal["restart", "start", "stop", "reset"] = described(
-        "restart", "restart: from 0; start: go on; stop: hold; reset: to 0 and stopped"
+        "restart", "restart: start from 0; start: continue; stop: pause; reset: stop and return to 0"
     )
 
     EXAMPLE = """

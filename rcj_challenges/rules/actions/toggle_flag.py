@@ -17,7 +17,7 @@ class ToggleFlag(Action):
     action: Literal["toggle_flag"]
     flag: Annotated[Name, FLAG] = described(..., "the flag")
     entity: Annotated[Name | None, WHOSE] = described(
-        None, "for a flag kept per entity: whose; each; left out: all of them"
+        None, "for a flag kept per entity: which entity, or each; if omitted: all of them"
     )
 
     EXAMPLE = SetFlag.EXAMPLE

@@ -13,7 +13,7 @@ from rcj_challenges.tracking.bound_rules import Test
 
 
 class AllOf(Condition):
-    """Whether all of several conditions hold; those of a rule must all hold anyway."""
+    """Whether all of several conditions hold; for use in `holds` and `any_of`."""
 
     condition: Literal["all_of"]
     conditions: tuple[Annotated[Condition, CONDITIONS.without("all_of")], ...] = Field(
@@ -24,8 +24,7 @@ class AllOf(Condition):
     )
 
     EXAMPLE = """
-# Held together for 2 s: the robot is in the circle and the ball is near it.
-# In `conditions`, simply list both.
+# Both must hold for 2 s: the robot is in the circle and the ball is near it. In `conditions`, simply list both.
 zones: {circle: {shape: circle, centre_m: [0, 0], radius_m: 0.2}}
 rules:
   parked:

@@ -23,11 +23,11 @@ class CounterIs(Compared):
     counter: Annotated[Name, READABLE] = described(..., "a counter, or an entrant: its score")
     entity: Annotated[Names | None, WHOSE_OF] = described(
         None,
-        "for a counter kept per entity: whose; each: the current one; left out, without for_each: the sum; "
+        "for a counter kept per entity: which entity; each: the current one; if omitted, without for_each: the sum; "
         "with `of` also a group or a list",
     )
     of: Quantifier | None = described(
-        None, "how many of a group must satisfy it; entity left out: of all that have one"
+        None, "how many members of a group must satisfy it; without entity: of all members"
     )
 
     EXAMPLE = """
@@ -42,11 +42,11 @@ rules:
   last_is_out:
     for_each: robots
     triggers: [{trigger: timer_expired, timer: round}]
-    # Of all other robots that are still on the field. If several tie for last, all are out.
+    # Compared with all other robots that are still on the field. If several tie for last, all are out.
     conditions: [{condition: counter, counter: visits, entity: each, at_most: {lowest: visits}}]
     actions: [{action: remove, entity: each}, {action: emit, event: OUT, payload: {robot_name: {word: robot_name}}}]
 expect:
-  who_has_come_least_often_is_out:
+  the_robot_with_the_fewest_visits_is_out:
     given: {counters: {visits: 1}}
     keyframes:
       - {at_s: 1, place: {B1: [0.1, 0], B2: [0, 0.1], B3: [-0.1, 0], Y1: [0, -0.1], Y3: [0, 0]}}

@@ -16,7 +16,7 @@ from rcj_challenges.tracking.bound_rules import Test
 
 
 class Distance(Compared):
-    """How far an entity's centre is from another thing, a place or a point, in m; never true off the field."""
+    """The distance of an entity's centre from another thing, a place or a point, in m; off the field it never holds."""
 
     condition: Literal["distance"]
     entity: Annotated[
@@ -31,10 +31,11 @@ class Distance(Compared):
     ] = described(..., "an entity, each, or a group with `of`")
     to: Annotated[Name | Point, MEASURED_TO] = described(
         ...,
-        "an entity, a fixed obstacle (to its centre, to a wall's middle line), each, a spot, a gate or zone (to its "
-        "nearest point; inside a zone it is 0), a draw's name, a group (the nearest member), or [x, y] in m",
+        "an entity, a fixed obstacle (its centre, or a wall's centre line), each, a spot, a gate or zone (its "
+        "nearest point; inside a zone the distance is 0), a draw's name, a group (the nearest member), or [x, "
+        "y] in m",
     )
-    of: Quantifier = described("any", "how many of a group must satisfy it")
+    of: Quantifier = described("any", "how many members of a group must satisfy it")
 
     ASKS_WHERE = True
     EXAMPLE = """
@@ -51,12 +52,12 @@ rules:
       - {condition: distance, entity: ball, to: line, at_most: 0.2}
       - {condition: distance, entity: ball, to: edge, at_least: 0.1}
     actions:
-      # The nearer to the line, the more: 10 points on it, 8 at 10 cm.
+      # The nearer to the line, the more points: 10 on it, 8 at 10 cm.
       - {action: score, entrant: yellow, points: [10, {distance: [ball, line], weight: -20}]}
       - {action: emit, event: STOPPED, payload: {far_m: {distance: [ball, line]}, edge_m: {distance: [ball, edge]}}}
     says: The ball has stopped near the line; {points} points.
 expect:
-  nobody_of_blue_is_near:
+  no_blue_robot_is_near:
     keyframes: [{at_s: 1, place: {ball: [0, 0.8], B1: [0.5, 0], B2: [-0.5, 0], B3: [0, 0]}}]
     lasts_s: 2
     events: [{event: OPEN_GOAL}]

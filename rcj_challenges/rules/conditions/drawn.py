@@ -12,14 +12,13 @@ from rcj_challenges.tracking.bound_rules import Test
 
 
 class Drawn(Condition):
-    """What a draw decided."""
+    """The value of a draw."""
 
     condition: Literal["drawn"]
     draw: Annotated[Name, DRAW] = described(..., "a draw")
     equals: Annotated[Scalar, DrawnValue()] = described(
         ...,
-        "the value it must have; each: the name of the member the rule applies to (for_each); other: of the one "
-        "touched",
+        "the required value; each: the name of the for_each member; other: the name of the touched thing",
     )
 
     EXAMPLE = """

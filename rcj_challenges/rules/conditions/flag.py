@@ -20,11 +20,11 @@ class FlagIs(Condition):
     flag: Annotated[Name, FLAG] = described(..., "a flag")
     entity: Annotated[Names | None, WHOSE_OF] = described(
         None,
-        "for a flag kept per entity: whose; each: the current one; left out, without for_each: any of them; "
+        "for a flag kept per entity: which entity; each: the current one; if omitted, without for_each: any of them; "
         "with `of` also a group or a list",
     )
     of: Quantifier | None = described(
-        None, "how many of a group must satisfy it; entity left out: of all that have one"
+        None, "how many members of a group must satisfy it; without entity: of all members"
     )
 
     EXAMPLE = """

@@ -10,12 +10,12 @@ from rcj_challenges.tracking.bound_rules import Test
 
 
 class HalfIs(Condition):
-    """Which half of the match is played."""
+    """Which half of the match is being played."""
 
     condition: Literal["half"]
-    at_least: int | None = described(None, "holds from the half of this number on", ge=1)
-    at_most: int | None = described(None, "holds up to the half of this number", ge=1)
-    equals: int | None = described(None, "holds in the half of this number only", ge=1)
+    at_least: int | None = described(None, "holds in this half and later ones", ge=1)
+    at_most: int | None = described(None, "holds in this half and earlier ones", ge=1)
+    equals: int | None = described(None, "holds in this half only", ge=1)
 
     EXAMPLE = """
 match: {halves: 2, half_s: 60}
@@ -25,7 +25,7 @@ rules:
     actions: [{action: score, entrant: yellow}]
   late_goal:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
-    # From the second half on a goal gives one point more.
+    # From the second half on, a goal gives one point more.
     conditions: [{condition: half, at_least: 2}]
     actions: [{action: score, entrant: yellow}]
 expect:

@@ -12,14 +12,14 @@ from rcj_challenges.tracking.bound_rules import Test
 
 
 class IsHeld(Condition):
-    """Whether a robot is held, by a rule or because the phase holds all robots; also off the field."""
+    """Whether a robot is held, by a rule or because the phase holds all robots; also for robots off the field."""
 
     condition: Literal["held"]
     entity: Annotated[Names, ROBOTS] = described(..., "a robot, each, or a group with `of`")
-    of: Quantifier = described("any", "how many of a group must be held")
+    of: Quantifier = described("any", "how many members of a group must be held")
 
     EXAMPLE = """
-# A robot that moves at red stands for 3 s. Once it is let go, it may be caught again.
+# A robot that moves during red is held for 3 s. After its release it may be caught again.
 phases:
   red: {lasts_s: 10}
 first_phase: red
@@ -38,7 +38,7 @@ rules:
 broadcast:
   fields: {Y1_is_held: {held: Y1}}
 expect:
-  who_moves_is_held_for_three_seconds:
+  a_moving_robot_is_held_for_three_seconds:
     keyframes: [{at_s: 1}, {at_s: 2, move: {Y1: [0, -0.2]}}]
     lasts_s: 6
     events: [{event: MAY_DRIVE, at_s: 4.3, tolerance_s: 0.1, payload: {robot_name: Y1}}]

@@ -12,14 +12,14 @@ from rcj_challenges.tracking.bound_rules import Test
 
 
 class InZone(Condition):
-    """Whether an entity's centre is in a zone; off the field it is in none."""
+    """Whether an entity's centre is in a zone; an entity off the field is in no zone."""
 
     condition: Literal["in_zone"]
     entity: Annotated[Names, ENTITIES] = described(..., "an entity, each, or a group with `of`")
     zone: Annotated[Names, ZONES] = described(
         ..., "a zone, each, or a draw's name; with a list or group: in any of them"
     )
-    of: Quantifier = described("any", "how many of a group must be in")
+    of: Quantifier = described("any", "how many members of a group must be in it")
 
     ASKS_WHERE = True
     EXAMPLE = """

@@ -11,11 +11,11 @@ from rcj_challenges.tracking.bound_rules import Test
 
 
 class LastTouch(Condition):
-    """Which robot touched something last, since it was put where it is."""
+    """Which robot was the last to touch something since it was placed."""
 
     condition: Literal["last_touch"]
     entity: Annotated[Name, THING] = described("ball", "what was touched: an entity, a fixed obstacle, or each")
-    by: Annotated[Names, ROBOTS] = described(..., "a robot, each, or a group: any of them")
+    by: Annotated[Names, ROBOTS] = described(..., "a robot, each, or a group (any member)")
 
     EXAMPLE = """
 rules:

@@ -15,7 +15,7 @@ from rcj_challenges.tracking.bound_rules import Test
 
 
 class Looks(Condition):
-    """Whether a robot looks towards something, or in a direction, with both of them on the field."""
+    """Whether a robot faces something, or a direction; both must be on the field."""
 
     condition: Literal["looks"]
     entity: Annotated[Names, ROBOTS] = described(..., "a robot, each, or a group with `of`")
@@ -23,16 +23,16 @@ class Looks(Condition):
         None, "an entity, a fixed obstacle, each, a spot, a draw's name, or [x, y] in m"
     )
     heading_rad: float | None = described(
-        None, "instead of towards: a direction of the field in rad, counter-clockwise from +x"
+        None, "instead of towards: a direction in rad, counter-clockwise from +x of the field"
     )
-    within_rad: float = described(0.2, "how far its front may point past it, to either side, in rad", gt=0, le=pi)
-    of: Quantifier = described("any", "how many of a group must do so")
+    within_rad: float = described(0.2, "how far off its front may point, to either side, in rad", gt=0, le=pi)
+    of: Quantifier = described("any", "how many members of a group must do so")
 
     EXAMPLE = """
 rules:
   goal:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
-    # Or a direction of the field: heading_rad: 1.57 instead of towards.
+    # For a fixed direction, write heading_rad: 1.57 instead of towards.
     conditions: [{condition: looks, entity: Y1, towards: ball, within_rad: 0.3}]
     actions: [{action: score, entrant: yellow}]
 expect:

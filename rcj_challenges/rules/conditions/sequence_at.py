@@ -20,11 +20,12 @@ class SequenceAt(Condition):
     sequence: Annotated[Name, SEQUENCE] = described(..., "a sequence")
     entity: Annotated[Names | None, ENTITIES] = described(
         None,
-        "for a sequence kept per entity: whose; each: the current one; left out, without for_each: any of them; "
+        "for a sequence kept per entity: which entity; each: the current one; if omitted, without for_each: "
+        "any of them; "
         "with `of` also a group or a list",
     )
     of: Quantifier | None = described(
-        None, "how many of a group must stand there; entity left out: of all that have one"
+        None, "how many members of a group must be at that step; without entity: of all members"
     )
     step: Annotated[Name, Ref("zone or gate", frozenset({"zone", "gate"}), each=True)] = described(
         ..., "the zone or gate reached last, or each"

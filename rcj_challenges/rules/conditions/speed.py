@@ -16,11 +16,11 @@ from rcj_challenges.tracking.bound_rules import Test
 
 
 class Speed(Compared):
-    """How fast an entity's centre moves, in m/s (path of the last tick over its time)."""
+    """The speed of an entity's centre in m/s (path in the last tick divided by its duration)."""
 
     condition: Literal["speed"]
     entity: Annotated[Names, ENTITIES] = described(..., "an entity, each, or a group with `of`")
-    of: Quantifier = described("any", "how many of a group must satisfy it")
+    of: Quantifier = described("any", "how many members of a group must satisfy it")
 
     EXAMPLE = """
 rules:

@@ -17,8 +17,10 @@ class SpotFree(Condition):
 
     condition: Literal["spot_free"]
     spot: Annotated[Names, SPOTS] = described(..., "a spot, or a group with `of`")
-    of: Quantifier = described("any", "how many of a group must be free")
-    clearance_m: NotNegative = described(USUALLY_FREE_M, "free: no robot's or ball's centre within this, in m")
+    of: Quantifier = described("any", "how many members of a group must be free")
+    clearance_m: NotNegative = described(
+        USUALLY_FREE_M, "the spot is free if no centre of a robot or ball is within this distance, in m"
+    )
 
     EXAMPLE = """
 rules:

@@ -22,11 +22,11 @@ class TimerIs(Compared):
     timer: Annotated[Name, TIMER] = described(..., "a timer")
     entity: Annotated[Names | None, WHOSE_OF] = described(
         None,
-        "for a timer kept per entity: whose; each: the current one; left out, without for_each: the longest; "
+        "for a timer kept per entity: which entity; each: the current one; if omitted, without for_each: the longest; "
         "with `of` also a group or a list",
     )
     of: Quantifier | None = described(
-        None, "how many of a group must satisfy it; entity left out: of all that have one"
+        None, "how many members of a group must satisfy it; without entity: of all members"
     )
 
     EXAMPLE = """
@@ -38,7 +38,7 @@ rules:
     actions: [{action: timer, timer: since_touch, do: restart}]
   quick_goal:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
-    # Running, and not for longer than 2 s: a timer that has never run stands at 0.
+    # Running, and for at most 2 s; a timer that has never run is at 0.
     conditions: [{condition: timer, timer: since_touch}, {condition: timer, timer: since_touch, at_most: 2}]
     actions: [{action: score, entrant: yellow, points: 2}]
 expect:

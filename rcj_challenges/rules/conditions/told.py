@@ -13,17 +13,17 @@ from rcj_challenges.tracking.bound_rules import Test
 
 
 class Told(Condition, Message):
-    """The last message of a robot to the referee in this half; before the first one it does not hold.
+    """A robot's last message to the referee in this half; it does not hold before the first message.
 
     Without `text` and `is_a`: whether it has sent any message.
     """
 
     condition: Literal["told"]
     entity: Annotated[Names, ROBOTS] = described(..., "a robot, each, or a group with `of`")
-    of: Quantifier = described("any", "how many of a group must have said so")
+    of: Quantifier = described("any", "how many members of a group must have sent it")
 
     EXAMPLE = """
-# A question: how many? The right answer gives 5 points, any other costs one.
+# A question with a number as its answer: the right one gives 5 points, any other costs one.
 draws: {number: {values: [1, 2, 3]}}
 rules:
   right:

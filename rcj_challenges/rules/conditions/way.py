@@ -14,11 +14,11 @@ from rcj_challenges.tracking.bound_rules import Test
 
 
 class WayIs(Compared):
-    """How far an entity has driven or rolled this half, in m; placing by rules does not count. Also off the field."""
+    """The length of an entity's path in this half, in m, without placements. Also for entities off the field."""
 
     condition: Literal["way"]
     entity: Annotated[Names, ENTITIES] = described(..., "an entity, each, or a group with `of`")
-    of: Quantifier = described("any", "how many of a group must satisfy it")
+    of: Quantifier = described("any", "how many members of a group must satisfy it")
 
     EXAMPLE = """
 counters: {budget_m: {initial: 1}}
@@ -28,7 +28,7 @@ rules:
     triggers: [{trigger: holds, condition: {condition: way, entity: each, at_least: {counter: budget_m}}}]
     actions: [{action: remove, entity: each}, {action: emit, event: USED_UP, payload: {who: {word: robot_name}}}]
   put_back:
-    # Being placed by a rule does not count, and gives none back.
+    # A placement by a rule does not count, and does not restore the budget.
     triggers: [{trigger: time_reached, at_s: 3}]
     actions: [{action: place, entity: Y1, at: {point: [0.5, -0.5]}}]
 expect:

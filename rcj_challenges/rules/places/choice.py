@@ -15,10 +15,10 @@ from rcj_challenges.tracking.places import PlaceResolver
 
 
 class Choice(PlaceWord):
-    """One of several spots or points, equally likely, or as a draw decided."""
+    """One of several spots or points, equally likely, or the one that a draw selected."""
 
     choice: Annotated[tuple[Name | Point, ...], Ref("spot", frozenset({"spot"}), groups=True, drawn=True)] = Field(
-        ..., strict=False, min_length=1, description="spots, groups of spots, draws that decide among spots, or points"
+        ..., strict=False, min_length=1, description="spots, groups of spots, draws that select a spot, or points"
     )
 
     KEY = "choice"

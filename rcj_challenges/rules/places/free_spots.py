@@ -12,8 +12,8 @@ from rcj_challenges.tracking.places import PlaceRequest, PlaceResolver
 # Distances are compared to the nanometre, so that spots at equal distances stand in the order of the file.
 _EQUAL_DIGITS = 9
 CLEARANCE_DESCRIPTION = (
-    "a spot is free if no robot's or ball's centre (even of the thing being placed) is within this, in m, and the "
-    "thing fits"
+    "a spot is free if the thing fits there and no centre of a robot or ball (its own included) is within this "
+    "distance, in m"
 )
 
 

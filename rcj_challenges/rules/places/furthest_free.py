@@ -15,15 +15,15 @@ from rcj_challenges.tracking.places import PlaceResolver
 
 
 class FurthestFree(PlaceWord):
-    """The furthest free spot."""
+    """The furthest free spot, or a random one of the furthest."""
 
     furthest_free: Annotated[Names, SPOTS] = described(..., "spots, or a group of spots")
     from_: Annotated[Name | Point | None, ANCHOR] = Field(
         None,
         alias="from",
-        description="the entity, spot or point to be far from, each, or a draw's name; left out: the moved entity",
+        description="the entity, spot or point to be far from, each, or a draw's name; if omitted: the moved entity",
     )
-    choose_among: int = described(1, "draw one of this many furthest", ge=1, le=100)
+    choose_among: int = described(1, "choose at random among this many of the furthest", ge=1, le=100)
     clearance_m: NotNegative = described(USUALLY_FREE_M, CLEARANCE_DESCRIPTION)
 
     KEY = "furthest_free"

@@ -13,13 +13,13 @@ from rcj_challenges.tracking.places import PlaceResolver
 
 
 class NearestFree(PlaceWord):
-    """One of the nearest free spots, chosen at random."""
+    """The nearest free spot, or a random one of the nearest."""
 
     nearest_free: Annotated[Names, SPOTS] = described(..., "spots, or a group of spots")
     to: Annotated[Name | Point | None, ANCHOR] = described(
-        None, "the entity, spot or point to be near, each, or a draw's name; left out: the moved entity"
+        None, "the entity, spot or point to be near, each, or a draw's name; if omitted: the moved entity"
     )
-    choose_among: int = described(1, "draw one of this many nearest", ge=1, le=100)
+    choose_among: int = described(1, "choose at random among this many of the nearest", ge=1, le=100)
     clearance_m: NotNegative = described(USUALLY_FREE_M, CLEARANCE_DESCRIPTION)
 
     KEY = "nearest_free"

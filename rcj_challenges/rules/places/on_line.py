@@ -13,7 +13,7 @@ from rcj_challenges.tracking.places import PlaceResolver
 
 
 class OnLine(PlaceWord):
-    """A random point of a segment, every point equally likely."""
+    """A random point on a line segment; all points are equally likely."""
 
     on_line: tuple[Point, Point] = Field(..., strict=False, description="both ends, [[x, y], [x, y]] in m")
 

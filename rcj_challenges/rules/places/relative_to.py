@@ -13,11 +13,15 @@ from rcj_challenges.tracking.places import PlaceRequest, PlaceResolver
 
 
 class RelativeTo(PlaceWord):
-    """Beside another entity or spot; relative to the ball itself plus a kick, this redirects it."""
+    """At an offset from another entity or spot. Relative to itself and with a kick, a ball changes direction."""
 
-    relative_to: Annotated[Name, ANCHOR] = described(..., "an entity or spot, each, or a draw's name: the thing drawn")
+    relative_to: Annotated[Name, ANCHOR] = described(
+        ..., "an entity, a spot, each, or a draw's name (then the thing drawn)"
+    )
     offset_m: Point = described(
-        (0.0, 0.0), "[x, y] from it in m; a spot is mirrored with its offset; for an entity only the offset is"
+        (0.0, 0.0),
+        "offset from it, [x, y] in m; a mirror applies to both a spot and the offset, but only to the offset "
+        "from an entity",
     )
     turns: bool = described(False, "True: the offset is in the entity's own frame, x forward, and no mirror changes it")
 

@@ -21,7 +21,7 @@ _SPOT = Ref(
 class AtSpot(PlaceWord):
     """A spot, by its name."""
 
-    spot: Annotated[Name, _SPOT] = described(..., "name of the spot, or of a draw that decides among spots")
+    spot: Annotated[Name, _SPOT] = described(..., "name of the spot, or of a draw that selects one")
 
     KEY = "spot"
     EXAMPLE = """

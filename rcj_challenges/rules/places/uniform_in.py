@@ -13,7 +13,7 @@ from rcj_challenges.tracking.places import PlaceResolver
 
 
 class UniformIn(PlaceWord):
-    """A random point of a zone, or of several taken as one; every point equally likely."""
+    """A random point in a zone, or in several taken as one; all points are equally likely."""
 
     uniform_in: Annotated[Names, Ref("zone", frozenset({"zone"}), groups=True)] = described(
         ..., "a bounded zone; with a list or group: in any of them"

@@ -21,8 +21,10 @@ class Crosses(Trigger):
 
     trigger: Literal["crosses"]
     entity: Annotated[Names, ENTITIES] = described(..., ENTITY_DESCRIPTION)
-    gate: Annotated[Names, GATES] = described(..., "a gate, each, a draw's name, or several: any of them")
-    direction: Literal["forward", "backward", "either"] = described("either", "which way, seen from the gate")
+    gate: Annotated[Names, GATES] = described(
+        ..., "a gate, each, a draw's name, or a list or group of gates (any of them)"
+    )
+    direction: Literal["forward", "backward", "either"] = described("either", "direction of the crossing")
 
     ASKS_WHERE = True
     EXAMPLE = """

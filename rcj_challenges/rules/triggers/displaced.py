@@ -19,14 +19,14 @@ from rcj_challenges.tracking.trackers import PositionTracker
 
 
 class Displaced(Trigger):
-    """Fires when an entity has been moved further than a distance from where it was put."""
+    """Fires when an entity has been moved further than a distance from where it was placed."""
 
     trigger: Literal["displaced"]
     entity: Annotated[Names, ENTITIES] = described(..., ENTITY_DESCRIPTION)
     from_: Literal["last_placement"] | Point = Field(
         "last_placement",
         alias="from",
-        description="measured from where it was last put (noise included), or from [x, y] in m",
+        description="measured from where it was last placed (noise included), or from [x, y] in m",
     )
     distance_m: Positive = described(..., "fires beyond this, in m")
     axis: Literal["either", "distance"] = described(

@@ -11,12 +11,12 @@ from rcj_challenges.tracking.zone_tracker import ZoneTracker
 
 
 class Enters(Trigger):
-    """Fires when an entity's centre comes into a zone it was not in."""
+    """Fires when an entity's centre enters a zone."""
 
     trigger: Literal["enters"]
     entity: Annotated[Names, ENTITIES] = described(..., ENTITY_DESCRIPTION)
     zone: Annotated[Names, ZONES] = described(
-        ..., "a zone, each, or a draw's name; with a list or group: into any of them from none of them"
+        ..., "a zone, each, or a draw's name; with a list or group: into any of them from outside all of them"
     )
 
     ASKS_WHERE = True

@@ -16,12 +16,13 @@ class OnEvent(Trigger):
     event: EventName = described(..., "the event")
     entity: Annotated[Names | None, Ref("entity, obstacle, zone or gate", KEEPING, groups=True, each=True)] = described(
         None,
-        "only events about this entity (the emitting rule's member or its trigger's entity): an entity, a fixed "
-        "obstacle, a zone or gate that the rule is for, a group (any of them), or each; left out: whatever it is about",
+        "only events about this entity: an entity, a fixed obstacle, a zone or gate, a group (any member), or "
+        "each; if omitted: all events. An event is about the for_each member of the rule that emitted it, or "
+        "else about the entity of that rule's trigger",
     )
 
     EXAMPLE = """
-# `entity: each` (or a name) reacts only to the events about that one: {trigger: event, event: FOUL, entity: each}.
+# `entity: each` (or a name) limits it to events about that entity: {trigger: event, event: FOUL, entity: each}.
 rules:
   goal:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]

@@ -15,20 +15,21 @@ from rcj_challenges.tracking.trackers import NEVER, TickTracker
 
 
 class Holds(Trigger):
-    """Fires when a condition has held for a time, and again at intervals if asked."""
+    """Fires when a condition has held for a time, and again at intervals with `every_s`."""
 
     trigger: Literal["holds"]
     condition: AnyCondition = described(..., "the condition")
     for_s: NotNegative = described(
         0.0,
-        "how long it must hold, in s; 0: as soon as it becomes true, but not if already true when the rule became "
-        "active or made true by a placement or removal (spot_free, sequence_at, and a counter beside the lowest or "
-        "highest of others see that one tick later)",
+        "how long it must hold, in s; 0: it fires as soon as the condition becomes true, but not if it was "
+        "already true when the rule became active, or if a placement or removal made it true (spot_free, "
+        "sequence_at and comparisons with lowest or highest notice that one tick later)",
     )
-    grace_s: NotNegative = described(0.0, "an interruption of up to this time counts as holding, in s")
+    grace_s: NotNegative = described(0.0, "interruptions of up to this time, in s, do not count")
     every_s: DurationS | None = described(
         None,
-        "fires again after each of these times in s while it goes on, counted from when for_s was full; left out: once",
+        "interval in s at which it fires again while the condition holds, counted from the end of for_s; if "
+        "omitted: it fires once",
     )
 
     MEASURED = "the time in s for which that has held"

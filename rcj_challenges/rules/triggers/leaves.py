@@ -11,12 +11,12 @@ from rcj_challenges.rules.triggers.enters import zone_tracker
 
 
 class Leaves(Trigger):
-    """Fires when an entity's centre leaves a zone it was in."""
+    """Fires when an entity's centre leaves a zone."""
 
     trigger: Literal["leaves"]
     entity: Annotated[Names, ENTITIES] = described(..., ENTITY_DESCRIPTION)
     zone: Annotated[Names, ZONES] = described(
-        ..., "a zone, each, or a draw's name; with a list or group: from any of them to none of them"
+        ..., "a zone, each, or a draw's name; with a list or group: from any of them to outside all of them"
     )
 
     ASKS_WHERE = True

@@ -20,15 +20,15 @@ from rcj_challenges.tracking.trackers import NEVER, DueTracker
 
 
 class NoProgress(Trigger):
-    """Fires when the length of an entity's path over a sliding window is too short; never before the window is full.
+    """Fires when an entity's path within a sliding window is too short, but only once the window is full.
 
     A robot that a rule holds (action `hold`) is not judged meanwhile; its window begins when it is let go.
     """
 
     trigger: Literal["no_progress"]
     entity: Annotated[Names, ENTITIES] = described(..., ENTITY_DESCRIPTION)
-    distance_m: Positive = described(..., "path length that is expected, in m")
-    within_s: DurationS = described(..., "length of the window in s; for a held robot, it starts on release")
+    distance_m: Positive = described(..., "expected path length in m")
+    within_s: DurationS = described(..., "length of the window in s; for a held robot, the window starts on release")
 
     MEASURED = "the length in m of its path"
     LIMIT = "distance_m"

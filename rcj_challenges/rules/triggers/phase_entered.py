@@ -13,7 +13,7 @@ from rcj_challenges.rules.refs import PHASE
 
 
 class PhaseEntered(Trigger):
-    """Fires when a phase is entered (one tick after `set_phase`); not for the first of a half (`half_started`)."""
+    """Fires when a phase is entered (one tick after `set_phase`); for the first of a half, use `half_started`."""
 
     trigger: Literal["phase_entered"]
     phase: Annotated[Name, PHASE] = described(..., "the phase entered")

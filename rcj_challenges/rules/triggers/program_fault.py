@@ -13,7 +13,7 @@ class ProgramFault(Trigger):
     """Fires when a robot's program has failed."""
 
     trigger: Literal["program_fault"]
-    robot: Annotated[Names, ROBOTS] = described("robots", "which robot, a group, or each")
+    robot: Annotated[Names, ROBOTS] = described("robots", "a robot, a group (any member), or each")
 
     EXAMPLE = """
 rules:

@@ -16,7 +16,7 @@ from rcj_challenges.rules.triggers.sequence_completed import (
 
 
 class SequenceBroken(Trigger):
-    """Fires when a wrong step is made in a sequence with ``wrong_step: break``: it begins again.
+    """Fires at a wrong step in a sequence with ``wrong_step: break``, which then starts again.
 
     Before the first step, none is wrong; afterwards all are but the last reached and the next.
     """

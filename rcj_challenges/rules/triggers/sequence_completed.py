@@ -10,13 +10,13 @@ from rcj_challenges.rules.refs import ENTITIES, SEQUENCE
 from rcj_challenges.tracking.sequences import SequenceTracker
 
 WHOSE_SEQUENCE = (
-    "for a sequence kept per entity: whose; each: the current one; a group: any of them; left out, without for_each: "
-    "any that has one"
+    "for a sequence kept per entity: which entity; each: the current one; a group: any member; if omitted, "
+    "without for_each: any of them"
 )
 
 
 class SequenceCompleted(Trigger):
-    """Fires when the last step of a sequence is made."""
+    """Fires when the last step of a sequence is completed."""
 
     trigger: Literal["sequence_completed"]
     sequence: Annotated[Name, SEQUENCE] = described(..., "the sequence")

@@ -18,7 +18,7 @@ from rcj_challenges.tracking.trackers import NEVER, DueTracker, PositionTracker
 
 
 class StaysIn(Trigger):
-    """Fires while inside, once the stay is longer than a limit; short excursions count as inside."""
+    """Fires when an entity has been in a zone for longer than a limit."""
 
     trigger: Literal["stays_in"]
     entity: Annotated[Names, ENTITIES] = described(..., ENTITY_DESCRIPTION)
@@ -26,7 +26,7 @@ class StaysIn(Trigger):
         ..., "a zone, each, or a draw's name; with a list or group: in any of them"
     )
     limit_s: DurationS = described(..., "fires as soon as the stay is longer than this, in s")
-    grace_s: NotNegative = described(0.0, "an absence of up to this time counts as inside, in s")
+    grace_s: NotNegative = described(0.0, "absences of up to this time, in s, count as inside")
 
     MEASURED = "the time in s of the stay"
     ASKS_WHERE = True

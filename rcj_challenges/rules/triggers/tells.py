@@ -18,7 +18,7 @@ class Tells(Trigger, Message):
     """
 
     trigger: Literal["tells"]
-    entity: Annotated[Names, ROBOTS] = described("robots", "which entity: a robot, a group (any of them), or each")
+    entity: Annotated[Names, ROBOTS] = described("robots", "a robot, a group (any member), or each")
 
     MEASURED = "the number told"
     EXAMPLE = """

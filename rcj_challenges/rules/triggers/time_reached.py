@@ -11,12 +11,12 @@ from rcj_challenges.tracking.clock_events import Alarm
 
 
 class TimeReached(Trigger):
-    """Fires when the clock of the half reaches a time, and again every so often if asked."""
+    """Fires when the clock of the half reaches a time, and again at intervals with `every_s`."""
 
     trigger: Literal["time_reached"]
     at_s: DurationS = described(..., "time since the start of the half in s")
     every_s: DurationS | None = described(
-        None, "fires again after each of these times in s, counted from at_s, until the half ends; left out: once"
+        None, "interval in s at which it fires again, counted from at_s, until the half ends; if omitted: it fires once"
     )
 
     MEASURED = "the time in s"

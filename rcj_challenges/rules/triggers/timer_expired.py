@@ -30,16 +30,16 @@ rules:
   touched:
     triggers: [{trigger: touches, entity: robots, other: ball}]
     actions: [{action: timer, timer: patience, do: restart}]
-  nobody_came:
+  no_robot_came:
     triggers: [{trigger: timer_expired, timer: patience}]
-    actions: [{action: emit, event: NOBODY_CAME}]
+    actions: [{action: emit, event: NO_ROBOT_CAME}]
 expect:
   it_comes_5_s_after_the_last_touch:
     keyframes:
       - {at_s: 1, touch: [[Y1, ball]]}
       - {at_s: 3, touch: [[Y2, ball]]}
     lasts_s: 10
-    events: [{event: NOBODY_CAME, at_s: 8}]
+    events: [{event: NO_ROBOT_CAME, at_s: 8}]
 """
     SENTENCE = "the timer “patience” runs out"
 

@@ -28,7 +28,7 @@ class TipsOver(Trigger):
             each=True,
             instead="an obstacle does not tip over: of a movable one 'displaced' tells that it was pushed away",
         ),
-    ] = described(..., "which entity: a robot, a group of robots (any of them), or each")
+    ] = described(..., "a robot, a group of robots (any member), or each")
     angle_rad: Positive = described(0.7854, "tilt of its vertical axis in rad", lt=3.1416)
 
     MEASURED = "its tilt in rad"

@@ -22,23 +22,22 @@ class Touches(Trigger):
     trigger: Literal["touches"]
     entity: Annotated[Names, THINGS] = described(
         ...,
-        "which entity: an entity (a robot, a ball or a movable obstacle), a fixed obstacle, a group (any of them), "
-        "or each",
+        "an entity (a robot, a ball or a movable obstacle), a fixed obstacle, a group (any member), or each",
     )
     other: Annotated[Names, Ref("entity or obstacle", MOVING | FIXED | {"walls"}, groups=True, each=True)] = described(
         ...,
-        "what it touches: entities, obstacles, walls, or a group; if all triggers are touches, conditions and "
-        "actions can name the touched thing other",
+        "what it touches: entities, obstacles, walls, or a group; if all triggers of a rule are touches, its "
+        "conditions and actions can use other for the touched thing",
     )
     every_s: DurationS | None = described(
-        None, "fires again after each of these times in s while they go on touching; left out: when it begins only"
+        None, "interval in s at which it fires again while the contact lasts; if omitted: only when it begins"
     )
 
     EXAMPLE = """
 flags: {touched: {}}
 counters: {pushed: {per: robots}}
 rules:
-  # In a rule triggered by touches `other` is the one that was touched: it fires once for each of them.
+  # In a rule triggered by touches, `other` is the touched thing; the rule fires once for each.
   push:
     for_each: robots
     triggers: [{trigger: touches, entity: each, other: robots}]
@@ -49,18 +48,18 @@ rules:
     for_each: yellow
     triggers: [{trigger: touches, entity: each, other: blue}]
     actions: [{action: emit, event: FOUL, payload: {robot_name: {word: robot_name}}}]
-  # One rule for all robots fires once in a tick, however many of them touch the ball in it. With for_each it would fire
-  # for each: all see the flag as it was at the start of the tick. {last_touch: ball} names one of them.
+  # Without for_each, a rule fires once in a tick, however many robots touch the ball. With for_each it would fire for
+  # each of them, since all see the flag as it was at the start of the tick. {last_touch: ball} names one of them.
   first_touch:
     triggers: [{trigger: touches, entity: robots, other: ball}]
     conditions: [{condition: flag, flag: touched, negate: true}]
     actions: [{action: score, entrant: {last_touch: ball}}, {action: set_flag, flag: touched}]
-  # While they go on touching it fires again and again: a robot that leans on the other one is warned every 2 s.
+  # It fires again while the contact lasts: a robot that leans on the other one is warned every 2 s.
   leans:
     triggers: [{trigger: touches, entity: B1, other: Y1, every_s: 2}]
     actions: [{action: emit, event: LEANS}]
 expect:
-  who_leans_is_warned_until_they_part:
+  a_leaning_robot_is_warned_until_they_part:
     keyframes: [{at_s: 1, touch: [[B1, Y1]], touch_lasts_s: 5}]
     lasts_s: 10
     events: [{event: LEANS, at_s: 1}, {event: LEANS, at_s: 3.04}, {event: LEANS, at_s: 5.03}]
@@ -71,7 +70,7 @@ expect:
       - {at_s: 1.032, touch: [[Y2, B3]]}
     lasts_s: 2
     events: [{event: FOUL, payload: {robot_name: Y2}}]
-  who_looks_at_the_other_one_pushes:
+  a_robot_that_faces_the_other_pushes_it:
     keyframes:
       - {at_s: 1, place: {Y1: [0, 0, 0], B1: [0.16, 0, 0], B2: [-0.16, 0, 3.14]}, touch: [[Y1, B1], [Y1, B2]]}
     lasts_s: 2

@@ -16,7 +16,8 @@ class CounterValue(ValueWord):
 
     counter: Annotated[Name, READABLE] = described(..., "a counter, or an entrant: its score")
     entity: Annotated[Name | None, WHOSE] = described(
-        None, "for a counter kept per entity: whose; each: the current one; left out, without for_each: the sum"
+        None,
+        "for a counter kept per entity: which entity; each: the current one; if omitted, without for_each: the sum",
     )
 
     KEY = "counter"

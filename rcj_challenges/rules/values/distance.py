@@ -13,12 +13,13 @@ from rcj_challenges.rules.refs import MEASURED_TO
 
 
 class DistanceValue(ValueWord):
-    """How far apart the centres of two things are, in m to the millimetre; null while one of them is off the field."""
+    """The distance between the centres of two things in m, to the millimetre; null while one is off the field."""
 
     distance: Annotated[tuple[Name | Point, Name | Point], Field(strict=False), MEASURED_TO] = described(
         ...,
         "two of: an entity, a fixed obstacle, each, a spot, a draw's name, a group (the nearest member), [x, y] in m; "
-        "one of them may be a wall, a gate or a zone, of which the nearest point counts: inside a zone it is 0",
+        "one of them may be a wall, a gate or a zone: then its nearest point counts, and inside a zone the "
+        "distance is 0",
     )
 
     KEY = "distance"
@@ -31,7 +32,7 @@ rules:
     actions:
       - {action: score, entrant: yellow, points: [25, {distance: [ball, centre], weight: -10}]}
       - {action: emit, event: BROUGHT, payload: {distance_m: {distance: [ball, centre]}}}
-    says: The ball is brought; {points} points.
+    says: The ball has been delivered; {points} points.
 expect:
   at_10_cm_it_gives_24_points:
     keyframes: [{at_s: 2, place: {ball: [0.1, 0]}}]

@@ -12,7 +12,7 @@ from rcj_challenges.rules.refs import DRAW
 
 
 class DrawValue(ValueWord):
-    """What a draw decided."""
+    """The value of a draw."""
 
     draw: Annotated[Name, DRAW] = described(..., "a draw")
 

@@ -17,7 +17,8 @@ class FlagValue(ValueWord):
 
     flag: Annotated[Name, FLAG] = described(..., "a flag")
     entity: Annotated[Name | None, WHOSE] = described(
-        None, "for a flag kept per entity: whose; each: the current one; left out, without for_each: any of them"
+        None,
+        "for a flag kept per entity: which entity; each: the current one; if omitted, without for_each: any of them",
     )
 
     KEY = "flag"

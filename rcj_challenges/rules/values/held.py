@@ -25,7 +25,7 @@ rules:
 broadcast:
   fields: {Y1_is_held: {held: Y1}}
 expect:
-  they_are_told_that_it_stands:
+  programs_learn_that_it_is_held:
     keyframes: [{at_s: 1, touch: [[Y1, walls]]}]
     lasts_s: 2
     told: {robots: {Y1_is_held: true}}

@@ -14,10 +14,10 @@ from rcj_challenges.tracking.state import Number
 
 
 class HighestOfOthers(ValueWord):
-    """The highest value of a counter kept per entity among all other entities; see the lowest."""
+    """The highest value of a counter kept per entity among all other entities; see ``lowest``."""
 
     highest: Annotated[Name, COUNTER] = described(
-        ..., "a counter kept per entity: the highest of all but `each`; without for_each: of all"
+        ..., "a counter kept per entity: the highest value of all members but `each`; without for_each: of all members"
     )
 
     KEY = "highest"
@@ -30,7 +30,7 @@ rules:
     conditions: [{condition: counter, counter: laps, entity: each, at_least: {highest: laps}}]
     actions: [{action: emit, event: FIRST, payload: {robot_name: {word: robot_name}}}]
 expect:
-  who_has_most_is_first:
+  the_robot_with_the_most_laps_is_first:
     given: {counters: {laps: {B1: 2, B2: 2, B3: 2, Y1: 2, Y2: 3, Y3: 2}}}
     keyframes: [{at_s: 1}]
     lasts_s: 3

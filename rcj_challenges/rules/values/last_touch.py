@@ -11,7 +11,7 @@ from rcj_challenges.rules.refs import THING
 
 
 class LastTouchValue(ValueWord):
-    """The name of the robot that touched something last since it was put where it is; null if none has."""
+    """The name of the last robot to touch something since it was placed; null if none has touched it."""
 
     last_touch: Annotated[Name, THING] = described(..., "what was touched: an entity, a fixed obstacle, or each")
 

@@ -21,7 +21,7 @@ class LowestOfOthers(ValueWord):
     """
 
     lowest: Annotated[Name, COUNTER] = described(
-        ..., "a counter kept per entity: the lowest of all but `each`; without for_each: of all"
+        ..., "a counter kept per entity: the lowest value of all members but `each`; without for_each: of all members"
     )
 
     KEY = "lowest"
@@ -34,7 +34,7 @@ rules:
     conditions: [{condition: counter, counter: laps, entity: each, at_most: {lowest: laps}}]
     actions: [{action: emit, event: LAST, payload: {robot_name: {word: robot_name}}}]
 expect:
-  who_has_fewest_is_last:
+  the_robot_with_the_fewest_laps_is_last:
     given: {counters: {laps: {B1: 2, B2: 2, B3: 2, Y1: 2, Y2: 1, Y3: 2}}}
     keyframes: [{at_s: 1}]
     lasts_s: 3

@@ -28,7 +28,7 @@ broadcast:
   every_ticks: 10
   fields: {ball: {position_of: ball}}
 expect:
-  all_robots_are_told_where_the_ball_is:
+  all_robots_receive_the_position_of_the_ball:
     keyframes: [{at_s: 1, place: {ball: [0, 0.8]}}]
     lasts_s: 2
     told: {robots: {ball: [0, 0.8]}}

@@ -13,7 +13,7 @@ from rcj_challenges.rules.fields import described
 class Term(ValueWord):
     """A part of a sum: any value that is a number, with a weight beside its own keys."""
 
-    weight: float = described(1.0, "what the value is multiplied by; of a flag: how much it counts if it is set")
+    weight: float = described(1.0, "factor of the value; for a flag: the amount that counts if it is set")
 
 
 @cache

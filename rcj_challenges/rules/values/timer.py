@@ -15,11 +15,12 @@ from rcj_challenges.tracking.bound_rules import Reader
 
 
 class TimerValue(ValueWord):
-    """How long a timer has run, in s with its fraction; length minus this is left (to a tick below 0 after expiry)."""
+    """How long a timer has run, in s with fractions; after it has expired, up to one tick more than its length."""
 
     timer: Annotated[Name, TIMER] = described(..., "a timer")
     entity: Annotated[Name | None, WHOSE] = described(
-        None, "for a timer kept per entity: whose; each: the current one; left out, without for_each: the longest"
+        None,
+        "for a timer kept per entity: which entity; each: the current one; if omitted, without for_each: the longest",
     )
 
     KEY = "timer"
@@ -65,7 +66,7 @@ class NumberTimer(TimerValue):
     """How long a timer has run, in whole seconds, rounded down, or with its fraction."""
 
     fraction: bool | None = described(
-        None, "True: with its fraction, to the tick; left out: whole seconds, rounded down"
+        None, "True: with fractions, to the tick; if omitted: whole seconds, rounded down"
     )
 
     def number(self, to: Scope) -> Reader:

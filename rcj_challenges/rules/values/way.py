@@ -11,7 +11,7 @@ from rcj_challenges.rules.refs import ENTITY
 
 
 class WayValue(ValueWord):
-    """How far an entity has driven or rolled in this half, in m to the millimetre, from tick to tick.
+    """The length of an entity's path in this half in m, to the millimetre, without placements.
 
     Where rules put it is no way. Since a moment: this less a counter that was set to it then.
     """
@@ -35,7 +35,7 @@ rules:
         entrant: yellow
         points: [10, {way: ball, weight: -2}, {counter: way_before_m, weight: 2}]
       - {action: emit, event: BROUGHT, payload: {in_all_m: {way: ball}}}
-    says: The ball is brought; {points} points.
+    says: The ball has been delivered; {points} points.
 expect:
   a_metre_costs_2_points:
     keyframes:

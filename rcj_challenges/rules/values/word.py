@@ -22,10 +22,11 @@ class WordValue(ValueWord):
     word: Literal[
         "robot_name", "entity_name", "each_name", "other_name", "team_name", "entrant", "score", "halftime", "match_id",
         "total_match_time_s", "time_s", "time_left_s", "measured", "limit", "phase", "seed_id",
-    ] = described(..., "the word; times have fractions; measured, limit: the trigger's (of holds: in s); each_name: "
-                  "of the member of for_each; other_name: of the one touched, if touches trigger the rule")  # fmt: skip
+    ] = described(...,
+        "the keyword; times have fractions; measured, limit: those of the trigger (for holds in s); each_name: the "
+        "name of the for_each member; other_name: the name of the touched thing, in rules about touches")  # fmt: skip
     of: Annotated[Name | None, ENTRANT] = described(
-        None, "for team_name and score: the entrant; left out: that of the current entity"
+        None, "for team_name and score: the entrant; if omitted: that of the current entity"
     )
 
     KEY = "word"
@@ -64,11 +65,9 @@ class NumberWord(WordValue):
         "score", "halftime", "total_match_time_s", "time_s", "time_left_s", "measured", "limit"
     ] = described(..., "the word; measured and limit keep their fraction, 0 if nothing was measured")  # fmt: skip
     of: Annotated[Name | None, ENTRANT] = described(
-        None, "for score: the entrant; left out: that of the current entity"
+        None, "for score: the entrant; if omitted: that of the current entity"
     )
-    fraction: bool | None = described(
-        None, "for times: True: with their fraction; left out: whole seconds, rounded down"
-    )
+    fraction: bool | None = described(None, "for times: True: with fractions; if omitted: whole seconds, rounded down")
 
     def number(self, to: Scope) -> Reader:
         """Return what reads the number."""

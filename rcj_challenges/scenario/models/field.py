@@ -8,7 +8,7 @@ from rcj_challenges.rules.fields import Colour, DurationS, Point, Positive, Stri
 
 
 class Match(Strict):
-    """How many halves of what length, and whether the entrants change sides between them."""
+    """How many halves are played, how long they are, and whether the entrants change sides."""
 
     halves: int = described(1, "how many halves are played", ge=1, le=10)
     half_s: DurationS | Annotated[tuple[DurationS, ...], Field(strict=False, min_length=1)] = described(
@@ -18,45 +18,45 @@ class Match(Strict):
 
 
 class Goal(Strict):
-    """A goal: an opening in an end wall with a box of walls behind it. Declare a zone of its own to count goals."""
+    """A goal: an opening in an end wall with a box of walls behind it. To count goals, also declare a zone there."""
 
-    end: Literal["positive_y", "negative_y"] = described(..., "the end of the field where it stands")
+    end: Literal["positive_y", "negative_y"] = described(..., "the end of the field at which it stands")
     colour: Colour = described(..., "its colour in pictures and the replay: a CSS colour name or #rrggbb")
     width_m: Positive = described(0.4, "inner width of the opening in m")
     depth_m: Positive = described(0.1, "from the end line to the back wall in m")
-    wall_height_m: Positive = described(0.121, "top of the goal's walls above the floor in m")
+    wall_height_m: Positive = described(0.121, "height of the goal's walls above the floor in m")
 
 
 class FieldModel(Strict):
-    """The rectangle of play, its walls and its goals. Inner faces of the walls, origin at the centre."""
+    """The playing field with its walls and goals, measured between the inner faces of the walls."""
 
-    width_m: Positive = described(1.3, "between the inner faces of the side walls (x) in m", le=10)
-    length_m: Positive = described(1.5, "between the inner faces of the end walls (y) in m", le=10)
+    width_m: Positive = described(1.3, "distance between the inner faces of the side walls (x) in m", le=10)
+    length_m: Positive = described(1.5, "distance between the inner faces of the end walls (y) in m", le=10)
     wall_height_m: Positive = described(0.09, "height of the walls above the floor in m", le=1)
     corner_cut_m: float = described(
         0.06, "how far the 45° corner walls cut into the corner along each axis in m; 0: square corners", ge=0
     )
     friction: float = described(
         1.0,
-        "Coulomb friction of the floor under wheels and balls, of walls (to balls 1 at most) and of bodies that "
-        "touch; 0.1 at most for a ball against a robot or ball, a wheel's rim, and anything pushed",
+        "Coulomb friction of the floor, of walls (at most 1 for balls) and between bodies that touch; at most "
+        "0.1 between a ball and a robot or another ball, at the rims of wheels, and under movable obstacles",
         ge=0,
         le=2,
     )
-    restitution: float = described(0.5, "share of speed kept when the ball meets a wall", ge=0, le=0.95)
+    restitution: float = described(0.5, "share of its speed that a ball keeps when it hits a wall", ge=0, le=0.95)
     goals: dict[str, Goal] = described({}, "goals by name")
 
 
 class Ball(Strict):
-    """A ball: a rolling sphere that sends infra-red to the robots' ball receivers."""
+    """A ball: a rolling sphere that sends infrared signals to the robots' ball receivers."""
 
     start_m: Point = described((0.0, 0.0), "where it lies at the start of a half, [x, y] in m")
     radius_m: Positive = described(0.021, "radius in m", le=0.2)
     mass_kg: Positive = described(0.05, "mass in kg", le=5)
     colour: Colour = described("#e8590c", "colour in pictures: a CSS colour name or #rrggbb")
-    emits: bool = described(True, "whether it sends infra-red; with several emitting balls a robot hears them all")
+    emits: bool = described(True, "whether it sends infrared signals; robots receive those of all balls")
     slows_mps2: Positive | None = described(
-        None, "how much speed it loses in each s while it rolls, in m/s²; left out: none, it rolls on", le=5
+        None, "deceleration while it rolls, in m/s²; if omitted: it does not slow down", le=5
     )
 
 
@@ -73,7 +73,7 @@ class Box(_Obstacle):
 
     shape: Literal["box"]
     size_m: Point = described(..., "full size along its own x and y in m")
-    yaw_rad: float = described(0.0, "turn about the vertical in rad, counter-clockwise")
+    yaw_rad: float = described(0.0, "rotation about the vertical axis in rad, counter-clockwise")
 
 
 class Cylinder(_Obstacle):

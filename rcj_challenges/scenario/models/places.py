@@ -13,21 +13,21 @@ from rcj_challenges.rules.refs import MEMBERS, ONE_ENTITY
 
 
 class _Zone(Strict):
-    inverted: bool = described(False, "True: everything but this")
-    drawn: bool = described(False, "True: its outline is a line on the field in pictures")
+    inverted: bool = described(False, "True: everything except this shape")
+    drawn: bool = described(False, "True: pictures show its outline as a line on the field")
     colour: Colour | None = described(
-        None, "colour of its outline in pictures: a CSS colour name or #rrggbb; left out: that of lines"
+        None, "colour of its outline in pictures: a CSS colour name or #rrggbb; if omitted: that of the field lines"
     )
 
 
 class RectZone(_Zone):
-    """An upright rectangle; a side that is left out is open. All limits are strict."""
+    """A rectangle parallel to the axes; a side that is omitted is open. Points on an edge are outside."""
 
     shape: Literal["rect"]
-    x_min_m: float | None = described(None, "smallest x in m; left out: open")
-    x_max_m: float | None = described(None, "largest x in m; left out: open")
-    y_min_m: float | None = described(None, "smallest y in m; left out: open")
-    y_max_m: float | None = described(None, "largest y in m; left out: open")
+    x_min_m: float | None = described(None, "smallest x in m; if omitted: open")
+    x_max_m: float | None = described(None, "largest x in m; if omitted: open")
+    y_min_m: float | None = described(None, "smallest y in m; if omitted: open")
+    y_max_m: float | None = described(None, "largest y in m; if omitted: open")
 
 
 class CircleZone(_Zone):
@@ -59,12 +59,12 @@ Zone = Annotated[RectZone | CircleZone | PolygonZone | HalfPlaneZone, Field(disc
 
 
 class Gate(Strict):
-    """A directed segment: crossing it from its right to its left, seen from ``from`` to ``to``, is ``forward``."""
+    """A directed line segment. Seen from ``from_m`` to ``to_m``, crossing it from right to left is ``forward``."""
 
     from_m: Point = described(..., "one post, [x, y] in m; relative to the anchor if there is one")
     to_m: Point = described(..., "the other post, [x, y] in m")
     anchor: Annotated[Name | None, ONE_ENTITY] = described(
-        None, "an entity with which the gate moves and turns; left out: fixed"
+        None, "an entity with which the gate moves and turns; if omitted: the gate is fixed"
     )
 
 
@@ -79,15 +79,15 @@ class Spot(Strict):
 
 
 class Placing(Strict):
-    """How one or more entities are put somewhere."""
+    """How one or more entities are placed."""
 
     entity: Annotated[Names, MEMBERS] = described(
-        ..., "what is put there: entities or groups; several are put one after the other"
+        ..., "what is placed: entities or groups; several are placed one after the other"
     )
     at: At = described(..., "where")
-    facing: Facing = described("start", "which way it looks afterwards")
+    facing: Facing = described("start", "which way it faces afterwards")
     noise_m: NoiseM = (0.0, 0.0)
-    mirror: Mirror | None = described(None, "mirror the place, and what a kick is aimed at")
+    mirror: Mirror | None = described(None, "mirrors the place and the aim of a kick")
     min_clearance_m: ClearanceM = 0.0
     max_attempts: Attempts = 100
     on_failure: WithoutRoom = "retry"

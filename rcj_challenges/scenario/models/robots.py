@@ -18,32 +18,34 @@ class Chassis(Strict):
     mass_kg: Positive = described(0.2, "mass of the cube in kg", le=20)
     wheel_radius_m: Positive = described(0.02, "radius of the wheels in m", le=0.2)
     wheel_width_m: Positive = described(0.01, "width of the wheels in m", le=0.1)
-    wheel_track_m: Positive = described(0.09, "between the wheels' centres in m", le=0.6)
+    wheel_track_m: Positive = described(0.09, "distance between the centres of the wheels in m", le=0.6)
     wheel_mass_kg: Positive = described(0.005, "mass of each wheel in kg", le=1)
     max_wheel_radps: Positive = described(10.0, "highest wheel speed in rad/s; faster commands are clamped", le=100)
 
 
 class Kit(Strict):
-    """A kit of robots: chassis, frame, messages and devices. Presets contain ``v2`` and ``legacy_2021``."""
+    """A kit of robots: chassis, messages and devices. Presets contain ``v2`` and ``legacy_2021``."""
 
     messages: Literal["v2.1", "v2.2", "2021"] = described(
         "v2.1", "what the referee's packets look like: one byte, JSON text, or the 2021 struct of positions"
     )
-    packet_every_ticks: int = described(1, "the referee sends a packet every this many ticks", ge=1, le=1000)
+    packet_every_ticks: int = described(1, "number of ticks between two packets of the referee", ge=1, le=1000)
     packet_lists: Annotated[tuple[Name, ...], ONE_ROBOT] = Field(
         (), strict=False, description="robots whose positions a 2021 packet lists, in order"
     )
-    packet_has_flag: bool = described(True, "whether a 2021 packet ends with waiting_for_kickoff (the first demo: no)")
+    packet_has_flag: bool = described(
+        True, "whether a 2021 packet ends with waiting_for_kickoff (not in the first demo)"
+    )
     control_step_ms: int = described(
         32,
-        "the step that programs of this kit usually take, in ms, for the rule sheet; each takes the step it asks for",
+        "the usual step of programs for this kit in ms, printed on the rule sheet; a program may use another one",
         ge=1,
     )
     looks_along: Literal["+x", "-x"] = described(
-        "+x", "which end is shown as the front in pictures and views; yaw, devices and rules go by +x in any case"
+        "+x", "the end that is shown as the front in pictures and views; yaw, devices and rules always use +x"
     )
     chassis: Chassis = described(Chassis(), "the body")
-    devices: dict[DeviceName, AnyDevice] = described({}, "devices by the name that programs ask for")
+    devices: dict[DeviceName, AnyDevice] = described({}, "devices by the name that programs pass to getDevice")
 
 
 class StartPose(Strict):
@@ -58,15 +60,17 @@ class StartPose(Strict):
 class Robot(Strict):
     """One robot: its colour, its kit, where it starts, and how its devices differ from the kit."""
 
-    colour: Name = described(..., "its team colour, a CSS colour name; also a group of its robots: blue, yellow")
+    colour: Name = described(
+        ..., "its team colour, a CSS colour name such as blue; also the name of the group of all robots of that colour"
+    )
     number: int = described(..., "number on its lid", ge=0, le=99)
     kit: Annotated[Name, SectionRef("kit", ("kits",))] = described(..., "name of its kit")
     start: StartPose = described(..., "where it starts")
     devices: dict[DeviceName, AnyDevice] = described(
-        {}, "devices added to those of its kit, or changed: without 'device' it changes only the keys given"
+        {}, "devices to add to those of its kit, or to change: an entry without 'device' changes only the given keys"
     )
-    without: tuple[DeviceName, ...] = Field((), strict=False, description="devices of the kit that it lacks")
-    idle: bool = described(False, "True: no program drives it, its wheels are braked (an obstacle)")
+    without: tuple[DeviceName, ...] = Field((), strict=False, description="devices of the kit that this robot lacks")
+    idle: bool = described(False, "True: no program drives it and its wheels are braked, so it is an obstacle")
 
 
 EntryPoint = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9_][A-Za-z0-9_./-]*\.py$", max_length=200)]
@@ -74,12 +78,13 @@ EntryPoints = EntryPoint | Annotated[tuple[EntryPoint, ...], Field(strict=False,
 
 
 class Entrant(Strict):
-    """Who competes: which robots its programs drive. ``check`` demands these entry points of a ZIP."""
+    """A competitor and the robots that its programs drive. ``check`` requires these programs in a ZIP."""
 
     robots: Annotated[dict[Name, EntryPoints], Ref("robot", frozenset({"robot"}), keys=True)] = described(
-        ..., "entry point by robot: a path inside the submission, or several of which the first that exists is taken"
+        ...,
+        "program by robot: a path inside the submission, or a list of paths, of which the first that exists is used",
     )
     radio_channel: int = described(
         2, "team radio channel of all robots that it drives, whatever their colour", ge=1, le=1000
     )
-    title: str = described("", "what the seat is called on screen when no team name is given", max_length=64)
+    title: str = described("", "name of the seat on screen if no team name is given", max_length=64)

@@ -32,15 +32,19 @@ _SCORES = SectionRef("entrant", ("entrants",), keys=True)
 
 
 class Rule(Strict):
-    """One trigger suffices, all conditions must hold, the actions run in order."""
+    """If one of its triggers fires and all conditions hold, its actions run in order."""
 
-    triggers: tuple[AnyTrigger, ...] = Field(..., strict=False, min_length=1, description="edges; one suffices")
-    conditions: tuple[AnyCondition, ...] = Field((), strict=False, description="levels; all must hold (any_of is 'or')")
+    triggers: tuple[AnyTrigger, ...] = Field(
+        ..., strict=False, min_length=1, description="moments at which the rule may fire; one is enough"
+    )
+    conditions: tuple[AnyCondition, ...] = Field(
+        (), strict=False, description="what must hold at that moment: all of them (for 'or', use any_of)"
+    )
     actions: tuple[AnyAction, ...] = Field(..., strict=False, min_length=1, description="what happens, in order")
     for_each: Annotated[Name | None, KEEPERS] = described(
         None,
-        "a group of entities, fixed obstacles, zones or gates, or one of them: the rule exists once for each member, "
-        "named `each`",
+        "a group of entities, fixed obstacles, zones or gates, or one of them: the rule exists once for each "
+        "member, which it calls `each`",
     )
     repeat_for: (
         Annotated[tuple[Name, ...], Field(strict=False, min_length=1, max_length=MAX_ROWS)]
@@ -49,50 +53,55 @@ class Rule(Strict):
     ) = Field(
         None,
         exclude=True,  # when a scenario has been loaded, the rules that came of it stand in its place
-        description="names: the rule is repeated for each name, called NAME_yellow and NAME_blue; "
-        "{param: this} in it is that name, {param: KEY} is its value for KEY",
+        description="copies the rule for each name: a rule goal becomes goal_yellow and goal_blue; in a copy "
+        "{param: this} is the name and {param: KEY} its value for KEY",
         examples=[["yellow", "blue"], {"yellow": {"zone": "blue_goal"}, "blue": {"zone": "yellow_goal"}}],
     )
     phases: Annotated[
         Literal["any"] | Annotated[tuple[Name, ...], Field(strict=False, min_length=1)],
         SectionRef("phase", ("phases",), words=frozenset({"play", "any"})),
-    ] = Field(("play",), description="the phases in which it is active; any: all of them")
-    priority: int = described(0, "lower fires first; equal ones in the order of the file", ge=-1000, le=1000)
+    ] = Field(("play",), description="the phases in which the rule is active; any: all of them")
+    priority: int = described(0, "lower fires first; equal priorities fire in file order", ge=-1000, le=1000)
     exclusive: Name | None = described(
         None,
-        "of the rules of one such group only the first fires in a tick: with for_each for each member, else in all; "
-        "per-member and global rules never exclude each other",
+        "a name shared by several rules, of which only the first fires in a tick; rules with for_each compete "
+        "per member, and never with rules without it",
     )
     cooldown_s: DurationS | None = described(
-        None, "after firing it cannot fire again for this long, in s: with for_each for this member, else for all"
+        None, "time after firing during which it cannot fire again, in s; counted per member with for_each"
     )
     max_executions: int | None = described(
-        None, "how often it may fire in a half: with for_each for each member, else in all", ge=1
+        None, "how often it may fire in a half; counted per member with for_each", ge=1
     )
-    says: str = described("", "the sentence for the sheet, the referee's log and the page; {entity}, {each}, {other}, "
-                          "{team}, {measured}, {limit}, {points} and params by name, {goal_points}, are filled in",
-                          max_length=500)  # fmt: skip
+    says: str = described(
+        "",
+        "the sentence for the rule sheet, the referee's log and the replay page; {entity}, {each}, {other}, {team}, "
+        "{measured}, {limit}, {points} and params by name, such as {goal_points}, are filled in",
+        max_length=500,
+    )
     sheet: bool = described(True, "False: the rule is left out of the rule sheet")
 
 
 class Broadcast(Strict):
-    """What programs receive after the official packet: one JSON object a tick on the same channel."""
+    """What programs receive after the official packet: one JSON object per tick on the same channel."""
 
     fields: dict[Name, Value] = described(..., "values by key, sent to all robots")
     only: Annotated[
         dict[Name, dict[Name, Value]] | None, Ref("robot", frozenset({"robot"}), groups=True, keys=True)
     ] = described(
         None,
-        "values by key that are added to the same object for one robot, or the robots of a group, only: by the "
-        "name of the robot or group; for the same robot and key the later one wins",
+        "by the name of a robot or group: values by key that are added to the object for these robots only; if "
+        "a robot gets the same key twice, the later one counts",
     )
-    every_ticks: int = described(1, "sent every this many ticks", ge=1, le=10_000)
+    every_ticks: int = described(1, "number of ticks between two broadcasts", ge=1, le=10_000)
 
 
 class RankByScore(Strict):
     """Rank by score."""
 
-    score: Literal["ascending", "descending"] = described(..., "which is better first")
+    score: Literal["ascending", "descending"] = described(
+        ..., "ascending: lower is better; descending: higher is better"
+    )
 
 
 class PlusPart(Strict):
@@ -105,15 +114,21 @@ class PlusPart(Strict):
 class RankByTime(Strict):
     """Rank by the time at which the half ended, summed over halves, plus penalties."""
 
-    time: Literal["ascending", "descending"] = described(..., "which is better first")
-    plus: tuple[PlusPart, ...] = Field((), strict=False, description="seconds added by counters")
+    time: Literal["ascending", "descending"] = described(
+        ..., "ascending: lower is better; descending: higher is better"
+    )
+    plus: tuple[PlusPart, ...] = Field(
+        (), strict=False, description="counters whose values are added as seconds, with a weight"
+    )
 
 
 class RankByCounter(Strict):
-    """Rank by a counter: kept per entity by the sum over the team's robots, summed over halves."""
+    """Rank by a counter, summed over halves; a counter kept per entity is summed over the team's robots."""
 
     counter: Annotated[Name, COUNTER] = described(..., "a counter")
-    order: Literal["ascending", "descending"] = described("descending", "which is better first")
+    order: Literal["ascending", "descending"] = described(
+        "descending", "ascending: lower is better; descending: higher is better"
+    )
 
 
 class Result(Strict):
@@ -125,7 +140,7 @@ class Result(Strict):
 
 
 class Keyframe(Strict):
-    """A moment of a scripted play: placements by hand, touches, faults of programs, messages to the referee."""
+    """A moment of the script: placements, moves, touches, faults of programs, messages to the referee."""
 
     at_s: float = described(..., "time in the half in s", ge=0, le=86_400)
     place: Annotated[
@@ -133,29 +148,29 @@ class Keyframe(Strict):
         Ref("entity", MOVING, keys=True),
     ] = described(
         {},
-        "entity -> [x, y] or [x, y, yaw] in m and rad: it is there at once; it comes into zones and through gates, "
-        "but the jump does not count as speed; speed conditions fail in that tick",
+        "entity -> [x, y] or [x, y, yaw] in m and rad: it is there at once; it may enter zones and cross "
+        "gates, but it has no speed in that tick, and conditions about speed fail",
     )
     move: Annotated[
         dict[Name, Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]],
         Ref("entity", MOVING, keys=True),
     ] = described(
         {},
-        "entity -> [x, y] or [x, y, yaw]: it glides there in a straight line from its position at the previous "
-        "keyframe; if a rule places it meanwhile, it stays there",
+        "entity -> [x, y] or [x, y, yaw]: it moves there in a straight line from its position at the previous "
+        "keyframe; if a rule places it meanwhile, it stays where the rule put it",
     )
     touch: Annotated[
         tuple[Annotated[tuple[Name, Name], Field(strict=False)], ...],
         Ref("entity or obstacle", MOVING | FIXED | {"walls"}),
     ] = Field((), strict=False, description="pairs that touch in this tick")
     touch_lasts_s: DurationS | None = described(
-        None, "how long these pairs go on touching, in s; left out: in this tick only"
+        None, "how long these pairs stay in contact, in s; if omitted: in this tick only"
     )
     tips: Annotated[tuple[Name, ...], ONE_ROBOT] = Field(
-        (), strict=False, description="robots that lie on their side from here on"
+        (), strict=False, description="robots that lie on their side from this moment on"
     )
     fault: Annotated[tuple[Name, ...], ONE_ROBOT] = Field(
-        (), strict=False, description="robots whose program fails here"
+        (), strict=False, description="robots whose programs fail at this moment"
     )
     tells: Annotated[dict[Name, Said | Point] | None, Ref("robot", frozenset({"robot"}), keys=True)] = described(
         None, "robot -> its message to the referee by radio: text, a number, or [x, y] in m"
@@ -166,24 +181,24 @@ class ExpectedEvent(Strict):
     """An event that the test expects."""
 
     event: EventName = described(..., "its name")
-    at_s: float | None = described(None, "when, in s; left out: any time", ge=0)
+    at_s: float | None = described(None, "when, in s; if omitted: at any time", ge=0)
     tolerance_s: float = described(0.033, "how far off it may be, in s", ge=0)
     payload: dict[Name, Scalar] = described({}, "the part of its payload that is checked")
 
 
 class Given(Strict):
-    """What a test finds when its half begins, before the first rule: as if a half or a long play had come before."""
+    """The state at the start of a test, before the first rule, as if some time had been played before."""
 
-    score: Annotated[dict[Name, float], _SCORES] = described({}, "entrant -> points; left out: 0")
+    score: Annotated[dict[Name, float], _SCORES] = described({}, "entrant -> points; if omitted: 0")
     counters: Annotated[dict[Name, float | dict[Name, float]], _COUNTERS] = described(
         {},
-        "counter -> value, for a per-entity counter for each of them, or {entity: value, …}; left out: its initial "
-        "value",
+        "counter -> value (for a per-entity counter: of all members), or {entity: value, …}; if omitted: its "
+        "initial value",
     )
     flags: Annotated[dict[Name, bool | dict[Name, bool]], _FLAGS] = described(
         {},
-        "flag -> true or false, for a per-entity flag for each of them, or {entity: true or false, …}; left out: its "
-        "initial value",
+        "flag -> true or false (for a per-entity flag: of all members), or {entity: true or false, …}; if "
+        "omitted: its initial value",
     )
 
 
@@ -192,31 +207,31 @@ ToldNumbers = Annotated[tuple[float, ...], Field(strict=False, min_length=2, max
 
 
 class Expectation(Strict):
-    """A test inside the file: scripted poses and touches fed straight to the referee, and what must follow."""
+    """A test in the file: scripted poses and touches for the referee, and what must follow from them."""
 
     seed: int = described(1, "seed of the draws", ge=0)
-    half: int = described(1, "which half is played; teams keep their seats' names in all", ge=1)
+    half: int = described(1, "the half that is played; entrants keep their names in all halves", ge=1)
     draws: Annotated[
         dict[Name, Scalar | Annotated[tuple[Scalar, ...], Field(strict=False, min_length=1)]],
         SectionRef("draw", ("draws",), keys=True),
     ] = described(
         {},
-        "draws decided beforehand: a value stands until a rule draws again; with a list, each draw takes the next "
-        "value; afterwards draws are random",
+        "results of draws: a value is kept until a rule draws again; with a list, each draw takes the next "
+        "value, and after the last one draws are random",
     )
     spots: Annotated[
         dict[Name, Point | Annotated[tuple[Point, ...], Field(strict=False, min_length=1)]] | None,
         Ref("spot", frozenset({"spot"}), keys=True),
     ] = described(
         None,
-        "where randomly set spots go, fixed beforehand: spot -> [x, y] in m for the first time, or a list of them for "
-        "the first times; then chance decides again (where a spot is at the end is compared under poses)",
+        "places of spots that are set at random: spot -> [x, y] in m for the first time, or a list for the "
+        "first few times; after that they are random (to compare a spot at the end, use poses)",
     )
     given: Given = described(Given(), "score, counters and flags when the half begins")
     keyframes: tuple[Keyframe, ...] = Field(..., strict=False, min_length=1, description="the script, in order of time")
-    lasts_s: DurationS = described(..., "how long it is played, in s")
+    lasts_s: DurationS = described(..., "how long the test lasts, in s")
     events: tuple[ExpectedEvent, ...] | None = Field(
-        None, strict=False, description="all events but those in `ignore`, in order; left out: not checked"
+        None, strict=False, description="all events in order, except those in `ignore`; if omitted: not checked"
     )
     ignore: tuple[EventName, ...] = Field(
         ("MATCH_START", "KICKOFF", "MATCH_FINISH"),
@@ -240,7 +255,8 @@ class Expectation(Strict):
         ENTRANT,
     ] = described(
         None,
-        "all entrants, the best first, as `result` ranks them if the match is over then; those in a list share a place",
+        "all entrants, best first, as `result` would rank them if the match were over; entrants in a list "
+        "share a place",
     )
     held: Annotated[dict[Name, bool] | None, Ref("robot", frozenset({"robot"}), keys=True)] = described(
         None, "robot -> whether it is held at the end, true or false, by a rule or by the phase"
@@ -249,13 +265,13 @@ class Expectation(Strict):
         dict[Name, dict[Name, Scalar | ToldNumbers]] | None, Ref("robot", frozenset({"robot"}), groups=True, keys=True)
     ] = described(
         None,
-        "robot or group -> key -> the value in its last broadcast, [x, y] or [x, y, yaw] of a position; "
-        "keys that are left out are not compared",
+        "robot or group -> key -> the value in its last broadcast, for a position [x, y] or [x, y, yaw]; "
+        "omitted keys are not compared",
     )
     ended: Literal["half", "match", "none"] | None = described(
         None,
-        "what is over at the end: half: the half, by a rule or by its time; match: a rule has ended the match; none: "
-        "the half goes on",
+        "what is over at the end: half: the half was ended by a rule or by time; match: a rule has ended the "
+        "match; none: the half continues",
     )
     poses: Annotated[
         dict[Name, Annotated[tuple[float, float], Field(strict=False)]],
@@ -263,7 +279,7 @@ class Expectation(Strict):
     ] = described({}, "entity or spot -> [x, y] at the end in m")
     tolerance_m: float = described(0.001, "how far off a pose may be, in m", ge=0)
     tolerance_counters: float | None = described(
-        None, "how far off a counter may be, such as one that keeps a time; left out: not at all", ge=0
+        None, "how far off a counter may be, such as one that stores a time; if omitted: not at all", ge=0
     )
 
 
@@ -271,16 +287,18 @@ class Scenario(Strict):
     """A challenge: field, robots, rules and everything else that decides a result."""
 
     schema_version: One = described(..., "version of this format: 1")
-    id: Name = described(..., "short name, also of the records' folders")
-    title: str = described(..., "what people call it", min_length=1, max_length=120)
+    id: Name = described(..., "short name; the folders of records are named after it")
+    title: str = described(..., "its title", min_length=1, max_length=120)
     description: str = described(
-        "", "what it is about, for the rule sheet; {NAME} is the value of that param", max_length=4000
+        "",
+        "what the challenge is about, for the rule sheet; {NAME} is replaced by the value of that param",
+        max_length=4000,
     )
     extends: str | None = described(
         None, "a shipped preset (soccersim_v2, soccersim_2021, empty_field) or scenario (match, …), or a relative path"
     )
     params: dict[Name, Scalar] = described(
-        {}, "named values; {param: NAME} stands for them anywhere, {param: NAME, times: -1, plus: 0.1} for one computed"
+        {}, "named values: use {param: NAME} anywhere, or {param: NAME, times: -1, plus: 0.1} to compute with it"
     )
     match: Match = described(Match(), "halves and their length")
     field: FieldModel = described(FieldModel(), "the field, its walls and goals")
@@ -296,18 +314,18 @@ class Scenario(Strict):
     groups: dict[Name, Annotated[tuple[Name, ...], Field(strict=False, min_length=1, max_length=MAX_MEMBERS)]] = (
         described({}, "several robots, balls, obstacles, zones, gates or spots under one name", max_length=MAX_GROUPS)
     )
-    draws: dict[Name, Draw] = described({}, "what chance decides")
-    counters: dict[Name, Counter] = described({}, "numbers that rules count")
-    flags: dict[Name, Flag] = described({}, "what rules remember")
+    draws: dict[Name, Draw] = described({}, "random choices")
+    counters: dict[Name, Counter] = described({}, "numbers that rules change")
+    flags: dict[Name, Flag] = described({}, "yes/no values that rules set")
     timers: dict[Name, Timer] = described({}, "clocks that rules start")
-    sequences: dict[Name, Sequence] = described({}, "orders in which things must happen")
+    sequences: dict[Name, Sequence] = described({}, "steps that must happen in order")
     placements: dict[Name, Layout] = described({}, "layouts by name")
     phases: dict[Name, Phase] = described({}, "phases besides play")
     first_phase: Annotated[Name, PHASE] = described("play", "the phase in which a half begins")
     rules: dict[Name, Rule] = described({}, "the rules, in the order in which they are judged")
     broadcast: Broadcast | None = described(None, "what programs receive in addition to the official packet")
     result: Result = described(Result(), "how entrants are ranked")
-    limits: Limits = described(Limits(), "what a program may use")
+    limits: Limits = described(Limits(), "how much time, memory and disk space a program may use")
     expect: dict[Name, Expectation] = described(
-        {}, "tests of the rules, by a name that says what must happen; 'inherited: null' removes all of the base"
+        {}, "tests of the rules, each named after what must happen; 'inherited: null' removes those of the base"
     )

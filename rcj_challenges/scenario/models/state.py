@@ -10,48 +10,51 @@ from rcj_challenges.rules.values import Lasts
 
 
 class Draw(Strict):
-    """A random choice at the start of a half, and again on every ``draw`` action."""
+    """A random choice, made at the start of a half and at every ``draw`` action."""
 
     values: tuple[Scalar, ...] = Field(
         ...,
         strict=False,
         min_length=1,
-        description="the values, equally likely; one that is listed twice is drawn twice as often",
+        description="the values, equally likely; a value that is listed twice is drawn twice as often",
     )
     not_last: bool = described(
         False,
-        "True: never the same value twice in a row; a new half may start with the previous half's last value",
+        "True: never the same value twice in a row, except that a half may start with the last value of the "
+        "previous half",
     )
     not_again: Literal["half", "match"] | None = described(
         None,
-        "half: in a half no value comes again before all have been drawn, then it starts again; match: in all halves "
-        "together; a value that a rule sets counts as drawn. Left out: every draw uses all values",
+        "half: within a half, no value is repeated until all have been drawn; match: the same over all halves; "
+        "a value set by a rule counts as drawn; if omitted: every draw uses all values",
     )
     keep: Literal["half", "match"] = described("half", "match: the value is kept for the next half and is not redrawn")
 
 
 class Counter(Strict):
-    """A number that rules count up and down. Scores are readable like counters, under the entrant's name.
+    """A number that rules change. Scores can be read like counters, by the entrant's name.
 
     Both are exact to 9 decimals, as on paper: three times 0.1 is 0.3. Neither grows beyond 1 000 000 000 000 000, nor
     falls under its negative: it stays there.
     """
 
-    initial: float = described(0.0, "value at the start of a half; with keep: match at the start of the match")
+    initial: float = described(0.0, "value at the start of a half, or with keep: match at the start of the match")
     per: Annotated[Name | None, KEEPERS] = described(
-        None, "a group, also of fixed obstacles, zones or gates: one counter for each of its members"
+        None, "a group of entities, fixed obstacles, zones or gates: each member has its own counter"
     )
     keep: Literal["half", "match"] | None = described(
-        None, "match: the value is kept for the next half, with the robot, not the team; half, or left out: it is not"
+        None,
+        "match: the value is kept for the next half and stays with the robot, not the team; half, or omitted: "
+        "it starts again",
     )
 
 
 class Flag(Strict):
-    """A yes or no that rules set."""
+    """A yes/no value that rules set."""
 
     initial: bool = described(False, "value at the start")
     per: Annotated[Name | None, KEEPERS] = described(
-        None, "a group, also of fixed obstacles, zones or gates: one flag for each of its members"
+        None, "a group of entities, fixed obstacles, zones or gates: each member has its own flag"
     )
     keep: Literal["half", "match"] = described("half", "match: the value is kept for the next half")
 
@@ -61,23 +64,23 @@ class Timer(Strict):
 
     lasts_s: Lasts = described(
         ...,
-        "its length in s, or {draw: NAME} or {counter: NAME}: its value when the timer starts from 0 (of a counter "
-        "at least one tick); with per, entity: each uses that member's counter",
+        "its length in s, or {draw: NAME} or {counter: NAME}, read when the timer starts from 0 (a counter "
+        "gives at least one tick); with per, entity: each uses the member's own counter",
     )
     per: Annotated[Name | None, KEEPERS] = described(
-        None, "a group, also of fixed obstacles, zones or gates: one timer for each of its members"
+        None, "a group of entities, fixed obstacles, zones or gates: each member has its own timer"
     )
     starts: bool = described(False, "True: it runs from the start of the half")
 
 
 class AnyStep(Strict):
-    """A step that several places satisfy."""
+    """A step that can be made at any of several places."""
 
     any_of: Annotated[tuple[Name, ...], STEP] = Field(..., strict=False, min_length=1, description="zones or gates")
 
 
 class Sequence(Strict):
-    """Steps to be made in order: zones are entered, gates are crossed forward.
+    """Steps to make in order: zones to enter, gates to cross forward.
 
     It starts again when it is complete (a cyclic one goes on), when the action `sequence` says so, and, unless it shall
     go on, when a rule puts its entity somewhere or takes it off the field.
@@ -90,22 +93,24 @@ class Sequence(Strict):
     )
     per: Annotated[Name | None, MEMBERS] = described(
         None,
-        "in place of entity: a group of robots, balls or movable obstacles: one sequence for each of its members, each "
+        "instead of entity: a group of robots, balls or movable obstacles; each member has its own sequence, "
         "with its own steps and time",
     )
     steps: Annotated[tuple[Name | AnyStep, ...], STEP] = Field(
         ..., strict=False, min_length=2, description="zones or gates in order"
     )
-    cyclic: bool = described(False, "True: complete on re-entering the first step, and begins again there")
+    cyclic: bool = described(
+        False, "True: the sequence is complete when its first step is reached again, and starts again there"
+    )
     wrong_step: Literal["break", "ignore"] = described(
         "ignore",
-        "the effect of a wrong step, one that is neither the last reached nor the next: ignore: nothing; "
-        "break: after the first step, the sequence starts again",
+        "effect of a wrong step (neither the last one reached nor the next): ignore: none; break: the sequence "
+        "starts again, if its first step was reached",
     )
     when_placed: Literal["begins_anew", "goes_on"] | None = described(
         None,
-        "what becomes of it when a rule puts its entity somewhere or takes it off: goes_on: the steps made are kept; "
-        "begins_anew, or left out: they are lost",
+        "effect of placing or removing its entity: goes_on: the completed steps are kept; begins_anew, or "
+        "omitted: they are lost",
     )
 
     def places(self) -> tuple[tuple[Name, ...], ...]:
@@ -114,19 +119,18 @@ class Sequence(Strict):
 
 
 class Phase(Strict):
-    """A time in which only the rules that are active in it run. ``play`` always exists."""
+    """A part of the half with its own rules. ``play`` always exists."""
 
     lasts_s: Lasts | None = described(
         None,
-        "after this time in s the next phase is entered; {draw: NAME} or {counter: NAME}: its value on entry (of a "
-        "counter at least one tick); left out: until a rule ends it",
+        "time in s after which the next phase begins; {draw: NAME} or {counter: NAME}: its value on entry (a "
+        "counter gives at least one tick); if omitted: a rule must end it",
     )
     next: Annotated[Name, PHASE] = described("play", "the phase that follows")
-    waiting_for_kickoff: bool = described(False, "the flag that programs receive meanwhile")
-    clock: Literal["runs", "stops"] = described("runs", "whether the time of the half goes on")
+    waiting_for_kickoff: bool = described(False, "the flag that programs receive during this phase")
+    clock: Literal["runs", "stops"] = described("runs", "whether the clock of the half runs")
     robots: Literal["free", "held"] | None = described(
         None,
-        "held: all wheels stand braked meanwhile; programs run on, and their commands take effect when the phase is "
-        "over; "
-        "free, or left out: robots drive",
+        "held: all wheels are braked; programs keep running, and their last commands take effect when the "
+        "phase is over; free, or omitted: robots drive",
     )
