@@ -1,5 +1,5 @@
 #: about = "endings"
-#: tries = "to end itself by the signal that the match uses to ask where it hangs"
+#: tries = "to end itself with the signal by which the match asks where it hangs"
 #: holds = "a process ended by a signal has crashed"
 #: platforms = ["linux", "darwin"]
 #: tick = 10

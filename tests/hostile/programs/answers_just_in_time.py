@@ -1,5 +1,5 @@
 #: about = "time"
-#: tries = "to use up the time limit of a step almost wholly, on every step"
+#: tries = "to use almost the whole time limit in every step"
 #: holds = "the time limit of a half"
 #: tick = 10
 #: ends = "half_timeout"

@@ -1,5 +1,5 @@
 #: about = "protocol"
-#: tries = "to answer a tick that has not come"
+#: tries = "to answer a tick that has not begun"
 #: holds = "an answer names its tick"
 #: tick = 10
 #: ends = "protocol at 10"

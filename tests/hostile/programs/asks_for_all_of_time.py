@@ -1,6 +1,6 @@
 #: about = "protocol"
-#: tries = "a step of four billion ticks, after missing as many"
-#: holds = "the match goes on without it"
+#: tries = "to request a step of four billion ticks, after missing as many"
+#: holds = "the match continues without it"
 #: tick = 10
 #: ends = "plays on"
 #: said = ["asked"]

@@ -1,5 +1,5 @@
 #: about = "endings"
-#: tries = "to wait for somebody who types"
+#: tries = "to wait for keyboard input"
 #: holds = "its input is empty"
 #: tick = 10
 #: ends = "crash at 10"

@@ -1,6 +1,6 @@
 #: about = "time"
-#: tries = "steps of 0, -1, NaN, infinite and other lengths, and of no number"
-#: holds = "a step lasts at least a tick, and what is no number is a TypeError"
+#: tries = "to request steps of length 0, -1, NaN, infinity and others, and lengths that are not numbers"
+#: holds = "a step lasts at least one tick, and a length that is not a number raises a TypeError"
 #: tick = 10
 #: ends = "plays on"
 #: said = ["refused: step soon TypeError", "refused: step None", "passed: 10"]

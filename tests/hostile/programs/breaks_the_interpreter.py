@@ -1,6 +1,6 @@
 #: about = "endings"
-#: tries = "to break its interpreter: a write to address 1, by ctypes"
-#: holds = "each program is a process of its own; its log shows the line"
+#: tries = "to break its interpreter: it writes to address 1, with ctypes"
+#: holds = "each program has its own process; its log shows the line"
 #: platforms = ["linux", "darwin"]
 #: tick = 10
 #: ends = "crash at 10"

@@ -1,6 +1,6 @@
 #: about = "processes and system"
-#: tries = "to change whatever a process can change of itself: name, folder, mask, locale, environment, timers, parent's death signal"
-#: holds = "it is its own process: no other is affected"
+#: tries = "to change everything that a process can change about itself: name, folder, mask, locale, environment, timers, parent's death signal"
+#: holds = "it has its own process: no other is affected"
 #: platforms = ["linux", "darwin"]
 #: tick = 10
 #: ends = "plays on"

@@ -1,6 +1,6 @@
 #: about = "processes and system"
-#: tries = "to start a process by the numbers of the system calls, also those of another kind of program"
-#: holds = "the filter looks at numbers and at the kind of program, not at names"
+#: tries = "to start a process by system call numbers, including those of another architecture"
+#: holds = "the filter checks numbers and the architecture, not names"
 #: layers = ["system_calls"]
 #: platforms = ["linux"]
 #: tick = 10

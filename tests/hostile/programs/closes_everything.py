@@ -1,6 +1,6 @@
 #: about = "protocol"
-#: tries = "to close all its descriptors and to live on"
-#: holds = "without its connection it is ended"
+#: tries = "to close all its descriptors and keep running"
+#: holds = "a program without its connection is ended"
 #: tick = 10
 #: ends = "protocol|exit at 10"
 #: cause = "closed its connection|exit status 1"

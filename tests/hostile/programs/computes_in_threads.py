@@ -1,5 +1,5 @@
 #: about = "time"
-#: tries = "to slow others down: two threads that compute for ever beside it"
+#: tries = "to slow others down: two more threads that compute for ever"
 #: holds = "nothing in a match depends on how long a program thinks"
 #: tick = 10
 #: ends = "plays on"

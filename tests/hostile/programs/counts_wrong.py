@@ -1,6 +1,6 @@
 #: about = "protocol"
-#: tries = "a message that announces more than it holds"
-#: holds = "what is not exactly as the protocol demands ends it"
+#: tries = "to send a message that announces more than it contains"
+#: holds = "any violation of the protocol ends it"
 #: tick = 10
 #: ends = "protocol at 10"
 #: cause = "too many settings"

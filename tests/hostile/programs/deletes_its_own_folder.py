@@ -1,6 +1,6 @@
 #: about = "memory and files"
-#: tries = "to delete its own files, folder and home, and to leave the current folder in nothing"
-#: holds = "the copy is its own; nothing of the match needs it"
+#: tries = "to delete its own files, folder and home, so that the current folder does not exist"
+#: holds = "the copy is its own; the match does not need it"
 #: platforms = ["linux", "darwin"]
 #: tick = 10
 #: ends = "plays on"

@@ -1,6 +1,6 @@
 #: about = "module"
 #: tries = "to delete all builtins and all modules"
-#: holds = "it deletes them in its own process only; what is left of it is a crash or an exit"
+#: holds = "it deletes them in its own process only, which then crashes or exits"
 #: tick = 10
 #: ends = "exit|crash|protocol"
 

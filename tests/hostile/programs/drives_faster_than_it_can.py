@@ -1,6 +1,6 @@
 #: about = "protocol"
-#: tries = "ten times the highest speed, past its own module"
-#: holds = "numbers are judged by the match"
+#: tries = "to drive at ten times the highest speed, without its controller module"
+#: holds = "the match checks all numbers"
 #: tick = 10
 #: ends = "protocol at 10"
 #: cause = "a velocity of 100 rad/s"

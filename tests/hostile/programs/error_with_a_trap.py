@@ -1,6 +1,6 @@
 #: about = "endings"
-#: tries = "to break the report of its error: text, type, context and frames raise when they are looked at"
-#: holds = "the report falls back to what cannot be broken"
+#: tries = "to break the report of its error: text, type, context and frames raise when they are read"
+#: holds = "the report falls back to parts that cannot be broken"
 #: tick = 10
 #: ends = "crash at 10"
 

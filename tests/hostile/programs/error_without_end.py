@@ -1,6 +1,6 @@
 #: about = "endings"
-#: tries = "to keep the report busy: a thousand errors, each the cause of the next, in a circle, with groups in groups"
-#: holds = "the report is bounded, and where it is not the time limit is"
+#: tries = "to keep the report busy: a circle of a thousand errors, each the cause of the next, with nested groups"
+#: holds = "the report is bounded; the time limit covers the rest"
 #: tick = 10
 #: ends = "crash at 10"
 #: variant = true

@@ -1,6 +1,6 @@
 #: about = "memory and files"
 #: tries = "to fill the disk with files in its own folder"
-#: holds = "its folder may hold only so much; it is looked through while the match waits"
+#: holds = "its folder has a size limit, which is checked while the match waits"
 #: tick = 10
 #: ends = "output_flood at 10"
 #: limits = {output_mb = 0.2, scratch_mb = 2.0}

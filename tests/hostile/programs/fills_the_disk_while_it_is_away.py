@@ -1,6 +1,6 @@
 #: about = "memory and files"
-#: tries = "to fill the disk by a thread, in a step that lasts longer than the match, so that the match never waits for it"
-#: holds = "programs that stay away are looked after as well"
+#: tries = "to fill the disk from a thread, during a step that lasts longer than the match, so that the match never waits for it"
+#: holds = "programs in long steps are checked too"
 #: tick = 10
 #: ends = "output_flood at 64"
 #: limits = {output_mb = 0.2, scratch_mb = 2.0}

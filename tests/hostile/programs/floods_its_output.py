@@ -1,5 +1,5 @@
 #: about = "output"
-#: tries = "to fill the disk with its output, and to catch what stops it"
+#: tries = "to fill the disk with its output, and to catch the exception that stops it"
 #: holds = "output is counted; beyond the limit the program ends"
 #: tick = 10
 #: ends = "output_flood at 10"

@@ -1,6 +1,6 @@
 #: about = "output"
-#: tries = "to fill the disk through the bare descriptors of its output"
-#: holds = "the log's size is looked at, and no file can grow beyond a limit"
+#: tries = "to fill the disk through the file descriptors of its output"
+#: holds = "the size of the log is checked, and no file can grow beyond a limit"
 #: tick = 10
 #: ends = "output_flood at 10"
 #: limits = {output_mb = 0.2, scratch_mb = 2.0}

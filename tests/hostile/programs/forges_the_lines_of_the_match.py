@@ -1,5 +1,5 @@
 #: about = "output"
-#: tries = "to write lines into its log that look like those of the match, and a dump of the interpreter"
+#: tries = "to write lines into its log that look like those of the match or a dump of the interpreter"
 #: holds = "log lines decide nothing: faults are in the reflog and the result"
 #: tick = 10
 #: ends = "plays on"

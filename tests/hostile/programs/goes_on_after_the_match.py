@@ -1,6 +1,6 @@
 #: about = "time"
-#: tries = "to go on when the match is over: it computes, steps, prints and writes files without end"
-#: holds = "it has a second to clean up; then it is ended, and no more is taken over than it may print"
+#: tries = "to continue when the match is over: it computes, steps, prints and writes files without end"
+#: holds = "it has a second to clean up; then it is ended, and no more output is kept than it may print"
 #: tick = 10
 #: ends = "plays on"
 #: limits = {output_mb = 0.2}

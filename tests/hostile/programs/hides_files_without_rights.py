@@ -1,6 +1,6 @@
 #: about = "memory and files"
-#: tries = "to hide what it writes in folders without read permission"
-#: holds = "a folder that cannot be looked into counts as too much"
+#: tries = "to hide its files in folders without read permission"
+#: holds = "a folder that cannot be read counts as too large"
 #: platforms = ["linux", "darwin"]
 #: tick = 10
 #: ends = "output_flood at 10"

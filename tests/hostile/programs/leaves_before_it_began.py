@@ -1,5 +1,5 @@
 #: about = "endings"
-#: tries = "to leave with os._exit(0) while it is imported"
+#: tries = "to exit with os._exit(0) while it is being imported"
 #: holds = "its end is an exit at tick 0"
 #: tick = 0
 #: ends = "exit at 0"

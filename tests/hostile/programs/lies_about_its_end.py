@@ -1,6 +1,6 @@
 #: about = "protocol"
-#: tries = "a farewell full of terminal escapes, of a kind that does not exist"
-#: holds = "what is not exactly as the protocol demands ends it"
+#: tries = "to report an end of an unknown kind, with terminal escapes"
+#: holds = "any violation of the protocol ends it"
 #: tick = 10
 #: ends = "protocol at 10"
 #: cause = "a farewell that is none"

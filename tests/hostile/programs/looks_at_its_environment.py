@@ -1,6 +1,6 @@
 #: about = "memory and files"
 #: tries = "to find passwords and paths in the environment that it inherits"
-#: holds = "its environment is made for it"
+#: holds = "it gets an environment of its own"
 #: tick = 10
 #: ends = "plays on"
 #: said = ["nothing of interest"]

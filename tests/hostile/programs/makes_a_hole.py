@@ -1,5 +1,5 @@
 #: about = "memory and files"
-#: tries = "a sparse file of a terabyte"
+#: tries = "to create a sparse file of a terabyte"
 #: holds = "a limit on the size of files"
 #: platforms = ["linux", "darwin"]
 #: layers = ["resource_limits"]

@@ -1,6 +1,6 @@
 #: about = "output"
-#: tries = "to have the match read gigabytes of nothing: its output ends far behind its beginning"
-#: holds = "of its output no more is read than it may print"
+#: tries = "to make the match read gigabytes of nothing: a gap in its output"
+#: holds = "no more of its output is read than it may print"
 #: platforms = ["linux", "darwin"]
 #: tick = 10
 #: ends = "output_flood at 10"

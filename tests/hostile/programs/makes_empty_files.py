@@ -1,6 +1,6 @@
 #: about = "memory and files"
-#: tries = "to use up the disk's list of files: hundreds of empty files and folders"
-#: holds = "every file and folder counts for a block"
+#: tries = "to use up the inodes of the disk: hundreds of empty files and folders"
+#: holds = "every file and folder counts as one block"
 #: tick = 10
 #: ends = "output_flood at 10"
 #: limits = {output_mb = 0.2, scratch_mb = 2.0}

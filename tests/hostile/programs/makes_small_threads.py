@@ -1,5 +1,5 @@
 #: about = "processes and system"
-#: tries = "to start more threads than it may, each of them small"
+#: tries = "to start more threads than it may, all of them small"
 #: holds = "its threads are counted while the match waits"
 #: platforms = ["linux"]
 #: tick = 10

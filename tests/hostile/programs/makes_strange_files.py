@@ -1,6 +1,6 @@
 #: about = "memory and files"
-#: tries = "to leave pipes, sockets, devices and files of impossible names"
-#: holds = "they are in its own folder, which goes without being read"
+#: tries = "to leave pipes, sockets, devices and files with impossible names"
+#: holds = "they are in its own folder, which is deleted without being read"
 #: platforms = ["linux", "darwin"]
 #: tick = 10
 #: ends = "plays on"

@@ -1,5 +1,5 @@
 #: about = "memory and files"
-#: tries = "to take memory past Python: anonymous and shared maps"
+#: tries = "to take memory without Python's allocator: anonymous and shared mappings"
 #: holds = "a limit on its address space"
 #: platforms = ["linux"]
 #: layers = ["resource_limits"]

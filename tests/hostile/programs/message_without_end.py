@@ -1,6 +1,6 @@
 #: about = "protocol"
 #: tries = "to announce a message of 4 GB"
-#: holds = "a message longer than any honest one ends it before it is read"
+#: holds = "a message that is too long ends it before it is read"
 #: tick = 10
 #: ends = "protocol at 10"
 #: cause = "a message of 4294967295 bytes"

@@ -1,6 +1,6 @@
 #: about = "memory and files"
-#: tries = "to break the clean-up: folders in folders, 1200 deep, with a path longer than any call takes"
-#: holds = "counting and cleaning up go without recursion and without long paths"
+#: tries = "to break the clean-up: nested folders, 1200 deep, with a path longer than any call accepts"
+#: holds = "counting and cleaning up need neither recursion nor long paths"
 #: platforms = ["linux", "darwin"]
 #: tick = 10
 #: ends = "output_flood at 10"

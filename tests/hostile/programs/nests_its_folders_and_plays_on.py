@@ -1,6 +1,6 @@
 #: about = "memory and files"
-#: tries = "to break the clean-up at the end of the match: folders in folders, 150 deep, that may not be changed"
-#: holds = "the clean-up gives itself the rights, and goes without recursion"
+#: tries = "to break the clean-up at the end of the match: nested folders, 150 deep, that may not be changed"
+#: holds = "the clean-up changes the permissions, and needs no recursion"
 #: platforms = ["linux", "darwin"]
 #: tick = 10
 #: ends = "plays on"

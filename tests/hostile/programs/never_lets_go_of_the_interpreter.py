@@ -1,5 +1,5 @@
 #: about = "time"
-#: tries = "one single operation that takes minutes, during which no Python handler can run"
+#: tries = "to run one operation that takes minutes, during which no Python handler can run"
 #: holds = "the time limit of a step; signals end it from outside"
 #: tick = 10
 #: ends = "step_timeout at 10"

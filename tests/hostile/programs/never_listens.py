@@ -1,5 +1,5 @@
 #: about = "protocol"
-#: tries = "to make the match queue observations: it fills the pipe to itself, answers in advance and reads nothing"
+#: tries = "to make the match queue observations: it fills its own pipe, answers in advance and reads nothing"
 #: holds = "the match queues nothing for a program that does not read"
 #: platforms = ["linux"]
 #: tick = 10

@@ -1,6 +1,6 @@
 #: about = "endings"
 #: tries = "to overflow the stack of its process, with the interpreter's limit out of the way"
-#: holds = "each program is a process of its own"
+#: holds = "each program has its own process"
 #: platforms = ["linux", "darwin"]
 #: tick = 10
 #: ends = "crash at 10"

@@ -1,6 +1,6 @@
 #: about = "protocol"
-#: tries = "to send what only the match sends: hello and observations"
-#: holds = "what is not exactly as the protocol demands ends it"
+#: tries = "to send messages that only the match sends: hello and observations"
+#: holds = "any violation of the protocol ends it"
 #: tick = 10
 #: ends = "protocol at 10"
 #: cause = "a message of unknown type 79"

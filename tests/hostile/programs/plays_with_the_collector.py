@@ -1,6 +1,6 @@
 #: about = "module"
 #: tries = "to upset the garbage collector: cycles, weak references, resurrection, callbacks that raise, objects of the match's code"
-#: holds = "it is its own process"
+#: holds = "it has its own process"
 #: tick = 10
 #: ends = "plays on"
 #: said = ["plays on"]

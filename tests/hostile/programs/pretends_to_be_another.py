@@ -1,6 +1,6 @@
 #: about = "module"
 #: tries = "to be another robot: it changes its name, its number and its tick in the module"
-#: holds = "who it is depends on its pipe, and an answer names its tick"
+#: holds = "its identity depends on its pipe, and an answer names its tick"
 #: tick = 10
 #: ends = "protocol at 12"
 #: cause = "answers tick 9999 at tick 12"

@@ -1,6 +1,6 @@
 #: about = "endings"
-#: tries = "to leave with statuses that mean something else"
-#: holds = "whatever its status is, it has ended"
+#: tries = "to exit with statuses that mean something else"
+#: holds = "whatever its status, it has ended"
 #: tick = 10
 #: ends = "crash|exit at 10"
 #: variant = true

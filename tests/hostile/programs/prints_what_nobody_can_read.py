@@ -1,6 +1,6 @@
 #: about = "output"
 #: tries = "to spoil log and terminal: escapes, binary, lone surrogates, right-to-left marks, a line of 4 MB, no line end"
-#: holds = "a log is bytes and stays a file of its own; readers take it as UTF-8 with replacements"
+#: holds = "a log is a separate file of bytes; readers decode it as UTF-8 with replacements"
 #: tick = 10
 #: ends = "plays on"
 #: said = ["the very end"]

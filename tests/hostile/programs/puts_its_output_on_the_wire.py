@@ -1,6 +1,6 @@
 #: about = "protocol"
-#: tries = "to connect its output with its connection"
-#: holds = "what is not exactly as the protocol demands ends it"
+#: tries = "to connect its output to the protocol pipe"
+#: holds = "any violation of the protocol ends it"
 #: tick = 10
 #: ends = "protocol at 10"
 #: cause = "a message"

@@ -1,6 +1,6 @@
 #: about = "protocol"
-#: tries = "to put /dev/null in the place of its connection"
-#: holds = "without its connection it is ended"
+#: tries = "to replace its connection by /dev/null"
+#: holds = "a program without its connection is ended"
 #: tick = 10
 #: ends = "protocol at 10"
 #: cause = "closed its connection"

@@ -1,6 +1,6 @@
 #: about = "memory and files"
-#: tries = "to read the environment, the memory, the descriptors and the command of the match that started it"
-#: holds = "processes of others cannot be seen"
+#: tries = "to read the environment, memory, descriptors and command line of the match that started it"
+#: holds = "other processes cannot be seen"
 #: layers = ["filesystem"]
 #: platforms = ["linux"]
 #: tick = 10

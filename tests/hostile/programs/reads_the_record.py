@@ -1,5 +1,5 @@
 #: about = "memory and files"
-#: tries = "to read and change the record of the match, which it finds by the link of its own output"
+#: tries = "to read and change the record of the match, which it finds through the link of its own output"
 #: holds = "the record cannot be seen"
 #: layers = ["filesystem"]
 #: platforms = ["linux"]

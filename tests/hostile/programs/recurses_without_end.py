@@ -1,6 +1,6 @@
 #: about = "endings"
 #: tries = "to recurse without end"
-#: holds = "the interpreter's limit: a crash, with a short report"
+#: holds = "the interpreter's recursion limit: a crash, with a short report"
 #: tick = 10
 #: ends = "crash at 10"
 #: cause = "RecursionError"

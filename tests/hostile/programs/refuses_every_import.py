@@ -1,6 +1,6 @@
 #: about = "module"
 #: tries = "to suppress the report of its error: no import succeeds any more, and audit hooks refuse everything"
-#: holds = "the report falls back to what needs no import"
+#: holds = "the report falls back to parts that need no import"
 #: tick = 10
 #: ends = "crash at 10"
 #: cause = "ValueError"

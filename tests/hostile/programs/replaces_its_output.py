@@ -1,6 +1,6 @@
 #: about = "output"
-#: tries = "to put other things in the place of sys.stdout and sys.stderr, and to close the real ones"
-#: holds = "the match needs none of them"
+#: tries = "to replace sys.stdout and sys.stderr, and to close the real ones"
+#: holds = "the match does not need them"
 #: tick = 10
 #: ends = "exit at 20"
 #: cause = "came to its end"

@@ -1,6 +1,6 @@
 #: about = "module"
-#: tries = "to replace functions and classes of the controller module by its own"
-#: holds = "the module is on its side of the pipe: nothing that counts is decided there"
+#: tries = "to replace functions and classes of the controller module"
+#: holds = "the module is on the program's side of the pipe, where nothing is decided"
 #: tick = 10
 #: ends = "plays on"
 #: said = ["over at last"]

@@ -1,6 +1,6 @@
 #: about = "protocol"
-#: tries = "to take leave with terminal escapes and a traceback of megabytes, and to play on"
-#: holds = "after its farewell it is ended; the text is made harmless"
+#: tries = "to report its end with terminal escapes and megabytes of traceback, and to play on"
+#: holds = "after this report it is ended; the text is sanitized"
 #: tick = 10
 #: ends = "crash at 10"
 #: cause = "^(?!.*[\\x00-\\x1f]).*bye"

@@ -1,6 +1,6 @@
 #: about = "protocol"
-#: tries = "an empty message"
-#: holds = "what is not exactly as the protocol demands ends it"
+#: tries = "to send an empty message"
+#: holds = "any violation of the protocol ends it"
 #: tick = 10
 #: ends = "protocol at 10"
 #: cause = "an empty message"

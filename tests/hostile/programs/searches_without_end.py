@@ -1,5 +1,5 @@
 #: about = "time"
-#: tries = "a regular expression that takes longer than the world exists"
+#: tries = "to evaluate a regular expression that takes longer than the age of the universe"
 #: holds = "the time limit of a step"
 #: tick = 10
 #: ends = "step_timeout at 10"

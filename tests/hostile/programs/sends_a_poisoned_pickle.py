@@ -1,6 +1,6 @@
 #: about = "module"
-#: tries = "to run code in its team mates' processes by a pickle on the radio"
-#: holds = "only its own team hears it; what a program does with what it hears is its own affair, in its own process"
+#: tries = "to run code in its team-mates' processes by sending a pickle on the radio"
+#: holds = "only its own team receives it, and a program that loads it does so in its own process"
 #: tick = 10
 #: ends = "plays on"
 #: said = ["plays on"]

@@ -1,6 +1,6 @@
 #: about = "module"
-#: tries = "radio packets of 100 MB, of no size, and of what is no packet"
-#: holds = "a packet has a largest size; what is too large is dropped with a warning"
+#: tries = "to send radio packets of 100 MB, empty ones, and objects that are not packets"
+#: holds = "the size of a packet is limited; larger ones are dropped with a warning"
 #: tick = 10
 #: ends = "plays on"
 #: said = ["the packet is dropped", "refused: None TypeError", "sent: 0"]

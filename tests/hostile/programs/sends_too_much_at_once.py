@@ -1,5 +1,5 @@
 #: about = "protocol"
-#: tries = "a message of hundreds of thousands of settings, so that the match is slow"
+#: tries = "to slow the match down with a message of hundreds of thousands of settings"
 #: holds = "the number of settings in a message is limited"
 #: tick = 10
 #: ends = "protocol at 10"

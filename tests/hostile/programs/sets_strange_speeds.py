@@ -1,6 +1,6 @@
 #: about = "module"
-#: tries = "speeds of NaN, infinity and 1e308, and what is no number"
-#: holds = "NaN is refused, speeds are clamped, what is no number is an error"
+#: tries = "to set speeds of NaN, infinity and 1e308, and values that are not numbers"
+#: holds = "NaN is refused, speeds are clamped, other values raise an error"
 #: tick = 10
 #: ends = "plays on"
 #: said = ["setVelocity.NaN. is refused", "beyond the maximum", "refused: velocity None TypeError", "limited: True"]

@@ -1,6 +1,6 @@
 #: about = "processes and system"
-#: tries = "to set the clock of the computer (to what it shows), and to read it past the simulated one"
-#: holds = "setting it is refused; reading it is of no use: nothing in a match depends on it"
+#: tries = "to set the computer's clock (to its present time), and to read it instead of the simulated one"
+#: holds = "setting it is refused; reading it is useless, because nothing in a match depends on it"
 #: layers = ["system_calls"]
 #: platforms = ["linux"]
 #: tick = 10

@@ -1,5 +1,5 @@
 #: about = "processes and system"
-#: tries = "to send signals to the match, to all processes and to its group (signal 0, which asks only whether it could)"
+#: tries = "to send signals to the match, to all processes and to its group (signal 0, which only tests whether this is allowed)"
 #: holds = "it can signal only itself"
 #: layers = ["system_calls"]
 #: platforms = ["linux"]

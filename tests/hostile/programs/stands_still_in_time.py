@@ -1,6 +1,6 @@
 #: about = "protocol"
-#: tries = "a step of no length"
-#: holds = "a step lasts at least a tick"
+#: tries = "to request a step of length 0"
+#: holds = "a step lasts at least one tick"
 #: tick = 10
 #: ends = "protocol at 10"
 #: cause = "advance by no tick"

@@ -1,6 +1,6 @@
 #: about = "processes and system"
 #: tries = "to call step from many threads at once"
-#: holds = "threads that step take turns, and each step is a whole one"
+#: holds = "threads that call step take turns, and each step is complete"
 #: tick = 10
 #: ends = "plays on"
 #: said = ["plays on"]

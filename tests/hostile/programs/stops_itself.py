@@ -1,5 +1,5 @@
 #: about = "time"
-#: tries = "to stop itself with SIGSTOP, so that no handler of it can run"
+#: tries = "to stop itself with SIGSTOP, so that none of its handlers can run"
 #: holds = "the time limit of a step, then SIGKILL"
 #: platforms = ["linux", "darwin"]
 #: tick = 10

@@ -1,6 +1,6 @@
 #: about = "memory and files"
-#: tries = "to put a link in the place of its own folder, so that the match counts, changes or deletes what is there"
-#: holds = "the place where its folder is cannot be changed"
+#: tries = "to replace its own folder by a link, so that the match counts, changes or deletes what is there"
+#: holds = "the folder above its own cannot be changed"
 #: layers = ["filesystem"]
 #: platforms = ["linux"]
 #: tick = 10

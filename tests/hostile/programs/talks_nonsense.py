@@ -1,6 +1,6 @@
 #: about = "protocol"
-#: tries = "to say something that is no message"
-#: holds = "what is not exactly as the protocol demands ends it"
+#: tries = "to send bytes that are not a message"
+#: holds = "any violation of the protocol ends it"
 #: tick = 10
 #: ends = "protocol at 10"
 #: cause = "no message: a message of unknown type 120"

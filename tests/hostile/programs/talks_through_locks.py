@@ -1,5 +1,5 @@
 #: about = "processes and system"
-#: tries = "to send another program bits through locks on a file that both can read"
+#: tries = "to send bits to another program through locks on a file that both can read"
 #: holds = "locks have no effect, and querying them is refused"
 #: platforms = ["linux"]
 #: layers = ["system_calls"]

@@ -1,5 +1,5 @@
 #: about = "module"
-#: tries = "to stop inside of step, with a trace function that never returns"
+#: tries = "to stop inside step, with a trace function that never returns"
 #: holds = "the time limit of a step"
 #: tick = 10
 #: ends = "step_timeout at 10"

@@ -1,6 +1,6 @@
 #: about = "protocol"
-#: tries = "a position of minus infinity, and one of NaN, past its own module"
-#: holds = "numbers are judged by the match"
+#: tries = "to set a position of minus infinity, and one of NaN, without its controller module"
+#: holds = "the match checks all numbers"
 #: tick = 10
 #: ends = "protocol at 10"
 #: cause = "a position of (-inf|nan) rad"

@@ -1,6 +1,6 @@
 #: about = "processes and system"
-#: tries = "the calls of an administrator, with arguments that do no harm: mount, chroot, name spaces, host name, modules, log"
-#: holds = "they are refused, also where the match runs as root"
+#: tries = "to make an administrator's system calls, with harmless arguments: mount, chroot, name spaces, host name, modules, log"
+#: holds = "they are refused, even if the match runs as root"
 #: layers = ["system_calls"]
 #: platforms = ["linux"]
 #: tick = 10

@@ -1,5 +1,5 @@
 #: about = "module"
-#: tries = "to be the referee, a second robot, or to hear and speak on the channels of others"
+#: tries = "to be the referee or a second robot, and to use the channels of others"
 #: holds = "a program has one robot, and its radio has its team's channels"
 #: tick = 10
 #: ends = "plays on"

@@ -1,5 +1,5 @@
 #: about = "memory and files"
-#: tries = "to fill the disk with files that it has deleted and holds open"
+#: tries = "to fill the disk with deleted files that it keeps open"
 #: holds = "open files without a name are counted too"
 #: platforms = ["linux"]
 #: tick = 10

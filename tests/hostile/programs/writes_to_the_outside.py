@@ -1,5 +1,5 @@
 #: about = "memory and files"
-#: tries = "to write wherever there is room: temporary folders, home, the record, the library, the project"
+#: tries = "to write everywhere: temporary folders, home, the record, the library, the project"
 #: holds = "only its own folder can be written to"
 #: layers = ["filesystem"]
 #: platforms = ["linux"]
