@@ -6,15 +6,15 @@ _SCENARIO_HAS = "The help of the error lists the names that the scenario has."
 
 PAGES: dict[str, str] = {
     "bad-arguments": "The command has an option or an argument that it does not know.\n\n`--help` lists all of them.",
-    "bad-fps": "A video cannot have so many pictures a second.\n\nGive --fps from 1 to 240.",
+    "bad-fps": "A video cannot have this number of pictures per second.\n\nGive --fps from 1 to 240.",
     "bad-out": "The file to write has a wrong ending, or its folder does not exist.\n\nThe message says what fits.",
-    "bad-speed": "A speed is not readable, or out of range.\n\nThe message says what is allowed.",
+    "bad-speed": "A speed cannot be read, or is out of range.\n\nThe message says what is allowed.",
     "bad-option": "An option has a value that it cannot have.\n\nThe help of the error has an example.",
-    "bad-duration": "A time is not readable.\n\nWrite 90, 90s or 1:30.",
+    "bad-duration": "A time cannot be read.\n\nWrite 90, 90s or 1:30.",
     "bad-name": "A name cannot be the name of a file on every computer.\n\nUse letters, digits and _.",
-    "bad-seeds": "The seeds are not readable.\n\nWrite 1..10, 3 or 1,4,7..9.",
-    "bad-team-name": "Nothing of the name of a team can be shown.\n\nUse letters.",
-    "cannot-write-output": "What the command prints cannot be written.\n\nFree some space, or print elsewhere.",
+    "bad-seeds": "The seeds cannot be read.\n\nWrite 1..10, 3 or 1,4,7..9.",
+    "bad-team-name": "The name of a team has no characters that can be shown.\n\nUse letters.",
+    "cannot-write-output": "The output of the command cannot be written.\n\nFree some space, or print elsewhere.",
     "device-name": "A file has the name of a Windows device, such as CON or AUX.\n\nChoose another name.",
     "internal-error": (
         "Something went wrong in this program, not in your input.\n\n"
@@ -22,9 +22,9 @@ PAGES: dict[str, str] = {
     ),
     "missing-package": "A package that this program needs is not installed.\n\nInstall it as the README says.",
     "no-sample-team": "No team was given for a seat, and no sample team fits.\n\nGive one with --team SEAT=PATH.",
-    "option-does-not-fit": "An option needs another one, or does not fit the rest.\n\nThe help of the error says which.",
+    "option-does-not-fit": "An option needs another one, or does not fit the others.\n\nThe help of the error says which.",
     "option-given-twice": "An option is given twice.\n\nLeave one out.",
-    "options-contradict": "One option undoes what another one asks for.\n\nGive one of them.",
+    "options-contradict": "Two options contradict each other.\n\nGive one of them.",
     "set-on-tournament": "--set changes scenarios, and a tournament file was given.\n\nChange the file.",
     "unknown-code": "There is no page for a code.\n\n`rcj-challenge explain` lists all codes.",
     "unknown-entrant": f"An option names an entrant that the scenario does not have.\n\n{_SCENARIO_HAS}",

@@ -1,4 +1,4 @@
-"""The pages of codes that several rooms report: missing resources, and files that cannot be read or written."""
+"""The pages of codes that several packages report: missing resources, and files that cannot be read or written."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ PAGES: dict[str, str] = {
         "The message says why: a folder that is missing or read-only, a full disk, a program that has the file open."
     ),
     "file-exists": (
-        "There is something where a new file or folder is to be written; nothing was written.\n\n"
+        "The file or folder to be written already exists; nothing was written.\n\n"
         "Choose another name, or move the old one away. Files of yours are never overwritten."
     ),
     "disk-full": "The disk is full.\n\nFree some space and run the command again; what was finished is saved.",
     "host-error": (
         "This computer cannot do what is needed: too little memory, too many open files, a broken disk.\n\n"
-        "No team is to blame, and nothing counts as a fault of a program. Run the command again when the cause is gone."
+        "No team is to blame, and nothing counts as a fault of a program. Remove the cause and run the command again."
     ),
     "missing-extra": (
         "The command needs an optional package that is not installed.\n\nInstall it as the help of the error says."

@@ -1,4 +1,4 @@
-"""The pages of the codes that files of scenarios and tournaments bring: errors, and the warnings of lint."""
+"""The pages of the codes about files of scenarios and tournaments: errors, and the warnings of lint."""
 
 from __future__ import annotations
 
@@ -9,98 +9,97 @@ from rcj_challenges.scenario.lint.registry import LINT_RULES
 
 _READING = {
     "ambiguous-name": """
-The name of something shipped is also that of a file of yours, so that it is not clear which of them you want.
+The name belongs to something that is shipped and also to a file of yours, so it is not clear which of them you want.
 Write the file with its ending, or give it another name.""",
     "duplicate-key": """
-A key stands twice in one mapping.
-Only one of them could count; take the other one out, or put both contents under one key.""",
+A key occurs twice in one mapping.
+Only one of them could count; remove the other one, or put both contents under one key.""",
     "empty-file": """
-There is nothing in the file.
+The file is empty.
 A scenario begins with schema_version, id and title; 'rcj-challenge new challenge NAME' writes one to start from.""",
     "invalid-yaml": """
-The file is not YAML as it is read here: YAML 1.2, one document, without anchors, aliases, tags and directives.
-The place is where the reader gave up; the mistake may be a little above it: a quote or bracket that is not closed, a
-missing blank after ':', or lines that are not indented alike. Texts with ': ' in them stand in quotes.""",
+The file is not valid YAML: YAML 1.2, one document, without anchors, aliases, tags or directives.
+The position is where reading stopped; the mistake may be a little above it: a quote or bracket that is not closed, a
+missing space after ':', or inconsistent indentation. Texts that contain ': ' need quotes.""",
     "missing-value": """
 A key has no value, or a list an empty entry.
-Write the value, or leave the key out. What begins with # is a comment unless it stands in quotes; a blank comes after
-the ':'. An entry of a base is taken away by null, which must be written.""",
+Write the value, or leave the key out. Text after # is a comment unless it is in quotes; a space must follow the ':'. To
+remove an entry of a base, write null.""",
     "newer-version": """
 The file is written for a newer version of rcj-challenges.
 Update with 'pip install --upgrade rcj-challenges'.""",
     "no-such-file": """
-There is no file of this name, and nothing of this name is shipped.
-Check the folder in which you are, and the ending .yaml.""",
+There is no file with this name, and nothing with this name is shipped.
+Check the current folder, and the ending .yaml.""",
     "not-utf8": """
-The file is saved in another encoding than UTF-8.
-Save it as UTF-8; each editor has this in its menu for saving.""",
+The file is not saved in UTF-8.
+Save it as UTF-8; editors offer this when they save a file.""",
     "scenario-too-large": """
-The scenario has more bytes, entries or values than any contest needs, with those of the files it extends.
-Leave out what the challenge does not need; repeat_for and groups say the same of several things at once.""",
+The scenario, with the files that it extends, has more bytes, entries or values than any contest needs.
+Leave out what the challenge does not need; repeat_for and groups avoid repetition.""",
     "unknown-base": """
 'extends' names a file, preset or scenario that does not exist.
-A shipped one is named without folder and ending; a file of yours by its path from the file that extends it.""",
+Name a shipped one without folder and ending, and a file of yours by its path relative to the file that extends it.""",
     "unknown-param": """
-{param: NAME} stands where no param of this name exists.
+{param: NAME} refers to a param that does not exist.
 Declare it under 'params'. In a rule with repeat_for, 'this' and the keys beside its names are params too.""",
     "unreadable-file": """
-The file exists and cannot be read.
-Check that it is a file, and that you may read it.""",
+The file exists but cannot be read.
+Check that it is a file, and that you have permission to read it.""",
     "wrong-extends": """
-What 'extends' says cannot be extended.
-It is the name of a shipped preset or scenario, or a relative path with / to a .yaml file; none extends itself.""",
+The value of 'extends' cannot be extended.
+It must be the name of a shipped preset or scenario, or a relative path with / to a .yaml file. No file may extend itself.""",
     "wrong-null": """
-null stands where it takes nothing away.
-It removes entries of a base that have names of their own: rules, zones, robots, tests.
-A list is replaced as a whole.""",
+null is written where it cannot remove anything.
+It removes named entries of a base: rules, zones, robots, tests. A list is replaced as a whole.""",
     "wrong-override": """
-'--set PATH=VALUE' leads nowhere.
+The PATH of '--set PATH=VALUE' does not exist.
 PATH is the name of a param, or a path such as match.half_s or rules.goal.actions[0].points.""",
     "wrong-param-use": """
-A param is used in a way in which it cannot be computed.
-{param: NAME, times: 2, plus: 1} is for params that are numbers; times and plus are numbers themselves.""",
+The value of a param cannot be computed.
+In {param: NAME, times: 2, plus: 1} the param, times and plus must all be numbers.""",
     "wrong-repeat": """
-'repeat_for' cannot be read.
-It is a list of names, or a mapping of names in which all have the same keys; each name makes one rule.""",
+The value of 'repeat_for' is wrong.
+It must be a list of names, or a mapping of names that all have the same keys; each name makes one rule.""",
 }
 _FORM = {
     "missing-key": """
-A key is missing that must be there, or one of several of which one must be there.
+A required key is missing, or one of several keys of which one is required.
 The help says what it is for.""",
     "unknown-key": """
-A key is not known in its place.
-Keys are spelled as in the reference; the help lists those that may stand here. It may also be indented wrongly, so
-that it belongs to another mapping than it seems.""",
+A key is not allowed here.
+Keys are spelled as in the reference; the help lists those that are allowed here. The key may also be indented wrongly,
+so that it belongs to another mapping.""",
     "unknown-word": """
-A word for a trigger, condition, action, shape, device or the like is not known.
-The help lists the words that may stand here, or says what others call so.""",
+A keyword for a trigger, condition, action, shape, device or the like is unknown.
+The help lists the keywords that are allowed here, or suggests the one that is meant here.""",
     "wrong-name": """
-A name has other letters than names may have.
-Names have the letters a to z in both cases, digits and _, and do not begin with a digit.""",
+A name contains characters that are not allowed.
+Names consist of letters from a to z in either case, digits and _, and do not begin with a digit.""",
     "wrong-value": """
-A value is of another kind or size than is needed.
+A value is of the wrong kind or size.
 The message says what is expected and what was found, the help what the value is for.""",
 }
 _NAMES = {
     "group-in-itself": """
-A group leads back to itself through its members.
-Take the member out that closes the circle.""",
+A group contains itself through its members.
+Remove the member that closes the circle.""",
     "mixed-group": """
-A group gathers different kinds of things, such as robots and zones.
+A group contains different kinds of things, such as robots and zones.
 Robots, balls and obstacles may share a group; zones, gates and spots have groups of their own.""",
     "name-taken": """
-A name is used twice, or has a meaning of its own.
-All that is on the field shares one namespace with the groups and the colours of robots, in which upper and lower case
+A name is used twice, or is reserved.
+Everything on the field shares one namespace with the groups and the colours of robots, in which upper and lower case
 make no difference; 'each', 'other', 'robots', 'balls', 'obstacles' and 'walls' are reserved.""",
     "unknown-name": """
-Something is named that does not exist, or not any more.
-Check the spelling, or whether a file that extends another one has removed it: what still names it must go too.""",
+A name refers to something that does not exist.
+Check the spelling. If a file that extends another one has removed the thing, remove or change everything that names it.""",
     "unbound-name": """
-'each' or 'other' is used where it stands for nothing.
-'each' is the member for which a rule with for_each (or a timer with per) exists; 'other' is what was touched, in a rule
+'each' or 'other' is used where it has no meaning.
+'each' is the member for which a rule with for_each (or a timer with per) exists; 'other' is the touched thing, in a rule
 whose triggers are all touches.""",
     "wrong-kind": """
-A name exists, and names another kind of thing than is needed: a group instead of one entity, a zone instead of a robot.
+A name refers to the wrong kind of thing: a group instead of one entity, a zone instead of a robot.
 The message says what is expected. A group fits if each of its members does.""",
 }
 _SENSE = {
@@ -112,60 +111,60 @@ Two keys exclude each other.
 Leave one of them out.""",
     "driven-twice": """
 A robot has more than one program, or is idle and has one.
-Each robot is driven by one entrant at most, and an idle one by none.""",
+Each robot is driven by at most one entrant, and an idle robot by none.""",
     "empty-range": """
 No number lies between the two bounds.
-The lower one is above the upper one: swap or correct them.""",
+The lower bound is above the upper one: swap or correct them.""",
     "empty-shape": """
-A shape has no inside: its ends are at one point, its bounds are swapped, or its outline crosses itself.
+A shape has no area: its ends coincide, its bounds are swapped, or its outline crosses itself.
 Give the corners of an outline in order.""",
     "entrant-without-robots": """
 An entrant drives no robot.
-Give it one, or remove it by null under 'entrants'.""",
+Give it one, or remove it with null under 'entrants'.""",
     "missing-entity": """
-Something is kept for each member of a group, and it is not said of which member.
-Say it with 'entity', such as entity: each in a rule with for_each, or with 'of' how many of several.""",
+Something is kept for each member of a group, but the member is not given.
+Give it as 'entity', such as entity: each in a rule with for_each, or say with 'of' how many members are needed.""",
     "never-drawn": """
-A rule or test expects from a draw or a spot what chance never brings.
+A rule or test expects a result of a draw or a random spot that cannot occur.
 Check the values of the draw, their spelling, and not_last and not_again.""",
     "never-holds": """
-More is asked of a group than it has members.
+A condition requires more members than the group has.
 Lower the number, or name a larger group.""",
     "never-touches": """
 Two things never touch: one is the other, or neither can move.
 Name something that moves.""",
     "no-centre": """
-A zone has no centre: it is inverted, a polygon, or without an end in some direction.
+A zone has no centre: it is inverted, a polygon, or unbounded in some direction.
 Use a spot or a point instead.""",
     "no-room": """
 A goal or a corner does not fit into the walls of the field.
 Make it smaller, or the field larger.""",
     "not-per-entity": """
-Something is kept once, and it is used as if each entity had its own.
+Something is kept only once, but is used as if each entity had its own.
 Leave 'entity' out, or give the counter, flag, timer or sequence a group with 'per'.""",
     "nothing-moves": """
 There is neither a robot nor a ball.
 Give at least one of them.""",
     "out-of-range": """
-A length, angle, duration or mass is far beyond what fits into a hall, or below what can be simulated.
+A length, angle, duration or mass is too large for a sports hall, or too small to be simulated.
 Check the unit: lengths are in m, angles in rad, times in s, masses in kg.""",
     "outside-field": """
-A body stands outside the field or in a wall at the start.
-Move it inside. A chassis is wider than the place that 'start' names.""",
+A body is outside the field or in a wall at the start.
+Move it inside. 'start' gives the centre of a robot; the chassis extends around it.""",
     "overlapping-bodies": """
-Two bodies stand in each other at the start.
-Move one of them; what comes later is put there by a rule.""",
+Two bodies overlap at the start.
+Move one of them; if it should appear later, let a rule place it.""",
     "same-channel": """
-Two entrants have the same radio channel, so that each would hear the other's robots.
+Two entrants have the same radio channel, so each would receive the other's messages.
 Give one of them another channel.""",
     "too-early": """
 A keyframe of a test comes before the one above it.
-Keyframes stand in the order of time.""",
+Keyframes must be in the order of time.""",
     "too-late": """
-Something is to happen after the half, or the test, is over.
-Make the half or the test longer, or let it happen earlier. A param or --set that shortens halves does not count.""",
+Something should happen after the half, or the test, is over.
+Make the half or the test longer, or let it happen earlier. Halves shortened by a param or --set do not count here.""",
     "unbounded-zone": """
-A random point is to be drawn from a zone that has no end in some direction.
+A random point should be drawn from a zone that is unbounded in some direction.
 Give the zone all its bounds, or name another zone.""",
 }
 

@@ -1,15 +1,15 @@
-"""The pages of the codes that tournaments bring: their files, their submissions, their data, rulings and the site."""
+"""The pages of the codes about tournaments: files, submissions, data, rulings and the site."""
 
 from __future__ import annotations
 
 _TEXT = """
 unknown-stage
-There is no such kind of stage, or no stage of this name.
-The kinds are round_robin, swiss, knock_out, challenge and super_team. Options such as --premiere take the
-names of stages as the file has them.
+There is no such kind of stage, or no stage with this name.
+The kinds are round_robin, swiss, knock_out, challenge and super_team. Options such as --premiere take the names of
+stages in the file.
 
 unknown-scenario
-There is no scenario file at this path, and no shipped scenario of this name.
+There is no scenario file at this path, and no shipped scenario with this name.
 Paths are relative to the tournament file. `rcj-challenge list` shows the shipped scenarios.
 
 wrong-scenario
@@ -17,21 +17,21 @@ A scenario that the tournament plays has mistakes, or a setting in 'set' does no
 `rcj-challenge validate SCENARIO` shows all mistakes of a scenario.
 
 wrong-seats
-A scenario has another number of seats than this stage needs.
+A scenario does not have the number of seats that this stage needs.
 Stages of matches need scenarios for two, challenges scenarios for one. Super teams need sides with the same
 number of robots.
 
 teams-folder
 The folder of the submissions cannot be read.
-Create it beside the tournament file, and put one ZIP for each team into it.
+Create it next to the tournament file, and put one ZIP for each team into it.
 
 same-team-id
-Two teams have ids that are equal, or differ by upper and lower case only.
-A team's id is the name of its ZIP without accents and other signs. Rename one of the files, or give it
+Two teams have ids that are the same, or differ only in upper and lower case.
+A team's id is the name of its ZIP without accents and special characters. Rename one of the files, or give it
 another id under 'teams' with path.
 
 no-submission
-The file names a team, and no submission of it is known.
+The file names a team that has no submission.
 Give path or sample, or put a ZIP with the team's id as its name into teams_folder.
 
 two-sources
@@ -39,36 +39,36 @@ A team has both a path and a sample.
 Keep one of them.
 
 unknown-sample
-There is no sample team of this name.
+There is no sample team with this name.
 `rcj-challenge teams` lists them.
 
 unknown-team
-No team of this tournament has this id, or it does not play in this match.
+No team of this tournament has this id, or the team does not play in this match.
 `rcj-challenge tournament plan FILE` lists the matches with their teams.
 
 too-few-teams
-Fewer teams come into a stage than it needs.
-A stage of matches needs two teams, each group two, a match for third place four. Take more places from the
-stage before, or remove the stage.
+A stage gets fewer teams than it needs.
+A stage of matches needs two teams, each group two, and a match for third place four. Take more places from
+the stage before, or remove the stage.
 
 listed-teams
 The lists of groups or super teams do not fit the teams.
-Each team stands in one group; a super team has one team for each robot of a side.
+Each team must be in one group; a super team has one team for each robot of a side.
 
 too-many-rounds
 A Swiss stage has so many rounds that two teams may have to meet twice.
-Take at most half the number of teams, rounded up; or let all meet in a round_robin.
+Use at most half as many rounds as teams, rounded up, or a round_robin, in which all teams meet.
 
 useless-tie-break
-A tie-break can decide nothing.
-List each word once, and lot last.
+A tie-break cannot decide anything.
+List each tie-break once, and lot last.
 
 unknown-time-zone
 There is no such time zone.
 Write it as Europe/Berlin or UTC.
 
 wrong-time
-A time does not exist, or is before the one of the round before.
+A time does not exist, or is before that of the previous round.
 Write times as 2021-06-22 18:00, in the order of the rounds.
 
 wrong-release
@@ -81,22 +81,22 @@ Add from, or remove places.
 
 unreachable-stage
 A stage takes its teams from one that is not played before it, or does not rank teams.
-Stages are played in the order of the file. A stage of super teams ranks super teams, so it leads nowhere.
+Stages are played in the order of the file. A stage of super teams ranks super teams, so no other stage can take teams from it.
 
 wrong-places
-The first of the places comes after the last one.
+The first place comes after the last one.
 Write them as 1-4.
 
 legs-and-best-of
-A knock-out has legs, whose scores are added up, and best_of, which counts wins.
+A knock-out has both legs, whose scores are added up, and best_of, which counts wins.
 Keep one of them.
 
 undecided-places
-Teams may share a place that decides which of them advances.
+Teams may tie for a place that decides which of them advances.
 Add lot at the end of tie_breaks, or set play_off: true in the stage before.
 
 submission-unreadable
-The submission of a team cannot be read: no ZIP, damaged, too large, or not there any more.
+The submission of a team cannot be read: it is not a ZIP, damaged, too large, or missing.
 Let the team replace it, or take the team out: tournament decide FILE --withdraw TEAM --reason TEXT.
 
 submission-fails
@@ -105,16 +105,16 @@ The report for the team is in checks/ of the data folder. Let the team replace i
 it is with --accept TEAM.
 
 submission-unchecked
-A submission could not be checked, by no fault of its own.
+A submission could not be checked; this is not the team's fault.
 Run the command again.
 
 submission-unusable
-A submission has no programs for a match that its team is to play.
+A submission has no programs for a match that its team has to play.
 Let the team replace it, decide that match with tournament decide, or withdraw the team.
 
 other-versions
 Matches were played with other versions of this package, MuJoCo, numpy or Python.
-Results of different versions cannot be compared. Install the former versions, or play the whole tournament
+Results of different versions cannot be compared. Install the earlier versions, or play the whole tournament
 again into another folder with --data.
 
 stage-closed
@@ -122,11 +122,11 @@ A changed submission, scenario or ruling would change a match that later matches
 Undo the change; or give --cascade: then all that depends on it is played again.
 
 cannot-go-on
-This computer cannot go on: most often its disk is full.
-What was played is kept. Put right what the message says, and run the command again.
+This computer cannot continue: most often its disk is full.
+Played matches are kept. Fix what the message says, and run the command again.
 
 shared-without-cluster
---shared is about the workers of a cluster.
+--shared applies only to the workers of a cluster.
 Give --cluster ADDRESS too.
 
 cluster-missing
@@ -147,7 +147,7 @@ Install the same versions there, or end the worker; with --shared the folder mus
 
 cluster-lost
 The connection to the scheduler was lost.
-Start the scheduler and its workers, and run the command again: it goes on where it was.
+Start the scheduler and its workers, and run the command again: it continues where it stopped.
 
 store-in-use
 Another command writes to the data of this tournament.
@@ -155,27 +155,27 @@ Wait until it has ended, or end it. status and results can be used meanwhile.
 
 store-damaged
 The file store.sqlite is damaged.
-Put a copy of it back; or move it away: run then plays all matches again, with the same results. Rulings are
-lost with it.
+Restore a copy of it, or move it away: run then plays all matches again, with the same results, but rulings are
+lost.
 
 store-unwritable
 The data of the tournament cannot be written.
 Free some space or allow writing, and run the command again.
 
 store-version
-The data were written by another version of this package.
+The data was written by another version of this package.
 Use that version, or give another folder with --data.
 
 data-file-missing
 A file of the tournament's data is missing or damaged.
-Put a copy back, or delete it and run the tournament again.
+Restore a copy, or delete it and run the tournament again.
 
 no-trajectory
 A record has no trajectory, so the referee cannot judge it again.
-`rcj-challenge tournament rerun FILE` plays the matches again and keeps it; the results stay.
+`rcj-challenge tournament rerun FILE` plays the matches again and keeps their trajectories; the results stay.
 
 not-verifiable
-A record is not complete, or a program had the terminal while it was played.
+A record is incomplete, or a program was debugged in the terminal during the match.
 Verify another record.
 
 programs-missing
@@ -183,20 +183,20 @@ The programs that played a match are not here.
 Give their submission with --team PATH.
 
 which-decision
-A decision is about one match, or about a team that leaves.
+A decision concerns one match, or a team that leaves.
 Give MATCH with one of --forfeit TEAM, --replay and --score A:B; or --withdraw TEAM without MATCH.
 
 unknown-match
-There is no match of this id, or it is not known yet which teams play it.
+There is no match with this id, or its teams are not known yet.
 `rcj-challenge tournament plan FILE` lists the matches.
 
 not-played
 This match has not been played yet.
-`rcj-challenge tournament results FILE` lists those that were.
+`rcj-challenge tournament results FILE` lists the matches that have been played.
 
 ruling-score
 The score of a ruling does not fit the match.
-Give a number for each side, such as 2:1, or one number for what a team plays alone.
+Give a number for each side, such as 2:1, or one number for a match of a single team.
 
 ruling-reason
 A ruling needs a reason, which is published.
@@ -212,10 +212,10 @@ Move it elsewhere, or give another data folder with --data.
 
 site-unwritable
 The site cannot be written.
-Free some space or allow writing, and publish again. The site of before is still there.
+Free some space or allow writing, and publish again. The previous site is still there.
 
 no-release
-A stage without a time of release has no premiere.
+A stage without a release time has no premiere.
 Set release in the stage.
 """
 """By code: what it means, on one line, and then what to do about it."""

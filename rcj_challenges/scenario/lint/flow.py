@@ -53,7 +53,7 @@ class PhaseNeverEntered(LintRule):
 
 
 class RuleNeverFires(LintRule):
-    """A rule that is inactive whenever its trigger comes: its phases are never entered, or are other ones."""
+    """A rule that is inactive whenever its trigger fires, because of its phases."""
 
     code = "rule-never-fires"
     message = "{why}"
@@ -78,7 +78,7 @@ class RuleNeverFires(LintRule):
 
 
 class EventNeverEmitted(LintRule):
-    """A rule or a test waits for an event that no rule emits: mostly a misspelt name."""
+    """A rule or a test waits for an event that no rule emits, usually because of a misspelt name."""
 
     code = "event-never-emitted"
     message = "event '{event}' is never emitted"
@@ -92,7 +92,7 @@ class EventNeverEmitted(LintRule):
         for path, event in (*self._awaited(ctx), *self._in_tests(ctx)):
             if event not in emitted:
                 hint = did_you_mean(event, emitted)
-                yield self.at(path, event=event, hint=f"{hint} Else " if hint else "")
+                yield self.at(path, event=event, hint=f"{hint} Otherwise " if hint else "")
 
     def _awaited(self, ctx: LintContext) -> Iterator[tuple[Path, str]]:
         for model, path in ctx.models:
@@ -115,7 +115,7 @@ class MissingSays(LintRule):
     """A rule that scores or emits an event without ``says``: sheet, log and replay cannot give a reason."""
 
     code = "missing-says"
-    message = "{what} comes without a sentence"
+    message = "{what} has no sentence"
     help = "add says: to the rule; players read it in the sheet and in the replay"
 
     def check(self, ctx: LintContext) -> Iterator[Suspicion]:
@@ -133,7 +133,7 @@ class EachOfNone(LintRule):
 
     code = "each-of-none"
     message = "'{group}' has no members here: the rule never fires"
-    help = "add something to the field that is in it, or remove the rule"
+    help = "add a member of the group to the field, or remove the rule"
 
     def check(self, ctx: LintContext) -> Iterator[Suspicion]:
         """Yield rules for each member of an empty group."""
@@ -147,7 +147,7 @@ class EachNeverNamed(LintRule):
 
     code = "each-never-named"
     message = "the rule fires {count} times at once, once for each of '{group}', and never names 'each'"
-    help = "write entity: each where it looks or acts, or remove for_each"
+    help = "write entity: each in its triggers, conditions or actions, or remove for_each"
 
     def check(self, ctx: LintContext) -> Iterator[Suspicion]:
         """Yield rules with for_each that never look at its member."""
@@ -223,7 +223,7 @@ class EventLoop(LintRule):
 
 
 class SequenceNeverBreaks(LintRule):
-    """``sequence_broken`` of a sequence that ignores wrong steps."""
+    """``sequence_broken`` for a sequence that ignores wrong steps."""
 
     code = "sequence-never-breaks"
     message = "sequence '{sequence}' ignores wrong steps: it never breaks"
@@ -252,7 +252,7 @@ class NoWayToScore(LintRule):
 
 
 class CriterionAlwaysEqual(LintRule):
-    """``result`` ranks several entrants by what is one number for all of them."""
+    """``result`` ranks several entrants by a value that is the same for all of them."""
 
     code = "criterion-always-equal"
     message = "{what} is the same for every entrant"

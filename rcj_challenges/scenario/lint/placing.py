@@ -65,7 +65,7 @@ class OffTheField(LintRule):
 
 
 class RobotWithoutProgram(LintRule):
-    """A robot that no entrant drives and that is not idle: it stands on the field by mistake."""
+    """A robot that no entrant drives and that is not idle: probably a mistake."""
 
     code = "robot-without-program"
     message = "no entrant drives '{name}', and it is not idle"
@@ -142,7 +142,7 @@ class TwoRulesMoveOneThing(LintRule):
 
 
 class NoRoom(LintRule):
-    """A placement that can find no room: it would stand in a wall, or on what the same layout places before it."""
+    """A placement for which there is no room: in a wall, or on something that the same layout places earlier."""
 
     code = "no-room"
     message = "there is no room: {why}"

@@ -33,7 +33,7 @@ _WRITERS: dict[str, tuple[type[Any], ...]] = {
 
 
 class NeverRead(LintRule):
-    """A counter, flag, timer, draw, or spot that rules set, on which nothing depends."""
+    """A counter, flag, timer, draw, or spot that rules set, but on which nothing depends."""
 
     code = "never-read"
     message = "{noun} '{name}' is never read"
@@ -54,7 +54,7 @@ class NeverRead(LintRule):
 
 
 class NeverWritten(LintRule):
-    """A counter, flag or timer that rules read and none ever changes or starts."""
+    """A counter, flag or timer that rules read but never change or start."""
 
     code = "never-written"
     message = "{noun} '{name}' is read and never {verb}"
@@ -159,7 +159,7 @@ class HeldForever(LintRule):
 
 
 class InheritedTestLeftOut(LintRule):
-    """Tests of the scenario that is extended and do not fit this one; they are not run."""
+    """Inherited tests that do not fit this scenario; they are not run."""
 
     code = "inherited-test-left-out"
     message = "{count} inherited tests do not fit this scenario and are left out: {names} ({reason})"

@@ -37,10 +37,10 @@ from rcj_challenges.scenario.tree import Path
 
 
 class LimitTooLong(LintRule):
-    """A time that is not over before the half is, or before the phase in which the rule is active."""
+    """A time that is longer than the half, or than the phase in which the rule is active."""
 
     code = "limit-too-long"
-    message = "{seconds:g} s are not over before the {what} is, after {after_s:g} s"
+    message = "{seconds:g} s is too long: the {what} is over after {after_s:g} s"
     help = "shorten it, or let the {what} last longer"
 
     def check(self, ctx: LintContext) -> Iterator[Suspicion]:
@@ -76,7 +76,7 @@ class AngleInDegrees(LintRule):
     """An angle of more than a full turn: angles are in rad."""
 
     code = "angle-in-degrees"
-    message = "{angle:g} rad are more than a full turn, which is {full_turn:.4f}"
+    message = "{angle:g} rad is more than a full turn, which is {full_turn:.4f}"
     help = "for {angle:g} degrees write {radians:.4f}"
 
     _FULL_TURN_RAD = 6.3  # as authors round it
@@ -159,7 +159,7 @@ class ExactMeasurement(LintRule):
 
 
 class UnknownPlaceholder(LintRule):
-    """``{…}`` in ``says`` or in the description that is no blank and no param: it is printed as it stands."""
+    """``{…}`` in ``says`` or in the description that is neither a placeholder nor a param: it is printed as it is."""
 
     code = "unknown-placeholder"
     message = "'{{{blank}}}' is not filled in"
@@ -188,7 +188,7 @@ class PlaceholderNeverFilled(LintRule):
 
     code = "placeholder-never-filled"
     message = "'{{{blank}}}' stays empty: {why}"
-    help = "write out what is meant, or remove it"
+    help = "write the text itself, or remove it"
 
     def check(self, ctx: LintContext) -> Iterator[Suspicion]:
         """Yield blanks that this rule cannot fill in."""
