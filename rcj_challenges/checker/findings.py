@@ -36,12 +36,14 @@ class Finding:
     """One thing that was found. All texts are safe to print on a terminal."""
 
     code: Annotated[str, _about("stable over versions: archive.encrypted")]
-    level: Annotated[Level, _about("severity; unchecked: not about the submission, but why nothing is known")]
+    level: Annotated[
+        Level, _about("severity; unchecked: not about the submission, but the reason why nothing is known")
+    ]
     message: Annotated[str, _about("what was found, one line")]
     remedy: Annotated[str, _about("what to do; empty if there is nothing to do")] = ""
     where: Annotated[str, _about("the file in the submission, with line and column where known, or the robots")] = ""
     repair: Annotated[bool, _about("whether --fix repairs it")] = False
-    details: Annotated[str, _about("more lines, such as a traceback; mostly empty")] = ""
+    details: Annotated[str, _about("more lines, such as a traceback; usually empty")] = ""
 
 
 @dataclass

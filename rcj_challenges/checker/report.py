@@ -32,7 +32,7 @@ class StageReport(_Part):
 
     name: StageName = _described("which")
     about: str = _described("what it is about")
-    level: Level = _described("the most serious of its findings")
+    level: Level = _described("the most severe of its findings")
     skipped: str = _described("why it was not carried out; empty if it was")
     findings: list[Finding] = _described("what was found")
 
@@ -41,17 +41,17 @@ class RobotReport(_Part):
     """How one robot of the team did in a short match. Times are CPU and idle time and differ from run to run."""
 
     robot: str = _described("its name")
-    path_m: float = _described("length of its way in m", ge=0)
+    path_m: float = _described("length of its path in m", ge=0)
     turned_rad: float = _described("how far it turned, both directions added up, in rad", ge=0)
     ball_touches: int = _described("sub-steps of 8 ms in which it touched a ball", ge=0)
     steps: int = _described("how many times its program called step", ge=0)
     start_s: float = _described(
-        "CPU and idle time from the launch of its program to its first step, in s; 0: it never came to that", ge=0
+        "CPU and idle time from the launch of its program to its first step, in s; 0: it never got there", ge=0
     )
     step_mean_ms: float = _described("CPU and idle time of a step, on average, in ms", ge=0)
     step_slowest_ms: float = _described("CPU and idle time of the slowest step, in ms", ge=0)
     fault: str = _described("how it failed: crash, exit, step_timeout …; empty if it did not")
-    output: str = _described("what its program printed, if that was asked for")
+    output: str = _described("what its program printed, if requested")
 
 
 ROBOT_NUMBERS: dict[str, Callable[[RobotReport], str]] = {
@@ -74,30 +74,30 @@ class MatchReport(_Part):
     score: dict[str, int | float] = _described("points by seat")
     simulated_s: float = _described("how long was played in s", ge=0)
     wall_s: float = _described("how long that took in s", ge=0)
-    layers: list[str] = _described("layers of isolation that held the programs")
-    replay: str = _described("file of the replay page, if one was asked for")
-    no_replay: str = _described("why there is no replay page although one was asked for; mostly empty", default="")
+    layers: list[str] = _described("layers of isolation around the programs")
+    replay: str = _described("file of the replay page, if one was requested")
+    no_replay: str = _described("why there is no replay page although one was requested; usually empty", default="")
     robots: list[RobotReport] = _described("the robots of the team")
 
 
 class FileReport(_Part):
     """The check of one submission."""
 
-    file: str = _described("name of the file or folder, with folders before it where another has the same name")
+    file: str = _described("name of the file or folder, with its parent folders if another one has the same name")
     level: Level = _described(
         "the verdict: passed, warning (it plays, but look at the findings), failure, "
         "or unchecked (nothing is known: the check itself could not be carried out)"
     )
-    cause: str = _described("what to put right first and how, in one line; empty if all is in order", default="")
-    code: str = _described("the code of what could not be done, as of an error; mostly empty", default="")
-    hindrance: str = _described("why it is unchecked: what could not be done; else empty", default="")
-    our_fault: bool = _described("whether it is unchecked by a fault of this project", default=False)
+    cause: str = _described("what to fix first and how, in one line; empty if everything is in order", default="")
+    code: str = _described("the code of the error that prevented the check; usually empty", default="")
+    hindrance: str = _described("why it is unchecked: what could not be done; otherwise empty", default="")
+    our_fault: bool = _described("whether it is unchecked because of a bug in this project", default=False)
     team: str = _described("name of the team, safe to show; empty if it is not known")
     digest: str = _described("SHA-256 over names and contents of its files; empty if they cannot be read")
-    repaired: list[str] = _described("what --fix put right before this check")
+    repaired: list[str] = _described("what --fix repaired before this check")
     stages: list[StageReport] = _described("the stages, in order")
     started: dict[str, str] = _described(
-        "what programs printed in the stage start, by robot, if that was asked for and the stage failed", default={}
+        "what programs printed in the stage start, by robot, if requested and the stage failed", default={}
     )
     matches: list[MatchReport] = _described("the short matches of the stage play")
     wall_s: float = _described("how long the check took in s", ge=0)
@@ -115,14 +115,14 @@ class Summary(_Part):
     passed: int = _described("how many are in order", ge=0)
     warning: int = _described("how many play, but with warnings", ge=0)
     failure: int = _described("how many cannot be used as they are", ge=0)
-    unchecked: int = _described("how many could not be checked; nothing is known of them", ge=0)
+    unchecked: int = _described("how many could not be checked; nothing is known about them", ge=0)
 
 
 class LeftOut(_Part):
-    """Something that was given, or lies in a folder that was, and that was not looked at."""
+    """Something that was given, or is in a given folder, but was not checked."""
 
     file: str = _described("its path, safe to show")
-    reason: str = _described("why not, and what to do if it should be looked at")
+    reason: str = _described("why not, and what to do if it should be checked")
 
 
 class CheckReport(_Part):
@@ -132,11 +132,13 @@ class CheckReport(_Part):
     scenario: str = _described("id of the scenario")
     title: str = _described("title of the scenario")
     sandbox: str = _described("how programs were isolated: auto, strict or off")
-    level: Level = _described("the most serious verdict of all; unchecked if somebody ended the check")
-    interrupted: bool = _described("whether somebody ended the check before all were checked", default=False)
+    level: Level = _described("the most severe verdict; unchecked if the check was interrupted")
+    interrupted: bool = _described(
+        "whether the check was interrupted before all submissions were checked", default=False
+    )
     summary: Summary
     files: list[FileReport] = _described("the submissions, in the order in which they were given")
-    left_out: list[LeftOut] = _described("what lies beside them, or was not come to, and was not looked at", default=[])
+    left_out: list[LeftOut] = _described("what is next to them or was not reached, and was not checked", default=[])
 
     @property
     def lost_replays(self) -> int:
@@ -262,7 +264,7 @@ def format_finding(finding: Finding) -> str:
 
 
 def first_cause(stages: Sequence[Stage | StageReport], level: Level) -> str:
-    """Return what to put right first and how, in one line; empty if all is in order."""
+    """Return what to fix first and how, in one line; empty if everything is in order."""
     found = (finding for stage in stages for finding in stage.findings)
     first = next((finding for finding in found if finding.level == level != "passed"), None)
     return "; ".join(filter(None, (format_finding(first), first.remedy))) if first is not None else ""

@@ -41,13 +41,15 @@ class MemberResult(_Part):
 
 
 class EntrantResult(_Part):
-    """A team, under the name of the seat that it had in the first half."""
+    """A team, by the name of its seat in the first half."""
 
     name: str = _described("name of the team")
-    programs: str = _described("SHA-256 of the files of its programs, hexadecimal; of a SuperTeam over its members'")
+    programs: str = _described(
+        "SHA-256 of the files of its programs, hexadecimal; for a SuperTeam, over those of its members"
+    )
     members: list[MemberResult] = Field(
         default=[],
-        description="of a SuperTeam: the team of each robot, in the order of the entrant's robots; else empty",
+        description="for a SuperTeam: the team of each robot, in the order of the entrant's robots; otherwise empty",
     )
 
 
@@ -57,11 +59,11 @@ class HalfResult(_Part):
     half: Half
     sides: dict[str, str] = _described("by seat: the team that played there")
     score: dict[str, Score] = _described("by team: points of the match when this half was over")
-    ticks: int = _described("ticks that were judged", ge=0)
+    ticks: int = _described("number of ticks that were judged", ge=0)
     ended: str | None = _described(
         "the reason of the rule that ended it, or the match with it; null: its time was up, or it is not complete"
     )
-    complete: bool = Field(default=True, description="whether it was played to its end, and not broken off")
+    complete: bool = Field(default=True, description="whether it was played to its end")
 
 
 class RankResult(_Part):
@@ -83,7 +85,7 @@ class EventResult(_Part):
 
 
 class FaultResult(_Part):
-    """A program that failed; its robot stood still from then on, until the half was over."""
+    """A program that failed; its robot stood still until the end of the half."""
 
     robot: str = _described("name of the robot")
     team: str | None = _described("the team whose program it was")
@@ -91,12 +93,12 @@ class FaultResult(_Part):
     tick: Tick
     kind: str = _described("crash, exit, start, start_timeout, step_timeout, half_timeout, memory, protocol, …")
     detail: str = _described("one line for the team")
-    traceback: str = _described("the program's own traceback, where there is one")
+    traceback: str = _described("the program's own traceback, if there is one")
     timed: bool = _described("whether it reached a limit of time, which may differ from run to run", default=False)
 
 
 class HintResult(_Part):
-    """Advice on programs that were not written for this scenario."""
+    """Advice on programs that failed."""
 
     robots: list[str] = _described("names of the robots whose programs it is about")
     remedy: str = _described("what to do, in the words of `check`")
@@ -114,22 +116,20 @@ class Versions(_Part):
 
 
 class RunResult(_Part):
-    """The whole file. It is there from the first tick on, with ``complete: false``."""
+    """The whole file. It exists from the first tick on, with ``complete: false``."""
 
     record: int = _described("version of the record's format", ge=1)
     complete: bool = _described("whether the run was played to its end and its record closed")
-    stopped: str | None = _described(
-        "why a run that was not played to its end stopped; null: it did not, or that is not known"
-    )
-    scenario: str = _described("id of the scenario; scenario.json holds all of it")
+    stopped: str | None = _described("why a run stopped before its end; null: it did not, or the reason is unknown")
+    scenario: str = _described("id of the scenario, which is in scenario.json")
     title: str = _described("title of the scenario")
-    started: str = _described("wall clock in UTC when the run began")
-    seed: int = _described("seed of everything that chance decides")
+    started: str = _described("wall clock time at the start of the run, in UTC")
+    seed: int = _described("seed of all random choices")
     match_id: int = _described("number of the match, as in MATCH_START")
     entrants: dict[str, EntrantResult] = _described("the teams, by their seat of the first half")
     score: dict[str, Score] = _described("points by team")
     ranking: list[RankResult] = Field(default=[], description="the teams, best first; empty while it is not complete")
-    halves: list[HalfResult] = _described("the halves that are over, and one that was broken off")
+    halves: list[HalfResult] = _described("the halves that are over, and one that was interrupted")
     events: list[EventResult] = _described("all events, in order")
     faults: list[FaultResult] = _described("programs that failed, in order")
     inputs: str = _described("SHA-256 of what was played: scenario without defaults, seed, programs")
@@ -139,32 +139,32 @@ class RunResult(_Part):
     digest: str = _described("SHA-256 over `inputs` and `states`; empty while the run is not complete")
     simulated_s: float = _described("simulated time of all halves in s", ge=0)
     wall_s: float = _described(
-        "wall time that the match itself took in s: without what it waited before ticks for who steers a live view "
-        "(pauses, single steps, a slower speed)",
+        "wall time of the match in s, without waits before ticks for the steering of a live view (pauses, "
+        "single steps, a slower speed)",
         ge=0,
     )
     start_up_s: float = Field(
         default=0.0,
         ge=0,
-        description="of `wall_s`, what passed until all programs of the first half had called `step` for the first "
-        "time: loading the physics, compiling the world, starting the processes; 0 if that was not noted",
+        description="part of `wall_s` until all programs of the first half had called `step` for the first time: "
+        "loading the physics, compiling the world, starting the processes; 0 if unknown",
     )
-    real_time_factor: float = _described("simulated_s over wall_s", ge=0)
+    real_time_factor: float = _described("simulated_s divided by wall_s", ge=0)
     versions: Versions
-    sandbox: dict[str, Any] = _described("how programs were isolated: what was asked for and which layers were active")
-    marks: list[str] = _described("what makes this run special, such as debug: it does not count as a fair one")
+    sandbox: dict[str, Any] = _described("how programs were isolated: what was requested, and which layers were active")
+    marks: list[str] = _described("what makes this run special, such as debug: it does not count as a fair match")
     hints: list[HintResult] = Field(
         default=[],
         exclude=True,  # advice is not part of the result, and later versions may improve it
-        description="what to do about programs that crashed or ended, where their own words and lines show it (for "
-        "another form of the referee's packets, say); only in what `run --json` prints, and a line at the end of each "
-        "such robot's log",
+        description="what to do about programs that crashed or ended, if their output and source show it (for example "
+        "another form of the referee's packets); only in the output of `run --json`, and as a line at the end "
+        "of each such robot's log",
     )
     folder: str = Field(
         default="",
         exclude=True,  # no file holds a path
-        description="the record's folder, beginning where `--out` begins; only in what `run --json` prints: "
-        "`result.json` lies in it",
+        description="the record's folder, relative to `--out`; only in the output of `run --json`, because "
+        "`result.json` is in it",
     )
 
 

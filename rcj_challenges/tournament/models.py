@@ -34,11 +34,11 @@ class TeamModel(Strict):
     """One team: where its submission is, and what it is called."""
 
     path: str | None = described(
-        None, "its ZIP or folder, relative to this file; left out: the one in teams_folder", min_length=1
+        None, "its ZIP or folder, relative to this file; if omitted: the one in teams_folder", min_length=1
     )
     sample: str | None = described(None, "instead of a submission: a sample team that comes with the package, by name")
-    name: str | None = described(None, "as shown; left out: what the submission calls itself", max_length=64)
-    pot: int = described(0, "for drawing groups: 1 for the strongest teams; 0: in none of the pots", ge=0, le=64)
+    name: str | None = described(None, "the name shown; if omitted: the name in the submission", max_length=64)
+    pot: int = described(0, "for drawing groups: 1 for the strongest teams; 0: in no pot", ge=0, le=64)
 
 
 class Points(Strict):
@@ -74,37 +74,39 @@ class DrawnMatches(Strict):
         None,
         "settings for an extra match that starts at 0:0, such as {match.half_s: 300}; the team that wins it advances",
     )
-    tie_scenario: TieScenario | None = described(None, "then a scenario")
+    tie_scenario: TieScenario | None = described(None, "then this scenario")
 
 
 class StageModel(Strict):
     """What all stages have."""
 
-    title: str = described("", "as shown; left out: made of the stage's name", max_length=120)
+    title: str = described("", "the title shown; if omitted: made from the stage's name", max_length=120)
     release: Time | Annotated[tuple[Time, ...], Field(strict=False, min_length=1)] | None = described(
-        None, "when `publish` shows it: one time, or a list with one for each round; left out: as soon as it is played"
+        None,
+        "when `publish` shows the results: one time, or a list with one for each round; if omitted: as soon as"
+        " they are known",
     )
     minutes_between: float = described(
-        0.0, "matches of a round are released one by one, so many minutes apart; 0: all together", ge=0, le=10_080
+        0.0, "the matches of a round are released one by one, this many minutes apart; 0: all together", ge=0, le=10_080
     )
-    records: Records | None = described(None, "what is kept of its matches; left out: as for the whole tournament")
+    records: Records | None = described(None, "what is kept of its matches; if omitted: as for the whole tournament")
 
 
 class FromModel(StageModel):
     """What stages have that may take their teams from an earlier one."""
 
     from_: Name | None = Field(
-        None, alias="from", description="the earlier stage from which its teams come; left out: all teams take part"
+        None, alias="from", description="the earlier stage from which its teams come; if omitted: all teams take part"
     )
     places: Place | PlaceRange | None = described(
-        None, "which places of that stage, of each of its groups if it has some: 1 or 1-2; left out: all"
+        None, "which places of that stage (of each of its groups, if it has groups): 1 or 1-2; if omitted: all"
     )
 
 
 class MatchesModel(FromModel):
     """What stages of matches have."""
 
-    scenario: str | None = described(None, "left out: the tournament's")
+    scenario: str | None = described(None, "if omitted: that of the tournament")
     set: Settings = described(
         {}, "settings for this stage; they are added to the tournament's, unless the stage has a scenario of its own"
     )
@@ -119,7 +121,7 @@ class RoundRobin(MatchesModel):
         | dict[Name, Annotated[tuple[TeamId, ...], Field(strict=False, min_length=2)]]
     ) = described(
         1,
-        "how many groups are drawn, evenly from each pot, or with 'from' from each place; or the teams by group: "
+        "number of groups, drawn evenly from each pot or, with 'from', from each place; or the teams by group: "
         "{A: [ada, bee], B: […]}",
     )
     legs: int = described(1, "how often two teams meet; 2: home and away, with the sides changed", ge=1, le=2)
@@ -144,12 +146,14 @@ class KnockOut(MatchesModel):
     stage: Literal["knock_out"]
     seeding: Literal["by_place", "drawn"] = described(
         "by_place",
-        "by_place: the best meet the last, and teams of one group meet late; without 'from' the order of the teams "
-        "counts, those of the first pot first. drawn: by lot",
+        "by_place: the best meet the last, and teams of the same group meet late; without 'from' the order of "
+        "the teams decides, with the first pot first. drawn: by lot",
     )
     third_place: bool = described(False, "whether the losers of the semi-finals play for third place")
     legs: int = described(1, "matches of a tie whose scores are added up; 2: with the sides changed", ge=1, le=2)
-    best_of: Literal[1, 3, 5, 7] = described(1, "matches of a tie of which most must be won; drawn ones count for none")
+    best_of: Literal[1, 3, 5, 7] = described(
+        1, "a tie is won by the majority of this many matches; drawn ones count for neither side"
+    )
 
 
 class ChallengeScenario(Strict):
@@ -159,8 +163,9 @@ class ChallengeScenario(Strict):
     set: Settings = described({}, "settings of that scenario: path -> value")
     teams_folder: str | None = described(
         None,
-        "a folder, relative to this file, of the submissions for this challenge, named like the teams; a team that is "
-        "not in it does not take part. Left out: as for the matches; sample teams: the sample team of the challenge",
+        "a folder, relative to this file, of the submissions for this challenge, named like the teams; a team "
+        "that is not in it does not take part. If omitted: as for the matches, and for sample teams the sample"
+        " team of the challenge",
         min_length=1,
     )
 
@@ -170,17 +175,19 @@ class Challenge(FromModel):
 
     stage: Literal["challenge"]
     scenarios: dict[Name, ChallengeScenario] = described(..., "the challenges by name", min_length=1, max_length=64)
-    seeds: int = described(1, "how often each team plays each of them, each time with another seed", ge=1, le=1000)
+    seeds: int = described(1, "how often each team plays each of them, each time with a different seed", ge=1, le=1000)
     rank_by: Literal["sum", "median", "best"] = described(
-        "sum", "what counts of the runs of a team: the sum or the median of each criterion, or its best run"
+        "sum", "which result of a team counts: the sum or the median of each criterion over its runs, or its best run"
     )
     combine: Literal["places", "share"] = described(
         "places",
-        "how several challenges give one table. places: points by place; share: 100 points for the best value, others "
-        "their share of it, and never more than a better place",
+        "how several challenges are combined into one table. places: points by place; share: 100 points for "
+        "the best value, and for others their share of it, but never more than for a better place",
     )
     place_points: Annotated[tuple[float, ...], Field(strict=False)] = described(
-        (), "points for the first place, the second, …; left out: the number of teams for the first, 1 for the last"
+        (),
+        "points for the first place, the second, …; if omitted: the number of teams for the first place, 1 for"
+        " the last",
     )
 
 
@@ -189,7 +196,7 @@ class SuperTeam(MatchesModel):
 
     stage: Literal["super_team"]
     super_teams: dict[Name, Annotated[tuple[TeamId, ...], Field(strict=False, min_length=1)]] | None = described(
-        None, "the teams of each super team, in the order of the side's robots; left out: drawn"
+        None, "the teams of each super team, in the order of the side's robots; if omitted: drawn"
     )
     legs: int = described(1, "how often two super teams meet; 2: with the sides changed", ge=1, le=2)
 
@@ -205,16 +212,16 @@ class Tournament(Strict):
     description: str = described("", "for the site", max_length=4000)
     seed: int | Annotated[str, StringConstraints(min_length=1, max_length=200)] = described(
         ...,
-        "a number or a text from which all that chance decides is drawn: groups, pairings, lots, matches. Its hash is "
-        "published before, so take a text that cannot be guessed",
+        "a number or a text that determines all random choices: groups, pairings, lots, matches. Its hash is "
+        "published in advance, so choose a text that cannot be guessed",
     )
     teams_folder: str | None = described(
         None,
-        "a folder, relative to this file, of which each ZIP and each folder is a team; its name is the team's id",
+        "a folder, relative to this file, in which each ZIP and each folder is a team; its name is the team's id",
         min_length=1,
     )
     teams: dict[TeamId, TeamModel] = described(
-        {}, "teams by id; with teams_folder only those of which something is to be said", max_length=1024
+        {}, "teams by id; with teams_folder only those that need further settings", max_length=1024
     )
     scenario: str = described(
         "match", "what is played: a file, relative to this one, or the name of a shipped scenario"
@@ -223,22 +230,22 @@ class Tournament(Strict):
     points: Points = described(Points(), "points for a match")
     tie_breaks: Annotated[tuple[TieBreak, ...], Field(strict=False, min_length=1)] = described(
         ("points", "goal_difference", "goals", "head_to_head"),
-        "what ranks a table, first criterion first. head_to_head: a table of the matches of those that are level. What "
-        "stays level shares its place, unless the last word is lot",
+        "how a table is ranked, first criterion first. head_to_head: a table of the matches between the teams "
+        "that are level. Teams that remain level share their place, unless the last criterion is lot",
     )
     drawn: DrawnMatches = described(DrawnMatches(), "what decides a knock-out tie that is level")
     withdrawn: Literal["annulled"] | LostBy = described(
         "annulled",
-        "what happens if a team leaves in the middle. annulled: in a round robin that it has not finished none of its "
-        "matches count; {lost: [0, 3]}: those that it has not played are lost. In a Swiss stage what it played counts; "
-        "in a knock-out its opponent advances",
+        "what happens if a team withdraws during the tournament. annulled: in an unfinished round robin none "
+        "of its matches count; {lost: [0, 3]}: its remaining matches are lost. In a Swiss stage its played "
+        "matches count; in a knock-out its opponent advances",
     )
     records: Records = described(
         "replay",
         "what is kept of each match: full: the whole record, with sensors; replay: what the replay page needs; result: "
-        "the result only. What is dropped is made again by `tournament rerun`",
+        "the result only. `tournament rerun` recreates what is not kept",
     )
-    time_zone: str = described("UTC", "of all times in this file: Europe/Berlin", max_length=64)
+    time_zone: str = described("UTC", "time zone of all times in this file: Europe/Berlin", max_length=64)
     stages: dict[Name, Stage] = described(
         ..., "the stages by name, in the order of playing", min_length=1, max_length=64
     )
