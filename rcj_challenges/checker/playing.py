@@ -210,7 +210,7 @@ def _threads(match: Rehearsed, side: str) -> list[Finding]:
             _, robots = ended.setdefault(found["error"], (found["report"], []))
             if robot not in robots:
                 robots.append(robot)
-    remedy = "correct the line below: the program goes on without this thread, and what it was to do is not done"
+    remedy = "correct the line below: the program continues without this thread, whose work is not done"
     return [
         Finding(
             code="play.thread",

@@ -147,7 +147,7 @@ def _closing(records: Sequence[dict[str, Any]], options: JudgeOptions) -> Iterat
         left = f"; {len(records) - len(judged)} could not be judged" if len(judged) < len(records) else ""
         yield f"{counted(len(judged), 'record')} judged, {other} of them with another score{left}"
     if judged and options.other_rules:
-        yield "Poses stay those of the record: what these rules put elsewhere goes on from where it was."
+        yield "Poses remain those of the record: things that these rules would move stay where they were."
 
 
 def _judge_one(folder: Path, options: JudgeOptions, scenario: Scenario | None) -> _Judged:

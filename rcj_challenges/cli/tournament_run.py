@@ -76,7 +76,7 @@ def run_tournament(tournament: OpenTournament, options: RunOptions) -> int:
             try:
                 state = Runner(tournament, jobs, executor, observer).run()
             except KeyboardInterrupt as error:
-                left = "run the same command again: it goes on where it was"
+                left = "run the same command again: it continues where it stopped"
                 raise KeyboardInterrupt(f"{counted(observer.done, 'match', 'matches')} played; {left}") from error
     for table in stage_tables(state):
         console.print(table)

@@ -475,6 +475,6 @@ def _report_nested(files: Files, troubles: Problems) -> None:
         kind = next(kinds, "a tar archive" if _TARRED.search(path.name) else "")
         if kind and path.suffix.casefold() not in _DATA_ENDINGS:
             shown = safe_text(path)
-            message = f"{shown} is {kind} inside the submission, which nobody unpacks"
+            message = f"{shown} is {kind} inside the submission, which is not unpacked"
             remedy = "pack what is in it instead, if the programs need it"
             troubles.add(Problem("archive.nested", "warning", message, remedy, shown))

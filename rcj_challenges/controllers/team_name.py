@@ -108,7 +108,7 @@ def _name_file(files: Files) -> tuple[PurePosixPath | None, tuple[Problem, ...]]
         return path, (Problem("identity.name_file", "warning", message, remedy, shown, repair=True),)
     document = next((path for path in files if path.suffix.casefold() in _DOCUMENT_ENDINGS and _near_stem(path)), None)
     if document is not None:
-        message = f"{safe_text(document)} is no plain text: the name is taken from the file's"
+        message = f"{safe_text(document)} is not plain text: the name is taken from the file's"
         return None, (_warning("name_document", message, f"save the name as plain text in {NAME_FILE}", repair=False),)
     message = f"there is no {NAME_FILE}: the name is taken from the file's"
     return None, (_warning("name_missing", message, "add it, with the team's name in one line", repair=False),)
@@ -150,10 +150,10 @@ def _decoded(content: bytes) -> tuple[str, tuple[Problem, ...]]:
             text = content.decode("cp1252", "replace")
             troubles.append(_assumed("Windows-1252, the letters of Western Europe"))
     elif content.startswith(codecs.BOM_UTF8):
-        message = f"{NAME_FILE} begins with a byte order mark, which is no part of the name"
+        message = f"{NAME_FILE} begins with a byte order mark, which is not part of the name"
         troubles.append(_note("name_bom", message, repair=True))
     if "\r" in text:
-        message = f"{NAME_FILE} has the line ends of Windows, which are no part of the name"
+        message = f"{NAME_FILE} has the line ends of Windows, which are not part of the name"
         troubles.append(_note("name_line_ends", message, repair=True))
     return text, tuple(troubles)
 

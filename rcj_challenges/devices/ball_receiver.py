@@ -43,7 +43,7 @@ robots:
         """Return what it is."""
         balls = phrases.balls_with_infrared()
         if not balls:
-            return "infra-red receiver; it hears nothing, for no ball sends infra-red"
+            return "infrared receiver, which receives nothing, because no ball sends infrared signals"
         direction = f"{degrees(self.direction_noise_rad)} of the direction" if self.direction_noise_rad else ""
         noise = noise_words(percent_words(self.strength_noise, "the strength"), direction)
         return f"infra-red receiver of {balls}, up to {metres(self.range_m)}{noise}"

@@ -46,9 +46,7 @@ class Wanted(NamedTuple):
 
 _MAX_NOTES = 3
 """At most so many rules are noted for a failed test."""
-_YET = (
-    " yet: a rule of that very tick made it true, which others see one tick later, as they hear an event that it emits"
-)
+_YET = " yet: a rule made it true in that tick, which other rules see one tick later, like an emitted event"
 
 
 def denied_condition_notes(

@@ -37,8 +37,8 @@ def put_inside_notes(
         if found is not None:
             tick, who, zone = found
             yield (
-                f"note: a rule put {who} into {zone} at {s_from_ticks(tick):g} s, which {name} does not hear: what is "
-                "put there has not entered it; 'holds' with in_zone and for_s: 0.05 would"
+                f"note: a rule put {who} into {zone} at {s_from_ticks(tick):g} s, which does not trigger "
+                f"{name}: a placed thing has not entered the zone; use 'holds' with in_zone and for_s: 0.05"
             )
 
 

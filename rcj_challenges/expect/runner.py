@@ -129,7 +129,7 @@ def _already_true(match: ScriptedMatch, fired: Container[str]) -> Iterable[str]:
         if rule not in fired:
             yield (
                 f"note: {rule} waits for a condition to come true that held already at {s_from_ticks(tick):g} s; "
-                "with for_s: 0.05 that is heard too"
+                "with for_s: 0.05 that counts too"
             )
 
 

@@ -51,13 +51,13 @@ class WrongWays:
         gates = [gate for gate in self._members(tuple(steps), None) if gate in self._gates]
         for entity in self._entities(followed(sequence), None):
             for gate in gates:
-                yield _Passage(entity, gate, -1, f"no step of {name}, which counts gates crossed forward only")
+                yield _Passage(entity, gate, -1, f"not a step of {name}, which counts only gates crossed forward")
 
     def _of_rule(self, name: str, rule: Rule) -> Iterable[_Passage]:
         for trigger in rule.triggers:
             if not isinstance(trigger, Crosses) or trigger.direction == "either":
                 continue
-            unheard = f"not heard by the rule {name}, which has direction: {trigger.direction}"
+            unheard = f"not counted by the rule {name}, which has direction: {trigger.direction}"
             for each in (None,) if rule.for_each is None else self._members(rule.for_each, None):
                 for entity in self._entities(trigger.entity, each):
                     # A gate that is drawn is not looked at: it may be another one at that time.

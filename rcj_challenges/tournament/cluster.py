@@ -263,7 +263,7 @@ def _connect(address: str) -> Client:
 
 def _lost(address: str) -> DiagnosticError:
     message = f"the connection to the cluster at {address} was lost"
-    help_ = "start the scheduler and its workers, and run again: it goes on where it was"
+    help_ = "start the scheduler and its workers, and run again: it continues where it stopped"
     return DiagnosticError(Diagnostic("cluster-lost", message, help_))
 
 

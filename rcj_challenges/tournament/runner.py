@@ -262,5 +262,5 @@ def keep_record(folder: Path, place: Workplace, job_id: str) -> None:
 
 def cannot_go_on(folder: Path, said: str) -> DiagnosticError:
     """Return the error for a computer that cannot go on; nothing that was played is lost."""
-    message = f"this computer cannot go on with the matches in {folder}: {said}"
-    return DiagnosticError(Diagnostic("cannot-go-on", message, "put that right and run again: it goes on where it was"))
+    message = f"this computer cannot continue the matches in {folder}: {said}"
+    return DiagnosticError(Diagnostic("cannot-go-on", message, "fix this and run again: it continues where it stopped"))

@@ -26,7 +26,7 @@ class Distance(Compared):
             MOVING,
             groups=True,
             each=True,
-            instead="name the obstacle in 'to', and in 'entity' who comes near it",
+            instead="name the obstacle in 'to', and in 'entity' the robot or ball that comes near it",
         ),
     ] = described(..., "an entity, each, or a group with `of`")
     to: Annotated[Name | Point, MEASURED_TO] = described(

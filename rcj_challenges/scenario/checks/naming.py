@@ -47,7 +47,7 @@ def _namespace(root: Entries, roster: Roster) -> Iterator[Issue]:
             first = seen.setdefault(name.casefold(), path)
             message = ""
             if name in _RESERVED:
-                message = f"'{name}' has a meaning of its own"
+                message = f"'{name}' is reserved"
             elif first is not path:
                 line = mark_of(root, first, at_key=True).line
                 how = "is" if first[1] == name else f"differs only in case from '{first[1]}',"

@@ -360,7 +360,7 @@ def _damaged(path: Path, said: str) -> DiagnosticError:
 
 def _unwritable(path: Path, said: str) -> DiagnosticError:
     message = f"the tournament's data cannot be written: {path}: {said}"
-    help_ = "make room there, or allow writing; then run the command again: it goes on where it was"
+    help_ = "free some space there, or allow writing; then run the command again: it continues where it stopped"
     return DiagnosticError(Diagnostic("store-unwritable", message, help_))
 
 

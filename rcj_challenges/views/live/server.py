@@ -235,7 +235,9 @@ class _Handler(BaseHTTPRequestHandler):
 
     def _steer(self) -> None:
         if not self._may_steer():
-            return self._refuse(403, "only who started the match may steer it: use the address with the token")
+            return self._refuse(
+                403, "only the person who started the match may steer it: use the address with the token"
+            )
         length = self.headers.get("Content-Length", "")
         # Of more digits than these Python makes no number.
         if not (length.isascii() and length.isdigit() and len(length) <= _MAX_DIGITS) or int(length) > _LONGEST_ORDER:

@@ -25,24 +25,26 @@ class Definition:
     text: str
 
 
-_PLAY = "Only ticks of play count: those in which nobody waits for a kick-off."
+_PLAY = "Only ticks of play count: those without waiting for a kick-off."
 
 DEFINITIONS: dict[str, Definition] = {
     "possession": Definition(
         "possession",
         "%",
-        "Share of play in which the robot or team was the last to have touched the ball; of several balls the mean. "
-        f"{_PLAY} Nobody has a ball from being put elsewhere until its next touch; where two teams touch it at once, "
-        "it stays with who had it. Over several runs, those count in which the robot or team played.",
+        "Share of play in which the robot or team was the last to have touched the ball; with several balls, "
+        "their mean. "
+        f"{_PLAY} After a ball is placed elsewhere, no robot has it until the next touch; if two teams touch "
+        f"it at once, possession does not change. Over several runs, only those count in which the robot or "
+        f"team played.",
     ),
     "distance_m": Definition(
         "distance",
         "m",
         "Sum of the distances between the judged positions of the centre, tick by tick (0.032 s), in play and on the "
-        "field. Being put elsewhere is no distance.",
+        "field. Placements add no distance.",
     ),
-    "mean_mps": Definition("mean", "m/s", "The distance over the time of play on the field."),
-    "max_mps": Definition("max", "m/s", "The greatest distance of one tick of play over 0.032 s."),
+    "mean_mps": Definition("mean", "m/s", "The distance divided by the time of play on the field."),
+    "max_mps": Definition("max", "m/s", "The greatest distance in one tick of play divided by 0.032 s."),
     "touches": Definition(
         "touches",
         "",
@@ -54,7 +56,7 @@ DEFINITIONS: dict[str, Definition] = {
         "Touches after which the ball, rolling straight on, would cross the goal line at the attacked end (the whole "
         f"end line without the corner walls) within {SHOT_WITHIN_S:g} s. Its velocity is measured over the second tick "
         f"after the touch; no robot may touch it in these {FREE_TICKS} ticks. No deceleration is assumed: a rolling "
-        "ball loses 0.1 % of its speed in a metre. The last touch before a ball came into the attacked goal is a shot "
+        "ball loses 0.1 % of its speed per metre. The last touch before a ball entered the attacked goal is a shot "
         "on goal, however long the ball took.",
     ),
     "on_goal": Definition(
