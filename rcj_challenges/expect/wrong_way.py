@@ -51,7 +51,7 @@ class WrongWays:
         gates = [gate for gate in self._members(tuple(steps), None) if gate in self._gates]
         for entity in self._entities(followed(sequence), None):
             for gate in gates:
-                yield _Passage(entity, gate, -1, f"not a step of {name}, which counts only gates crossed forward")
+                yield _Passage(entity, gate, -1, f"no step of {name}, which counts only gates crossed forward")
 
     def _of_rule(self, name: str, rule: Rule) -> Iterable[_Passage]:
         for trigger in rule.triggers:
