@@ -35,12 +35,12 @@ class AnsiCodes:
     WHITE_BACKGROUND: str
 
 class Device:
-    """A part of the robot, as ``getDevice`` returns it, or made by its class: ``Motor("left wheel motor")``.
+    """A part of the robot, as returned by ``getDevice`` or created from its class: ``Motor("left wheel motor")``.
 
-    A team's class may be a device. For its sake, what a device keeps to itself has names that begin with ``_rcj_``.
+    A team's class may inherit from it, so private names begin with ``_rcj_``.
     """
     def __init__(self, name: str) -> None:
-        """Stand for the robot's device of that name: all objects that do have all attributes in common.
+        """Represent the robot's device of that name: all objects of one device share their attributes.
 
         If the robot has none of that name and class, a message says so as with ``getDevice``, and using this object is
         an error.
@@ -74,7 +74,7 @@ class LidarPoint:
     def __init__(self, x: float, y: float, z: float, layer_id: int, time: float) -> None: ...
 
 class MouseState:
-    """A mouse that is nowhere over the field: no button is pressed, and all places are NaN."""
+    """A mouse that is not over the field: no button is pressed, and all positions are NaN."""
     left: bool
     middle: bool
     right: bool
@@ -85,9 +85,9 @@ class MouseState:
     z: float
 
 class Robot:
-    """The robot that this program drives. A program makes one, often of a class of its own.
+    """The robot that this program drives. A program creates one, often of its own subclass.
 
-    Private names begin with ``_rcj_``, so that such a class does not override them by accident. For the same reason no
+    Private names begin with ``_rcj_``, so that a subclass does not override them by accident. For the same reason no
     method calls another that could be overridden.
     """
     MODE_SIMULATION: int
@@ -110,7 +110,7 @@ class Robot:
     def step(self, time_step: float | None = None, timeStep: float | None = None, duration: float | None = None) -> int:
         """Let ``time_step`` ms pass, rounded up to whole ticks of 32 ms. Returns 0, or -1 when the match is over.
 
-        ``timeStep`` and ``duration`` are its names of other years.
+        ``timeStep`` and ``duration`` are its names in other versions.
 
         Raises:
             TypeError: no number was given.
@@ -119,7 +119,7 @@ class Robot:
             ``while robot.step(32) != -1:``
         """
     def stepBegin(self, time_step: float | None = None) -> None:
-        """Begin a step of ``time_step`` ms. What is set from now on until ``stepEnd`` acts in the next one."""
+        """Begin a step of ``time_step`` ms. What is set from now on until ``stepEnd`` takes effect in the next one."""
     def stepEnd(self) -> int:
         """Take the step that ``stepBegin`` began. Returns 0, or -1 when the match is over."""
     def waitForUserInputEvent(self, event_type: int, timeout: float = 0) -> int:
@@ -170,11 +170,11 @@ class Robot:
     def getModel(self) -> str:
         """Return the robot's model: none."""
     def getCustomData(self) -> str:
-        """Return what ``setCustomData`` was given; nothing at first."""
+        """Return the text given to ``setCustomData``; empty at first."""
     def setCustomData(self, customData: str) -> None:
         """Store a text. Only this program reads it."""
     def getSupervisor(self) -> bool:
-        """Return False: a player's robot is no supervisor."""
+        """Return False: a player's robot is not a supervisor."""
     def getSynchronization(self) -> bool:
         """Return True: the match waits for each step."""
     def getMode(self) -> int:
@@ -223,57 +223,57 @@ class Robot:
     mouse: Any
     joystick: Any
     def getAccelerometer(self, name: str) -> Any:
-        """Return the Accelerometer of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the Accelerometer of that name, with a deprecation note; None, with a message, if there is none."""
     def getAltimeter(self, name: str) -> Any:
-        """Return the Altimeter of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the Altimeter of that name, with a deprecation note; None, with a message, if there is none."""
     def getBrake(self, name: str) -> Any:
-        """Return the Brake of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the Brake of that name, with a deprecation note; None, with a message, if there is none."""
     def getCamera(self, name: str) -> Any:
-        """Return the Camera of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the Camera of that name, with a deprecation note; None, with a message, if there is none."""
     def getCompass(self, name: str) -> Any:
-        """Return the Compass of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the Compass of that name, with a deprecation note; None, with a message, if there is none."""
     def getConnector(self, name: str) -> Any:
-        """Return the Connector of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the Connector of that name, with a deprecation note; None, with a message, if there is none."""
     def getDisplay(self, name: str) -> Any:
-        """Return the Display of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the Display of that name, with a deprecation note; None, with a message, if there is none."""
     def getDistanceSensor(self, name: str) -> Any:
-        """Return the DistanceSensor of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the DistanceSensor of that name, with a deprecation note; None, with a message, if there is none."""
     def getEmitter(self, name: str) -> Any:
-        """Return the Emitter of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the Emitter of that name, with a deprecation note; None, with a message, if there is none."""
     def getGPS(self, name: str) -> Any:
-        """Return the GPS of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the GPS of that name, with a deprecation note; None, with a message, if there is none."""
     def getGyro(self, name: str) -> Any:
-        """Return the Gyro of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the Gyro of that name, with a deprecation note; None, with a message, if there is none."""
     def getInertialUnit(self, name: str) -> Any:
-        """Return the InertialUnit of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the InertialUnit of that name, with a deprecation note; None, with a message, if there is none."""
     def getLED(self, name: str) -> Any:
-        """Return the LED of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the LED of that name, with a deprecation note; None, with a message, if there is none."""
     def getLidar(self, name: str) -> Any:
-        """Return the Lidar of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the Lidar of that name, with a deprecation note; None, with a message, if there is none."""
     def getLightSensor(self, name: str) -> Any:
-        """Return the LightSensor of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the LightSensor of that name, with a deprecation note; None, with a message, if there is none."""
     def getMotor(self, name: str) -> Any:
-        """Return the Motor of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the Motor of that name, with a deprecation note; None, with a message, if there is none."""
     def getPen(self, name: str) -> Any:
-        """Return the Pen of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the Pen of that name, with a deprecation note; None, with a message, if there is none."""
     def getPositionSensor(self, name: str) -> Any:
-        """Return the PositionSensor of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the PositionSensor of that name, with a deprecation note; None, with a message, if there is none."""
     def getRadar(self, name: str) -> Any:
-        """Return the Radar of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the Radar of that name, with a deprecation note; None, with a message, if there is none."""
     def getRangeFinder(self, name: str) -> Any:
-        """Return the RangeFinder of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the RangeFinder of that name, with a deprecation note; None, with a message, if there is none."""
     def getReceiver(self, name: str) -> Any:
-        """Return the Receiver of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the Receiver of that name, with a deprecation note; None, with a message, if there is none."""
     def getServo(self, name: str) -> Any:
-        """Return the Servo of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the Servo of that name, with a deprecation note; None, with a message, if there is none."""
     def getSkin(self, name: str) -> Any:
-        """Return the Skin of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the Skin of that name, with a deprecation note; None, with a message, if there is none."""
     def getSpeaker(self, name: str) -> Any:
-        """Return the Speaker of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the Speaker of that name, with a deprecation note; None, with a message, if there is none."""
     def getTouchSensor(self, name: str) -> Any:
-        """Return the TouchSensor of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the TouchSensor of that name, with a deprecation note; None, with a message, if there is none."""
     def getVacuumGripper(self, name: str) -> Any:
-        """Return the VacuumGripper of that name, after a line of deprecation; None, and a message, if there is none."""
+        """Return the VacuumGripper of that name, with a deprecation note; None, with a message, if there is none."""
 
 class Accelerometer:
     def __init__(self, *args: object, **kwargs: object) -> None: ...
@@ -301,10 +301,10 @@ class Display:
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class Emitter(Device):
-    """Sends packets to the robots of the own team."""
+    """Sends packets to the robots of its own team."""
     CHANNEL_BROADCAST: int
     def send(self, message: str | builtins.bytes | bytearray | memoryview | Sequence[float], size: int | None = None) -> int:
-        """Send bytes, text (as UTF-8) or a list of floats (as doubles) to the robots of the own team.
+        """Send bytes, text (as UTF-8) or a list of floats (as doubles) to the robots of its own team.
 
         Example:
             ``emitter.send(json.dumps({"ball": True}))``
@@ -322,7 +322,7 @@ class Emitter(Device):
     def getRange(self) -> float:
         """Return how far it sends, in m."""
     def setRange(self, range: float) -> None:
-        """Remember a smaller range in m. It is not simulated: the packets are heard as far as before."""
+        """Remember a smaller range in m. It is not simulated: packets reach as far as before."""
     def getMaxRange(self) -> float:
         """Return the largest range in m."""
     def getBufferSize(self) -> int:
@@ -333,7 +333,7 @@ class Emitter(Device):
     buffer_size: int
 
 class Field:
-    """Constants; a program can get no fields themselves."""
+    """Constants only; a program cannot get fields."""
     def __init__(self, *args: object, **kwargs: object) -> None: ...
     NO_FIELD: int
     SF_BOOL: int

@@ -28,13 +28,13 @@ class ReadOnly:
 
 
 class Device:
-    """A part of the robot, as ``getDevice`` returns it, or made by its class: ``Motor("left wheel motor")``.
+    """A part of the robot, as returned by ``getDevice`` or created from its class: ``Motor("left wheel motor")``.
 
-    A team's class may be a device. For its sake, what a device keeps to itself has names that begin with ``_rcj_``.
+    A team's class may inherit from it, so private names begin with ``_rcj_``.
     """
 
     def __init__(self, name: str) -> None:
-        """Stand for the robot's device of that name: all objects that do have all attributes in common.
+        """Represent the robot's device of that name: all objects of one device share their attributes.
 
         If the robot has none of that name and class, a message says so as with ``getDevice``, and using this object is
         an error.

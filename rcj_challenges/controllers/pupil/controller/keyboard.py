@@ -51,7 +51,7 @@ class Keyboard(_Input):
 
 
 class MouseState:
-    """A mouse that is nowhere over the field: no button is pressed, and all places are NaN."""
+    """A mouse that is not over the field: no button is pressed, and all positions are NaN."""
 
     left = middle = right = False
     u = v = x = y = z = math.nan

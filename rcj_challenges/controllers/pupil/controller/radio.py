@@ -231,7 +231,7 @@ class _NotListening:
 
 
 class Emitter(Device):
-    """Sends packets to the robots of the own team."""
+    """Sends packets to the robots of its own team."""
 
     CHANNEL_BROADCAST = -1
 
@@ -242,7 +242,7 @@ class Emitter(Device):
         self._rcj_told_of: set[str] = set()
 
     def send(self, message: str | bytes | bytearray | memoryview | Sequence[float], size: int | None = None) -> int:
-        """Send bytes, text (as UTF-8) or a list of floats (as doubles) to the robots of the own team.
+        """Send bytes, text (as UTF-8) or a list of floats (as doubles) to the robots of its own team.
 
         Example:
             ``emitter.send(json.dumps({"ball": True}))``
@@ -286,7 +286,7 @@ class Emitter(Device):
         return self._rcj_range
 
     def setRange(self, range: float) -> None:
-        """Remember a smaller range in m. It is not simulated: the packets are heard as far as before."""
+        """Remember a smaller range in m. It is not simulated: packets reach as far as before."""
         self._rcj_range = min(float(range), self.getMaxRange())
 
     def getMaxRange(self) -> float:

@@ -36,9 +36,9 @@ def _class_of(kind: str) -> type[Device]:
 
 
 class Robot:
-    """The robot that this program drives. A program makes one, often of a class of its own.
+    """The robot that this program drives. A program creates one, often of its own subclass.
 
-    Private names begin with ``_rcj_``, so that such a class does not override them by accident. For the same reason no
+    Private names begin with ``_rcj_``, so that a subclass does not override them by accident. For the same reason no
     method calls another that could be overridden.
     """
 
@@ -85,7 +85,7 @@ class Robot:
     def step(self, time_step: float | None = None, timeStep: float | None = None, duration: float | None = None) -> int:
         """Let ``time_step`` ms pass, rounded up to whole ticks of 32 ms. Returns 0, or -1 when the match is over.
 
-        ``timeStep`` and ``duration`` are its names of other years.
+        ``timeStep`` and ``duration`` are its names in other versions.
 
         Raises:
             TypeError: no number was given.
@@ -100,7 +100,7 @@ class Robot:
         return 0 if connection.exchange(time_step) else -1
 
     def stepBegin(self, time_step: float | None = None) -> None:
-        """Begin a step of ``time_step`` ms. What is set from now on until ``stepEnd`` acts in the next one."""
+        """Begin a step of ``time_step`` ms. What is set from now on until ``stepEnd`` takes effect in the next one."""
         self._rcj_connection.begin(self._rcj_connection.duration_ms(time_step))
 
     def stepEnd(self) -> int:
@@ -163,7 +163,7 @@ class Robot:
         return ""
 
     def getCustomData(self) -> str:
-        """Return what ``setCustomData`` was given; nothing at first."""
+        """Return the text given to ``setCustomData``; empty at first."""
         return self._rcj_custom_data
 
     def setCustomData(self, customData: str) -> None:
@@ -171,7 +171,7 @@ class Robot:
         self._rcj_custom_data = customData
 
     def getSupervisor(self) -> bool:
-        """Return False: a player's robot is no supervisor."""
+        """Return False: a player's robot is not a supervisor."""
         return False
 
     def getSynchronization(self) -> bool:
@@ -283,7 +283,7 @@ def _getter_of_old(kind: str) -> Callable[[Robot, str], Any]:
         return self._rcj_legacy(kind, name)
 
     get.__name__ = f"get{kind}"
-    get.__doc__ = f"Return the {kind} of that name, after a line of deprecation; None, and a message, if there is none."
+    get.__doc__ = f"Return the {kind} of that name, with a deprecation note; None, with a message, if there is none."
     return get
 
 
