@@ -483,9 +483,7 @@ FINE: dict[str, Callable[[], bytes]] = {
     ),
     "with_an_entry_for_the_top": lambda: pack([folder("."), *with_folders(SOUND)]),
     "with_data_that_is_a_zip": lambda: sound_with(**{"rcj_soccer_team_blue/weights.npz": plain({"w.npy": b"1"})}),
-    "with_names_in_any_script": lambda: plain(
-        SOUND | {"заметки/ノート.txt": b"1", "team_name.txt": "Öko ⚽ Čats".encode()}
-    ),
+    "with_names_in_any_script": lambda: plain(SOUND | {"заметки/ノート.txt": b"1", "team_name.txt": "Öko ⚽ Čats".encode()}),
     "ten_megabytes": lambda: pack([*with_folders(SOUND), Member("w.bin", noise(9_990_000), method=STORED)]),
 }
 """Archives without a flaw."""

@@ -9,9 +9,7 @@ import tarfile
 from tests.hostile.archives.building import STORED, Member, pack, with_folders
 
 ENTRY = "rcj_soccer_team_blue/rcj_soccer_team_blue.py"
-PROGRAM = (
-    b"from controller import Robot\nfrom utils import speed\n\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
-)
+PROGRAM = b"from controller import Robot\nfrom utils import speed\n\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
 UTILS = b"# -*- coding: utf-8 -*-\r\nspeed = 10  # rad/s\r\n"
 NAME = {"team_name.txt": b"Phase Moon\n"}
 SOUND = {ENTRY: PROGRAM, "rcj_soccer_team_blue/utils.py": UTILS} | NAME
