@@ -72,7 +72,7 @@ Lengths are in metres, times in seconds, angles in radians; x runs along the sho
 side, the origin is the centre, and blue defends the goal at +y. Names carry their unit: `_m`, `_s`, `_rad`, `_mps`.
 Durations are rounded up to ticks of 0.032 s. A field marked *required* has no default. Any single value
 may be `{{param: NAME}}`; a number may also be `{{param: NAME, times: -1, plus: 0.02}}`: the param times a number plus a
-number (omit either). Everything that has a name is a mapping keyed by that name.
+number (omit either). Named things are in mappings, with their names as keys.
 
 Every example becomes a complete scenario with these lines above it, and runs as a test:
 

@@ -13,15 +13,15 @@ from rcj_challenges.tracking.places import PlaceRequest, PlaceResolver
 
 
 class RelativeTo(PlaceWord):
-    """At an offset from another entity or spot. Relative to itself and with a kick, a ball changes direction."""
+    """At an offset from another entity or spot. A ball placed relative to itself with a kick changes direction."""
 
     relative_to: Annotated[Name, ANCHOR] = described(
         ..., "an entity, a spot, each, or a draw's name (then the thing drawn)"
     )
     offset_m: Point = described(
         (0.0, 0.0),
-        "offset from it, [x, y] in m; a mirror applies to both a spot and the offset, but only to the offset "
-        "from an entity",
+        "offset from it, [x, y] in m; a mirror applies to a spot together with its offset, but for an entity "
+        "only to the offset",
     )
     turns: bool = described(False, "True: the offset is in the entity's own frame, x forward, and no mirror changes it")
 
