@@ -27,7 +27,7 @@ from typing import Any
 
 from benchmarks.rows import Row, as_users_have_it, parser, show
 from rcj_challenges.controllers.team import open_team
-from rcj_challenges.match.observers import NullObserver, ObserverGroup
+from rcj_challenges.match.observers import Observer, ObserverGroup
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.scenario.load import load
 from rcj_challenges.views.live import MAX_SPEED, LiveShow
@@ -68,7 +68,7 @@ def match_of(seconds: float, out: Path, show: LiveShow | None = None) -> tuple[P
     with contextlib.ExitStack() as stack:
         teams = {seat: stack.enter_context(open_team(PROGRAM, *seats)) for seat in loaded.scenario.entrants}
         plan = MatchPlan(loaded, teams, {}, seed=3, out=out)
-        observer = NullObserver() if show is None else ObserverGroup(NullObserver(), show.observer)
+        observer = Observer() if show is None else ObserverGroup(Observer(), show.observer)
         played = play_match(plan, observer)
     return played.folder, float(played.result["wall_s"])
 

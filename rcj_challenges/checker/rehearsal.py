@@ -14,7 +14,7 @@ from typing import Any
 from rcj_challenges.controllers.team import Team, TeamError, open_team
 from rcj_challenges.core.play import RefereeOutput, Snapshot
 from rcj_challenges.core.timing import ticks_from_s
-from rcj_challenges.match.observers import NullObserver, ProgramTimes
+from rcj_challenges.match.observers import Observer, ProgramTimes
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.match.samples import sample_team
 from rcj_challenges.records.folder import LOGS
@@ -208,7 +208,7 @@ def _opponent(rehearsal: Rehearsal, seat: str, stack: ExitStack) -> tuple[Team, 
     return stack.enter_context(open_team(stand_in, scenario.entrants[seat])), _STANDING_ROBOTS
 
 
-class _Observer(NullObserver):
+class _Observer(Observer):
     """Records how robots move, what they touch and print, and how much time their programs take."""
 
     def __init__(self, loaded: Loaded, robots: Sequence[str]) -> None:
@@ -221,7 +221,7 @@ class _Observer(NullObserver):
         self._is_late = False
         self._late_from_ticks = late_from_ticks(longest_half_s(loaded.scenario.match))
 
-    def ticked(self, snapshot: Snapshot, output: RefereeOutput) -> None:
+    def after_tick(self, snapshot: Snapshot, output: RefereeOutput) -> None:
         """Add up what happened in a tick."""
         self._is_late = snapshot.tick > self._late_from_ticks
         for poses in snapshot.substeps:

@@ -65,15 +65,15 @@ def run_scenario(options: RunOptions) -> int:
     from rcj_challenges.cli import INTERRUPTED
     from rcj_challenges.cli.live import on_air, stay_on_air
     from rcj_challenges.core.errors import interruption_behind
+    from rcj_challenges.match.motionless import MotionlessObserver
     from rcj_challenges.match.observers import ObserverGroup
     from rcj_challenges.match.runner import MatchInterruptedError, play_match
-    from rcj_challenges.match.standing import StandingObserver
 
     scenario = plan.loaded.scenario
     titles = {team: plan.name_of(team) for team in plan.teams}
     try:
         with on_air(options.live, scenario, titles, plan.logos, plan.seed, console) as show:
-            standing = StandingObserver(scenario)
+            standing = MotionlessObserver(scenario)
             outcome = play_match(plan, ObserverGroup(observer, standing, *(() if show is None else (show.observer,))))
             try:
                 played = _Played(plan, outcome, standing.robots())

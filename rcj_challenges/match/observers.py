@@ -1,10 +1,10 @@
-"""Observers of a match: one protocol for scoreboard, plain lines, live view and tests."""
+"""Observers of a match: one base for scoreboard, plain lines, live view and tests."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 from rcj_challenges.core.play import Event, Fault, HalfInfo, RefereeOutput, Snapshot
 from rcj_challenges.records.sensors import SensedRobot, SensorListener
@@ -52,16 +52,17 @@ class ProgramTimes:
     slowest_s: float
 
 
-class Observer(Protocol):
-    """Observes a match. Calls must return fast: the match waits for them."""
+class Observer:
+    """Observes a match; what is not overridden does nothing. Calls must be fast: the match waits for them."""
 
-    progress_every_ticks: int
+    progress_every_ticks = 625
 
     def half_started(self, half: HalfInfo) -> None:
         """A half begins."""
 
     def sensing(self, half: HalfInfo, robots: Sequence[SensedRobot]) -> Sequence[SensorListener]:
         """A half begins; return the listeners that receive the recorded data of its programs."""
+        return ()
 
     def progressed(self, progress: Progress) -> None:
         """Another ``progress_every_ticks`` ticks are played."""
@@ -75,7 +76,7 @@ class Observer(Protocol):
     def printed(self, robot: str, text: str) -> None:
         """A program whose output is shown has printed something."""
 
-    def ticked(self, snapshot: Snapshot, output: RefereeOutput) -> None:
+    def after_tick(self, snapshot: Snapshot, output: RefereeOutput) -> None:
         """A tick was judged."""
 
     def before_tick(self, tick: int) -> float:
@@ -84,8 +85,9 @@ class Observer(Protocol):
         Returns:
             How long it waited in s, which does not count as time of the match.
         """
+        return 0.0
 
-    def closing(self, output: RefereeOutput, half: HalfInfo) -> None:
+    def after_last_tick(self, output: RefereeOutput, half: HalfInfo) -> None:
         """The output of the rules after the last tick of a half; its events are also passed to `event`."""
 
     def half_ended(self, half: HalfInfo, waits: tuple[ProgramTimes, ...]) -> None:
@@ -95,105 +97,37 @@ class Observer(Protocol):
         """The match is over or was interrupted (the result is not ``complete``), and its record is closed."""
 
 
-class NullObserver:
-    """An observer that does nothing; the base of those that need only some of the calls."""
+def _call_all(name: str) -> Any:
+    """Return a method of a group that calls the method of this name on each observer."""
 
-    progress_every_ticks = 625
+    def call(group: ObserverGroup, *args: Any) -> None:
+        for observer in group.observers:
+            getattr(observer, name)(*args)
 
-    def half_started(self, half: HalfInfo) -> None:
-        """Do nothing."""
-
-    def sensing(self, half: HalfInfo, robots: Sequence[SensedRobot]) -> Sequence[SensorListener]:
-        """Return no listeners."""
-        del half, robots
-        return ()
-
-    def progressed(self, progress: Progress) -> None:
-        """Do nothing."""
-
-    def event(self, event: Event, half: HalfInfo) -> None:
-        """Do nothing."""
-
-    def fault(self, fault: Fault) -> None:
-        """Do nothing."""
-
-    def printed(self, robot: str, text: str) -> None:
-        """Do nothing."""
-
-    def ticked(self, snapshot: Snapshot, output: RefereeOutput) -> None:
-        """Do nothing."""
-
-    def before_tick(self, tick: int) -> float:
-        """Do not wait."""
-        del tick
-        return 0.0
-
-    def closing(self, output: RefereeOutput, half: HalfInfo) -> None:
-        """Do nothing."""
-
-    def half_ended(self, half: HalfInfo, waits: tuple[ProgramTimes, ...]) -> None:
-        """Do nothing."""
-
-    def finished(self, result: dict[str, Any]) -> None:
-        """Do nothing."""
+    return call
 
 
-class ObserverGroup:
+class ObserverGroup(Observer):
     """Combines several observers; the first decides how often the progress is reported."""
 
     def __init__(self, *observers: Observer) -> None:
-        self._observers = observers
+        self.observers = observers
         self.progress_every_ticks = observers[0].progress_every_ticks
 
-    def half_started(self, half: HalfInfo) -> None:
-        """Tell all."""
-        for observer in self._observers:
-            observer.half_started(half)
+    half_started = _call_all("half_started")
+    progressed = _call_all("progressed")
+    event = _call_all("event")
+    fault = _call_all("fault")
+    printed = _call_all("printed")
+    after_tick = _call_all("after_tick")
+    after_last_tick = _call_all("after_last_tick")
+    half_ended = _call_all("half_ended")
+    finished = _call_all("finished")
 
     def sensing(self, half: HalfInfo, robots: Sequence[SensedRobot]) -> Sequence[SensorListener]:
-        """Ask all."""
-        return [listener for observer in self._observers for listener in observer.sensing(half, robots)]
-
-    def progressed(self, progress: Progress) -> None:
-        """Tell all."""
-        for observer in self._observers:
-            observer.progressed(progress)
-
-    def event(self, event: Event, half: HalfInfo) -> None:
-        """Tell all."""
-        for observer in self._observers:
-            observer.event(event, half)
-
-    def fault(self, fault: Fault) -> None:
-        """Tell all."""
-        for observer in self._observers:
-            observer.fault(fault)
-
-    def printed(self, robot: str, text: str) -> None:
-        """Tell all."""
-        for observer in self._observers:
-            observer.printed(robot, text)
-
-    def ticked(self, snapshot: Snapshot, output: RefereeOutput) -> None:
-        """Tell all."""
-        for observer in self._observers:
-            observer.ticked(snapshot, output)
+        """Return the listeners of all."""
+        return [listener for observer in self.observers for listener in observer.sensing(half, robots)]
 
     def before_tick(self, tick: int) -> float:
-        """Ask all."""
-        return sum([observer.before_tick(tick) for observer in self._observers])
-
-    def closing(self, output: RefereeOutput, half: HalfInfo) -> None:
-        """Tell all."""
-        for observer in self._observers:
-            observer.closing(output, half)
-
-    def half_ended(self, half: HalfInfo, waits: tuple[ProgramTimes, ...]) -> None:
-        """Tell all."""
-        for observer in self._observers:
-            observer.half_ended(half, waits)
-
-    def finished(self, result: dict[str, Any]) -> None:
-        """Tell all."""
-        for observer in self._observers:
-            observer.finished(result)
+        """Return how long all waited together in s."""
+        return sum([observer.before_tick(tick) for observer in self.observers])

@@ -54,13 +54,13 @@ class TickEffects:
         self._every_ticks = max(1, observer.progress_every_ticks)
         self._began_s = time.perf_counter()
 
-    def ticked(self, snapshot: Snapshot, output: RefereeOutput, state: bytes, poses: bytes) -> None:
+    def after_tick(self, snapshot: Snapshot, output: RefereeOutput, state: bytes, poses: bytes) -> None:
         """Take a judged tick, while the programs compute the next."""
         self._record.tick(snapshot, output, state, poses)
         tick = snapshot.tick
         if tick <= 1:  # after tick 0 the match waits until all programs have started
             self._began_s = time.perf_counter()
-        self._observer.ticked(snapshot, output)
+        self._observer.after_tick(snapshot, output)
         for event in output.events:
             self._observer.event(event, self._half)
         if tick % self._every_ticks == 0 and tick:
@@ -74,7 +74,7 @@ class TickEffects:
 
     def closed(self, closing: RefereeOutput) -> None:
         """Pass on the output of the rules after the last tick, and show the programs' last output."""
-        self._observer.closing(closing, self._half)
+        self._observer.after_last_tick(closing, self._half)
         for event in closing.events:
             self._observer.event(event, self._half)
         self._show_output()

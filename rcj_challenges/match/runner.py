@@ -20,7 +20,7 @@ from rcj_challenges.core.traffic import RobotSpec
 from rcj_challenges.match.carry_over import CarryOver
 from rcj_challenges.match.loading import load_stage
 from rcj_challenges.match.loop import LoopResult, TickLoop
-from rcj_challenges.match.observers import NullObserver, Observer, ProgramTimes
+from rcj_challenges.match.observers import Observer, ProgramTimes
 from rcj_challenges.match.pacing import TickEffects
 from rcj_challenges.match.sensor_recording import SensorRecording
 from rcj_challenges.records.errors import UnwritableError
@@ -110,7 +110,7 @@ def play_match(plan: MatchPlan, observer: Observer | None = None) -> PlayedMatch
         MatchInterruptedError: it was interrupted; the record is closed, marked as not complete.
     """
     try:
-        return _MatchRunner(plan, observer or NullObserver()).play()
+        return _MatchRunner(plan, observer or Observer()).play()
     except OSError as error:
         unwritable = UnwritableError.of(error, plan.out)
         if unwritable is None:
@@ -195,7 +195,7 @@ class _MatchRunner:
             record.begin_half(half)
             self._observer.half_started(half)
             recording.tell(self._observer, half)
-            outcome = TickLoop(stage, half, effects.ticked, self._observer.fault, self._before_tick).play()
+            outcome = TickLoop(stage, half, effects.after_tick, self._observer.fault, self._before_tick).play()
             record.end_half(outcome.closing, outcome.ended)
             crew.finish(
                 {

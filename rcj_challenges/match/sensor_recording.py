@@ -8,7 +8,6 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Protocol, Self
 
-from rcj_challenges.controllers.cpu_policy import CpuShare
 from rcj_challenges.core.play import Fault, HalfInfo
 from rcj_challenges.core.traffic import Observation, Request, RobotSpec
 from rcj_challenges.devices.ball_receiver import BallReceiverDevice
@@ -76,23 +75,14 @@ class _RecordedDriver:
         self._writer = writer
         self._tail = tail
         self._log_bytes = 0
+        self.share_cpus = driver.share_cpus
+        self.computed_s = driver.computed_s
+        self.overstepped = driver.overstepped
 
     def release(self, observation: Observation) -> None:
         """Let its ``step`` return."""
         self._writer.saw(self._number, observation)
         self._driver.release(observation)
-
-    def share_cpus(self, share: CpuShare) -> None:
-        """Set how it shares the CPUs."""
-        self._driver.share_cpus(share)
-
-    def computed_s(self) -> float:
-        """Return its CPU time in s."""
-        return self._driver.computed_s()
-
-    def overstepped(self, tick: int) -> Fault | None:
-        """Check its limits."""
-        return self._driver.overstepped(tick)
 
     def collect(self, if_long: Callable[[], None] | None = None) -> Request | Fault:
         """Wait for its next request, or learn that it failed."""

@@ -17,7 +17,7 @@ from rcj_challenges.core.measures import measure_words, measured_words, number_w
 from rcj_challenges.core.play import Fault, HalfInfo, RefereeOutput, Snapshot
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.core.timing import TICK_S, s_from_ticks
-from rcj_challenges.match.observers import NullObserver, Observer, Progress
+from rcj_challenges.match.observers import Observer, Progress
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Scenario
 from rcj_challenges.views.commentary import Commentator
 from rcj_challenges.views.naming import distinct_names
@@ -157,7 +157,7 @@ def pace(progress: Progress) -> str:
     return f"{progress.factor:.0f} x real time, done in about {progress.remaining_s:.0f} s"
 
 
-class PrintedLines(NullObserver):
+class PrintedLines(Observer):
     """What programs print whose output is shown, and nothing else.
 
     Attributes:
@@ -205,12 +205,12 @@ class PlainLines(PrintedLines):
             line = score_so_far(progress.half, progress.scores)
             self._say(f"{clock(s_from_ticks(progress.clock_ticks)):>7}  {line}  ({pace(progress)})")
 
-    def ticked(self, snapshot: Snapshot, output: RefereeOutput) -> None:
+    def after_tick(self, snapshot: Snapshot, output: RefereeOutput) -> None:
         """Say what happened."""
         if output.events or output.firings or output.changes:
             self._comment(output)
 
-    def closing(self, output: RefereeOutput, half: HalfInfo) -> None:
+    def after_last_tick(self, output: RefereeOutput, half: HalfInfo) -> None:
         """Say what happened after the last tick."""
         self._comment(output)
 
@@ -223,7 +223,7 @@ class PlainLines(PrintedLines):
             self._say(remark.text)
 
 
-class Scoreboard(NullObserver):
+class Scoreboard(Observer):
     """A live board: teams, score, clock, speed, last events. What changed the score stays above it."""
 
     progress_every_ticks = 125
@@ -247,12 +247,12 @@ class Scoreboard(NullObserver):
         """Draw the board again."""
         self._draw(progress)
 
-    def ticked(self, snapshot: Snapshot, output: RefereeOutput) -> None:
+    def after_tick(self, snapshot: Snapshot, output: RefereeOutput) -> None:
         """Show what happened."""
         if output.events or output.firings or output.changes:
             self._comment(output)
 
-    def closing(self, output: RefereeOutput, half: HalfInfo) -> None:
+    def after_last_tick(self, output: RefereeOutput, half: HalfInfo) -> None:
         """Show what happened after the last tick."""
         self._comment(output)
 

@@ -9,7 +9,7 @@ from rich.console import Console
 from rich.text import Text
 
 from rcj_challenges.expect.scripted_match import half_of
-from rcj_challenges.match.observers import NullObserver, Progress
+from rcj_challenges.match.observers import Observer, Progress
 from rcj_challenges.match.pacing import TickEffects
 from rcj_challenges.scenario.load import load
 from rcj_challenges.views.scoreboard import PlainLines, Scoreboard, create_observer
@@ -34,7 +34,7 @@ class Nothing:
         pass
 
 
-class Listening(NullObserver):
+class Listening(Observer):
     progress_every_ticks = 100
 
     def __init__(self):
@@ -51,7 +51,7 @@ def heard_at(tick, clock_ticks, later_ticks):
     effects = TickEffects(
         half, later_ticks, Counting(clock_ticks), Nothing(), listening, Nothing(), (), real_time=False
     )
-    effects.ticked(SimpleNamespace(tick=tick), Nothing(), b"", b"")
+    effects.after_tick(SimpleNamespace(tick=tick), Nothing(), b"", b"")
     (progress,) = listening.heard
     return progress
 
@@ -62,7 +62,7 @@ def test_how_long_programs_took_to_start_is_not_taken_for_the_pace_of_the_match(
     listening, half = Listening(), replace(half_of(load("match").scenario), ticks=301)
     effects = TickEffects(half, 0, Counting(101), Nothing(), listening, Nothing(), (), real_time=False)
     for tick, took_s in ((0, 30.0), *((tick, 0.01) for tick in range(1, 101))):
-        effects.ticked(SimpleNamespace(tick=tick), Nothing(), b"", b"")
+        effects.after_tick(SimpleNamespace(tick=tick), Nothing(), b"", b"")
         now.s += took_s
     (progress,) = listening.heard
     assert progress.remaining_s == pytest.approx(2.0)

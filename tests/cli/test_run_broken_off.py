@@ -37,7 +37,7 @@ def test_an_interruption_that_an_import_makes_an_error_of_is_one(tmp_path, monke
 @pytest.mark.parametrize(
     "moment",
     [
-        "rcj_challenges.match.observers.NullObserver.finished",
+        "rcj_challenges.match.observers.Observer.finished",
         "rcj_challenges.cli.advice.advice_on",
         "rcj_challenges.views.replay.write_replay",
     ],
@@ -62,7 +62,7 @@ def test_an_interruption_after_the_last_tick_says_that_the_match_was_played_and_
     "moment",
     [
         "rcj_challenges.match.stage.build_stage",
-        "rcj_challenges.match.observers.NullObserver.finished",
+        "rcj_challenges.match.observers.Observer.finished",
         "rcj_challenges.cli.advice.advice_on",
         "rcj_challenges.views.replay.write_replay",
     ],

@@ -7,7 +7,7 @@ import pytest
 from rcj_challenges.core.play import Placement, RefereeOutput, Snapshot
 from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.expect.scripted_match import half_of
-from rcj_challenges.match.standing import WATCHED_S, StandingObserver
+from rcj_challenges.match.motionless import WATCHED_S, MotionlessObserver
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.roster import Roster
 from tests.cli.in_this_process import here
@@ -26,14 +26,14 @@ TICKS = ticks_from_s(WATCHED_S) + 1
 
 def standing_after(move):
     """Return who stands after a half in which ``move(tick)`` gives the pose of B1, and a placement of it or none."""
-    observer, roster = StandingObserver(MATCH), Roster.of(MATCH)
+    observer, roster = MotionlessObserver(MATCH), Roster.of(MATCH)
     observer.half_started(half_of(MATCH))
     for tick in range(TICKS):
         pose, placed = move(tick)
         poses = [(0.1 * number, 0.0, 0.0) for number in range(len(roster.entities))]
         poses[roster.index["B1"]] = pose
         placements = (Placement(roster.index["B1"], *placed),) if placed else ()
-        observer.ticked(Snapshot(tick, [poses], [], [], ()), RefereeOutput(placements=placements))
+        observer.after_tick(Snapshot(tick, [poses], [], [], ()), RefereeOutput(placements=placements))
     return observer.robots()
 
 
@@ -52,7 +52,7 @@ def test_who_neither_drives_nor_turns_stands(move, stands):
 
 
 def test_a_half_that_is_too_short_tells_nothing():
-    observer = StandingObserver(MATCH)
+    observer = MotionlessObserver(MATCH)
     observer.half_started(half_of(MATCH))
     assert observer.robots() == []
 

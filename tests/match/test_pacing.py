@@ -4,7 +4,7 @@ import time
 
 import pytest
 
-from rcj_challenges.match.observers import NullObserver
+from rcj_challenges.match.observers import Observer
 from rcj_challenges.match.runner import MatchInterruptedError
 
 SAYS = """from controller import Robot
@@ -14,13 +14,13 @@ while robot.step(32) != -1:
 """
 
 
-class Noting(NullObserver):
+class Noting(Observer):
     progress_every_ticks = 8
 
     def __init__(self):
         self.ticks, self.progress, self.said, self.ends = [], [], [], []
 
-    def ticked(self, snapshot, verdict):
+    def after_tick(self, snapshot, verdict):
         self.ticks.append(snapshot.tick)
 
     def progressed(self, progress):
@@ -69,8 +69,8 @@ def test_what_programs_print_is_shown_twice_a_second_and_at_the_end_of_whom_it_i
 def test_by_the_clock_no_tick_is_judged_before_its_time(shared_place):
     began = []
 
-    class Timing(NullObserver):
-        def ticked(self, snapshot, verdict):
+    class Timing(Observer):
+        def after_tick(self, snapshot, verdict):
             began.append(time.perf_counter())
 
     shared_place.play("match.half_s=0.96", observer=Timing(), real_time=True)
@@ -79,8 +79,8 @@ def test_by_the_clock_no_tick_is_judged_before_its_time(shared_place):
 
 def test_of_a_match_that_is_broken_off_observers_hear_that_it_is_over_and_not_complete(shared_place):
     class Interrupting(Noting):
-        def ticked(self, snapshot, verdict):
-            super().ticked(snapshot, verdict)
+        def after_tick(self, snapshot, verdict):
+            super().after_tick(snapshot, verdict)
             if snapshot.tick == 5:
                 raise KeyboardInterrupt
 

@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from rcj_challenges.match.observers import NullObserver
+from rcj_challenges.match.observers import Observer
 from rcj_challenges.world.errors import PhysicsFault
 from rcj_challenges.world.world import World
 from tests.match.programs import AHEAD, DRIVE, STAND
@@ -108,7 +108,7 @@ def test_programs_are_told_the_end_by_minus_one(play, team_folder):
 
 
 def test_observers_are_asked_before_each_tick_in_order_and_once(play):
-    class Asked(NullObserver):
+    class Asked(Observer):
         def __init__(self):
             self.ticks = []
 

@@ -89,10 +89,10 @@ class MadeUpMatch:
                 if snapshot.tick:
                     observer.before_tick(snapshot.tick)
                 writer.tick(snapshot, output, struct.pack("<d", snapshot.substeps[-1][0][0]))
-                observer.ticked(snapshot, output)
+                observer.after_tick(snapshot, output)
                 if senses is not None:
                     sense(senses, snapshot.tick)
         last = RefereeOutput(events=(Event(ticks, "MATCH_FINISH", {"total_match_time": ticks * TICK_S}),))
         writer.end_half(last)
-        observer.closing(last, half)
+        observer.after_last_tick(last, half)
         return True

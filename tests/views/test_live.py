@@ -407,7 +407,7 @@ def test_a_spectator_that_reads_nothing_does_not_hold_up_the_match(show: LiveSho
     stuck.sendall(f"GET /feed?match={match}&from=0 HTTP/1.1\r\nHost: 127.0.0.1:{show.port}\r\n\r\n".encode())
     show.observer.half_started(half_info(SCENARIO, 1, 1875, HEADER))
     for snapshot, output in made_up_play(ROBOTS, 1875):
-        show.observer.ticked(snapshot, output)
+        show.observer.after_tick(snapshot, output)
         if snapshot.tick % 100 == 0:
             show.observer.flush()
     show.observer.flush()
@@ -420,7 +420,7 @@ def _told(ticks: list[tuple[Any, RefereeOutput]], every: int = 7) -> list[Any]:
     observer = LiveObserver(SCENARIO, feed, Pace(MAX_SPEED))
     observer.half_started(half_info(SCENARIO, 1, len(ticks) - 1, HEADER))
     for number, (snapshot, output) in enumerate(ticks):
-        observer.ticked(snapshot, output)
+        observer.after_tick(snapshot, output)
         if number % every == 0:
             observer.flush()
     observer.flush()
@@ -469,10 +469,10 @@ def test_what_the_rules_say_after_the_last_tick_counts() -> None:
     half = half_info(SCENARIO, 1, 2, HEADER)
     observer.half_started(half)
     for tick in range(3):
-        observer.ticked(made_up_snapshot(tick, ROBOTS), RefereeOutput())
+        observer.after_tick(made_up_snapshot(tick, ROBOTS), RefereeOutput())
     firing = Firing(2, "goal", None, "half_ended", scored={"yellow": 5})
     change = ScoreChange(2, {"blue": 0, "yellow": 5})
-    observer.closing(RefereeOutput(firings=(firing,), changes=(change,)), half)
+    observer.after_last_tick(RefereeOutput(firings=(firing,), changes=(change,)), half)
     feed.close()
     last = _messages(_all(feed))[-1]
     assert (last["tick"], last["score"]) == (2, {"blue": 0, "yellow": 5})

@@ -19,7 +19,7 @@ from typer.testing import CliRunner
 from rcj_challenges.cli.app import app
 from rcj_challenges.controllers.team import open_team
 from rcj_challenges.core.errors import RcjError
-from rcj_challenges.match.observers import NullObserver, ObserverGroup
+from rcj_challenges.match.observers import Observer, ObserverGroup
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.scenario.load import load
 from rcj_challenges.views.live import MAX_SPEED, LiveShow
@@ -125,7 +125,7 @@ def test_a_pause_counts_for_no_programs_limits(play: Callable[..., dict[str, Any
     assert result["complete"]
 
 
-class Holding(NullObserver):
+class Holding(Observer):
     """Somebody who holds up the first ticks of each half."""
 
     def before_tick(self, tick: int) -> float:

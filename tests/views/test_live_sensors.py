@@ -128,7 +128,7 @@ def told(folder: Path, ticks: int = TICKS, every: int = 7, sensors: bool = True)
     if sensors:
         writer.tell(ObserverGroup(observer).sensing(half, SENSED))
     for snapshot, output in made_up_play(ROBOTS, ticks):
-        observer.ticked(snapshot, output)
+        observer.after_tick(snapshot, output)
         sense(writer, snapshot.tick)
         if snapshot.tick % every == 0:
             observer.flush()

@@ -113,8 +113,8 @@ def test_a_live_match_tells_them_too() -> None:
     observer = LiveObserver(scenario, feed, Pace(MAX_SPEED))
     observer.half_started(half_info(scenario, 1, TICKS, small_header(scenario)))
     for snapshot, judged in _ticks(_output, TICKS):
-        observer.ticked(snapshot, judged)
-    observer.closing(RefereeOutput(), half_info(scenario, 1, TICKS, small_header(scenario)))
+        observer.after_tick(snapshot, judged)
+    observer.after_last_tick(RefereeOutput(), half_info(scenario, 1, TICKS, small_header(scenario)))
     feed.close()
     pieces, at = [], 0
     while piece := feed.read(at, 0.0):

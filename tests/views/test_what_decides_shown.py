@@ -310,10 +310,10 @@ def test_a_live_match_tells_what_counts_where_it_changes() -> None:
     half = half_info(scenario, 1, TICKS, small_header(scenario))
     observer.half_started(half)
     for tick in range(TICKS + 1):
-        observer.ticked(made_up_snapshot(tick, 2), _output(1, tick))
+        observer.after_tick(made_up_snapshot(tick, 2), _output(1, tick))
     last = Firing(TICKS, "goal", "Y1", "half_ended")
     change = CountersChange(TICKS, {"laps": {"B1": 1, "Y1": 2}, "best_s": 7})
-    observer.closing(RefereeOutput(firings=(last,), changes=(change,)), half)
+    observer.after_last_tick(RefereeOutput(firings=(last,), changes=(change,)), half)
     feed.close()
     told = re.findall(rb'"tick":(\d+),"counted":(\{.*?\]\})', b"".join(iter(_reader(feed), None)))
     assert [(int(tick), json.loads(values)) for tick, values in told] == [

@@ -10,7 +10,7 @@ from typing import Any
 from rcj_challenges.core.play import Fault
 from rcj_challenges.core.traffic import MotorCommand, Observation, Request, RobotSpec
 from rcj_challenges.expect.scripted_match import ScriptedMatch
-from rcj_challenges.match.observers import NullObserver
+from rcj_challenges.match.observers import Observer
 from rcj_challenges.match.runner import MatchPlan, _MatchRunner
 from rcj_challenges.scenario.load import Loaded
 
@@ -117,7 +117,7 @@ _BUDGET = _Budget()
 def played(loaded: Loaded, out: Path, seed: int) -> tuple[Path, dict[str, Any]]:
     """Play a match with programs that do something at random; returns its folder and result."""
     teams: Any = {seat: _Team(f"Team {seat}") for seat in loaded.scenario.entrants}
-    outcome = _PuppetRunner(MatchPlan(loaded, teams, {}, seed=seed, out=out, sandbox="off"), NullObserver()).play()
+    outcome = _PuppetRunner(MatchPlan(loaded, teams, {}, seed=seed, out=out, sandbox="off"), Observer()).play()
     return outcome.folder, outcome.result
 
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from rcj_challenges.core.play import Fault, HalfInfo, RefereeOutput, Snapshot
 from rcj_challenges.core.timing import TICK_S, ticks_from_s
-from rcj_challenges.match.observers import NullObserver
+from rcj_challenges.match.observers import Observer
 from rcj_challenges.records.reflog import events_of
 from rcj_challenges.records.sensors import SensedRobot, SensorListener
 from rcj_challenges.scenario.halves import half_lengths_s
@@ -67,7 +67,7 @@ def _unit_m(scenario: Scenario) -> float:
     return max(FINEST_M, reach_m / 32_767)
 
 
-class LiveObserver(NullObserver):
+class LiveObserver(Observer):
     """Fills the feed from the calls of a match.
 
     In a tick it only keeps the poses; `flush`, called from another thread some times a second, makes messages of them.
@@ -89,7 +89,7 @@ class LiveObserver(NullObserver):
         self._flushing = threading.Lock()
         self.before_tick = pace.before_tick  # type: ignore[method-assign]
 
-    def ticked(self, snapshot: Snapshot, output: RefereeOutput) -> None:
+    def after_tick(self, snapshot: Snapshot, output: RefereeOutput) -> None:
         """Keep what the next `flush` sends."""
         poses, heights = snapshot.substeps[-1], snapshot.heights
         if len(heights) != self._entities:
@@ -121,7 +121,7 @@ class LiveObserver(NullObserver):
             self._feed.append(self._senses.announcement)
         return (self._senses,)
 
-    def closing(self, output: RefereeOutput, half: HalfInfo) -> None:
+    def after_last_tick(self, output: RefereeOutput, half: HalfInfo) -> None:
         """Send what came of the rules after the last tick."""
         self.flush()
         with self._flushing:

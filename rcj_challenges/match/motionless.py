@@ -6,7 +6,7 @@ import math
 
 from rcj_challenges.core.play import HalfInfo, Pose2, RefereeOutput, Snapshot
 from rcj_challenges.core.timing import ticks_from_s
-from rcj_challenges.match.observers import NullObserver
+from rcj_challenges.match.observers import Observer
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 
@@ -16,7 +16,7 @@ _STANDS_M = 0.02  # the suspension of a braked robot settles by less
 _M_PER_RAD = 0.1
 
 
-class StandingObserver(NullObserver):
+class MotionlessObserver(Observer):
     """Adds up how far robots move and turn in the first seconds of each half."""
 
     def __init__(self, scenario: Scenario) -> None:
@@ -34,7 +34,7 @@ class StandingObserver(NullObserver):
         self._last = None
         self._way_m = dict.fromkeys((robot for robot, _ in self._robots), 0.0)
 
-    def ticked(self, snapshot: Snapshot, output: RefereeOutput) -> None:
+    def after_tick(self, snapshot: Snapshot, output: RefereeOutput) -> None:
         """Add the way of one tick."""
         if snapshot.tick > self._last_tick:
             return
