@@ -13,15 +13,20 @@ from rcj_challenges.scenario.load import load_resolved
 
 
 def judged_again(folder: Path) -> list[dict[str, Any]]:
-    """Return the reflog that the referee writes of a record, without times of day."""
+    """Return the reflog that the referee writes of a record, without times of day; what it places is as recorded."""
     loaded = load_resolved(json.loads((folder / "scenario.json").read_text("utf-8")))
     lines: list[dict[str, Any]] = []
     for half in Trajectory.open(folder).halves:
         referee = Referee(loaded.scenario, loaded.roster, half.info)
-        events = list(events_of(half.start, referee.start(half.start)))
+        verdict = referee.start(half.start)
+        events = list(events_of(half.start, verdict))
+        placements = {0: verdict.placements}
         for snapshot in half.snapshots():
-            events += events_of(snapshot, referee.judge(snapshot))
+            verdict = referee.judge(snapshot)
+            events += events_of(snapshot, verdict)
+            placements[snapshot.tick] = verdict.placements
         events += referee.finish().events
+        assert {tick: placed for tick, placed in placements.items() if placed} == half.placements
         lines += [json.loads(line) for line in reflog_lines(events, "").splitlines()]
     return [_without_time_of_day(line) for line in lines]
 
@@ -33,5 +38,4 @@ def reflog_of(folder: Path) -> list[dict[str, Any]]:
 
 
 def _without_time_of_day(line: dict[str, Any]) -> dict[str, Any]:
-    """Return a line without what the clock on the wall said."""
     return {key: value for key, value in line.items() if key != "datetime"}

@@ -1,14 +1,17 @@
 """Real short matches: real processes, real physics, the shipped match with a few numbers changed."""
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import count
 from pathlib import Path
 
 from rcj_challenges.controllers.team import open_team
+from rcj_challenges.core.traffic import Request
+from rcj_challenges.expect.scripted_match import half_of
 from rcj_challenges.match.runner import MatchPlan, play_match
+from rcj_challenges.match.stage import build_stage
 from rcj_challenges.records.trajectory import Trajectory
-from rcj_challenges.scenario.load import load
+from rcj_challenges.scenario.load import load, load_text
 from tests.match.programs import STAND
 
 
@@ -54,6 +57,7 @@ class Place:
     def play(self, *overrides, blue=None, yellow=None, seed=1, scenario="match", observer=None, **plan):
         """Play a short match: one half of a few seconds unless the overrides say otherwise.
 
+        The scenario is a name or the whole text of one.
         A team that is not given stands still: its first robot runs a program that says so, the others have none, which
         comes to the same and starts fewer processes. (Where teams change sides both have all theirs.)
         """
@@ -63,7 +67,8 @@ class Place:
         if len(idle) == 1:
             changing = any(override.startswith("match.halves=") for override in overrides)
             stand = [] if changing else ["match.swap_sides=false", *stand]
-        loaded = load(scenario, ["match.halves=1", "match.half_s=5", *stand, *overrides])
+        given_as = load_text if "\n" in scenario else load
+        loaded = given_as(scenario, ["match.halves=1", "match.half_s=5", *stand, *overrides])
         seats = tuple(loaded.scenario.entrants.values())
         teams = {seat: open_team(given[seat], *seats) for seat in loaded.scenario.entrants}
         outcome = play_match(MatchPlan(loaded, teams, {}, seed=seed, out=self.folder / "runs", **plan), observer)
@@ -73,3 +78,36 @@ class Place:
 def alone(*seats):
     """Return the overrides by which only the first robot of these seats has a program; the others stand still."""
     return [f"entrants.{seat}.robots.{seat[0].upper()}{number}=null" for seat in seats for number in (2, 3)]
+
+
+class StandIn:
+    """A program in place of one in a process of its own: it asks for steps of so many ticks."""
+
+    def __init__(self, ticks=1):
+        self.ticks = ticks
+
+    def collect(self, if_long=None):
+        return Request(self.ticks)
+
+    def collect_soon(self):
+        return self.collect()
+
+    def release(self, observation):
+        pass
+
+    def share_cpus(self, share):
+        pass
+
+    def computed_s(self):
+        return 0.0
+
+    def overstepped(self, tick):
+        return None
+
+
+def staged(ticks, program):
+    """Return a half of so many ticks and its stage; the function gives each robot, by name, a program."""
+    loaded = load("match")
+    half = replace(half_of(loaded.scenario), ticks=ticks)
+    drivers = {index: program(name) for index, name in enumerate(loaded.roster.entities[: loaded.roster.robots])}
+    return half, build_stage(loaded.scenario, loaded.roster, half, drivers)

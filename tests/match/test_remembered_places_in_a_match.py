@@ -1,14 +1,9 @@
 """A remembered place and a way in a real match: how far a ball came; the referee judges the record alone alike."""
 
-import json
-
 import numpy as np
 import pytest
 
-from rcj_challenges.referee.engine import Referee
-from rcj_challenges.scenario.load import load_resolved
 from tests.judging_again import judged_again, reflog_of
-from tests.match.playing import Place
 
 SHOT = """schema_version: 1
 id: shot
@@ -42,12 +37,9 @@ expect: {inherited: null}
 
 
 @pytest.fixture(scope="module")
-def run(tmp_path_factory):
-    place = Place(tmp_path_factory.mktemp("shot"))
-    scenario = place.folder / "shot.yaml"
-    scenario.write_text(SHOT, encoding="utf-8")
+def run(shared_place):
     # The halves of the file, not the one half of a short match.
-    return place.play("match.halves=2", scenario=str(scenario))
+    return shared_place.play("match.halves=2", scenario=SHOT)
 
 
 def test_it_tells_how_far_the_ball_has_come_and_the_ball_is_brought_back(run):
@@ -75,14 +67,3 @@ def test_each_half_begins_with_the_place_of_the_file(run):
 
 def test_the_referee_judges_the_trajectory_alone_as_it_judged_the_match(run):
     assert judged_again(run.folder) == reflog_of(run.folder)
-
-
-def test_it_remembers_the_same_place_again(run):
-    loaded = load_resolved(json.loads((run.folder / "scenario.json").read_text("utf-8")))
-    half = run.trajectory.halves[0]
-    referee = Referee(loaded.scenario, loaded.roster, half.info)
-    referee.start(half.start)
-    for snapshot in half.snapshots():
-        referee.judge(snapshot)
-    ball = run.trajectory.entities.index("ball")
-    assert referee.spots["kicked_from"] == pytest.approx(half.substeps[15, -1, ball, :2].tolist(), abs=1e-6)

@@ -9,7 +9,6 @@ from typer.testing import CliRunner
 from rcj_challenges.cli.app import app
 from rcj_challenges.match.sensor_recording import LogTail
 from rcj_challenges.records.sensors import read_sensors
-from rcj_challenges.records.testing import write_made_up_run
 from tests.match.playing import alone
 from tests.match.programs import AHEAD, STAND
 
@@ -78,7 +77,6 @@ def test_a_recording_changes_neither_the_digest_nor_what_else_is_recorded(play, 
     assert not read_sensors(without.folder)[1].has_readings
     robots = read_sensors(without.folder)[1].robots
     assert robots["B1"].output == read_sensors(with_sensors.folder)[1].robots["B1"].output
-    assert robots["B1"].output[:2] == ((0, "ready\n"), robots["B1"].output[1])
     assert with_sensors.log("B1") == without.log("B1")
 
 
@@ -110,16 +108,6 @@ def test_the_command_line_records_sensors_on_request(tmp_path) -> None:
     page = (folder / "replay.html").read_text("utf-8")
     assert 'id="sensors-1"' in page
     assert CliRunner().invoke(app, [*arguments, "--record", "everything"]).exit_code == 2
-
-
-def test_the_page_of_a_damaged_record_is_written_and_the_damage_told(tmp_path) -> None:
-    folder = write_made_up_run(tmp_path, ticks=100, halves=1)
-    data = (folder / "trajectory.chunks").read_bytes()
-    (folder / "trajectory.chunks").write_bytes(data[:30_000])
-    result = CliRunner().invoke(app, ["replay", str(folder)])
-    assert result.exit_code == 0
-    assert (folder / "replay.html").is_file()
-    assert "recorded poses are damaged" in result.stderr
 
 
 @pytest.mark.parametrize("letters", [1, 65_535, 65_536, 65_537, 3 * 65_536, 200_001])

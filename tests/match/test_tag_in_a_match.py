@@ -4,7 +4,6 @@ import pytest
 
 from rcj_challenges.records.referee_log import read_referee_log
 from tests.judging_again import judged_again, reflog_of
-from tests.match.playing import Place
 from tests.match.programs import AHEAD, STAND
 
 TAG = """schema_version: 1
@@ -37,12 +36,9 @@ rules:
 
 
 @pytest.fixture(scope="module")
-def run(tmp_path_factory):
-    place = Place(tmp_path_factory.mktemp("tag"))
-    scenario = place.folder / "tag.yaml"
-    scenario.write_text(TAG, encoding="utf-8")
-    yellow = place.team_folder(AHEAD, STAND, AHEAD)
-    return place.play(scenario=str(scenario), yellow=yellow, blue=place.team_folder(STAND, name="Runners"))
+def run(shared_place):
+    yellow = shared_place.team_folder(AHEAD, STAND, AHEAD)
+    return shared_place.play(scenario=TAG, yellow=yellow, blue=shared_place.team_folder(STAND))
 
 
 def test_the_log_names_whom_each_has_touched(run):

@@ -1,9 +1,8 @@
-"""A program tells the referee something by radio: it is judged in the tick after, recorded, and judged alike again."""
+"""A program sends the referee a message by radio: it is judged in the next tick, recorded, and judged again alike."""
 
 import pytest
 
 from tests.judging_again import judged_again, reflog_of
-from tests.match.playing import Place
 from tests.match.programs import STAND
 
 TREASURE = """schema_version: 1
@@ -25,7 +24,7 @@ rules:
     actions: [{action: emit, event: DONE}]
     says: Done.
 """
-TELLS = """
+SENDS = """
 from controller import Robot
 robot = Robot()
 emitter = robot.getDevice("team emitter")
@@ -37,22 +36,19 @@ while robot.step(32) != -1:
     if steps == 10:
         emitter.send([0.3, 0.1])
         emitter.send("0.3, 0.2")
-print("told on", emitter.getChannel(), "and not on", mine)
+print("sent on", emitter.getChannel(), "and not on", mine)
 """
-SAYS_DONE = TELLS.replace("emitter.send([0.3, 0.1])", "pass").replace("0.3, 0.2", "DONE")
+SENDS_DONE = SENDS.replace("emitter.send([0.3, 0.1])", "pass").replace("0.3, 0.2", "DONE")
 
 
 @pytest.fixture(scope="module")
-def run(tmp_path_factory):
-    place = Place(tmp_path_factory.mktemp("telling"))
-    scenario = place.folder / "treasure.yaml"
-    scenario.write_text(TREASURE, encoding="utf-8")
-    return place.play(scenario=str(scenario), yellow=place.team_folder(TELLS, SAYS_DONE, STAND))
+def run(shared_place):
+    return shared_place.play(scenario=TREASURE, yellow=shared_place.team_folder(SENDS, SENDS_DONE, STAND))
 
 
-def test_it_is_heard_in_the_tick_after_one_message_of_each_robot(run):
-    told = [(round(line["matchtime"] / 0.032), line["event"], line["payload"]) for line in run.reflog]
-    assert told == [
+def test_it_is_received_in_the_next_tick_one_message_of_each_robot(run):
+    lines = [(round(line["matchtime"] / 0.032), line["event"], line["payload"]) for line in run.reflog]
+    assert lines == [
         (11, "GUESS", {"told": "0.3 0.1", "off_m": 0.1}),
         (11, "DONE", {}),
         (12, "GUESS", {"told": "0.3, 0.2", "off_m": 0}),
@@ -60,13 +56,13 @@ def test_it_is_heard_in_the_tick_after_one_message_of_each_robot(run):
 
 
 def test_the_program_may_use_the_referees_channel(run):
-    assert run.log("Y1").endswith("told on 1 and not on 3\n")
+    assert run.log("Y1").endswith("sent on 1 and not on 3\n")
 
 
-def test_the_record_keeps_what_was_told(run):
+def test_the_record_keeps_the_messages(run):
     entities, (half,) = run.trajectory.entities, run.trajectory.halves
-    told = {tick: [(entities[who], text) for who, text in heard] for tick, heard in half.heard.items()}
-    assert told == {11: [("Y1", "0.3 0.1"), ("Y2", "DONE")], 12: [("Y1", "0.3, 0.2")]}
+    received = {tick: [(entities[robot], text) for robot, text in texts] for tick, texts in half.heard.items()}
+    assert received == {11: [("Y1", "0.3 0.1"), ("Y2", "DONE")], 12: [("Y1", "0.3, 0.2")]}
 
 
 def test_the_referee_judges_the_record_alone_alike(run):
