@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Container, Iterable, Mapping
 from dataclasses import dataclass, replace
 from math import hypot
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.core.amounts import counted, round_score, times
 from rcj_challenges.core.measures import number_words
@@ -23,20 +23,11 @@ from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.tracking.state import Number
 
+if TYPE_CHECKING:
+    from rcj_challenges.scenario.load import Loaded
+
 MAX_PHASES = 5
 """At most so many changes of phases are noted for a failed test."""
-
-
-class HasScenario(Protocol):
-    """A loaded scenario, as `rcj_challenges.scenario.load.load` returns it."""
-
-    @property
-    def scenario(self) -> Scenario:
-        """The models."""
-
-    @property
-    def roster(self) -> Roster:
-        """Names to indices."""
 
 
 @dataclass(frozen=True)
@@ -58,7 +49,7 @@ class TestResult:
     fired: tuple[str, ...]
 
 
-def run_test(loaded: HasScenario, name: str) -> TestResult:
+def run_test(loaded: Loaded, name: str) -> TestResult:
     """Play one ``expect`` block of a scenario.
 
     A keyframe takes effect in the snapshot of its tick (one at 0 in that of tick 1). If the script outlasts the half,
@@ -287,11 +278,11 @@ def _differences(match: ScriptedMatch, scenario: Scenario, expected: Expectation
     for name, is_held in (expected.held or {}).items():
         yield from difference(f"{name} held", is_held, referee.held.get(name))
     yield from _pose_differences(match, expected)
-    for robots, told in (expected.told or {}).items():
+    for robots, fields in (expected.told or {}).items():
         for robot in match.roster.expand(robots):
-            for key, value in told.items():
-                heard = match.told.get(robot, {}).get(key)
-                yield from sent_difference(f"{key} told to {robot}", value, heard, expected.tolerance_m)
+            for key, value in fields.items():
+                received = match.received.get(robot, {}).get(key)
+                yield from sent_difference(f"{key} told to {robot}", value, received, expected.tolerance_m)
 
 
 def _state_differences(referee: Referee, expected: Expectation) -> Iterable[str]:

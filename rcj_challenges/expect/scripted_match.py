@@ -59,7 +59,7 @@ class ScriptedMatch:
         events, firings: all so far, in order.
         placements: all so far, each with its tick.
         output: the last output.
-        told: by robot, the last broadcast that it received.
+        received: by robot, the last broadcast that it received.
         wrong_ways: the gates that were crossed the way that does not count.
         phases: all phases so far, each with the tick in which it was entered.
     """
@@ -86,14 +86,14 @@ class ScriptedMatch:
         self._glides: dict[int, _Glide] = {}
         self._touching: dict[tuple[int, int], int] = {}
         self._faults: list[Fault] = []
-        self._told: dict[int, list[str]] = {}
+        self._messages: dict[int, list[str]] = {}
         self._none_touch: tuple[tuple[tuple[int, int], ...], ...] = ((),) * SUBSTEPS_PER_TICK
         self._frozen: list[list[Pose2]] | None = None
         self._parked: set[int] = set()
         self._by_hand: set[int] = set()
         self.wrong_ways = WrongWays(scenario, roster)
         self.phases: list[tuple[int, str]] = [(0, scenario.first_phase)]
-        self.told: dict[str, dict[str, Any]] = {}
+        self.received: dict[str, dict[str, Any]] = {}
         self.output = self._take(self.referee.start(self._snapshot()))
         self._store_broadcast()
 
@@ -129,7 +129,7 @@ class ScriptedMatch:
 
     def tell(self, robot: str, text: str) -> None:
         """Let a robot send the referee a message; it arrives in the next tick, after earlier ones."""
-        self._told.setdefault(self.roster.index[robot], []).append(text)
+        self._messages.setdefault(self.roster.index[robot], []).append(text)
 
     def play(self, ticks: int = 1) -> RefereeOutput:
         """Judge so many ticks and return the last output."""
@@ -186,7 +186,7 @@ class ScriptedMatch:
             touches = (tuple(sorted(self._touching)),) * SUBSTEPS_PER_TICK
             self._touching = {pair: left - 1 for pair, left in self._touching.items() if left > 1}
         faults, self._faults = tuple(self._faults), []
-        heard = tuple((robot, told.pop(0)) for robot, told in sorted(self._told.items()) if told)
+        heard = tuple((robot, texts.pop(0)) for robot, texts in sorted(self._messages.items()) if texts)
         return Snapshot(self.tick, substeps, self._heights, self._uprights, touches, faults, heard)
 
     def _glided(self) -> list[Pose2]:
@@ -204,7 +204,7 @@ class ScriptedMatch:
         return poses
 
     def _take(self, output: RefereeOutput) -> RefereeOutput:
-        """Note a output and carry out its placements."""
+        """Note an output and carry out its placements."""
         self.events += output.events
         self.firings += output.firings
         if self.referee.phase != self.phases[-1][1]:
@@ -233,7 +233,7 @@ class ScriptedMatch:
         if to_all is None:
             return
         for robot, name in enumerate(self.roster.entities[: self.roster.robots]):
-            self.told[name] = {**to_all, **to_some.get(robot, {})}
+            self.received[name] = {**to_all, **to_some.get(robot, {})}
 
 
 def _start(scenario: Scenario, name: str) -> Pose2:

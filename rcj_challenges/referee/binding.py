@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.referee.compiling import CompileContext
@@ -20,7 +20,6 @@ from rcj_challenges.rules.values import Lasts, duration_s
 from rcj_challenges.scenario.centres import centre_of
 from rcj_challenges.scenario.floor import on_floor
 from rcj_challenges.tracking.bound_rules import BoundRule, TriggerBinding
-from rcj_challenges.tracking.sequences import SequenceTracker
 from rcj_challenges.tracking.state import Clock
 from rcj_challenges.tracking.trackers import Tracker
 
@@ -42,6 +41,13 @@ class RuleBinder(NameScope):
         self.pose_history = context.pose_history
         self.clock_events = context.clock_events
         self.drawn: Mapping[str, tuple[str, ...]] = context.roster.drawn
+        self.sequences = context.sequence_trackers
+        self.reset_with_draws = context.reset_with_draws
+        self.timers_changed = context.trackers.reschedule
+        self.reset = context.trackers.reset
+        self.enter_phase = context.enter_phase
+        self.emit = context.emit
+        self.decided_place = context.state.decided_place
         self._trigger = ""
         self._position = 0
 
@@ -64,32 +70,16 @@ class RuleBinder(NameScope):
         name, turn = (None, len(things)) if entity is None else (things[entity], entity)
         return TriggerBinding(self.rule, name, self._trigger, (self.rule.rank, self._position, turn))
 
-    # --- names ------------------------------------------------------------------------------------------------------
-
     def index_of(self, name: str) -> int | None:
-        """Return the index of something that can be touched; None for anything else."""
         return self.roster.index.get(name)
 
-    # --- what is followed -------------------------------------------------------------------------------------------
-
-    def sequences(self, name: str) -> dict[str | None, SequenceTracker]:
-        """Return the trackers of a sequence by whose it is; None for one that is not kept per entity."""
-        return self._context.sequence_trackers(name)
-
-    def track(self, kind: type[_T], key: tuple[object, ...], make: Callable[[], _T]) -> _T:
-        """Return the tracker that follows ``key`` in the phases of the rule; rules that follow the same share it."""
-        return self._context.track(kind, key, self.rule.phases, make)
+    def track(self, kind: type[_T], key: tuple[object, ...], *args: Any) -> _T:
+        return self._context.track(kind, key, self.rule.phases, *args)
 
     def track_alone(self, tracker: Tracker) -> None:
-        """Follow a tracker that is not shared, in the phases of the rule."""
         self._context.track_alone(tracker, self.rule.phases)
 
-    def reset_with_draws(self, tracker: Tracker, names: tuple[str, ...]) -> None:
-        """Reset a tracker whenever one of the draws among these names decides otherwise."""
-        self._context.reset_with_draws(tracker, names)
-
     def locate(self, what: Name | Point) -> Callable[[], Point | None]:
-        """Return a function for the place of a thing, a spot, a zone's centre or a point; None while off the field."""
         if isinstance(what, tuple):
             return lambda: what
         name = self.members(what)[0]
@@ -113,7 +103,6 @@ class RuleBinder(NameScope):
         return locate
 
     def free_spots(self, names: Names, clearance_m: float) -> Callable[[], Iterable[bool]]:
-        """Return what finds for each of some spots whether no robot's or ball's centre is near."""
         state, bodies = self.state, self._context.bodies
         spots = self.spots(names)
 
@@ -123,30 +112,16 @@ class RuleBinder(NameScope):
 
         return free
 
-    # --- for actions ------------------------------------------------------------------------------------------------
-
     def ticks(self, lasts_s: Lasts) -> Callable[[], int]:
-        """Return a function for a duration in ticks: a number, or the value of a draw or a counter."""
         return lambda: ticks_from_s(duration_s(lasts_s, self.state, self.each, least_s=0.0))
 
     def wind_up(self, timer: str, clock: Clock, owner: str | None) -> None:
-        """Give a clock of a timer its length, as its draw has decided or its counter says by now."""
         self.state.wind_up(clock, self.scenario.timers[timer].lasts_s, owner)
 
-    def timers_changed(self) -> None:
-        """Reschedule the trackers after a timer was started or stopped."""
-        self._context.timers_changed()
-
-    def reset(self, tracker: Tracker) -> None:
-        """Reset a tracker, because a rule says so."""
-        self._context.trackers.reset(tracker)
-
     def release(self, robots: tuple[int, ...]) -> None:
-        """Release robots that rules hold."""
         self._context.trackers.release(self.state.held.release(robots))
 
     def decide_draw(self, draw: str, value: Scalar | None) -> None:
-        """Draw again, or set a draw to a value; trackers that depend on the draw are reset if it changed."""
         before = self.state.draws[draw]
         if value is not None:
             self.state.set_draw(draw, value)
@@ -156,29 +131,12 @@ class RuleBinder(NameScope):
             self._context.has_drawn(draw)
 
     def draw_values(self, draw: str) -> tuple[Scalar, ...]:
-        """Return the values of a draw."""
         return self.scenario.draws[draw].values
 
-    def enter_phase(self, phase: str) -> None:
-        """Enter a phase, at once."""
-        self._context.enter_phase(phase)
-
-    def emit(self, event: str, payload: dict[str, object], about: tuple[str, ...]) -> None:
-        """Write an event."""
-        self._context.emit(event, payload, about)
-
-    # --- places -----------------------------------------------------------------------------------------------------
-
-    def decided_place(self, spot: str) -> Point | None:
-        """Return where a test has decided that chance sets a spot this time; None: chance decides."""
-        return self.state.decided_place(spot)
-
     def is_on_floor(self, point: Point) -> bool:
-        """Return whether a point lies inside the walls."""
         return on_floor(point, self._context.floor)
 
     def layout_jobs(self, layout: str, mirror: Mirror | None) -> list[PlacementJob]:
-        """Return the placements of a layout, in order."""
         context, each = self._context, self.rule.each
         key = (layout, each, mirror)
         specs = context.layouts.get(key)
@@ -192,12 +150,10 @@ class RuleBinder(NameScope):
         return [PlacementJob(spec.entity, spec, self.rule) for spec in specs]
 
     def placement_job(self, placing: Place, entity: int) -> PlacementJob:
-        """Return the placement of one entity."""
         stream = f"rule/{self.rule.name}/{self.name_of(entity)}"
         return PlacementJob(entity, compile_placement(placing, self, entity, stream), self.rule)
 
     def place(self, jobs: list[PlacementJob]) -> None:
-        """Ask for placements, to be carried out after all actions of the tick."""
         for job in jobs:
             if job.spec is not None and job.spec.mirrors:
                 self._context.queue.ask(replace(job, signs=job.spec.signs_now()))
@@ -205,11 +161,9 @@ class RuleBinder(NameScope):
                 self._context.queue.ask(job)
 
     def place_later(self, job: PlacementJob, ticks: int) -> None:
-        """Ask for a placement so many ticks from now, of what is off the field until then."""
         self._context.queue.ask_later(replace(job, due=self.state.tick + ticks, comes_back=True))
 
     def remove(self, entity: int) -> None:
-        """Ask for an entity to be taken off the field."""
         self._context.queue.ask(PlacementJob(entity, None, self.rule))
 
 

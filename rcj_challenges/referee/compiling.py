@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from rcj_challenges.geometry.regions import Region
 from rcj_challenges.referee.bodies import Bodies
@@ -41,7 +41,6 @@ class CompileContext:
         emit: writes an event; set by the engine.
         enter_phase: enters a phase; set by the engine.
         layouts: compiled layouts by name, what ``each`` stands for, and mirror.
-        timers_changed: to be called after a timer was started or stopped; trackers are rescheduled.
         floor: what lies inside the walls.
         remembered: the spots that rules set; they are read each time.
         members: what names stand for, by names and what ``each`` stands for.
@@ -61,7 +60,6 @@ class CompileContext:
         self.queue = PlacementQueue()
         self.emit: Callable[[str, dict[str, object], tuple[str, ...]], None] = lambda _name, _payload, _about: None
         self.enter_phase: Callable[[str], None] = lambda _phase: None
-        self.timers_changed: Callable[[], None] = self.trackers.reschedule
         self._by_draw: dict[str, list[Tracker]] = {}
         self.floor = floor_parts(state.scenario.field)
         self.remembered = frozenset(spots_set_by_rules(state.scenario))
@@ -83,14 +81,12 @@ class CompileContext:
 
     # --- trackers ---------------------------------------------------------------------------------------------------
 
-    def track(
-        self, kind: type[_T], key: tuple[object, ...], phases: frozenset[str] | None, make: Callable[[], _T]
-    ) -> _T:
+    def track(self, kind: type[_T], key: tuple[object, ...], phases: frozenset[str] | None, *args: Any) -> _T:
         """Return the tracker that follows ``key`` in some phases; rules that follow the same share it."""
         full = (kind, *key, phases)
         tracker = self._shared.get(full)
         if tracker is None:
-            tracker = self._shared[full] = make()
+            tracker = self._shared[full] = kind(self.state, self.hits, *args)
             self.track_alone(tracker, phases)
         if not isinstance(tracker, kind):
             message = f"two kinds of trackers under one key: {full}"
@@ -121,4 +117,4 @@ class CompileContext:
         zones: dict[str, Region] = {name: self.names.zone(name) for name in names if name in self.scenario.zones}
         gates = {name: self.names.gate(name) for name in names if name not in zones}
         path = SequencePath(steps, sequence.cyclic, sequence.wrong_step == "break", sequence.when_placed == "goes_on")
-        return SequenceTracker(self.names.entity(member), path, zones, gates, self.state, self.hits)
+        return SequenceTracker(self.state, self.hits, self.names.entity(member), path, zones, gates)

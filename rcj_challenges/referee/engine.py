@@ -17,10 +17,9 @@ from rcj_challenges.core.play import Firing as FiringRecord
 from rcj_challenges.referee.assembling import assemble
 from rcj_challenges.referee.broadcasting import Broadcasting
 from rcj_challenges.referee.compiling import CompileContext
-from rcj_challenges.referee.no_room import no_room_sentence
+from rcj_challenges.referee.log_sentences import fill_blanks, no_room_sentence
 from rcj_challenges.referee.placement import PlacementJob, carry_out, compile_placement
 from rcj_challenges.referee.ranking import ranked_counters
-from rcj_challenges.referee.says import fill_blanks
 from rcj_challenges.referee.state import State
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.draw_order import Series

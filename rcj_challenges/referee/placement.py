@@ -40,32 +40,27 @@ class PlacementSpec:
     """How one entity is put somewhere.
 
     Attributes:
+        model: an entry of a layout, or a ``place`` action.
         entity: its index.
         where: the compiled place.
         facing: returns the yaw in rad for a point; gets the board, the entity, the point and the stream.
-        is_random_facing: whether the facing is random, so that another attempt can fit where this one did not.
-        is_towards: whether it faces something that may be put elsewhere in the same tick.
-        noise_m: half widths of the uniform noise on x and y, in m.
         mirrors: each returns the signs of x and y (-1 mirrors).
-        clearance_m: smallest gap to any other body.
-        attempts: how often a random place is drawn at first.
-        retry: whether it is tried again on every tick while there is no room, `ATTEMPTS_WAITING` times at most.
         stream: name of the random stream.
         kick: how it rolls away from there; None: it lies still.
     """
 
+    model: Placing | Place
     entity: int
     where: PlaceResolver
     facing: CompiledFacing
-    is_random_facing: bool
-    is_towards: bool
-    noise_m: Point
     mirrors: tuple[Callable[[], Point], ...]
-    clearance_m: float
-    attempts: int
-    retry: bool
     stream: str
     kick: CompiledKick | None = None
+
+    @property
+    def retry(self) -> bool:
+        """Whether it is tried again on every tick while there is no room, `ATTEMPTS_WAITING` times at most."""
+        return self.model.on_failure == "retry"
 
     def signs_now(self) -> Point:
         """Return the signs of x and y with all mirrors as they are now."""
@@ -77,12 +72,12 @@ class PlacementSpec:
 
     @property
     def _noises(self) -> list[Point]:
-        return [noise for noise in (self.where.noise_m, self.noise_m) if noise != (0.0, 0.0)]
+        return [noise for noise in (self.where.noise_m, self.model.noise_m) if noise != (0.0, 0.0)]
 
     @property
     def is_random(self) -> bool:
         """Whether another attempt can give another pose."""
-        return self.where.random or self.is_random_facing or bool(self._noises)
+        return self.where.random or isinstance(self.model.facing, RandomFacing) or bool(self._noises)
 
     def request(self, board: PlacementBoard, rng: random.Random, signs: Point) -> PlaceRequest:
         """Return with what a place for the entity is looked for."""
@@ -92,21 +87,21 @@ class PlacementSpec:
             return (point[0] * sign_x, point[1] * sign_y)
 
         def fits(point: Point) -> bool:
-            return board.fits(self.entity, self.pose_at(board, point, rng), self.clearance_m)
+            return board.fits(self.entity, self.pose_at(board, point, rng), self.model.min_clearance_m)
 
         return PlaceRequest(board, self.entity, mirrored, rng, fits)
 
     def propose(self, board: PlacementBoard, rng: random.Random, signs: Point, max_attempts: int) -> Pose2 | None:
         """Return a pose at which the entity can stand, or None if so many attempts find none."""
         request, noises = self.request(board, rng, signs), self._noises
-        for _ in range(min(self.attempts, max_attempts) if self.is_random else 1):
+        for _ in range(min(self.model.max_attempts, max_attempts) if self.is_random else 1):
             point = self.where.find(request)
             if point is None:
                 return None
             for noise_x, noise_y in noises:
                 point = (point[0] + rng.uniform(-noise_x, noise_x), point[1] + rng.uniform(-noise_y, noise_y))
             pose = self.pose_at(board, point, rng)
-            if board.fits(self.entity, pose, self.clearance_m):
+            if board.fits(self.entity, pose, self.model.min_clearance_m):
                 return pose
         return None
 
@@ -154,16 +149,11 @@ def compile_placement(
         message = "place needs a layout, or entity and at"
         raise ValueError(message)
     return PlacementSpec(
+        model=model,
         entity=entity,
         where=place_of(model.at).compile(to, entity),
         facing=compile_facing(model.facing, to, entity),
-        is_random_facing=isinstance(model.facing, RandomFacing),
-        is_towards=isinstance(model.facing, Towards),
-        noise_m=model.noise_m,
         mirrors=tuple(mirror.compile(to.state) for mirror in (model.mirror, also) if mirror is not None),
-        clearance_m=model.min_clearance_m,
-        attempts=model.max_attempts,
-        retry=model.on_failure == "retry",
         stream=stream,
         kick=None if model.kick is None else model.kick.compile(to, entity),
     )
@@ -214,7 +204,7 @@ class PlacementQueue:
         return bool(self._asked) or bool(self._waiting)
 
     def ask(self, job: PlacementJob) -> None:
-        """PlacementQueue a placement; the last one queued for an entity wins, also over one that waits."""
+        """Queue a placement; the last one queued for an entity wins, also over one that waits."""
         before = self._asked.pop(job.entity, None)
         waited = self._waiting.pop(job.entity, before.instead_of if before is not None else None)
         if waited is not None and waited.comes_back:
@@ -290,9 +280,9 @@ def _turned(done: list[_Done], jobs: list[PlacementJob], board: PlacementBoard, 
     """
     turned: list[_Done] = []
     for (entity, pose, velocity), job in zip(done, jobs, strict=True):
-        if pose is not None and job.spec is not None and job.spec.is_towards:
+        if pose is not None and job.spec is not None and isinstance(job.spec.model.facing, Towards):
             other = job.spec.pose_at(board, pose[:2], state.stream(job.spec.stream))
-            if other != pose and board.fits(entity, other, job.spec.clearance_m):
+            if other != pose and board.fits(entity, other, job.spec.model.min_clearance_m):
                 board.put(entity, other)
                 pose = other  # noqa: PLW2901
         turned.append((entity, pose, velocity))

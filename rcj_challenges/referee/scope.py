@@ -41,26 +41,15 @@ class NameScope:
         self._context = context
 
     def members(self, names: Names) -> tuple[str, ...]:
-        """Return what names stand for: groups expanded, ``each`` replaced, without repeats, in order."""
         known = self._context.members.get((names, self.each))
         if known is None:
             known = self._context.members[names, self.each] = self.roster.expand(with_each(names, self.each))
         return known
 
     def entities(self, names: Names) -> tuple[int, ...]:
-        """Return the indices of entities.
-
-        Raises:
-            ValueError: one of them is no entity.
-        """
         return tuple(self.entity(name) for name in self.members(names))
 
     def entity(self, name: str) -> int:
-        """Return the index of one entity; of a group its first member.
-
-        Raises:
-            ValueError: it is no entity.
-        """
         index = self.thing(name)
         if index >= len(self.roster.entities):
             message = f"not an entity: {self.roster.things[index]!r}"
@@ -68,19 +57,9 @@ class NameScope:
         return index
 
     def things(self, names: Names) -> tuple[int, ...]:
-        """Return the indices of what can be touched: entities, fixed obstacles, walls.
-
-        Raises:
-            ValueError: one of them is nothing of this.
-        """
         return tuple(self.thing(name) for name in self.members(names))
 
     def thing(self, name: str) -> int:
-        """Return the index of one thing that can be touched; of a group its first member.
-
-        Raises:
-            ValueError: it is no such thing.
-        """
         member = self.members(name)[0]
         index = self.roster.index.get(member)
         if index is None:
@@ -89,20 +68,14 @@ class NameScope:
         return index
 
     def whose(self, name: str | None) -> str | None:
-        """Return whose counter, flag, timer or sequence a name stands for; None: all of them, or the only one."""
         return self.each if name == EACH else name
 
     def drawn_value(self, value: Scalar) -> Scalar:
-        """Return a value of a draw; ``each`` stands for a name if the rule has ``for_each``."""
         return self.each if value == EACH and self.each is not None else value
 
     def region(self, names: Names) -> Region:
-        """Return the region of a zone, or of several zones taken as one.
-
-        Raises:
-            ValueError: one of them is no zone.
-        """
-        return _any_of(tuple(self._zone_or_drawn(name) for name in self.members(names)))
+        regions = tuple(self._zone_or_drawn(name) for name in self.members(names))
+        return regions[0] if len(regions) == 1 else AnyOf(regions)
 
     def _zone_or_drawn(self, name: str) -> Region:
         among = self.roster.drawn.get(name)
@@ -124,11 +97,6 @@ class NameScope:
         return region_of(zone)
 
     def gate(self, name: str) -> GateLine:
-        """Return a gate.
-
-        Raises:
-            KeyError: there is none of this name.
-        """
         gate = self.scenario.gates[name]
         anchor = None if gate.anchor is None else self.entity(gate.anchor)
         return GateLine(gate.from_m, gate.to_m, anchor, self.state)
@@ -145,12 +113,10 @@ class NameScope:
         return name
 
     def start_of(self, entity: int) -> StartPose:
-        """Return where an entity starts."""
         name = self.roster.entities[entity]
         return StartPose(start_pose(self.scenario, name), start_noise_m(self.scenario, name))
 
     def spot(self, name: str) -> Callable[[], Point]:
-        """Return a function for the current place of a spot, or of the spot that a draw of this name decided."""
         spots, draws = self.state.spots, self.state.draws
         if name in self.scenario.draws and name not in spots:
             return lambda: spots[self.spot_name(draws[name])]
@@ -158,11 +124,6 @@ class NameScope:
         return lambda: spots[spot]
 
     def spots(self, names: Names) -> Callable[[], tuple[Point, ...]]:
-        """Return a function for the current places of spots, in order.
-
-        Raises:
-            ValueError: one of them is no spot.
-        """
         spots, members = self.state.spots, self.members(names)
         points = tuple(spots[self.spot_name(name)] for name in members)
         if self._context.remembered.isdisjoint(members):
@@ -170,7 +131,6 @@ class NameScope:
         return lambda: tuple(spots[name] for name in members)
 
     def anchor(self, what: Name | Point) -> Callable[[], Anchor]:
-        """Return what finds the entity, spot or point for which a name stands now; a draw's name, what it decided."""
         if isinstance(what, tuple):
             point = Anchor(lambda _board: what)
             return lambda: point
@@ -191,24 +151,19 @@ class NameScope:
         return Anchor(lambda _board: spots[spot])
 
     def random_point(self, zones: Names) -> Callable[[Random], Point]:
-        """Return what draws a point of zones, every one equally likely."""
         return point_sampler({name: self.scenario.zones[name] for name in self.members(zones)})
 
     def name_of(self, entity: int) -> str:
-        """Return the name of an entity."""
         return self.roster.entities[entity]
 
     def is_robot(self, name: str) -> bool:
-        """Return whether a name is that of a robot."""
         return name in self.scenario.robots
 
     def is_present(self, name: str) -> bool:
-        """Return whether something is on the field now; what is no entity always is."""
         index = self.roster.index.get(name, len(self.state.present))
         return index >= len(self.state.present) or self.state.present[index]
 
     def pose(self, name: str) -> Callable[[], tuple[float, ...] | None]:
-        """Return what reads where something is: [x, y, yaw], of a spot [x, y]; None while it is off the field."""
         member, state = self.members(name)[0], self.state
         among = self.roster.drawn.get(member)
         if among is None:
@@ -227,17 +182,10 @@ class NameScope:
         return lambda: middle
 
     def targets(self, named: Name | Point) -> tuple[Target, ...]:
-        """Return what a distance is measured to: what a name stands for, or a point."""
         return targets_of(named, self)
 
     def half_length_s(self) -> Number:
-        """Return the length of the half in s."""
         return self.state.half_length_s()
-
-
-def _any_of(regions: tuple[Region, ...]) -> Region:
-    """Return several regions taken as one."""
-    return regions[0] if len(regions) == 1 else AnyOf(regions)
 
 
 if TYPE_CHECKING:

@@ -16,8 +16,15 @@ from rcj_challenges.rules.fields import Names, Strict, described
 from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import number
 from rcj_challenges.tracking.bound_rules import Act, Firing, Reader, Test
-from rcj_challenges.tracking.places import PlaceResolver
+from rcj_challenges.tracking.places import PlaceRequest, PlaceResolver
 from rcj_challenges.tracking.state import Number
+
+# What the files of words import from here.
+__all__ = (
+    "ENTITY_DESCRIPTION", "Act", "Action", "Binder", "Condition", "Firing", "FormVocabulary", "FormWord", "Number",
+    "Phrases", "PlaceRequest", "PlaceResolver", "PlaceWord", "Reader", "Scope", "Test", "Trigger", "ValueWord",
+    "Vocabulary", "Word",
+)  # fmt: skip
 
 ENTITY_DESCRIPTION = "an entity (a robot, a ball or a movable obstacle), a group (any member), or each"
 
@@ -128,19 +135,17 @@ class Trigger(Word):
         MEASURED: what it measures, as the sheet says it; empty: nothing.
         LIMIT: the field with the limit that it measures against; empty: none.
         REASON: what follows the entity where a replay says why it fired, with its fields, `measured` and `limit`.
+        ABOUT: the field with what it can be about; it need not have one.
     """
 
     KEY = "trigger"
+    ABOUT: ClassVar[str] = "entity"
     MEASURED: ClassVar[str] = ""
     LIMIT: ClassVar[str] = ""
     REASON: ClassVar[str] = ""
 
     def bind(self, to: Binder) -> None:
-        """Bind a rule to this trigger: to a tracker, or to the clock's events.
-
-        Args:
-            to: the rule's binder.
-        """
+        """Bind a rule to this trigger: to a tracker, or to the clock's events."""
         raise NotImplementedError
 
     def describe(self, phrases: Phrases) -> str:
@@ -149,7 +154,7 @@ class Trigger(Word):
 
     def about(self, _phrases: Phrases) -> Names | None:
         """Return what it can be about; None: nothing."""
-        names: Names | None = getattr(self, "entity", None)
+        names: Names | None = getattr(self, self.ABOUT, None)
         return names
 
     def limit(self, _phrases: Phrases) -> float | None:
@@ -162,18 +167,19 @@ class Trigger(Word):
 
 
 class Condition(Word):
-    """What must hold when a trigger fires."""
+    """What must hold when a trigger fires.
+
+    Attributes:
+        ABOUT: the field with the entities whose place it reads; empty: none.
+    """
 
     KEY = "condition"
+    ABOUT: ClassVar[str] = ""
 
     negate: bool = described(False, "True: the opposite must hold")
 
     def compile(self, to: Binder) -> Test:
-        """Return the test of the condition, turned over if it is negated.
-
-        Args:
-            to: the rule's binder.
-        """
+        """Return the test of the condition, turned over if it is negated."""
         test = self.test(to)
         return (lambda: not test()) if self.negate else test
 
@@ -181,9 +187,10 @@ class Condition(Word):
         """Return the test of the condition as it is without ``negate``."""
         raise NotImplementedError
 
-    def watched(self, _to: Binder) -> tuple[int, ...]:
+    def watched(self, to: Binder) -> tuple[int, ...]:
         """Return the entities whose placement changes it: a trigger that follows it is reset then."""
-        return ()
+        names = self.about()
+        return () if names is None else to.entities(names)
 
     def describe(self, phrases: Phrases) -> str:
         """Return the condition, or the opposite of a negated one, as the part of a sentence that follows ``if``."""
@@ -191,7 +198,8 @@ class Condition(Word):
 
     def about(self) -> Names | None:
         """Return the entities whose place it reads, if it names them."""
-        return None
+        names: Names | None = getattr(self, self.ABOUT) if self.ABOUT else None
+        return names
 
     def is_always(self) -> bool:
         """Return whether it holds at any time."""
@@ -212,11 +220,7 @@ class Action(Word):
     KEY = "action"
 
     def compile(self, to: Binder) -> Act:
-        """Return what carries out the action when its rule fires.
-
-        Args:
-            to: the rule's binder.
-        """
+        """Return what carries out the action when its rule fires."""
         raise NotImplementedError
 
     def describe(self, phrases: Phrases) -> str:
@@ -276,11 +280,7 @@ class ValueWord(FormWord):
     UNIT: ClassVar[str] = ""
 
     def now(self, to: Scope) -> Callable[[], Any]:
-        """Return what reads the value, of one that is the same whichever rule fires.
-
-        Args:
-            to: what names stand for.
-        """
+        """Return what reads the value, of one that is the same whichever rule fires."""
         raise NotImplementedError
 
     def read(self, to: Scope) -> Reader:

@@ -124,8 +124,14 @@ class Binder(Scope, Protocol):
     def sequences(self, name: str) -> dict[str | None, SequenceTracker]:
         """Return the trackers of a sequence by whose it is; None for one that is not kept per entity."""
 
-    def track(self, kind: type[_T], key: tuple[object, ...], make: Callable[[], _T]) -> _T:
-        """Return the tracker that follows ``key`` in the phases of the rule; rules that follow the same share it."""
+    def track(self, kind: type[_T], key: tuple[object, ...], *args: Any) -> _T:
+        """Return the tracker that follows ``key`` in the phases of the rule; rules that follow the same share it.
+
+        Args:
+            kind: its class.
+            key: what it follows.
+            args: what a new one is made of, after state and hits.
+        """
 
     def track_alone(self, tracker: Tracker) -> None:
         """Follow a tracker that is not shared, in the phases of the rule."""

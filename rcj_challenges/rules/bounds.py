@@ -8,27 +8,20 @@ from rcj_challenges.rules.phrasing import number
 from rcj_challenges.tracking.state import Number
 
 
-class Bounded(Protocol):
+class _Bounded(Protocol):
     """An action with floors and ceilings: of the amount, and of what becomes of the total."""
 
     @property
-    def at_least(self) -> float | None:
-        """The least that the amount is."""
-
+    def at_least(self) -> float | None: ...
     @property
-    def at_most(self) -> float | None:
-        """The most that the amount is."""
-
+    def at_most(self) -> float | None: ...
     @property
-    def keeps_at_least(self) -> float | None:
-        """What the total does not fall below."""
-
+    def keeps_at_least(self) -> float | None: ...
     @property
-    def keeps_at_most(self) -> float | None:
-        """What the total does not rise above."""
+    def keeps_at_most(self) -> float | None: ...
 
 
-def amount_bound(model: Bounded) -> Callable[[Number], Number]:
+def amount_bound(model: _Bounded) -> Callable[[Number], Number]:
     """Return what brings an amount between ``at_least`` and ``at_most``."""
     least, most = model.at_least, model.at_most
 
@@ -40,7 +33,7 @@ def amount_bound(model: Bounded) -> Callable[[Number], Number]:
     return within
 
 
-def change_bound(model: Bounded) -> Callable[[Number, Number], Number]:
+def change_bound(model: _Bounded) -> Callable[[Number, Number], Number]:
     """Return what an amount becomes that is added to a score or a counter, given what that is before.
 
     It goes as far as ``keeps_at_least`` or ``keeps_at_most`` and no further. What lies beyond already stays where it
@@ -60,7 +53,7 @@ def change_bound(model: Bounded) -> Callable[[Number, Number], Number]:
     return change
 
 
-def bounds_words(action: Bounded, total: str) -> str:
+def bounds_words(action: _Bounded, total: str) -> str:
     """Return how much an action pays or counts at least and at most, and how far it takes the total."""
     least, most = action.at_least, action.at_most
     amounts = [f"at {how} {number(one)}" for how, one in (("least", least), ("most", most)) if one is not None]
@@ -70,7 +63,7 @@ def bounds_words(action: Bounded, total: str) -> str:
     return f" ({'; '.join(filter(None, said))})" if any(said) else ""
 
 
-def subtracted_parts(action: Bounded, parts: Any) -> tuple[Any, ...]:
+def subtracted_parts(action: _Bounded, parts: Any) -> tuple[Any, ...]:
     """Return what is taken away, where all parts of a sum are; empty where not, or where the sum is bounded itself."""
     is_bounded = action.at_least is not None or action.at_most is not None
     if is_bounded or not isinstance(parts, tuple):

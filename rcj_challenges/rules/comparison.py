@@ -2,12 +2,9 @@
 
 from collections.abc import Callable
 
-from rcj_challenges.rules.base import Condition, ValueWord
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Condition, Number, Phrases, ValueWord
 from rcj_challenges.rules.fields import MM_DIGITS, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.values import Bound, amount_words, compile_bound
-from rcj_challenges.tracking.state import Number
 
 
 def to_mm(metres: Number) -> Number:
@@ -83,7 +80,9 @@ class Compared(Condition):
             for words, limit in limits
         )
 
-    def only_limit(self) -> Bound | None:
-        """Return the limit of a comparison that has one to one side; None if it has not."""
+    def opposite(self, phrases: Phrases, unit: str = "") -> str | None:
+        """Return the opposite of a comparison that has one limit: ``less than 0.5 m``; None if it cannot be put so."""
         limits = [limit for limit in (self.at_least, self.at_most) if limit is not None]
-        return limits[0] if len(limits) == 1 and self.equals is None else None
+        if len(limits) != 1 or self.equals is not None or (unit and not isinstance(limits[0], int | float)):
+            return None
+        return f"{'less' if self.at_most is None else 'more'} than {amount_words(phrases, limits[0])}{unit}"

@@ -6,9 +6,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Phrases, Scope
 from rcj_challenges.rules.fields import Name, Point, Strict, Yes, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import heading
 from rcj_challenges.rules.refs import ANCHOR
 from rcj_challenges.tracking.places import Board, CompiledFacing

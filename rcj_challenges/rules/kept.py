@@ -3,12 +3,10 @@
 from collections.abc import Callable
 from typing import Any, Protocol
 
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Phrases, Test
 from rcj_challenges.rules.fields import Names
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import Subject
 from rcj_challenges.rules.quantifier import Quantifier, quantified
-from rcj_challenges.tracking.bound_rules import Test
 
 
 class _OfKept(Protocol):

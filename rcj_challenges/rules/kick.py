@@ -4,9 +4,8 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Phrases, Scope
 from rcj_challenges.rules.fields import Name, Strict, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import listed, number, quoted_measure
 from rcj_challenges.rules.places import At, place_of
 from rcj_challenges.rules.refs import DRAW

@@ -3,8 +3,8 @@
 from collections.abc import Callable
 from typing import Annotated, Literal
 
+from rcj_challenges.rules.base import Phrases
 from rcj_challenges.rules.fields import Name, Point, Strict, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import listed
 from rcj_challenges.rules.places import At, place_of
 from rcj_challenges.rules.refs import FLAG

@@ -40,20 +40,14 @@ class SequenceTracker(PositionTracker):
     """
 
     def __init__(
-        self, entity: int, path: SequencePath, zones: dict[str, Region], gates: dict[str, GateLine],
-        state: RefereeState, hits: HitBuffer,
+        self, state: RefereeState, hits: HitBuffer, entity: int, path: SequencePath,
+        zones: dict[str, Region], gates: dict[str, GateLine],
     ) -> None:  # fmt: skip
-        super().__init__()
-        self.entity = entity
-        self.entities = (entity,)
+        super().__init__(state, hits, entity)
         self.reached: str | None = None
         self.completed: list[TriggerBinding] = []
         self.broken: list[TriggerBinding] = []
-        self._state = state
-        self._hits = hits
-        self._cyclic = path.is_cyclic
-        self._breaks = path.breaks
-        self._goes_on = path.survives_placement
+        self._path = path
         self._steps = path.steps
         self._zones = zones
         self._gates = gates
@@ -70,7 +64,7 @@ class SequenceTracker(PositionTracker):
 
     def moved(self) -> None:
         """Reset, or keep the steps made, if there are any: then the place where the entity was put does not count."""
-        if self._goes_on and self._at != _NOT_BEGUN:
+        if self._path.survives_placement and self._at != _NOT_BEGUN:
             self._look_around()
         else:
             self.reset()
@@ -121,15 +115,12 @@ class SequenceTracker(PositionTracker):
             del left[step]
             self._step_to(step)
         current = self._steps[self._at] if self._at != _NOT_BEGUN else ()
-        if self._breaks and self._at != _NOT_BEGUN and any(name not in current for name in left):
+        if self._path.breaks and self._at != _NOT_BEGUN and any(name not in current for name in left):
             self._report(self.broken)
             self._stand_at_first()
 
     def _expected(self) -> tuple[str, ...]:
-        following = self._at + 1
-        if following < len(self._steps):
-            return self._steps[following]
-        return self._steps[0]
+        return self._steps[(self._at + 1) % len(self._steps)]
 
     def _step_to(self, name: str) -> None:
         last = len(self._steps) - 1
@@ -138,7 +129,7 @@ class SequenceTracker(PositionTracker):
         self.reached = name
         if self._at < last:
             self._at += 1
-            if self._at == last and not self._cyclic:
+            if self._at == last and not self._path.is_cyclic:
                 self._report(self.completed)
                 self._at = _NOT_BEGUN
             return

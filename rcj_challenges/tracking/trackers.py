@@ -12,7 +12,7 @@ from collections.abc import Iterable, Sequence
 
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.regions import EVERYWHERE, Cell, common_cell
-from rcj_challenges.tracking.bound_rules import TriggerBinding
+from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding
 from rcj_challenges.tracking.state import RefereeState
 
 NEVER = 1 << 62
@@ -27,15 +27,22 @@ class Tracker:
         entities: the indices of those whose placement resets it.
         since: the tick at which it was last reset.
         already_true: the tick at which it could not come true because it was true already; None: it always could.
+
+    Args:
+        state: the referee's memory.
+        hits: where it reports.
+        entities: the indices of those whose placement resets it.
     """
 
     phases: frozenset[str] | None = None
-    entities: tuple[int, ...] = ()
     since = 0
     already_true: int | None = None
 
-    def __init__(self) -> None:
+    def __init__(self, state: RefereeState, hits: HitBuffer, *entities: int) -> None:
         self.bindings: list[TriggerBinding] = []
+        self.entities = entities
+        self._state = state
+        self._hits = hits
 
     def is_active_in(self, phase: str) -> bool:
         """Return whether it is active in a phase."""
@@ -53,7 +60,9 @@ class Tracker:
 class PositionTracker(Tracker):
     """A tracker on where one entity's centre is."""
 
-    entity: int
+    def __init__(self, state: RefereeState, hits: HitBuffer, entity: int) -> None:
+        super().__init__(state, hits, entity)
+        self.entity = entity
 
     def cell(self, x_m: float, y_m: float) -> Cell:
         """Return a cell around the centre in which this tracker has nothing to do."""

@@ -16,16 +16,12 @@ class ZoneTracker(PositionTracker):
         entering, leaving: the rules that it reports to.
     """
 
-    def __init__(self, entity: int, region: Region, state: RefereeState, hits: HitBuffer) -> None:
-        super().__init__()
-        self.entity = entity
-        self.entities = (entity,)
+    def __init__(self, state: RefereeState, hits: HitBuffer, entity: int, region: Region) -> None:
+        super().__init__(state, hits, entity)
         self.entering: list[TriggerBinding] = []
         self.leaving: list[TriggerBinding] = []
         self._region = region
         self._inside = False
-        self._state = state
-        self._hits = hits
 
     def reset(self) -> None:
         """Take the present side for the one it was on before."""

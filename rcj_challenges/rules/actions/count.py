@@ -3,15 +3,11 @@
 from typing import Annotated, Literal
 
 from rcj_challenges.core.amounts import round_score
-from rcj_challenges.rules.base import Action
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Act, Action, Binder, Firing, Number, Phrases
 from rcj_challenges.rules.bounds import amount_bound, bounds_words, change_bound, subtracted_parts
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import COUNTER, WHOSE
 from rcj_challenges.rules.values import Points, amount_words, compile_points
-from rcj_challenges.tracking.bound_rules import Act, Firing
-from rcj_challenges.tracking.state import Number
 
 
 class Count(Action):
@@ -83,7 +79,6 @@ expect:
         return act
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the action as a clause: ``yellow gets 1 point``."""
         counter = phrases.every_kept("counter", self.counter, self.entity)
         bounds = bounds_words(self, "counter")
         if self.to is not None:

@@ -4,13 +4,10 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from rcj_challenges.rules.base import Action
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Act, Action, Binder, Phrases
 from rcj_challenges.rules.fields import Name, Scalar, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import quoted_measure
 from rcj_challenges.rules.refs import DRAW, DrawnValue
-from rcj_challenges.tracking.bound_rules import Act
 
 
 class DrawAction(Action):
@@ -41,12 +38,10 @@ expect:
     SENTENCE = "“side” becomes “left”"
 
     def compile(self, to: Binder) -> Act:
-        """Return what draws again, or sets a draw to a value."""
         name, fixed = self.draw, None if self.as_ is None else to.drawn_value(self.as_)
         return lambda _firing: to.decide_draw(name, fixed)
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the action as a clause: ``yellow gets 1 point``."""
         if self.as_ is None:
             return f"{quoted_measure(self.draw)} is drawn again"
         who = phrases.drawn(self.draw, self.as_)

@@ -2,12 +2,9 @@
 
 from typing import Literal
 
-from rcj_challenges.rules.base import Action
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.fields import EventName, Name, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.values import Value, compile_value, value_words
-from rcj_challenges.tracking.bound_rules import Act, Firing
 
 
 class Emit(Action):
@@ -38,7 +35,6 @@ expect:
     SENTENCE = "GOAL is announced (team_name: the team name of yellow, score: the score of yellow, points: 1)"
 
     def compile(self, to: Binder) -> Act:
-        """Return what writes an event."""
         name = self.event
         payload = {key: compile_value(value, to) for key, value in self.payload.items()}
 
@@ -49,6 +45,5 @@ expect:
         return act
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the action as a clause: ``yellow gets 1 point``."""
         told = ", ".join(f"{key}: {value_words(phrases, entry)}" for key, entry in self.payload.items())
         return f"{self.event} is announced" + (f" ({told})" if told else "")

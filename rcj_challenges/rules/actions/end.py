@@ -2,11 +2,8 @@
 
 from typing import Literal
 
-from rcj_challenges.rules.base import Action
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.fields import described
-from rcj_challenges.rules.phrases import Phrases
-from rcj_challenges.tracking.bound_rules import Act, Firing
 
 
 class End(Action):
@@ -52,5 +49,4 @@ expect:
         return act
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the action as a clause: ``yellow gets 1 point``."""
         return f"the {self.what} ends" + (f" ({self.reason})" if self.reason else "")

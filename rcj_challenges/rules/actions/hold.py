@@ -3,13 +3,10 @@
 from math import inf
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Action
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.fields import Names, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import ROBOTS
 from rcj_challenges.rules.values import Lasts, duration_words
-from rcj_challenges.tracking.bound_rules import Act, Firing
 
 
 class Hold(Action):
@@ -53,7 +50,6 @@ expect:
     SENTENCE = "it is held still until it is let go"
 
     def compile(self, to: Binder) -> Act:
-        """Return what holds robots, for a time or until something lets them go."""
         state, robots = to.state, to.entities(self.entity)
         if self.for_s is None:
             return lambda _firing: state.held.hold(robots, inf)
@@ -67,7 +63,6 @@ expect:
         return act
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the action as a clause: ``yellow gets 1 point``."""
         who = phrases.all_of(self.entity)
         until = f"until {'they are' if who.plural else 'it is'} let go"
         lasts = until if self.for_s is None else f"for {duration_words(phrases, self.for_s)}"

@@ -2,18 +2,15 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Action
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Act, Action, Binder, Phrases
 from rcj_challenges.rules.facing import Facing
 from rcj_challenges.rules.fields import Name, Names, described
 from rcj_challenges.rules.mirror import Mirror
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import quoted
 from rcj_challenges.rules.placement import Attempts, ClearanceM, NoiseM, Roll, WithoutRoom, placement_words
 from rcj_challenges.rules.places import At
 from rcj_challenges.rules.refs import ENTITIES, SectionRef
 from rcj_challenges.rules.values.draw import DrawValue
-from rcj_challenges.tracking.bound_rules import Act
 
 
 class Place(Action):
@@ -51,7 +48,6 @@ expect:
     SENTENCE = "the ball is put on the spot “centre”"
 
     def compile(self, to: Binder) -> Act:
-        """Return what puts entities somewhere: by a layout, or one after the other."""
         if isinstance(self.layout, DrawValue):
             draws, name = to.state.draws, self.layout.draw
             layouts = {value: to.layout_jobs(str(value), self.mirror) for value in to.draw_values(name)}
@@ -59,14 +55,10 @@ expect:
         if self.layout is not None:
             jobs = to.layout_jobs(self.layout, self.mirror)
         else:
-            if self.entity is None or self.at is None:
-                message = "place needs a layout, or entity and at"
-                raise ValueError(message)
-            jobs = [to.placement_job(self, entity) for entity in to.entities(self.entity)]
+            jobs = [to.placement_job(self, entity) for entity in to.entities(self.entity or ())]
         return lambda _firing: to.place(jobs)
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the action as a clause: ``yellow gets 1 point``."""
         if self.entity is not None and self.at is not None:
             return placement_words(phrases, self.entity, self.at, self)
         layout = self.layout

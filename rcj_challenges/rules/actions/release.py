@@ -3,12 +3,9 @@
 from typing import Annotated, Literal
 
 from rcj_challenges.rules.actions.hold import Hold
-from rcj_challenges.rules.base import Action
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Act, Action, Binder, Phrases
 from rcj_challenges.rules.fields import Names, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import ROBOTS
-from rcj_challenges.tracking.bound_rules import Act
 
 
 class Release(Action):
@@ -24,10 +21,8 @@ class Release(Action):
     SENTENCE = "it is let go"
 
     def compile(self, to: Binder) -> Act:
-        """Return what lets robots go that rules hold."""
         robots = to.entities(self.entity)
         return lambda _firing: to.release(robots)
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the action as a clause: ``yellow gets 1 point``."""
         return f"{phrases.all_of(self.entity).does('is', 'are')} let go"

@@ -3,16 +3,13 @@
 from typing import Annotated, Literal
 
 from rcj_challenges.rules.actions.place import Place
-from rcj_challenges.rules.base import Action
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.facing import Facing
 from rcj_challenges.rules.fields import Names, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.placement import looks_words, put_words
 from rcj_challenges.rules.places import At
 from rcj_challenges.rules.refs import ENTITIES
 from rcj_challenges.rules.values import Lasts, duration_words
-from rcj_challenges.tracking.bound_rules import Act, Firing
 
 
 class Remove(Action):
@@ -45,7 +42,6 @@ expect:
     SENTENCE = "Y1 is taken off the field and after 2 s put on the spot “middle yellow”"
 
     def compile(self, to: Binder) -> Act:
-        """Return what takes entities off the field, for a time or until something places them."""
         away = None if self.for_s is None else to.ticks(self.for_s)
         back = Place(action="place", entity=self.entity, at=self.back_at, facing=self.facing)
         returns = {entity: to.placement_job(back, entity) for entity in to.entities(self.entity)}
@@ -59,7 +55,6 @@ expect:
         return act
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the action as a clause: ``yellow gets 1 point``."""
         who = phrases.all_of(self.entity)
         gone = f"{who.does('is', 'are')} taken off the field"
         if not self.for_s:

@@ -4,15 +4,12 @@ from collections.abc import Callable
 from typing import Annotated, Literal
 
 from rcj_challenges.core.amounts import round_score
-from rcj_challenges.rules.base import Action
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.bounds import bounds_words, change_bound, subtracted_parts
 from rcj_challenges.rules.fields import Name, Strict, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import counted, plain
 from rcj_challenges.rules.refs import THING, SectionRef
 from rcj_challenges.rules.values import Points, amount_words, compile_points
-from rcj_challenges.tracking.bound_rules import Act, Firing
 
 _RECEIVER = SectionRef("entrant", ("entrants",), words=frozenset({"each", "other"}))
 
@@ -108,7 +105,6 @@ expect:
         return lambda: whose
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the action as a clause: ``yellow gets 1 point``."""
         who, points, bounds = self.receiver(phrases), self.points, bounds_words(self, "score")
         if taken := subtracted_parts(self, points):
             return f"{who} loses points: {amount_words(phrases, taken)}{bounds}"

@@ -2,12 +2,9 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Action
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import ENTITY, SEQUENCE
-from rcj_challenges.tracking.bound_rules import Act, Firing
 
 
 class SequenceAction(Action):
@@ -56,5 +53,4 @@ expect:
         return act
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the action as a clause: ``yellow gets 1 point``."""
         return f"{phrases.every_kept('sequence', self.sequence, self.entity)} starts again"

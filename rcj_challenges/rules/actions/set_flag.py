@@ -3,12 +3,9 @@
 from collections.abc import Callable
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Action
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import FLAG, WHOSE
-from rcj_challenges.tracking.bound_rules import Act, Firing
 
 
 class SetFlag(Action):
@@ -36,12 +33,10 @@ expect:
     SENTENCE = "the flag “armed” is set"
 
     def compile(self, to: Binder) -> Act:
-        """Return what sets or clears a flag."""
         new = self.to
         return change_flag(to, self.flag, self.entity, lambda _value: new)
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the action as a clause: ``yellow gets 1 point``."""
         return f"{phrases.every_kept('flag', self.flag, self.entity)} is {'set' if self.to else 'cleared'}"
 
 

@@ -2,13 +2,10 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Action
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Act, Action, Binder, Phrases
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import quoted
 from rcj_challenges.rules.refs import PHASE
-from rcj_challenges.tracking.bound_rules import Act
 
 
 class SetPhase(Action):
@@ -41,10 +38,8 @@ expect:
     SENTENCE = "the phase “second task” begins"
 
     def compile(self, to: Binder) -> Act:
-        """Return what enters a phase, at once."""
         phase = self.phase
         return lambda _firing: to.enter_phase(phase)
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the action as a clause: ``yellow gets 1 point``."""
         return f"the phase {quoted(self.phase)} begins"

@@ -4,16 +4,13 @@ from collections.abc import Callable
 from typing import Annotated, Literal
 
 from rcj_challenges.core.messages import position_in
-from rcj_challenges.rules.base import Action
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.fields import Name, Point, described
 from rcj_challenges.rules.mirror import Mirror
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.places.on_line import OnLine
 from rcj_challenges.rules.places.uniform_in import UniformIn
 from rcj_challenges.rules.refs import FIXED, MOVING, SPOT, Ref
 from rcj_challenges.rules.values.told import ToldValue
-from rcj_challenges.tracking.bound_rules import Act, Firing
 
 
 class SetSpot(Action):
@@ -110,7 +107,6 @@ expect:
                 return to.locate(self.to)
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the action as a clause: ``yellow gets 1 point``."""
         if isinstance(self.to, ToldValue):
             where = f"the position that {phrases.thing(self.to.told)} has told the referee"
         elif isinstance(self.to, str):

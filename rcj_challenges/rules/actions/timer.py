@@ -2,12 +2,9 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Action
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import TIMER, WHOSE
-from rcj_challenges.tracking.bound_rules import Act, Firing
 from rcj_challenges.tracking.state import Clock
 
 
@@ -44,7 +41,6 @@ expect:
     SENTENCE = "the timer “stopwatch” is stopped"
 
     def compile(self, to: Binder) -> Act:
-        """Return what starts, stops or resets a timer."""
         state, do, timer = to.state, self.do, self.timer
         clocks, whose = state.timers[timer], to.whose(self.entity)
         chosen = tuple(clocks.items()) if whose is None else ((whose, clocks[whose]),)
@@ -69,7 +65,6 @@ expect:
         return act
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the action as a clause: ``yellow gets 1 point``."""
         done = {
             "restart": "starts again from 0",
             "start": "starts or goes on, unless it has run out",

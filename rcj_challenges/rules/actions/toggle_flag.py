@@ -3,12 +3,9 @@
 from typing import Annotated, Literal
 
 from rcj_challenges.rules.actions.set_flag import SetFlag, change_flag
-from rcj_challenges.rules.base import Action
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Act, Action, Binder, Phrases
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import FLAG, WHOSE
-from rcj_challenges.tracking.bound_rules import Act
 
 
 class ToggleFlag(Action):
@@ -24,9 +21,7 @@ class ToggleFlag(Action):
     SENTENCE = "the flag “side” is turned over"
 
     def compile(self, to: Binder) -> Act:
-        """Return what turns a flag over."""
         return change_flag(to, self.flag, self.entity, lambda value: not value)
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the action as a clause: ``yellow gets 1 point``."""
         return f"{phrases.every_kept('flag', self.flag, self.entity)} is turned over"

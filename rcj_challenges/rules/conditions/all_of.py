@@ -4,12 +4,9 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from rcj_challenges.rules.base import Condition
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
 from rcj_challenges.rules.conditions.several import all_hold, one_holds, opposites, watched_by
 from rcj_challenges.rules.conditions.vocabulary import CONDITIONS
-from rcj_challenges.rules.phrases import Phrases
-from rcj_challenges.tracking.bound_rules import Test
 
 
 class AllOf(Condition):
@@ -46,19 +43,15 @@ expect:
     SENTENCE = "Y3 is in the circle and the ball is at most 0.2 m from Y3"
 
     def is_several(self) -> bool:
-        """Return whether it is made of more than one condition."""
         return len(self.conditions) > 1
 
     def test(self, to: Binder) -> Test:
-        """Return whether all of several conditions hold."""
         tests = tuple(condition.compile(to) for condition in self.conditions)
         return lambda: all(test() for test in tests)
 
     def watched(self, to: Binder) -> tuple[int, ...]:
-        """Return the entities whose placement changes it."""
         return watched_by(to, self.conditions)
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``if``."""
         # Not all of them hold: of one the opposite does.
         return one_holds(phrases, opposites(self.conditions)) if self.negate else all_hold(phrases, self.conditions)

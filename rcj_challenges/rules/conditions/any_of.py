@@ -4,12 +4,9 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from rcj_challenges.rules.base import Condition
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
 from rcj_challenges.rules.conditions.several import all_hold, one_holds, opposites, watched_by
 from rcj_challenges.rules.conditions.vocabulary import CONDITIONS
-from rcj_challenges.rules.phrases import Phrases
-from rcj_challenges.tracking.bound_rules import Test
 
 
 class AnyOf(Condition):
@@ -46,20 +43,16 @@ expect:
     SENTENCE = "either the ball moves at a speed of at least 0.3 m/s or the last to touch the ball was Y3"
 
     def is_several(self) -> bool:
-        """Return whether it is made of more than one condition."""
         return len(self.conditions) > 1
 
     def test(self, to: Binder) -> Test:
-        """Return whether at least one of several conditions holds."""
         tests = tuple(condition.compile(to) for condition in self.conditions)
         return lambda: any(test() for test in tests)
 
     def watched(self, to: Binder) -> tuple[int, ...]:
-        """Return the entities whose placement changes it."""
         return watched_by(to, self.conditions)
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``if``."""
         parts = self.conditions
         if self.negate and (len(parts) == 1 or any(_is_negative(one) or one.is_several() for one in parts)):
             # None of them holds: of each the opposite does.

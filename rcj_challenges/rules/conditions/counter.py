@@ -3,17 +3,15 @@
 from typing import Annotated, Literal
 
 from rcj_challenges.core.amounts import round_score
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Phrases, Test
 from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.fields import Name, Names, described
 from rcj_challenges.rules.kept import asked, kept, test_of_kept
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import plain, quoted_measure
 from rcj_challenges.rules.quantifier import Quantifier
 from rcj_challenges.rules.refs import READABLE, WHOSE_OF
 from rcj_challenges.rules.values import amount_words
 from rcj_challenges.rules.values.counter import CounterValue
-from rcj_challenges.tracking.bound_rules import Test
 
 
 class CounterIs(Compared):
@@ -58,22 +56,19 @@ expect:
     SENTENCE = "its counter “visits” is at most the lowest counter “visits” of all others on the field"
 
     def test(self, to: Binder) -> Test:
-        """Return how a counter or a score compares; with ``of``: those of so many."""
         state, name = to.state, self.counter
         holds = self.comparison(to, rounded=round_score)
         return test_of_kept(self, to, state.counters.get(name), lambda whose: holds(state.counter(name, whose)))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``if``."""
         if isinstance(self.equals, CounterValue):
             return self._equal(phrases, self.equals)
         who = asked(phrases, self, "counter", self.counter)
         if who is not None:
             return f"{who.does('has', 'have')} a counter {quoted_measure(self.counter)} of {self.compared(phrases)}"
         counter = kept(phrases, self, "counter", self.counter)
-        limit = self.only_limit() if self.negate else None
-        if limit is not None:
-            return f"{counter} is {'less' if self.at_most is None else 'more'} than {amount_words(phrases, limit)}"
+        if self.negate and (opposite := self.opposite(phrases)):
+            return f"{counter} is {opposite}"
         return f"{counter} is {'not ' if self.negate else ''}{self.compared(phrases)}"
 
     def _equal(self, phrases: Phrases, equals: CounterValue) -> str:

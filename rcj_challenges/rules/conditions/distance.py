@@ -3,16 +3,12 @@
 from collections.abc import Iterable
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Phrases, Test
 from rcj_challenges.rules.comparison import Compared, to_mm
 from rcj_challenges.rules.conditions.anchors import anchors
 from rcj_challenges.rules.fields import Name, Names, Point, described
-from rcj_challenges.rules.phrases import Phrases
-from rcj_challenges.rules.phrasing import number
 from rcj_challenges.rules.quantifier import Quantifier, quantified
 from rcj_challenges.rules.refs import MEASURED_TO, MOVING, Ref
-from rcj_challenges.rules.values import amount_words
-from rcj_challenges.tracking.bound_rules import Test
 
 
 class Distance(Compared):
@@ -37,6 +33,7 @@ class Distance(Compared):
     )
     of: Quantifier = described("any", "how many members of a group must satisfy it")
 
+    ABOUT = "entity"
     ASKS_WHERE = True
     EXAMPLE = """
 gates: {line: {from_m: [-0.3, 0.3], to_m: [0.3, 0.3]}}
@@ -95,25 +92,14 @@ expect:
         return lambda: quantified(of, results())
 
     def watched(self, to: Binder) -> tuple[int, ...]:
-        """Return the entities whose placement changes it."""
-        return (*to.entities(self.entity), *anchors(to, self.to))
-
-    def about(self) -> Names | None:
-        """Return the entities whose place it reads."""
-        return self.entity
+        return (*super().watched(to), *anchors(to, self.to))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``if``."""
         who = phrases.quantified(self.of, self.entity, negate=self.negate)
         point = phrases.point(self.to, self.entity)
-        limit = self.only_limit() if who.negated else None
-        if limit is None:
+        opposite = self.opposite(phrases, " m") if who.negated else None
+        if opposite is None:
             return f"{who.does('is', 'are')} {self.compared(phrases, ' m', f' from {point}')}"
         # Nothing is measured to what is off the field: then the opposite of it holds.
         off = ", or one of the two is off the field" if phrases.may_be_off() else ""
-        if isinstance(limit, int | float):
-            return (
-                f"{who.text} is {'less' if self.at_most is None else 'more'} than {number(limit)} m from {point}{off}"
-            )
-        how = "nearer to" if self.at_most is None else "further from"
-        return f"{who.text} is {how} {point} than {amount_words(phrases, limit)} says in m{off}"
+        return f"{who.text} is {opposite} from {point}{off}"

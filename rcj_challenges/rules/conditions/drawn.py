@@ -2,13 +2,10 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Condition
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
 from rcj_challenges.rules.fields import Name, Scalar, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import quoted_measure
 from rcj_challenges.rules.refs import DRAW, DrawnValue
-from rcj_challenges.tracking.bound_rules import Test
 
 
 class Drawn(Condition):
@@ -43,12 +40,10 @@ expect:
     SENTENCE = "“blue goal” was drawn as “target”"
 
     def test(self, to: Binder) -> Test:
-        """Return whether a draw has decided on a value."""
         draws, name, value = to.state.draws, self.draw, to.drawn_value(self.equals)
         return lambda: draws[name] == value
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``if``."""
         who, draw, no = phrases.drawn(self.draw, self.equals), quoted_measure(self.draw), "not " if self.negate else ""
         if not phrases.is_set(self.draw):
             return f"{who} was {no}drawn as {draw}"

@@ -2,15 +2,12 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Condition
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
 from rcj_challenges.rules.fields import Name, Names, described
 from rcj_challenges.rules.kept import asked, kept, test_of_kept
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import quoted
 from rcj_challenges.rules.quantifier import Quantifier
 from rcj_challenges.rules.refs import FLAG, WHOSE_OF
-from rcj_challenges.tracking.bound_rules import Test
 
 
 class FlagIs(Condition):
@@ -52,12 +49,10 @@ expect:
     SENTENCE = "the flag “lights” is set"
 
     def test(self, to: Binder) -> Test:
-        """Return whether a flag is set; with ``of``: those of so many."""
         state, name = to.state, self.flag
         return test_of_kept(self, to, state.flags[name], lambda whose: state.flag(name, whose))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``if``."""
         who = asked(phrases, self, "flag", self.flag)
         if who is not None:
             return f"{who.does('has', 'have')} the flag {quoted(self.flag)} set"

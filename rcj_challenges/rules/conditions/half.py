@@ -2,11 +2,8 @@
 
 from typing import Literal
 
-from rcj_challenges.rules.base import Condition
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
 from rcj_challenges.rules.fields import described
-from rcj_challenges.rules.phrases import Phrases
-from rcj_challenges.tracking.bound_rules import Test
 
 
 class HalfIs(Condition):
@@ -56,7 +53,6 @@ expect:
         return lambda: is_now
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``if``."""
         if self.at_least is not None and self.at_least == self.at_most:
             which = f"half {self.at_least}"
         elif self.at_least is not None and self.at_most is not None:

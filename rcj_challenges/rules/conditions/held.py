@@ -2,13 +2,10 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Condition
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
 from rcj_challenges.rules.fields import Names, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.quantifier import Quantifier, quantified
 from rcj_challenges.rules.refs import ROBOTS
-from rcj_challenges.tracking.bound_rules import Test
 
 
 class IsHeld(Condition):
@@ -53,5 +50,4 @@ expect:
         return lambda: quantified(of, (held.holds(robot) for robot in robots))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``if``."""
         return f"{phrases.quantified(self.of, self.entity, negate=self.negate).does('is', 'are')} held"

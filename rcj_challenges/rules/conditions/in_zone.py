@@ -2,13 +2,10 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Condition
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
 from rcj_challenges.rules.fields import Names, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.quantifier import Quantifier, quantified
 from rcj_challenges.rules.refs import ENTITIES, ZONES
-from rcj_challenges.tracking.bound_rules import Test
 
 
 class InZone(Condition):
@@ -21,6 +18,7 @@ class InZone(Condition):
     )
     of: Quantifier = described("any", "how many members of a group must be in it")
 
+    ABOUT = "entity"
     ASKS_WHERE = True
     EXAMPLE = """
 rules:
@@ -47,15 +45,6 @@ expect:
 
         return test
 
-    def watched(self, to: Binder) -> tuple[int, ...]:
-        """Return the entities whose placement changes it."""
-        return to.entities(self.entity)
-
-    def about(self) -> Names | None:
-        """Return the entities whose place it reads."""
-        return self.entity
-
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``if``."""
         who = phrases.quantified(self.of, self.entity, negate=self.negate)
         return f"{who.does('is', 'are')} in {phrases.any_of(self.zone)}"

@@ -2,12 +2,9 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Condition
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
 from rcj_challenges.rules.fields import Name, Names, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import ROBOTS, THING
-from rcj_challenges.tracking.bound_rules import Test
 
 
 class LastTouch(Condition):
@@ -17,6 +14,7 @@ class LastTouch(Condition):
     entity: Annotated[Name, THING] = described("ball", "what was touched: an entity, a fixed obstacle, or each")
     by: Annotated[Names, ROBOTS] = described(..., "a robot, each, or a group (any member)")
 
+    ABOUT = "entity"
     EXAMPLE = """
 rules:
   own_goal:
@@ -42,15 +40,9 @@ expect:
         return lambda: contacts.last(touched) in by
 
     def watched(self, to: Binder) -> tuple[int, ...]:
-        """Return the entities whose placement changes it."""
         touched = to.thing(self.entity)
         return (touched,) if touched < len(to.state.present) else ()  # a fixed obstacle is never placed
 
-    def about(self) -> Names | None:
-        """Return the entities whose place it reads."""
-        return self.entity
-
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``if``."""
         last, was = f"the last to touch {phrases.thing(self.entity)}", "was not" if self.negate else "was"
         return f"it {was} {last}" if self.by == "each" else f"{last} {was} {phrases.any_of(self.by)}"

@@ -3,15 +3,12 @@
 from math import atan2, cos, pi, sin
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Condition
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
 from rcj_challenges.rules.conditions.anchors import anchors
 from rcj_challenges.rules.fields import Name, Names, Point, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import degrees, heading
 from rcj_challenges.rules.quantifier import Quantifier, quantified
 from rcj_challenges.rules.refs import ROBOTS, SEEN
-from rcj_challenges.tracking.bound_rules import Test
 
 
 class Looks(Condition):
@@ -28,6 +25,7 @@ class Looks(Condition):
     within_rad: float = described(0.2, "how far off its front may point, to either side, in rad", gt=0, le=pi)
     of: Quantifier = described("any", "how many members of a group must do so")
 
+    ABOUT = "entity"
     EXAMPLE = """
 rules:
   goal:
@@ -68,15 +66,9 @@ expect:
         return lambda: quantified(of, (looks_there(entity) for entity in entities if state.present[entity]))
 
     def watched(self, to: Binder) -> tuple[int, ...]:
-        """Return the entities whose placement changes it."""
-        return (*to.entities(self.entity), *(() if self.towards is None else anchors(to, self.towards)))
-
-    def about(self) -> Names | None:
-        """Return the entities whose place it reads."""
-        return self.entity
+        return (*super().watched(to), *(() if self.towards is None else anchors(to, self.towards)))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``if``."""
         who = phrases.quantified(self.of, self.entity, negate=self.negate).does("looks", "look")
         way = heading(self.heading_rad or 0.0) if self.towards is None else f"towards {phrases.point(self.towards)}"
         return f"{who} {way} (to within {degrees(self.within_rad)})"

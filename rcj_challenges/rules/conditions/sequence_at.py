@@ -2,15 +2,12 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Condition
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
 from rcj_challenges.rules.fields import Name, Names, described
 from rcj_challenges.rules.kept import asked, kept, test_of_kept
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import quoted
 from rcj_challenges.rules.quantifier import Quantifier
 from rcj_challenges.rules.refs import ENTITIES, SEQUENCE, Ref
-from rcj_challenges.tracking.bound_rules import Test
 
 
 class SequenceAt(Condition):
@@ -68,7 +65,6 @@ expect:
         return test_of_kept(self, to, trackers, test)
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``if``."""
         who, step = asked(phrases, self, "sequence", self.sequence), phrases.thing(self.step)
         if who is not None:
             return f"{who.does('has', 'have')} a sequence {quoted(self.sequence)} that stands at {step}"

@@ -2,9 +2,7 @@
 
 from collections.abc import Sequence
 
-from rcj_challenges.rules.base import Condition
-from rcj_challenges.rules.binder import Binder
-from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.base import Binder, Condition, Phrases
 from rcj_challenges.rules.phrasing import listed
 
 

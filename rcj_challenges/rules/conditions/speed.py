@@ -4,15 +4,11 @@ from math import sqrt
 from typing import Annotated, Literal
 
 from rcj_challenges.core.timing import TICK_S
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Phrases, Test
 from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.fields import Names, described
-from rcj_challenges.rules.phrases import Phrases
-from rcj_challenges.rules.phrasing import number
 from rcj_challenges.rules.quantifier import Quantifier, quantified
 from rcj_challenges.rules.refs import ENTITIES
-from rcj_challenges.rules.values import amount_words
-from rcj_challenges.tracking.bound_rules import Test
 
 
 class Speed(Compared):
@@ -22,6 +18,7 @@ class Speed(Compared):
     entity: Annotated[Names, ENTITIES] = described(..., "an entity, each, or a group with `of`")
     of: Quantifier = described("any", "how many members of a group must satisfy it")
 
+    ABOUT = "entity"
     EXAMPLE = """
 rules:
   hard_shot:
@@ -59,23 +56,10 @@ expect:
 
         return lambda: quantified(of, (compares(entity) for entity in entities if state.present[entity]))
 
-    def watched(self, to: Binder) -> tuple[int, ...]:
-        """Return the entities whose placement changes it."""
-        return to.entities(self.entity)
-
-    def about(self) -> Names | None:
-        """Return the entities whose place it reads."""
-        return self.entity
-
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``if``."""
         who = phrases.quantified(self.of, self.entity, negate=self.negate)
-        limit = self.only_limit() if who.negated else None
-        if limit is None:
+        opposite = self.opposite(phrases, " m/s") if who.negated else None
+        if opposite is None:
             return f"{who.does('moves', 'move')} at a speed of {self.compared(phrases, ' m/s')}"
-        how = "slower" if self.at_most is None else "faster"
-        fast = (
-            f"{number(limit)} m/s" if isinstance(limit, int | float) else f"{amount_words(phrases, limit)} says in m/s"
-        )
         off = " or is off the field" if phrases.may_be_off() else ""
-        return f"{who.text} moves {how} than {fast}{off}"
+        return f"{who.text} moves at a speed of {opposite}{off}"

@@ -2,14 +2,11 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Condition
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
 from rcj_challenges.rules.fields import Names, NotNegative, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import USUALLY_FREE_M, within_words
 from rcj_challenges.rules.quantifier import Quantifier, quantified
 from rcj_challenges.rules.refs import SPOTS
-from rcj_challenges.tracking.bound_rules import Test
 
 
 class SpotFree(Condition):
@@ -41,11 +38,9 @@ expect:
     SENTENCE = "the spot “centre” is free within 0.1 m"
 
     def test(self, to: Binder) -> Test:
-        """Return whether the centre of no robot or ball is near a spot."""
         of, free = self.of, to.free_spots(self.spot, self.clearance_m)
         return lambda: quantified(of, free())
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``if``."""
         who = phrases.quantified(self.of, self.spot, negate=self.negate).does("is", "are")
         return f"{who} free{within_words(self.clearance_m)}"

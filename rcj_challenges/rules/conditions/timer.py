@@ -3,16 +3,13 @@
 from typing import Annotated, Literal
 
 from rcj_challenges.core.timing import s_from_ticks
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Phrases, Test
 from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.fields import Name, Names, described
 from rcj_challenges.rules.kept import asked, kept, test_of_kept
-from rcj_challenges.rules.phrases import Phrases
-from rcj_challenges.rules.phrasing import number, quoted
+from rcj_challenges.rules.phrasing import quoted
 from rcj_challenges.rules.quantifier import Quantifier
 from rcj_challenges.rules.refs import TIMER, WHOSE_OF
-from rcj_challenges.rules.values import amount_words
-from rcj_challenges.tracking.bound_rules import Test
 
 
 class TimerIs(Compared):
@@ -69,7 +66,6 @@ expect:
         return test_of_kept(self, to, clocks, test)
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``if``."""
         who, run_for = asked(phrases, self, "timer", self.timer), self.compared(phrases, " s")
         timer, no = kept(phrases, self, "timer", self.timer), " not" if self.negate else ""
         if not run_for and who is None:
@@ -80,10 +76,6 @@ expect:
         owners = phrases.owners("timer", self.timer)
         if who is not None and owners is not None:
             timer = f"the longest running timer {quoted(self.timer)} of {phrases.all_of(owners).text}"
-        limit = self.only_limit() if self.negate else None
-        if limit is None:
-            return f"{timer} has{no} run for {run_for}"
-        if isinstance(limit, int | float):
-            return f"{timer} has run for {'less' if self.at_most is None else 'more'} than {number(limit)} s"
-        how = "shorter" if self.at_most is None else "longer"
-        return f"{timer} has run {how} than {amount_words(phrases, limit)} says in s"
+        if self.negate and (opposite := self.opposite(phrases, " s")):
+            return f"{timer} has run for {opposite}"
+        return f"{timer} has{no} run for {run_for}"

@@ -2,14 +2,11 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Condition
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
 from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.message import Message
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.quantifier import Quantifier, quantified
 from rcj_challenges.rules.refs import ROBOTS
-from rcj_challenges.tracking.bound_rules import Test
 
 
 class Told(Condition, Message):
@@ -48,13 +45,11 @@ expect:
     SENTENCE = "it does not have what was drawn as “number” as its last message to the referee"
 
     def test(self, to: Binder) -> Test:
-        """Return whether the last messages of robots to the referee match."""
         heard, of, fits = to.state.heard, self.of, self.matcher(to.state.draws)
         robots = to.members(self.entity)
         return lambda: quantified(of, (robot in heard and fits(heard[robot]) for robot in robots))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``if``."""
         who, said = phrases.quantified(self.of, self.entity, negate=self.negate), self.said(phrases)
         if not said:
             return f"{who.does('was', 'were')} heard by the referee before"

@@ -2,15 +2,11 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Phrases, Test
 from rcj_challenges.rules.comparison import Compared, to_mm
 from rcj_challenges.rules.fields import Names, described
-from rcj_challenges.rules.phrases import Phrases
-from rcj_challenges.rules.phrasing import number
 from rcj_challenges.rules.quantifier import Quantifier, quantified
 from rcj_challenges.rules.refs import ENTITIES
-from rcj_challenges.rules.values import amount_words
-from rcj_challenges.tracking.bound_rules import Test
 
 
 class WayIs(Compared):
@@ -52,13 +48,7 @@ expect:
         return lambda: quantified(of, (holds(state.ways[entity]) for entity in entities))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``if``."""
         who = phrases.quantified(self.of, self.entity, negate=self.negate)
-        limit = self.only_limit() if who.negated else None
-        if limit is None:
-            return f"{who.does('has', 'have')} a way in this half of {self.compared(phrases, ' m')}"
-        if isinstance(limit, int | float):
-            how = "less" if self.at_most is None else "more"
-            return f"{who.text} has a way in this half of {how} than {number(limit)} m"
-        how = "shorter" if self.at_most is None else "longer"
-        return f"{who.text} has a {how} way in this half than {amount_words(phrases, limit)} says in m"
+        if who.negated and (opposite := self.opposite(phrases, " m")):
+            return f"{who.text} has a way in this half of {opposite}"
+        return f"{who.does('has', 'have')} a way in this half of {self.compared(phrases, ' m')}"

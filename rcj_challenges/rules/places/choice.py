@@ -5,13 +5,10 @@ from typing import Annotated
 
 from pydantic import Field
 
-from rcj_challenges.rules.base import PlaceWord
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Phrases, PlaceResolver, PlaceWord, Scope
 from rcj_challenges.rules.fields import Name, Point
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import listed
 from rcj_challenges.rules.refs import Ref
-from rcj_challenges.tracking.places import PlaceResolver
 
 
 class Choice(PlaceWord):
@@ -42,7 +39,6 @@ expect:
         return PlaceResolver(lambda request: request.mirrored(request.rng.choice(options)()), random=len(options) > 1)
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the place as the part of a sentence that follows ``put``."""
         options = [phrases.any_of(one) if isinstance(one, str) else phrases.point(one) for one in self.choice]
         return f"on {listed(options, 'or')}"
 

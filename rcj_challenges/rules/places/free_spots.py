@@ -3,11 +3,9 @@
 from math import sqrt
 from typing import Protocol
 
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Phrases, PlaceRequest, PlaceResolver, Scope
 from rcj_challenges.rules.fields import Name, Names, Point
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import within_words
-from rcj_challenges.tracking.places import PlaceRequest, PlaceResolver
 
 # Distances are compared to the nanometre, so that spots at equal distances stand in the order of the file.
 _EQUAL_DIGITS = 9

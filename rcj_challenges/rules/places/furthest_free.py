@@ -4,14 +4,11 @@ from typing import Annotated
 
 from pydantic import Field
 
-from rcj_challenges.rules.base import PlaceWord
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Phrases, PlaceResolver, PlaceWord, Scope
 from rcj_challenges.rules.fields import Name, Names, NotNegative, Point, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import USUALLY_FREE_M
 from rcj_challenges.rules.places.free_spots import CLEARANCE_DESCRIPTION, compile_free_spot, describe_free_spot
 from rcj_challenges.rules.refs import ANCHOR, SPOTS
-from rcj_challenges.tracking.places import PlaceResolver
 
 
 class FurthestFree(PlaceWord):
@@ -43,9 +40,7 @@ expect:
     SENTENCE = "on the free one of the spot “middle blue” and the spot “middle yellow” that is furthest from the ball"
 
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
-        """Return what draws one of the furthest free spots."""
         return compile_free_spot(self, to, self.furthest_free, self.from_, sign=-1.0)
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the place as the part of a sentence that follows ``put``."""
         return describe_free_spot(self, phrases, "furthest from", self.furthest_free, self.from_)

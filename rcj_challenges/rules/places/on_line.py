@@ -5,11 +5,8 @@ from random import Random
 
 from pydantic import Field
 
-from rcj_challenges.rules.base import PlaceWord
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Phrases, PlaceResolver, PlaceWord, Scope
 from rcj_challenges.rules.fields import Point
-from rcj_challenges.rules.phrases import Phrases
-from rcj_challenges.tracking.places import PlaceResolver
 
 
 class OnLine(PlaceWord):
@@ -33,7 +30,6 @@ expect:
     SENTENCE = "anywhere on the line from (-0.45, 0) to (0.45, 0)"
 
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
-        """Return what draws a point."""
         sample = self.sampler(to)
         return PlaceResolver(lambda request: request.mirrored(sample(request.rng)), random=True)
 
@@ -48,11 +44,9 @@ expect:
         return sample
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the place as the part of a sentence that follows ``put``."""
         return f"anywhere on {self._line(phrases)}"
 
     def aim(self, phrases: Phrases) -> str:
-        """Return the place as what a kick is aimed at."""
         return f"a random point of {self._line(phrases)}"
 
     def _line(self, phrases: Phrases) -> str:

@@ -3,13 +3,10 @@
 from math import cos, sin
 from typing import Annotated
 
-from rcj_challenges.rules.base import PlaceWord
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Phrases, PlaceRequest, PlaceResolver, PlaceWord, Scope
 from rcj_challenges.rules.fields import Name, Names, Point, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import listed, metres_alike
 from rcj_challenges.rules.refs import ANCHOR
-from rcj_challenges.tracking.places import PlaceRequest, PlaceResolver
 
 
 class RelativeTo(PlaceWord):
@@ -60,12 +57,10 @@ expect:
         return PlaceResolver(find)
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the place as the part of a sentence that follows ``put``."""
         thing = phrases.thing(self.relative_to)
         return self._beside(f"at {thing}", thing, thing)
 
     def aim(self, phrases: Phrases) -> str:
-        """Return the place as what a kick is aimed at."""
         return f"the point {self.describe(phrases)}" if any(self.offset_m) else phrases.thing(self.relative_to)
 
     def put(self, phrases: Phrases, entity: Names, *, plural: bool) -> str:
@@ -89,7 +84,6 @@ expect:
         return f"{listed(steps, 'and')} of {of}" + (f", as {turned} is turned" if self.turns else "")
 
     def is_where_it_is(self, entity: Names) -> bool:
-        """Return whether an entity is put right where it is already."""
         return entity == self.relative_to and not any(self.offset_m)
 
     def mirrored(self, phrases: Phrases) -> str | None:

@@ -2,12 +2,9 @@
 
 from typing import Annotated
 
-from rcj_challenges.rules.base import PlaceWord
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Phrases, PlaceResolver, PlaceWord, Scope
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import MOVING, Ref
-from rcj_challenges.tracking.places import PlaceResolver
 
 _SPOT = Ref(
     "spot",
@@ -45,5 +42,4 @@ expect:
         return PlaceResolver(lambda request: request.mirrored(read()))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the place as the part of a sentence that follows ``put``."""
         return f"on {phrases.thing(self.spot)}"

@@ -1,10 +1,7 @@
 """The place ``start``."""
 
-from rcj_challenges.rules.base import PlaceWord
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Phrases, PlaceResolver, PlaceWord, Scope
 from rcj_challenges.rules.fields import Names, Yes
-from rcj_challenges.rules.phrases import Phrases
-from rcj_challenges.tracking.places import PlaceResolver
 
 
 class Start(PlaceWord):
@@ -28,18 +25,14 @@ expect:
     SENTENCE = "at its start"
 
     def compile(self, to: Scope, entity: int) -> PlaceResolver:
-        """Return what finds the start, with its noise."""
         (x, y, _), noise_m = to.start_of(entity)
         return PlaceResolver(lambda request: request.mirrored((x, y)), noise_m=noise_m)
 
     def describe(self, _phrases: Phrases) -> str:
-        """Return the place as the part of a sentence that follows ``put``."""
         return "at its start"
 
     def aim(self, _phrases: Phrases) -> str:
-        """Return the place as what a kick is aimed at."""
         return "its start"
 
     def put(self, phrases: Phrases, entity: Names, *, plural: bool) -> str:
-        """Return where something is put."""
         return "put at their starts" if plural else super().put(phrases, entity, plural=plural)

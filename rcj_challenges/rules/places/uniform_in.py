@@ -4,12 +4,9 @@ from collections.abc import Callable
 from random import Random
 from typing import Annotated
 
-from rcj_challenges.rules.base import PlaceWord
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Phrases, PlaceResolver, PlaceWord, Scope
 from rcj_challenges.rules.fields import Names, Point, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import Ref
-from rcj_challenges.tracking.places import PlaceResolver
 
 
 class UniformIn(PlaceWord):
@@ -37,7 +34,6 @@ expect:
     SENTENCE = "anywhere in the middle"
 
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
-        """Return what draws a point."""
         sample = self.sampler(to)
         return PlaceResolver(lambda request: request.mirrored(sample(request.rng)), random=True)
 
@@ -46,9 +42,7 @@ expect:
         return to.random_point(self.uniform_in)
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the place as the part of a sentence that follows ``put``."""
         return f"anywhere in {phrases.any_of(self.uniform_in)}"
 
     def aim(self, phrases: Phrases) -> str:
-        """Return the place as what a kick is aimed at."""
         return f"a random point of {phrases.any_of(self.uniform_in)}"

@@ -1,14 +1,11 @@
 """The trigger ``crosses``."""
 
-from functools import partial
 from typing import Annotated, Literal
 
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.regions import Cell
-from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Trigger
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
 from rcj_challenges.rules.fields import Names, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import ENTITIES, GATES
 from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding
 from rcj_challenges.tracking.gates import GateLine
@@ -55,13 +52,12 @@ expect:
                     line = to.gate(gate)
                     if line.anchor == entity:
                         continue  # nothing crosses a gate that it carries
-                    make = partial(GateTracker, entity, line, to.state, to.hits, None if draw is None else (draw, gate))
-                    tracker = to.track(GateTracker, (entity, gate, draw), make)
+                    drawn = None if draw is None else (draw, gate)
+                    tracker = to.track(GateTracker, (entity, gate, draw), entity, line, drawn)
                     for direction in _DIRECTIONS[self.direction]:
                         tracker.by_direction[direction].append(to.binding(entity))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``When``."""
         way = {"either": "", "forward": " forward", "backward": " backward"}[self.direction]
         return f"{phrases.any_of(self.entity)} crosses {phrases.any_of(self.gate)}{way}"
 
@@ -76,24 +72,20 @@ class GateTracker(PositionTracker):
         by_direction: the rules that it reports to, by direction: 1 forward and -1 backward.
 
     Args:
-        entity: the index of the entity.
-        gate: the gate.
         state: the referee's memory.
         hits: where it reports.
+        entity: the index of the entity.
+        gate: the gate.
         drawn: the draw and the gate that it must have decided on; None: the gate always counts.
     """
 
     def __init__(
-        self, entity: int, gate: GateLine, state: RefereeState, hits: HitBuffer, drawn: tuple[str, str] | None = None
+        self, state: RefereeState, hits: HitBuffer, entity: int, gate: GateLine, drawn: tuple[str, str] | None
     ) -> None:
-        super().__init__()
-        self.entity = entity
-        self.entities = (entity,)
+        super().__init__(state, hits, entity)
         self.by_direction: dict[int, list[TriggerBinding]] = {1: [], -1: []}
         self._gate = gate
         self._drawn = drawn
-        self._state = state
-        self._hits = hits
 
     def reset(self) -> None:
         """Do nothing: a way begins where the entity is."""

@@ -1,16 +1,13 @@
 """The trigger ``displaced``."""
 
-from functools import partial
 from typing import Annotated, Literal
 
 from pydantic import Field
 
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.regions import Cell, FarFrom
-from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Trigger
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
 from rcj_challenges.rules.fields import Names, Point, Positive, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import metres
 from rcj_challenges.rules.refs import ENTITIES
 from rcj_challenges.tracking.bound_rules import HitBuffer
@@ -57,14 +54,11 @@ expect:
     SENTENCE = "it is more than 5 cm from where it was put"
 
     def bind(self, to: Binder) -> None:
-        """Bind a rule to the tracker of each entity."""
         for entity in to.entities(self.entity):
             key = (entity, self.from_, self.distance_m, self.axis)
-            make = partial(DisplacedTracker, entity, self, to.state, to.hits)
-            to.track(DisplacedTracker, key, make).bindings.append(to.binding(entity))
+            to.track(DisplacedTracker, key, entity, self).bindings.append(to.binding(entity))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``When``."""
         origin = "where it was put" if self.from_ == "last_placement" else phrases.point(self.from_)
         how = "" if self.axis == "distance" else " in x or in y"
         return f"{phrases.any_of(self.entity)} is more than {metres(self.distance_m)}{how} from {origin}"
@@ -73,16 +67,12 @@ expect:
 class DisplacedTracker(PositionTracker):
     """Follows how far an entity is from an anchor."""
 
-    def __init__(self, entity: int, model: Displaced, state: RefereeState, hits: HitBuffer) -> None:
-        super().__init__()
-        self.entity = entity
-        self.entities = (entity,)
+    def __init__(self, state: RefereeState, hits: HitBuffer, entity: int, model: Displaced) -> None:
+        super().__init__(state, hits, entity)
         self._limit = model.distance_m
         self._region = FarFrom(model.distance_m, square=model.axis == "either")
         self._fixed = None if isinstance(model.from_, str) else model.from_
         self._beyond = False
-        self._state = state
-        self._hits = hits
 
     def reset(self) -> None:
         """Measure from where it was put, or from the fixed point; what is beyond now was beyond before."""
@@ -91,7 +81,6 @@ class DisplacedTracker(PositionTracker):
         self._beyond = self._region.contains(x, y)
 
     def cell(self, x_m: float, y_m: float) -> Cell:
-        """Return a cell on this side of the limit."""
         return self._region.cell(x_m, y_m)
 
     def advance(self, _before: list[Pose2], substeps: list[list[Pose2]]) -> None:

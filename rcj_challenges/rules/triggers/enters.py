@@ -2,10 +2,8 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Trigger
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
 from rcj_challenges.rules.fields import Names, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import ENTITIES, ZONES
 from rcj_challenges.tracking.zone_tracker import ZoneTracker
 
@@ -36,18 +34,16 @@ expect:
     SENTENCE = "the ball enters the blue goal or the yellow goal"
 
     def bind(self, to: Binder) -> None:
-        """Bind a rule to the tracker of each entity."""
         for entity in to.entities(self.entity):
             zone_tracker(to, entity, self.zone).entering.append(to.binding(entity))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``When``."""
         return f"{phrases.any_of(self.entity)} enters {phrases.any_of(self.zone)}"
 
 
 def zone_tracker(to: Binder, entity: int, zone: Names) -> ZoneTracker:
     """Return the tracker of an entity into and out of a zone, or of several zones taken as one."""
     zones, region = to.members(zone), to.region(zone)
-    tracker = to.track(ZoneTracker, (entity, zones), lambda: ZoneTracker(entity, region, to.state, to.hits))
+    tracker = to.track(ZoneTracker, (entity, zones), entity, region)
     to.reset_with_draws(tracker, zones)
     return tracker

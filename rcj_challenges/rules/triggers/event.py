@@ -2,10 +2,8 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Trigger
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Phrases, Trigger
 from rcj_challenges.rules.fields import EventName, Names, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import KEEPING, Ref
 
 
@@ -46,5 +44,4 @@ expect:
             events.setdefault((self.event, name), []).append(to.binding(index))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``When``."""
         return f"{self.event} was announced" + (f" of {phrases.any_of(self.entity)}" if self.entity else "")

@@ -2,9 +2,7 @@
 
 from typing import Literal
 
-from rcj_challenges.rules.base import Trigger
-from rcj_challenges.rules.binder import Binder
-from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.base import Binder, Phrases, Trigger
 from rcj_challenges.rules.triggers.half_started import HalfStarted
 
 
@@ -17,9 +15,7 @@ class HalfEnded(Trigger):
     SENTENCE = "a half is over"
 
     def bind(self, to: Binder) -> None:
-        """Bind a rule to the end of the half."""
         to.clock_events.half_ended.append(to.binding())
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``When``."""
         return "a half is over"

@@ -2,9 +2,7 @@
 
 from typing import Literal
 
-from rcj_challenges.rules.base import Trigger
-from rcj_challenges.rules.binder import Binder
-from rcj_challenges.rules.phrases import Phrases
+from rcj_challenges.rules.base import Binder, Phrases, Trigger
 
 
 class HalfStarted(Trigger):
@@ -30,9 +28,7 @@ expect:
     SENTENCE = "a half starts"
 
     def bind(self, to: Binder) -> None:
-        """Bind a rule to the start of the half."""
         to.clock_events.half_started.append(to.binding())
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``When``."""
         return "a half starts"

@@ -3,13 +3,11 @@
 from typing import Literal
 
 from rcj_challenges.core.timing import s_from_ticks, ticks_from_s, whole_ticks_within_s
-from rcj_challenges.rules.base import Trigger
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Phrases, Test, Trigger
 from rcj_challenges.rules.conditions import AnyCondition
 from rcj_challenges.rules.fields import DurationS, Names, NotNegative, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import seconds
-from rcj_challenges.tracking.bound_rules import HitBuffer, Test
+from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import NEVER, TickTracker
 
@@ -54,15 +52,12 @@ expect:
     SENTENCE = "the ball is at most 0.1 m from the spot “centre” for 1 s, and again every 1 s while that lasts"
 
     def bind(self, to: Binder) -> None:
-        """Bind a rule to a tracker of its own."""
-        tracker = HoldTracker(self.condition.compile(to), self, to.state, to.hits)
-        tracker.entities = self.condition.watched(to)
+        tracker = HoldTracker(to.state, to.hits, self.condition.watched(to), self.condition.compile(to), self)
         # What it is about is known if one entity stands in the condition.
         tracker.bindings.append(to.binding(tracker.entities[0] if len(tracker.entities) == 1 else None))
         to.track_alone(tracker)
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``When``."""
         if self.every_s and self.condition.is_always():
             # Without for_s it was true before when it begins: it comes for the first time after the first interval.
             return f"{seconds(self.for_s or self.every_s)} have passed, and again every {seconds(self.every_s)}"
@@ -76,7 +71,6 @@ expect:
         return f"{lasting}{grace}{again}"
 
     def about(self, _phrases: Phrases) -> Names | None:
-        """Return the entity whose place the condition reads."""
         return self.condition.about()
 
     def measures_its_limit(self) -> bool:
@@ -87,8 +81,10 @@ expect:
 class HoldTracker(TickTracker):
     """Measures how long a condition holds; an interruption of up to the grace counts as holding."""
 
-    def __init__(self, test: Test, model: Holds, state: RefereeState, hits: HitBuffer) -> None:
-        super().__init__()
+    def __init__(
+        self, state: RefereeState, hits: HitBuffer, entities: tuple[int, ...], test: Test, model: Holds
+    ) -> None:
+        super().__init__(state, hits, *entities)
         self._test = test
         self._for_s = model.for_s
         self._for = ticks_from_s(model.for_s)
@@ -98,8 +94,6 @@ class HoldTracker(TickTracker):
         self._began: int | None = None
         self._lost: int | None = None
         self._next = NEVER
-        self._state = state
-        self._hits = hits
 
     def reset(self) -> None:
         """Begin to count now if it holds. What must hold for no time at all was true before and does not fire."""
@@ -121,7 +115,6 @@ class HoldTracker(TickTracker):
             self.reset()
 
     def update(self) -> None:
-        """Report when it has held long enough."""
         tick = self._state.tick
         if not self._test():
             if self._began is not None and self._lost is None:

@@ -2,10 +2,8 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Trigger
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
 from rcj_challenges.rules.fields import Names, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import ENTITIES, ZONES
 from rcj_challenges.rules.triggers.enters import zone_tracker
 
@@ -36,11 +34,9 @@ expect:
     SENTENCE = "it leaves the zones “in play”"
 
     def bind(self, to: Binder) -> None:
-        """Bind a rule to the tracker of each entity."""
         for entity in to.entities(self.entity):
             zone_tracker(to, entity, self.zone).leaving.append(to.binding(entity))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``When``."""
         # Of several zones: out of all of them.
         return f"{phrases.any_of(self.entity)} leaves {phrases.all_of(self.zone).text}"

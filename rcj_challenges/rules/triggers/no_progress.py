@@ -1,16 +1,13 @@
 """The trigger ``no_progress``."""
 
 from bisect import bisect_right
-from functools import partial
 from itertools import accumulate, pairwise
 from math import sqrt
 from typing import Annotated, Literal
 
 from rcj_challenges.core.timing import ticks_from_s
-from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Trigger
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
 from rcj_challenges.rules.fields import DurationS, Names, Positive, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import metres, seconds
 from rcj_challenges.rules.refs import ENTITIES
 from rcj_challenges.tracking.bound_rules import HitBuffer
@@ -47,14 +44,11 @@ expect:
     SENTENCE = "the ball has moved less than 0.5 m in all over the last 10 s"
 
     def bind(self, to: Binder) -> None:
-        """Bind a rule to the tracker of each entity."""
         for entity in to.entities(self.entity):
             key = (entity, self.distance_m, self.within_s)
-            make = partial(PathTracker, entity, self, to.state, to.pose_history, to.hits)
-            to.track(PathTracker, key, make).bindings.append(to.binding(entity))
+            to.track(PathTracker, key, entity, self, to.pose_history).bindings.append(to.binding(entity))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``When``."""
         way = f"less than {metres(self.distance_m)} in all over the last {seconds(self.within_s)}"
         return f"{phrases.any_of(self.entity)} has moved {way}"
 
@@ -71,23 +65,19 @@ class PathTracker(DueTracker):
     """
 
     def __init__(
-        self, entity: int, model: NoProgress, state: RefereeState, history: PoseHistory, hits: HitBuffer
+        self, state: RefereeState, hits: HitBuffer, entity: int, model: NoProgress, history: PoseHistory
     ) -> None:
-        super().__init__()
-        self.entities = (entity,)
+        super().__init__(state, hits, entity)
         self._entity = entity
         self._length = model.distance_m
         self._pieces = ticks_from_s(model.within_s)
-        self._state = state
         self._history = history
-        self._hits = hits
         self._paths: list[float] = [0.0]  # path up to each judged position since the start
         self._first = 0  # tick of the first of them
         self._short = False
         history.need(self._pieces + 1)
 
     def reset(self) -> None:
-        """Forget the path."""
         self._paths = [0.0]
         self._first = self._state.tick + 1
         self._short = False

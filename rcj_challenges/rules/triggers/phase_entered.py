@@ -4,10 +4,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from rcj_challenges.rules.base import Trigger
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Phrases, Trigger
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import quoted
 from rcj_challenges.rules.refs import PHASE
 
@@ -42,5 +40,4 @@ expect:
         to.clock_events.entered.setdefault(self.phase, []).append((self.from_, to.binding()))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``When``."""
         return f"the phase {quoted(self.phase)} begins" + (f" after {quoted(self.from_)}" if self.from_ else "")

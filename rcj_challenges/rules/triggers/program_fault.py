@@ -2,10 +2,8 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Trigger
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Phrases, Trigger
 from rcj_challenges.rules.fields import Names, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import ROBOTS
 
 
@@ -15,6 +13,7 @@ class ProgramFault(Trigger):
     trigger: Literal["program_fault"]
     robot: Annotated[Names, ROBOTS] = described("robots", "a robot, a group (any member), or each")
 
+    ABOUT = "robot"
     EXAMPLE = """
 rules:
   crashed:
@@ -30,14 +29,8 @@ expect:
     SENTENCE = "its program fails"
 
     def bind(self, to: Binder) -> None:
-        """Bind a rule to the faults of each robot's program."""
         for robot in to.entities(self.robot):
             to.clock_events.faults.setdefault(to.name_of(robot), []).append(to.binding(robot))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``When``."""
         return f"{phrases.owned('program', self.robot)} fails"
-
-    def about(self, _phrases: Phrases) -> Names | None:
-        """Return what it can be about."""
-        return self.robot

@@ -2,10 +2,8 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Trigger
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Phrases, Trigger
 from rcj_challenges.rules.fields import Name, Names, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import ENTITIES, SEQUENCE
 from rcj_challenges.rules.triggers.sequence_completed import (
     WHOSE_SEQUENCE,
@@ -30,14 +28,11 @@ class SequenceBroken(Trigger):
     SENTENCE = "the sequence “carry” is broken"
 
     def bind(self, to: Binder) -> None:
-        """Bind a rule to the sequence."""
         for tracker in trackers_of(to, self.sequence, self.entity):
             tracker.broken.append(to.binding(tracker.entity))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``When``."""
         return f"{which_sequence(phrases, self.sequence, self.entity)} is broken"
 
     def about(self, phrases: Phrases) -> Names | None:
-        """Return what it can be about."""
         return self.entity or phrases.sequence_of(self.sequence)

@@ -2,10 +2,8 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Trigger
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Phrases, Trigger
 from rcj_challenges.rules.fields import Name, Names, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import ENTITIES, SEQUENCE
 from rcj_challenges.tracking.sequences import SequenceTracker
 
@@ -62,16 +60,13 @@ expect:
     SENTENCE = "the sequence “carry” is complete"
 
     def bind(self, to: Binder) -> None:
-        """Bind a rule to the sequence."""
         for tracker in trackers_of(to, self.sequence, self.entity):
             tracker.completed.append(to.binding(tracker.entity))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``When``."""
         return f"{which_sequence(phrases, self.sequence, self.entity)} is complete"
 
     def about(self, phrases: Phrases) -> Names | None:
-        """Return what it can be about."""
         return self.entity or phrases.sequence_of(self.sequence)
 
 

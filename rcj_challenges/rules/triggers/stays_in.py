@@ -1,15 +1,12 @@
 """The trigger ``stays_in``."""
 
-from functools import partial
 from typing import Annotated, Literal
 
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.core.timing import s_from_ticks, whole_ticks_within_s
 from rcj_challenges.geometry.regions import Cell, Region
-from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Trigger
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
 from rcj_challenges.rules.fields import DurationS, Names, NotNegative, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import seconds
 from rcj_challenges.rules.refs import ENTITIES, ZONES
 from rcj_challenges.tracking.bound_rules import HitBuffer
@@ -50,16 +47,14 @@ expect:
     SENTENCE = "it has been in one of the penalty areas for more than 5 s (leaving for up to 1 s does not count)"
 
     def bind(self, to: Binder) -> None:
-        """Bind a rule to the tracker of each entity."""
         zones, region = to.members(self.zone), to.region(self.zone)
         for entity in to.entities(self.entity):
             key = (entity, zones, self.limit_s, self.grace_s)
-            tracker = to.track(StayTracker, key, partial(StayTracker, entity, region, self, to.state, to.hits))
+            tracker = to.track(StayTracker, key, entity, region, self)
             to.reset_with_draws(tracker, zones)
             tracker.bindings.append(to.binding(entity))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``When``."""
         grace = f" (leaving for up to {seconds(self.grace_s)} does not count)" if self.grace_s else ""
         stay = f"has been in {phrases.any_of(self.zone)} for more than {seconds(self.limit_s)}{grace}"
         return f"{phrases.any_of(self.entity)} {stay}"
@@ -68,10 +63,8 @@ expect:
 class StayTracker(PositionTracker, DueTracker):
     """Measures how long an entity stays in a region; an absence of up to the grace counts as inside."""
 
-    def __init__(self, entity: int, region: Region, model: StaysIn, state: RefereeState, hits: HitBuffer) -> None:
-        super().__init__()
-        self.entity = entity
-        self.entities = (entity,)
+    def __init__(self, state: RefereeState, hits: HitBuffer, entity: int, region: Region, model: StaysIn) -> None:
+        super().__init__(state, hits, entity)
         self._region = region
         self._limit_s = model.limit_s
         self._longer = whole_ticks_within_s(model.limit_s) + 1  # the first tick at which it is longer than the limit
@@ -79,8 +72,6 @@ class StayTracker(PositionTracker, DueTracker):
         self._came: int | None = None
         self._left: int | None = None
         self._reported = False
-        self._state = state
-        self._hits = hits
 
     def reset(self) -> None:
         """Begin a stay now if inside."""
@@ -94,7 +85,6 @@ class StayTracker(PositionTracker, DueTracker):
         self.due = NEVER if tick is None else tick + self._longer
 
     def cell(self, x_m: float, y_m: float) -> Cell:
-        """Return the region's cell."""
         return self._region.cell(x_m, y_m)
 
     def advance(self, _before: list[Pose2], substeps: list[list[Pose2]]) -> None:

@@ -2,11 +2,9 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Trigger
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Phrases, Trigger
 from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.message import Message
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import ROBOTS
 
 
@@ -42,11 +40,9 @@ expect:
     SENTENCE = "the referee receives a position (two numbers, x and y in m) from it"
 
     def bind(self, to: Binder) -> None:
-        """Bind a rule to the messages of each robot."""
         fits = self.matcher(to.state.draws)
         for robot in to.entities(self.entity):
             to.clock_events.messages.setdefault(to.name_of(robot), []).append((fits, to.binding(robot)))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``When``."""
         return f"the referee receives {self.said(phrases) or 'a message'} from {phrases.any_of(self.entity)}"

@@ -2,10 +2,8 @@
 
 from typing import Literal
 
-from rcj_challenges.rules.base import Trigger
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Phrases, Trigger
 from rcj_challenges.rules.fields import DurationS, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import seconds
 from rcj_challenges.tracking.clock_events import Alarm
 
@@ -40,16 +38,13 @@ expect:
     SENTENCE = "the half has lasted 30 s"
 
     def bind(self, to: Binder) -> None:
-        """Bind a rule to an alarm of the half's clock."""
         to.clock_events.wait_for(Alarm(to.binding(), self.at_s, self.every_s))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``When``."""
         again = f", and again every {seconds(self.every_s)} until it ends" if self.every_s else ""
         # Where a phase stops the clock, the half lasts longer than that shows.
         lasted = "clock of the half has reached" if phrases.clock_may_stop() else "half has lasted"
         return f"the {lasted} {seconds(self.at_s)}{again}"
 
     def measures_its_limit(self) -> bool:
-        """Return whether it fires once only."""
         return not self.every_s

@@ -3,10 +3,8 @@
 from typing import Annotated, Literal
 
 from rcj_challenges.core.timing import s_from_ticks
-from rcj_challenges.rules.base import Trigger
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Phrases, Trigger
 from rcj_challenges.rules.fields import Name, Names, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import quoted
 from rcj_challenges.rules.refs import TIMER
 from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding
@@ -47,13 +45,12 @@ expect:
         """Bind a rule to a timer; of one per entity to that of ``each``, else to any of them."""
         clocks = to.state.timers[self.timer]
         each = to.rule.each
-        tracker = to.track(TimerTracker, (self.timer,), lambda: TimerTracker(clocks, to.state, to.hits))
+        tracker = to.track(TimerTracker, (self.timer,), clocks)
         for member in (each,) if each in clocks else clocks:
             index = None if member is None else to.index_of(member)
             tracker.by_member.setdefault(member, []).append(to.binding(index))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``When``."""
         whose = phrases.one_of_owners("timer", self.timer)
         if whose is None:
             return f"the timer {quoted(self.timer)} runs out"
@@ -64,11 +61,9 @@ expect:
         return phrases.timer_of(self.timer)
 
     def limit(self, phrases: Phrases) -> float | None:
-        """Return the length of the timer; None if a draw or a counter decides it."""
         return phrases.timer_length_s(self.timer)
 
     def measures_its_limit(self) -> bool:
-        """Return True: it fires when the timer has run for its length."""
         return True
 
 
@@ -79,12 +74,10 @@ class TimerTracker(DueTracker):
         by_member: the rules that it reports to, by whose clock it is.
     """
 
-    def __init__(self, clocks: dict[str | None, Clock], state: RefereeState, hits: HitBuffer) -> None:
-        super().__init__()
+    def __init__(self, state: RefereeState, hits: HitBuffer, clocks: dict[str | None, Clock]) -> None:
+        super().__init__(state, hits)
         self.by_member: dict[str | None, list[TriggerBinding]] = {}
         self._clocks = clocks
-        self._state = state
-        self._hits = hits
 
     @staticmethod
     def _end(clock: Clock) -> int:
@@ -95,12 +88,10 @@ class TimerTracker(DueTracker):
         self.reschedule()
 
     def reschedule(self) -> None:
-        """Find the next clock to run out."""
         ends = (self._end(clock) for clock in self._clocks.values())
         self.due = min((end for end in ends if end > self._state.tick), default=NEVER)
 
     def update(self) -> None:
-        """Report the clocks that reach their length at this tick."""
         for member, clock in self._clocks.items():
             if self._end(clock) == self._state.tick:
                 ran_s = s_from_ticks(clock.length)

@@ -1,13 +1,10 @@
 """The trigger ``tips_over``."""
 
-from functools import partial
 from math import acos, cos
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Trigger
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Phrases, Trigger
 from rcj_challenges.rules.fields import Names, Positive, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import degrees
 from rcj_challenges.rules.refs import Ref
 from rcj_challenges.tracking.bound_rules import HitBuffer
@@ -48,35 +45,29 @@ expect:
     SENTENCE = "one of the robots tilts by more than 45.8°"
 
     def bind(self, to: Binder) -> None:
-        """Bind a rule to the tracker of each robot."""
         for robot in to.entities(self.entity):
-            make = partial(TiltTracker, robot, self.angle_rad, to.state, to.hits)
-            to.track(TiltTracker, (robot, self.angle_rad), make).bindings.append(to.binding(robot))
+            key = (robot, self.angle_rad)
+            to.track(TiltTracker, key, *key).bindings.append(to.binding(robot))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``When``."""
         return f"{phrases.any_of(self.entity)} tilts by more than {degrees(self.angle_rad)}"
 
 
 class TiltTracker(TickTracker):
     """Reports the tick in which a robot exceeds a tilt."""
 
-    def __init__(self, robot: int, limit_rad: float, state: RefereeState, hits: HitBuffer) -> None:
-        super().__init__()
-        self.entities = (robot,)
+    def __init__(self, state: RefereeState, hits: HitBuffer, robot: int, limit_rad: float) -> None:
+        super().__init__(state, hits, robot)
         self._robot = robot
         self._limit_rad = limit_rad
         self._min_cos = cos(limit_rad)
         self._tilted = False
-        self._state = state
-        self._hits = hits
 
     def reset(self) -> None:
         """Take the present tilt for the one before."""
         self._tilted = self._state.uprights[self._robot] < self._min_cos
 
     def update(self) -> None:
-        """Report when it goes beyond the limit."""
         if not self._state.present[self._robot]:
             return
         upright = self._state.uprights[self._robot]

@@ -1,13 +1,10 @@
 """The trigger ``touches``."""
 
-from functools import partial
 from typing import Annotated, Literal
 
 from rcj_challenges.core.timing import ticks_from_s
-from rcj_challenges.rules.base import Trigger
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Phrases, Trigger
 from rcj_challenges.rules.fields import DurationS, Names, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import seconds
 from rcj_challenges.rules.refs import FIXED, MOVING, THINGS, Ref
 from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding
@@ -85,7 +82,7 @@ expect:
     def bind(self, to: Binder) -> None:
         """Bind a rule to new contacts of each pair, and with ``every_s`` to a tracker of contacts that last."""
         to.contacts.used = True
-        tracker = to.track(TouchTracker, (), lambda: TouchTracker(to.contacts, to.hits))
+        tracker = to.track(TouchTracker, (), to.contacts)
         names = zip(to.members(self.other), to.things(self.other), strict=True)
         others = [index for name, index in names if to.rule.other in (None, name)]
         for entity in to.things(self.entity):
@@ -95,12 +92,10 @@ expect:
                     pair = (min(entity, other), max(entity, other))
                     tracker.by_pair.setdefault(pair, []).append(binding)
                     if self.every_s is not None:
-                        make = partial(LastingTouchTracker, pair, self.every_s, to.state, to.contacts, to.hits)
-                        lasting = to.track(LastingTouchTracker, (pair, self.every_s), make)
-                        lasting.bindings.append(binding)
+                        key = (pair, self.every_s)
+                        to.track(LastingTouchTracker, key, to.contacts, *key).bindings.append(binding)
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the part of a sentence that follows ``When``."""
         again = f", and again every {seconds(self.every_s)} while they touch" if self.every_s else ""
         return f"{phrases.any_of(self.entity)} touches {phrases.another_of(self.other, than=self.entity)}{again}"
 
@@ -112,17 +107,15 @@ class TouchTracker(TickTracker):
         by_pair: the rules that it reports to, by pair of things.
     """
 
-    def __init__(self, contacts: Contacts, hits: HitBuffer) -> None:
-        super().__init__()
+    def __init__(self, state: RefereeState, hits: HitBuffer, contacts: Contacts) -> None:
+        super().__init__(state, hits)
         self.by_pair: dict[Pair, list[TriggerBinding]] = {}
         self._contacts = contacts
-        self._hits = hits
 
     def reset(self) -> None:
         """Do nothing: what touches is remembered by the contacts."""
 
     def update(self) -> None:
-        """Report new contacts."""
         for pair in self._contacts.fresh:
             self._hits.report(self.by_pair.get(pair, []))
 
@@ -130,14 +123,12 @@ class TouchTracker(TickTracker):
 class LastingTouchTracker(TickTracker):
     """Reports at intervals that two things still touch; that they began to is reported by the `TouchTracker`."""
 
-    def __init__(self, pair: Pair, every_s: float, state: RefereeState, contacts: Contacts, hits: HitBuffer) -> None:
-        super().__init__()
+    def __init__(self, state: RefereeState, hits: HitBuffer, contacts: Contacts, pair: Pair, every_s: float) -> None:
+        super().__init__(state, hits)
         self._pair = pair
         self._every_s = every_s
         self._began = self._times = self._due = 0
-        self._state = state
         self._contacts = contacts
-        self._hits = hits
 
     def reset(self) -> None:
         """Count from now on."""
@@ -145,7 +136,6 @@ class LastingTouchTracker(TickTracker):
         self._count(1)
 
     def update(self) -> None:
-        """Report when another interval is full."""
         if self._pair in self._contacts.fresh:
             self.reset()
         elif self._pair in self._contacts.touching and self._state.tick >= self._due:

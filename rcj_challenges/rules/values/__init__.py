@@ -11,10 +11,8 @@ from pydantic import Field
 
 from rcj_challenges.core.amounts import clamp_to_max, plain, round_score
 from rcj_challenges.core.timing import TICK_S
-from rcj_challenges.rules.base import FormVocabulary, ValueWord
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Firing, FormVocabulary, Number, Phrases, Reader, Scope, ValueWord
 from rcj_challenges.rules.fields import LONGEST_S, DurationS, Scalar
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import number, seconds
 from rcj_challenges.rules.values.counter import CounterValue
 from rcj_challenges.rules.values.distance import DistanceValue
@@ -30,8 +28,7 @@ from rcj_challenges.rules.values.timer import NumberTimer, TimerValue
 from rcj_challenges.rules.values.told import ToldValue
 from rcj_challenges.rules.values.way import WayValue
 from rcj_challenges.rules.values.word import NumberWord, WordValue
-from rcj_challenges.tracking.bound_rules import Firing, Reader
-from rcj_challenges.tracking.state import Number, RefereeState
+from rcj_challenges.tracking.state import RefereeState
 
 VALUES = FormVocabulary({"literal": Scalar}, lambda _value: "literal")
 VALUES.add(

@@ -3,12 +3,9 @@
 from collections.abc import Callable
 from typing import Annotated
 
-from rcj_challenges.rules.base import ValueWord
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Number, Phrases, Scope, ValueWord
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import READABLE, WHOSE
-from rcj_challenges.tracking.state import Number
 
 
 class CounterValue(ValueWord):
@@ -43,10 +40,8 @@ expect:
     SENTENCE = "the counter “goals”"
 
     def now(self, to: Scope) -> Callable[[], Number]:
-        """Return what reads the counter, or the score."""
         state, name, whose = to.state, self.counter, to.whose(self.entity)
         return lambda: state.counter(name, whose)
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the value in words."""
         return phrases.kept("counter", self.counter, self.entity)

@@ -5,10 +5,8 @@ from typing import Annotated
 
 from pydantic import Field
 
-from rcj_challenges.rules.base import ValueWord
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Phrases, Scope, ValueWord
 from rcj_challenges.rules.fields import MM_DIGITS, Name, Point, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import MEASURED_TO
 
 
@@ -63,7 +61,6 @@ expect:
         return read
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the value in words."""
         here, there = self.distance
         one, other = phrases.point(here, there), phrases.point(there, here)
         inside = any(isinstance(end, str) and phrases.may_be_zone(end) for end in self.distance)

@@ -3,10 +3,8 @@
 from collections.abc import Callable
 from typing import Annotated
 
-from rcj_challenges.rules.base import ValueWord
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Phrases, Scope, ValueWord
 from rcj_challenges.rules.fields import Name, Scalar, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import listed, quoted_measure, seconds
 from rcj_challenges.rules.refs import DRAW
 
@@ -36,12 +34,10 @@ expect:
     SENTENCE = "what was drawn as “bonus”"
 
     def now(self, to: Scope) -> Callable[[], Scalar]:
-        """Return what reads what the draw decided."""
         draws, name = to.state.draws, self.draw
         return lambda: draws[name]
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the value in words."""
         return phrases.what_drawn(self.draw)
 
 

@@ -3,13 +3,10 @@
 from collections.abc import Callable
 from typing import Annotated
 
-from rcj_challenges.rules.base import ValueWord
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Phrases, Reader, Scope, ValueWord
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import number
 from rcj_challenges.rules.refs import FLAG, WHOSE
-from rcj_challenges.tracking.bound_rules import Reader
 
 
 class FlagValue(ValueWord):
@@ -45,23 +42,18 @@ expect:
     SENTENCE = "whether the flag “bonus” is set"
 
     def now(self, to: Scope) -> Callable[[], bool]:
-        """Return what reads the flag."""
         state, name, whose = to.state, self.flag, to.whose(self.entity)
         return lambda: state.flag(name, whose)
 
     def number(self, to: Scope) -> Reader:
-        """Return what reads 1 or 0."""
         read = self.now(to)
         return lambda _firing: int(read())
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the value in words."""
         return f"whether {phrases.kept('flag', self.flag, self.entity)} is set"
 
     def describe_number(self, phrases: Phrases) -> str:
-        """Return the number in words."""
         return self.describe_times(phrases, 1)
 
     def describe_times(self, phrases: Phrases, weight: float) -> str:
-        """Return the number times a weight."""
         return f"{number(weight)} if {phrases.kept('flag', self.flag, self.entity)} is set"

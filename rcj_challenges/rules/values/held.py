@@ -4,10 +4,8 @@ from collections.abc import Callable
 from functools import partial
 from typing import Annotated
 
-from rcj_challenges.rules.base import ValueWord
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Phrases, Scope, ValueWord
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import ROBOT
 
 
@@ -33,9 +31,7 @@ expect:
     SENTENCE = "whether Y1 is held"
 
     def now(self, to: Scope) -> Callable[[], bool]:
-        """Return what reads whether the robot is held."""
         return partial(to.state.held.holds, to.entity(self.held))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the value in words."""
         return f"whether {phrases.thing(self.held)} is held"

@@ -3,14 +3,11 @@
 from collections.abc import Callable
 from typing import Annotated
 
-from rcj_challenges.rules.base import ValueWord
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Number, Phrases, Scope, ValueWord
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import quoted_measure
 from rcj_challenges.rules.refs import COUNTER
 from rcj_challenges.rules.values.of_others import of_others
-from rcj_challenges.tracking.state import Number
 
 
 class LowestOfOthers(ValueWord):
@@ -47,5 +44,4 @@ expect:
         return of_others(min, self.lowest, to)
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the value in words."""
         return f"the lowest counter {quoted_measure(self.lowest)} of {phrases.all_but_each(self.lowest)}"

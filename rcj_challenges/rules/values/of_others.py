@@ -3,8 +3,7 @@
 from collections.abc import Callable
 from math import nan
 
-from rcj_challenges.rules.binder import Scope
-from rcj_challenges.tracking.state import Number
+from rcj_challenges.rules.base import Number, Scope
 
 
 def of_others(pick: Callable[[list[Number]], Number], counter: str, to: Scope) -> Callable[[], Number]:

@@ -3,10 +3,8 @@
 from collections.abc import Callable
 from typing import Annotated
 
-from rcj_challenges.rules.base import ValueWord
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Phrases, Scope, ValueWord
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import SEEN
 
 _DIGITS = 6
@@ -36,7 +34,6 @@ expect:
     SENTENCE = "the position of the ball"
 
     def now(self, to: Scope) -> Callable[[], list[float] | None]:
-        """Return what reads where something is."""
         locate = to.pose(self.position_of)
 
         def read() -> list[float] | None:
@@ -46,5 +43,4 @@ expect:
         return read
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the value in words."""
         return f"the position of {phrases.thing(self.position_of)}"

@@ -37,5 +37,4 @@ class Terms(FormVocabulary):
         self._values = values
 
     def words(self) -> tuple[type[Word], ...]:
-        """Return the model of a term for each of the values."""
         return tuple(term_of(word) for word in self._values() if issubclass(word, ValueWord))

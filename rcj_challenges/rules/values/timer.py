@@ -5,13 +5,10 @@ from math import floor
 from typing import Annotated
 
 from rcj_challenges.core.timing import s_from_ticks
-from rcj_challenges.rules.base import ValueWord
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Phrases, Reader, Scope, ValueWord
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import quoted, whole_seconds
 from rcj_challenges.rules.refs import TIMER, WHOSE
-from rcj_challenges.tracking.bound_rules import Reader
 
 
 class TimerValue(ValueWord):
@@ -54,7 +51,6 @@ expect:
         return lambda: s_from_ticks(max(clock.ticks(state.tick) for clock in read))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the value in words."""
         owners = None if self.entity else phrases.owners("timer", self.timer)
         timer = phrases.kept("timer", self.timer, self.entity)
         if owners is not None:
@@ -70,10 +66,8 @@ class NumberTimer(TimerValue):
     )
 
     def number(self, to: Scope) -> Reader:
-        """Return what reads how long it has run."""
         read = self.now(to)
         return (lambda _firing: read()) if self.fraction else (lambda _firing: floor(read()))
 
     def describe_number(self, phrases: Phrases) -> str:
-        """Return the number in words, with what of the time counts."""
         return whole_seconds(self.describe(phrases), with_fraction=bool(self.fraction))

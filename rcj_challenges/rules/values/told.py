@@ -5,12 +5,9 @@ from typing import Annotated
 
 from rcj_challenges.core.amounts import round_score
 from rcj_challenges.core.messages import number_in
-from rcj_challenges.rules.base import ValueWord
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Phrases, Reader, Scope, ValueWord
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import ROBOT
-from rcj_challenges.tracking.bound_rules import Reader
 
 
 class ToldValue(ValueWord):
@@ -56,9 +53,7 @@ expect:
         return lambda _firing: round_score(number_in(read() or "") or 0)
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the value in words."""
         return f"what {phrases.thing(self.told)} has told the referee last"
 
     def describe_number(self, phrases: Phrases) -> str:
-        """Return the number in words."""
         return f"the number that {phrases.thing(self.told)} has told the referee last"

@@ -3,10 +3,8 @@
 from collections.abc import Callable
 from typing import Annotated
 
-from rcj_challenges.rules.base import ValueWord
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Phrases, Scope, ValueWord
 from rcj_challenges.rules.fields import MM_DIGITS, Name, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import ENTITY
 
 
@@ -49,11 +47,9 @@ expect:
     SENTENCE = "the way of the ball in this half in m"
 
     def now(self, to: Scope) -> Callable[[], float]:
-        """Return what reads how far the entity has come."""
         ways, entity = to.state.ways, to.entity(self.way)
         to.state.follow_way(entity)
         return lambda: round(ways[entity], MM_DIGITS)
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the value in words."""
         return f"{phrases.owned('way', self.way)} in this half in {self.UNIT}"

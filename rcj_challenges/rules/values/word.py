@@ -7,13 +7,10 @@ from typing import Annotated, Any, Literal, NamedTuple
 from rcj_challenges.core.amounts import plain
 from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.rules import phrasing
-from rcj_challenges.rules.base import ValueWord
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Firing, Number, Phrases, Reader, Scope, ValueWord
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import ENTRANT
-from rcj_challenges.tracking.bound_rules import Firing, Reader
-from rcj_challenges.tracking.state import Number, RefereeState
+from rcj_challenges.tracking.state import RefereeState
 
 
 class WordValue(ValueWord):
@@ -48,12 +45,10 @@ expect:
     SENTENCE = "the time in s"
 
     def read(self, to: Scope) -> Reader:
-        """Return what reads the fact."""
         read, of = FACTS[self.word].read, self.of
         return lambda firing: read(to, firing, of)
 
     def describe(self, phrases: Phrases) -> str:
-        """Return the value in words."""
         words = phrases.measured if self.word == "measured" else FACTS[self.word].says
         return f"{words} of {phrasing.plain(self.of)}" if self.of else words
 
@@ -70,12 +65,10 @@ class NumberWord(WordValue):
     fraction: bool | None = described(None, "for times: True: with fractions; if omitted: whole seconds, rounded down")
 
     def number(self, to: Scope) -> Reader:
-        """Return what reads the number."""
         read = super().number(to)
         return read if self.fraction or not self._is_time() else (lambda firing: floor(read(firing)))
 
     def describe_number(self, phrases: Phrases) -> str:
-        """Return the number in words, of a time with what of it counts."""
         words = self.describe(phrases)
         return phrasing.whole_seconds(words, with_fraction=bool(self.fraction)) if self._is_time() else words
 

@@ -2,12 +2,9 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Action
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import COUNTER
-from rcj_challenges.tracking.bound_rules import Act, Firing
 
 
 class Double(Action):

@@ -3,13 +3,10 @@
 from math import cos, sin, tau
 from typing import Annotated
 
-from rcj_challenges.rules.base import PlaceWord
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Phrases, PlaceRequest, PlaceResolver, PlaceWord, Scope
 from rcj_challenges.rules.fields import Name, Point, Positive, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import metres
 from rcj_challenges.rules.refs import ANCHOR
-from rcj_challenges.tracking.places import PlaceRequest, PlaceResolver
 
 
 class OnCircle(PlaceWord):

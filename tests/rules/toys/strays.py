@@ -3,10 +3,8 @@
 from math import hypot
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import Trigger
-from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.base import Binder, Phrases, Trigger
 from rcj_challenges.rules.fields import Names, Positive, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import metres
 from rcj_challenges.rules.refs import ENTITIES
 from rcj_challenges.tracking.bound_rules import HitBuffer
@@ -42,8 +40,7 @@ expect:
         """Bind a rule to the tracker of each entity."""
         for entity in to.entities(self.entity):
             key = (entity, self.distance_m)
-            tracker = to.track(StrayTracker, key, lambda entity=entity: StrayTracker(entity, self, to.state, to.hits))
-            tracker.bindings.append(to.binding(entity))
+            to.track(StrayTracker, key, *key).bindings.append(to.binding(entity))
 
     def describe(self, phrases: Phrases) -> str:
         """Return the part of a sentence that follows ``When``."""
@@ -53,13 +50,10 @@ expect:
 class StrayTracker(TickTracker):
     """Reports the tick in which an entity is too far away."""
 
-    def __init__(self, entity: int, model: Strays, state: RefereeState, hits: HitBuffer) -> None:
-        super().__init__()
-        self.entities = (entity,)
-        self._limit = model.distance_m
+    def __init__(self, state: RefereeState, hits: HitBuffer, entity: int, limit_m: float) -> None:
+        super().__init__(state, hits, entity)
+        self._limit = limit_m
         self._far = False
-        self._state = state
-        self._hits = hits
 
     def reset(self) -> None:
         """Take the present distance for the one before."""

@@ -3,10 +3,8 @@
 from collections.abc import Callable
 from typing import Annotated
 
-from rcj_challenges.rules.base import ValueWord
-from rcj_challenges.rules.binder import Scope
+from rcj_challenges.rules.base import Phrases, Scope, ValueWord
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.refs import ENTITY
 
 

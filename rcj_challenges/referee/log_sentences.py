@@ -1,0 +1,75 @@
+"""The sentences of the referee's log: what a rule says when it fires, and why something found no room."""
+
+from __future__ import annotations
+
+import random
+import re
+
+from rcj_challenges.core.amounts import round_score
+from rcj_challenges.referee.bodies import Bodies
+from rcj_challenges.referee.placement import PlacementJob, PlacementSpec
+from rcj_challenges.referee.placement_board import PlacementBoard
+from rcj_challenges.referee.state import State
+from rcj_challenges.rules.phrasing import plain
+from rcj_challenges.rules.values.word import team_name_of
+from rcj_challenges.scenario.placeholders import counted
+from rcj_challenges.tracking.bound_rules import Firing
+
+
+def fill_blanks(says: str, state: State, firing: Firing) -> str:
+    """Return the sentence with {entity}, {each}, {other}, {team}, {measured}, {limit} and {points} filled in."""
+    if "{" not in says:
+        return says
+    points = str(round_score(sum(firing.scored.values())))
+    filled = {
+        "{entity}": plain(firing.subject or ""),
+        "{each}": plain(firing.rule.each or ""),
+        "{other}": plain(firing.rule.other or ""),
+        "{team}": team_name_of(state, firing, None),
+        "{measured}": _format_number(firing.measured),
+        "{limit}": _format_number(firing.limit),
+        "{points}": points,
+        "{points} points": counted(points),
+    }
+    # One pass from left to right, so that a team called "{limit}" stays just that.
+    blank = "|".join(map(re.escape, sorted(filled, key=len, reverse=True)))
+    return re.sub(blank, lambda found: filled[found[0]], says)
+
+
+def _format_number(number: float | None) -> str:
+    return "" if number is None else f"{round(number, 3):g}"
+
+
+def no_room_sentence(job: PlacementJob, spec: PlacementSpec, state: State, bodies: Bodies) -> str:
+    """Return what happens to an entity that could not be set down, and why, once all others are set down."""
+    name = state.roster.entities[job.entity]
+    stays = "where it is" if state.present[job.entity] else "off the field"
+    what = "waits for room" if spec.retry else f"stays {stays} for want of room"
+    return f"{name} {what}: {_reason(job, spec, PlacementBoard(state, bodies, set()), state, bodies)}"
+
+
+def _reason(job: PlacementJob, spec: PlacementSpec, board: PlacementBoard, state: State, bodies: Bodies) -> str:
+    # A separate random stream: the search for a reason must not change later draws.
+    rng = random.Random(0)  # noqa: S311 - decides nothing
+    point = spec.where.find(spec.request(board, rng, job.signs))
+    if point is None:
+        return "no spot is free"
+    if job.aimless:
+        return "its kick finds nothing to aim at"
+    if spec.is_random:
+        return f"chance found none in {spec.model.max_attempts} attempts"
+    pose = spec.pose_at(board, point, rng)
+    if not bodies.fits(job.entity, pose, {}, spec.model.min_clearance_m):
+        return "a wall or a fixed obstacle is there"
+    found = [
+        other
+        for other, there in sorted(board.standing.items())
+        if other != job.entity and not bodies.fits(job.entity, pose, {other: there}, spec.model.min_clearance_m)
+    ]
+    if not found:
+        return "there was none when it was put"
+    names = [state.roster.entities[entity] for entity in found]
+    are = "is" if len(names) == 1 else "are"
+    gap_m = spec.model.min_clearance_m
+    where = f"nearer than {gap_m:g} m" if gap_m else "there"
+    return f"{' and '.join(names)} {are} {where}"
