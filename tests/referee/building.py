@@ -3,10 +3,33 @@
 from rcj_challenges.core.play import Snapshot
 from rcj_challenges.expect.scripted_match import ScriptedMatch
 
+EMIT = "{action: emit, event: TOLD}"
+IN_MIDDLE = "{trigger: enters, entity: ball, zone: middle}"
+
+
+def rule(trigger: str, *actions: str, name: str = "act", more: str = "") -> str:
+    """Return a rule."""
+    return f"rules: {{{name}: {{triggers: [{{{trigger}}}], {more} actions: [{', '.join(actions)}]}}}}"
+
+
+def once(tick: int, *actions: str, name: str = "act", more: str = "") -> str:
+    """Return a rule that runs actions at a tick."""
+    return rule(f"trigger: time_reached, at_s: {round(tick * 0.032, 3)}", *actions, name=name, more=more)
+
 
 def at_tick_10(*actions: str) -> str:
     """Return a rule that runs these actions at tick 10."""
-    return f"rules: {{act: {{triggers: [{{trigger: time_reached, at_s: 0.32}}], actions: [{', '.join(actions)}]}}}}"
+    return once(10, *actions)
+
+
+def on_fault(robot: str, *actions: str, name: str = "act", more: str = "") -> str:
+    """Return a rule that runs actions when the program of a robot fails, which a test can let happen at any time."""
+    return rule(f"trigger: program_fault, robot: {robot}", *actions, name=name, more=more)
+
+
+def hears(trigger: str, more: str = "", event: str = "TOLD") -> str:
+    """Return a rule that emits an event when it is triggered."""
+    return rule(f"trigger: {trigger}", f"{{action: emit, event: {event}}}", name=event.lower(), more=more)
 
 
 def acted(play: ScriptedMatch) -> ScriptedMatch:
@@ -15,18 +38,33 @@ def acted(play: ScriptedMatch) -> ScriptedMatch:
     return play
 
 
-def once(tick: int, *actions: str, name: str = "act", more: str = "") -> str:
-    """Return a rule that runs actions at a tick."""
-    seconds = round(tick * 0.032, 3)
-    return (
-        f"rules: {{{name}: {{triggers: [{{trigger: time_reached, at_s: {seconds}}}], {more} "
-        f"actions: [{', '.join(actions)}]}}}}"
-    )
+def fail(play: ScriptedMatch, robot: str = "Y1") -> ScriptedMatch:
+    """Return the play after a tick in which a robot's program fails."""
+    play.fail(robot)
+    play.play()
+    return play
 
 
-def event_ticks(play, name: str = "TOLD") -> list[int]:
+def place(play: ScriptedMatch, entity: str, *pose: float, ticks: int = 1) -> None:
+    """Put an entity somewhere by hand, and judge so many ticks."""
+    play.place(entity, *pose)
+    play.play(ticks)
+
+
+def touch(play: ScriptedMatch, first: str, second: str, ticks: int = 1) -> None:
+    """Let two things touch in the first of so many ticks."""
+    play.touch(first, second)
+    play.play(ticks)
+
+
+def event_ticks(play: ScriptedMatch, name: str = "TOLD") -> list[int]:
     """Return the ticks of the events of a name."""
     return [event.tick for event in play.events_named(name)]
+
+
+def payloads(play: ScriptedMatch, name: str = "TOLD") -> list[dict]:
+    """Return the payloads of the events of a name."""
+    return [event.payload for event in play.events_named(name)]
 
 
 def feed(play, *ball_at: tuple[float, float], touches=None) -> None:
@@ -41,17 +79,9 @@ def feed(play, *ball_at: tuple[float, float], touches=None) -> None:
     play._take(play.referee.judge(Snapshot(play.tick, substeps, [0.04] * len(poses), [1.0] * len(poses), touching)))
 
 
-IN_MIDDLE = "{trigger: enters, entity: ball, zone: middle}"
-
-
-EMIT = "{action: emit, event: TOLD}"
-
-
 def payload(play, *, fault: str = "Y1") -> dict:
     """Return what the next emission tells."""
-    play.fail(fault)
-    play.play()
-    return play.events[-1].payload
+    return fail(play, fault).events[-1].payload
 
 
 def emitting(values: str, rule: str = "") -> str:
@@ -78,9 +108,7 @@ def scoring(points: str) -> str:
 
 
 def paid(play) -> float:
-    play.fail("B1")
-    play.play()
-    return play.referee.scores["yellow"]
+    return fail(play, "B1").referee.scores["yellow"]
 
 
 # A fault of B1's program is the bell at which the condition is asked.
@@ -105,9 +133,7 @@ def kicking(at: str, kick: str, more: str = "") -> str:
 
 def kick(play: ScriptedMatch) -> tuple[float, float]:
     """Let the rule fire, and return the velocity of the ball's placement."""
-    play.fail("Y1")
-    play.play()
-    placement = play.placements[-1][1]
+    placement = fail(play).placements[-1][1]
     assert placement.entity == play.roster.index["ball"]
     return (placement.vx_mps, placement.vy_mps)
 

@@ -1,81 +1,122 @@
-"""Conditions: each word asked at every tick by a rule that fires whenever told to."""
+"""Conditions: each word asked by a rule that fires whenever B1's program fails."""
 
 import pytest
 
-from rcj_challenges.expect.scripted_match import ScriptedMatch
-from tests.referee.building import ASKING
+from tests.referee.building import ASKING, fail, on_fault, place, rule, touch
 
 
-def as_programs_fail(play, ask):
-    """The answers before, after Y1's program has failed, and after Y2's."""
+def asking(condition: str) -> str:
+    return ASKING % f"{{condition: {condition}}}"
+
+
+def on_each_fault(*actions: str) -> str:
+    return on_fault("each", *actions, more="for_each: yellow,")
+
+
+SATISFIES = {
+    "in_zone, entity: yellow, zone: middle": ("", lambda play, robot: play.place(robot, 0.0, 0.0)),
+    "distance, entity: yellow, to: [0, 0], at_most: 0.1": ("", lambda play, robot: play.place(robot, 0.0, 0.0)),
+    "looks, entity: yellow, heading_rad: 0": ("", lambda play, robot: play.place(robot, *play.pose(robot)[:2], 0.0)),
+    "way, entity: yellow, at_least: 0.2": ("", lambda play, robot: play.glide(robot, (0.0, -0.5), 1)),
+    "told, entity: yellow, text: GO": ("", lambda play, robot: play.tell(robot, "GO")),
+    "flag, flag: hit, entity: yellow": (
+        "flags: {hit: {per: robots}}\n" + on_each_fault("{action: set_flag, flag: hit, entity: each}"),
+        lambda play, robot: play.fail(robot),
+    ),
+    "counter, counter: falls, entity: yellow, at_least: 2": (
+        "counters: {falls: {per: robots}}\n" + on_each_fault("{action: count, counter: falls, entity: each, by: 2}"),
+        lambda play, robot: play.fail(robot),
+    ),
+    "timer, timer: away, entity: yellow": (
+        "timers: {away: {lasts_s: 30, per: robots}}\n" + on_each_fault("{action: timer, timer: away, entity: each}"),
+        lambda play, robot: play.fail(robot),
+    ),
+    "timer, timer: away, entity: yellow, at_least: 0.032": (
+        "timers: {away: {lasts_s: 30, per: robots}}\n" + on_each_fault("{action: timer, timer: away, entity: each}"),
+        lambda play, robot: play.fail(robot),
+    ),
+    "sequence_at, sequence: way, entity: yellow, step: middle": (
+        "sequences: {way: {per: robots, steps: [middle, right]}}", lambda play, robot: play.place(robot, 0.0, 0.0),
+    ),
+    "held, entity: yellow": (
+        on_each_fault("{action: hold, entity: each}"), lambda play, robot: play.fail(robot),
+    ),
+}  # fmt: skip
+"""By condition: what it needs, and what makes a robot satisfy it."""
+
+
+@pytest.mark.parametrize("condition", SATISFIES)
+@pytest.mark.parametrize(
+    ("of", "answers"),
+    [
+        ("any", [False, True, True]),
+        ("all", [False, False, True]),
+        ("none", [True, False, False]),
+        ("{at_least: 2}", [False, False, True]),
+        ("all, negate: true", [True, True, False]),
+    ],
+)
+def test_of_a_group_so_many_must_satisfy_a_condition(stage, ask, condition, of, answers):
+    sections, satisfy = SATISFIES[condition]
+    play = stage(sections, asking(f"{condition}, of: {of}"))
     found = [ask(play)]
     for robot in ("Y1", "Y2"):
-        play.fail(robot)
-        play.play()
+        satisfy(play, robot)
+        play.play(2)
         found.append(ask(play))
-    return found
+    assert found == answers
 
 
-class TestConditionInZone:
-    def test_a_centre_is_in_or_not(self, stage, ask):
-        play = stage(ASKING % "{condition: in_zone, entity: ball, zone: [left, right]}")
-        assert not ask(play)
-        play.place("ball", 0.2, 0.0)
-        assert ask(play)
+@pytest.mark.parametrize(("of", "holds"), [("any", False), ("all", False), ("none", True), ("{at_least: 1}", False)])
+def test_of_a_group_that_is_off_the_field_as_a_whole_all_is_no_statement(stage, ask, of, holds):
+    gone = rule("trigger: half_started", "{action: remove, entity: yellow}")
+    play = stage(asking(f"in_zone, entity: yellow, zone: middle, of: {of}"), gone)
+    play.play()
+    assert ask(play) is holds
 
-    @pytest.mark.parametrize(
-        ("of", "answers"),
-        [
-            ("any", [False, True, True, True]),
-            ("all", [False, False, False, True]),
-            ("none", [True, False, False, False]),
-            ("{at_least: 2}", [False, False, True, True]),
-        ],
-    )
-    def test_of_a_group_so_many(self, stage, ask, of, answers):
-        play = stage(
-            "groups: {three: [B1, B2, Y1]}\n"
-            + ASKING % f"{{condition: in_zone, entity: three, zone: middle, of: {of}}}"
-        )
-        found = [ask(play)]
-        for robot in ("B1", "B2", "Y1"):
-            play.place(robot, 0.0, 0.0)
-            found.append(ask(play))
-        assert found == answers
 
-    @pytest.mark.parametrize(
-        ("of", "holds"), [("any", False), ("all", False), ("none", True), ("{at_least: 1}", False)]
-    )
-    def test_of_a_group_that_is_off_the_field_as_a_whole_all_is_no_statement(self, stage, ask, of, holds):
-        play = stage(
-            "groups: {three: [B1, B2, Y1]}\n"
-            + ASKING % f"{{condition: in_zone, entity: three, zone: middle, of: {of}}}",
-            "rules: {gone: {triggers: [{trigger: half_started}], actions: [{action: remove, entity: three}]}}",
-        )
-        play.play()
-        assert ask(play) is holds
-
-    def test_negate_turns_it_over(self, stage, ask):
-        play = stage(ASKING % "{condition: in_zone, entity: ball, zone: middle, negate: true}")
-        assert not ask(play)
-        play.place("ball", 0.5, 0.0)
-        assert ask(play)
-
-    def test_who_is_off_the_field_is_not_counted(self, stage, ask):
-        play = stage(
-            ASKING % "{condition: in_zone, entity: [B1, B2], zone: middle, of: all}",
-            "rules: {aside: {triggers: [{trigger: program_fault, robot: Y1}], actions: [{action: remove, entity: B2}]}}",
-        )
+def test_who_is_off_the_field_is_in_no_zone_and_at_no_distance(stage, ask):
+    for condition in (
+        "in_zone, entity: [B1, B2], zone: middle, of: all",
+        "distance, entity: B2, to: centre, at_most: 2",
+    ):
+        play = stage(asking(condition), on_fault("Y1", "{action: remove, entity: B2}"))
         play.place("B1", 0.0, 0.0)
-        assert not ask(play)
-        play.fail("Y1")
-        play.play()
-        assert ask(play)
+        before = ask(play)
+        fail(play, "Y1")
+        assert ask(play) is not before
+
+
+@pytest.mark.parametrize(
+    ("condition", "places", "answers"),
+    [
+        ("in_zone, entity: ball, zone: [left, right]", [(0.0, 0.0), (0.2, 0.0)], [False, True]),
+        ("distance, entity: ball, to: Y1, at_most: 0.2001", [(0.6, -0.6), (-0.4, -0.3)], [False, True]),
+        ("distance, entity: ball, to: centre, at_most: 0.2001", [(0.6, -0.6), (0.0, 0.2)], [False, True]),
+        ("distance, entity: ball, to: [0.3, 0.3], at_most: 0.2001", [(0.6, -0.6), (0.3, 0.1)], [False, True]),
+        # To a group the nearest counts.
+        ("distance, entity: ball, to: blue, at_most: 0.15", [(0.0, 0.0), (0.4, 0.4)], [False, True]),
+        ("spot_free, spot: corner_blue_right", [(0.0, 0.0), (0.3, 0.3799), (0.3, 0.3801)], [True, False, True]),
+    ],
+)
+def test_where_the_ball_is(stage, ask, condition, places, answers):
+    play, found = stage(asking(condition)), []
+    for where in places:
+        play.place("ball", *where)
+        found.append(ask(play))
+    assert found == answers
+
+
+def test_nothing_is_near_itself(stage, ask):
+    play = stage(asking("distance, entity: yellow, to: yellow, at_most: 0.15"))
+    assert not ask(play)
+    play.place("Y2", -0.3, -0.5)
+    assert ask(play)
 
 
 class TestConditionSpeed:
     def test_it_is_the_way_of_the_last_tick_over_its_time(self, stage, ask):
-        play = stage(ASKING % "{condition: speed, entity: ball, at_least: 0.1, at_most: 0.2}")
+        play = stage(asking("speed, entity: ball, at_least: 0.1, at_most: 0.2"))
         assert not ask(play)
         play.glide("ball", (0.15 * 0.032, 0.0), 1)
         assert ask(play)
@@ -90,213 +131,65 @@ class TestConditionSpeed:
         ],
     )  # fmt: skip
     def test_where_a_test_puts_something_by_hand_its_speed_is_unknown_for_a_tick(self, stage, ask, compared, holds):
-        play = stage(ASKING % f"{{condition: speed, entity: ball, {compared}}}")
+        play = stage(asking(f"speed, entity: ball, {compared}"))
         play.place("ball", 0.3, 0.0)
         assert ask(play) is holds
 
     def test_afterwards_it_is_at_rest_or_as_fast_as_it_glides(self, stage, ask):
-        play = stage(ASKING % "{condition: speed, entity: ball, at_most: 0.01}")
-        play.place("ball", 0.3, 0.0)
-        play.play()
+        play = stage(asking("speed, entity: ball, at_most: 0.01"))
+        place(play, "ball", 0.3, 0.0)
         assert ask(play)
         play.place("ball", 0.0, 0.0)
         play.glide("ball", (0.1, 0.0), 10)
         play.play()
         assert not ask(play)
 
-    def test_a_ball_that_is_put_by_hand_has_come_to_rest_anew(self, stage):
-        rests = "{trigger: holds, for_s: 0.1, condition: {condition: speed, entity: ball, at_most: 0.01}}"
-        play = stage(f"rules: {{rest: {{triggers: [{rests}], actions: [{{action: emit, event: RESTS}}]}}}}")
-        play.play(10)
-        play.place("ball", 0.3, 0.0)
-        play.play(10)
-        assert len(play.events_named("RESTS")) == 2
-
     def test_a_placement_is_no_speed(self, stage, ask):
-        play = stage(
-            ASKING % "{condition: speed, entity: ball, at_most: 0.01}",
-            "rules: {aside: {triggers: [{trigger: program_fault, robot: Y1}], "
-            "actions: [{action: place, entity: ball, at: {point: [0.3, 0]}}]}}",
-        )
-        play.fail("Y1")
-        play.play()
+        put = on_fault("Y1", "{action: place, entity: ball, at: {point: [0.3, 0]}}")
+        play = fail(stage(asking("speed, entity: ball, at_most: 0.01"), put), "Y1")
         assert play.pose("ball")[0] == pytest.approx(0.3)
         assert ask(play)
 
 
-class TestConditionDistance:
-    @pytest.mark.parametrize(("to", "near"), [("Y1", (-0.4, -0.3)), ("centre", (0.0, 0.2)), ("[0.3, 0.3]", (0.3, 0.1))])
-    def test_to_an_entity_a_spot_or_a_point(self, stage, ask, to, near):
-        play = stage(ASKING % f"{{condition: distance, entity: ball, to: {to}, at_most: 0.2001}}")
-        play.place("ball", 0.6, -0.6)
-        assert not ask(play)
-        play.place("ball", *near)
-        assert ask(play)
-
-    def test_to_a_group_the_nearest_counts(self, stage, ask):
-        play = stage(ASKING % "{condition: distance, entity: ball, to: blue, at_most: 0.15}")
-        assert not ask(play)
-        play.place("ball", 0.4, 0.4)
-        assert ask(play)
-
-    def test_nothing_is_near_itself(self, stage, ask):
-        play = stage(ASKING % "{condition: distance, entity: yellow, to: yellow, at_most: 0.15}")
-        assert not ask(play)
-        play.place("Y2", play.pose("Y1")[0] + 0.1, play.pose("Y1")[1])
-        assert ask(play)
-
-    def test_who_is_off_the_field_is_not_far_away(self, stage, ask):
-        play = stage(
-            "rules: {gone: {triggers: [{trigger: program_fault, robot: Y1}], actions: [{action: remove, entity: B2}]}}",
-            ASKING % "{condition: distance, entity: B2, to: centre, at_least: 0.3}",
-        )
-        assert ask(play)
-        play.fail("Y1")
-        play.play()
-        assert not ask(play)
-
-
 class TestConditionCounter:
-    COUNTERS = """
-    counters: {bells: {}, goal: {initial: 3}, each_bell: {per: robots}}
-    rules:
-      bell:
-        triggers: [{trigger: program_fault, robot: [Y1, Y2]}]
-        actions: [{action: count, counter: bells}, {action: count, counter: each_bell, entity: Y1, by: 2}]
-    """
-
-    def ring(self, play: ScriptedMatch) -> None:
-        play.fail("Y1")
-        play.play()
-
     def test_it_is_compared_with_a_number_or_a_counter(self, stage, ask):
-        play = stage(self.COUNTERS, ASKING % "{condition: counter, counter: bells, equals: {counter: goal}}")
+        counted = on_fault("Y1", "{action: count, counter: bells}")
+        play = stage(
+            "counters: {bells: {}, goal: {initial: 3}}",
+            counted,
+            asking("counter, counter: bells, equals: {counter: goal}"),
+        )
         for _ in range(3):
             assert not ask(play)
-            self.ring(play)
+            fail(play, "Y1")
         assert ask(play)
 
-    def test_one_per_entity_is_that_entitys_or_the_sum(self, stage, ask):
-        of_b1 = stage(self.COUNTERS, ASKING % "{condition: counter, counter: each_bell, entity: B1, at_least: 1}")
-        total = stage(self.COUNTERS, ASKING % "{condition: counter, counter: each_bell, at_least: 2}")
-        for play in (of_b1, total):
-            self.ring(play)
-        assert (ask(of_b1), ask(total)) == (False, True)
-
     @pytest.mark.parametrize(
-        ("of", "whom", "answers"),
+        ("kept", "change", "condition"),
         [
-            ("any", "yellow", [False, True, True]),
-            ("all", "yellow", [False, False, True]),
-            ("none", "yellow", [True, False, False]),
-            ("{at_least: 2}", "[yellow, B1]", [False, False, True]),
-            ("{at_least: 2}", "", [False, False, True]),
+            ("counters: {n: {per: robots}}", "count, counter: n, by: 2", "counter, counter: n, at_least: 2"),
+            ("flags: {n: {per: robots}}", "set_flag, flag: n", "flag, flag: n"),
         ],
     )
-    def test_of_a_group_so_many_each_by_its_own_counter(self, stage, ask, of, whom, answers):
-        entity = f", entity: {whom}" if whom else ""
-        play = stage(
-            """
-            counters: {falls: {per: robots}}
-            rules:
-              falls:
-                for_each: yellow
-                triggers: [{trigger: program_fault, robot: each}]
-                actions: [{action: count, counter: falls, entity: each, by: 2}]
-            """,
-            ASKING % f"{{condition: counter, counter: falls{entity}, of: {of}, at_least: 2}}",
-        )
-        assert as_programs_fail(play, ask) == answers
+    def test_what_is_kept_per_entity_is_that_of_one_or_the_sum_or_any(self, stage, ask, kept, change, condition):
+        begin = rule("trigger: half_started", f"{{action: {change}, entity: Y1}}")
+        whose = (", entity: Y1", ", entity: B1", "")
+        assert [ask(stage(kept, begin, asking(condition + one))) for one in whose] == [True, False, True]
 
     def test_an_entrants_name_is_its_score(self, stage, ask):
-        play = stage(ASKING % "{condition: counter, counter: yellow, at_least: 2}", scores={"blue": 0, "yellow": 2})
-        assert ask(play)
+        assert ask(stage(asking("counter, counter: yellow, at_least: 2"), scores={"blue": 0, "yellow": 2}))
 
 
-class TestConditionFlag:
-    def test_it_asks_whether_a_flag_is_set(self, stage, ask):
-        play = stage("flags: {up: {initial: true}, down: {}}", ASKING % "{condition: flag, flag: up}")
-        assert ask(play)
-        play = stage("flags: {up: {initial: true}, down: {}}", ASKING % "{condition: flag, flag: down}")
-        assert not ask(play)
-
-    def test_one_per_entity_is_that_entitys_or_any(self, stage, ask):
-        flags = """
-        flags: {seen: {per: robots}}
-        rules:
-          sees: {triggers: [{trigger: half_started}], actions: [{action: set_flag, flag: seen, entity: Y1}]}
-        """
-        answers = [
-            ask(stage(flags, ASKING % f"{{condition: flag, flag: seen{whose}}}"))
-            for whose in (", entity: Y1", ", entity: B1", "")
-        ]
-        assert answers == [True, False, True]
-
-    @pytest.mark.parametrize(
-        ("of", "answers"),
-        [
-            ("any", [False, True, True]),
-            ("all", [False, False, True]),
-            ("none", [True, False, False]),
-            ("{at_least: 2}", [False, False, True]),
-            ("all, negate: true", [True, True, False]),
-        ],
-    )
-    def test_of_a_group_so_many(self, stage, ask, of, answers):
-        play = stage(
-            """
-            flags: {touched: {per: robots}}
-            rules:
-              touched:
-                for_each: yellow
-                triggers: [{trigger: program_fault, robot: each}]
-                actions: [{action: set_flag, flag: touched, entity: each}]
-            """,
-            ASKING % f"{{condition: flag, flag: touched, entity: yellow, of: {of}}}",
-        )
-        assert as_programs_fail(play, ask) == answers
-
-
-class TestConditionDrawn:
-    def test_it_asks_what_a_draw_decided(self, stage, ask):
-        sections = ("draws: {side: {values: [left, right]}}", ASKING % "{condition: drawn, draw: side, equals: left}")
-        assert ask(stage(*sections, draws={"side": "left"}))
-        assert not ask(stage(*sections, draws={"side": "right"}))
-
-
-class TestConditionTimer:
-    TIMERS = "timers: {egg: {lasts_s: 0.64, starts: true}}"
-
-    def test_it_asks_how_long_a_timer_has_run(self, stage, ask):
-        play = stage(self.TIMERS, ASKING % "{condition: timer, timer: egg, at_least: 0.32}")
-        play.play(8)
-        assert not ask(play)  # tick 9
-        assert ask(play)  # tick 10
-
-    def test_without_a_comparison_it_asks_whether_it_runs(self, stage, ask):
-        play = stage(self.TIMERS, ASKING % "{condition: timer, timer: egg}")
-        play.play(18)
-        assert ask(play)
-        assert not ask(play)
-
-    @pytest.mark.parametrize(
-        ("of", "running", "long"),
-        [("any", True, True), ("all", False, False), ("none", False, False), ("{at_least: 1}", True, True)],
-    )
-    def test_of_a_group_so_many(self, stage, ask, of, running, long):
-        sections = (
-            "timers: {away: {lasts_s: 30, per: robots}}",
-            "rules: {away: {triggers: [{trigger: half_started}], actions: [{action: timer, timer: away, entity: Y1}]}}",
-        )
-        asked = f"{{condition: timer, timer: away, entity: [Y1, Y2], of: {of}"
-        assert ask(stage(*sections, ASKING % f"{asked}}}")) is running
-        play = stage(*sections, ASKING % f"{asked}, at_least: 0.32}}")
-        play.play(20)
-        assert ask(play) is long
+@pytest.mark.parametrize(("compared", "first", "then"), [(", at_least: 0.32", False, True), ("", True, False)])
+def test_timer_is_asked_how_long_it_has_run_or_whether_it_runs(stage, ask, compared, first, then):
+    lasts_s = 0.64 if compared else 0.32
+    play = stage(f"timers: {{egg: {{lasts_s: {lasts_s}, starts: true}}}}", asking(f"timer, timer: egg{compared}"))
+    play.play(8)
+    assert (ask(play), ask(play)) == (first, then)  # ticks 9 and 10
 
 
 class TestConditionLastTouch:
-    ASKED = ASKING % "{condition: last_touch, by: yellow}"
+    ASKED = asking("last_touch, by: yellow")
 
     def test_it_asks_who_touched_the_ball_last(self, stage, ask):
         play = stage(self.ASKED)
@@ -304,83 +197,40 @@ class TestConditionLastTouch:
         play.touch("ball", "Y1")
         assert ask(play)
         play.play(3)
-        assert ask(play)  # nobody since
+        assert ask(play)  # none since
         play.touch("ball", "B2")
         assert not ask(play)
 
     def test_a_new_contact_counts_before_one_that_goes_on(self, stage, ask):
         play = stage(self.ASKED)
-        play.touch("ball", "B1")
-        play.play()
+        touch(play, "ball", "B1")
         play.touch("ball", "B1")
         play.touch("ball", "Y1")
         assert ask(play)
 
     def test_walls_and_others_contacts_do_not_count(self, stage, ask):
         play = stage(self.ASKED)
-        play.touch("ball", "Y1")
-        play.play()
+        touch(play, "ball", "Y1")
         play.touch("ball", "walls")
         play.touch("B1", "Y2")
         assert ask(play)
 
     def test_a_placement_forgets_it(self, stage, ask):
-        play = stage(
-            self.ASKED,
-            "rules: {aside: {triggers: [{trigger: program_fault, robot: Y1}], "
-            "actions: [{action: place, entity: ball, at: {point: [0.3, 0]}}]}}",
-        )
+        play = stage(self.ASKED, on_fault("Y1", "{action: place, entity: ball, at: {point: [0.3, 0]}}"))
         play.touch("ball", "Y1")
-        play.fail("Y1")
-        play.play()
-        assert not ask(play)
+        assert not ask(fail(play, "Y1"))
 
 
-class TestConditionSpotFree:
-    def test_a_spot_is_free_when_no_centre_is_near(self, stage, ask):
-        play = stage(ASKING % "{condition: spot_free, spot: corner_blue_right}")
-        assert ask(play)
-        play.place("ball", 0.3, 0.3799)
-        assert not ask(play)
-        play.place("ball", 0.3, 0.3801)
-        assert ask(play)
-
-    def test_of_a_group_so_many(self, stage, ask):
-        play = stage(ASKING % "{condition: spot_free, spot: neutral_spots, of: all}")
-        assert not ask(play)  # the ball lies in the centre
-        play.place("ball", 0.5, 0.0)
-        assert ask(play)
-
-
-class TestConditionSequenceAt:
-    def test_it_asks_which_step_was_reached_last(self, stage, ask):
-        play = stage(
-            "sequences: {way: {entity: ball, steps: [middle, right], cyclic: true}}",
-            ASKING % "{condition: sequence_at, sequence: way, step: right}",
-        )
-        assert not ask(play)  # it stands in the middle
-        play.place("ball", 0.3, 0.0)
-        assert ask(play)
-        play.place("ball", 0.0, 0.3)
-        assert ask(play)  # left, but nothing else reached
-        play.place("ball", 0.0, 0.0)
-        assert not ask(play)
-
-
-class TestConditionHalf:
-    @pytest.mark.parametrize(
-        ("asked", "answers"),
-        [
-            ("equals: 2", [False, True, False]),
-            ("at_least: 2", [False, True, True]),
-            ("at_most: 2", [True, True, False]),
-            ("at_least: 2, at_most: 2", [False, True, False]),
-            ("equals: 2, negate: true", [True, False, True]),
-        ],
-    )
-    def test_the_number_of_the_half_is_compared(self, stage, ask, asked, answers):
-        halves = (
-            stage("match: {halves: 3, half_s: 60}", ASKING % f"{{condition: half, {asked}}}", half=half)
-            for half in (1, 2, 3)
-        )
-        assert [ask(play) for play in halves] == answers
+@pytest.mark.parametrize(
+    ("asked", "answers"),
+    [
+        ("equals: 2", [False, True, False]),
+        ("at_least: 2", [False, True, True]),
+        ("at_most: 2", [True, True, False]),
+        ("at_least: 2, at_most: 2", [False, True, False]),
+        ("equals: 2, negate: true", [True, False, True]),
+    ],
+)
+def test_number_of_the_half_is_compared(stage, ask, asked, answers):
+    three = "match: {halves: 3, half_s: 60}"
+    assert [ask(stage(three, asking(f"half, {asked}"), half=half)) for half in (1, 2, 3)] == answers

@@ -31,12 +31,6 @@ def test_three_times_a_tenth_of_a_point_is_exactly_three_tenths(stage):
     assert play.events_named("TENTH")[-1].payload == {"score": 0.3, "third": 2.1}
 
 
-def test_a_condition_that_asks_for_a_decimal_number_holds_when_it_is_reached_on_paper(stage):
-    play = stage(TENTHS)
-    play.play(31)
-    assert play.names()[-1] == "EQUAL"
-
-
 def test_the_sum_of_a_counter_kept_per_robot_is_that_on_paper(stage):
     play = stage(
         """
@@ -52,25 +46,6 @@ rules:
     )
     play.play(10)
     assert play.events[0].payload == {"sum": 0.3}
-
-
-def test_what_programs_are_told_of_a_decimal_score_is_the_number_on_paper(stage):
-    play = stage(TENTHS, "broadcast: {fields: {score: {word: score, of: yellow}}}")
-    play.play(30)
-    assert json.dumps(play.output.broadcast) == '{"score": 0.3}'
-
-
-def test_a_whole_score_stays_a_whole_number(stage):
-    play = stage(
-        """
-rules:
-  half:
-    triggers: [{trigger: time_reached, at_s: 0.32}, {trigger: time_reached, at_s: 0.64}]
-    actions: [{action: score, entrant: yellow, points: 0.5}]
-"""
-    )
-    play.play(20)
-    assert repr(play.referee.scores["yellow"]) == "1"
 
 
 def test_a_bound_with_more_decimals_than_are_kept_is_met_by_the_counter_that_was_set_to_it(stage):

@@ -56,10 +56,6 @@ class TestATimerThatLastsAsLongAsACounterSays:
         play = stage("counters: {long_s: {initial: 1.0e+15}}", "timers: {egg: {lasts_s: {counter: long_s}}}", RUN_OUT)
         assert ticks(play) == []
 
-    def test_a_score_counts_as_well(self, stage):
-        play = stage("timers: {egg: {lasts_s: {counter: yellow}}}", RUN_OUT, scores={"yellow": 1})
-        assert ticks(play) == [10 + 32]
-
     def test_of_one_kept_for_each_that_of_the_same_one_counts(self, stage):
         play = stage("""
         counters: {long_s: {per: robots, initial: 0.64}}
@@ -74,23 +70,6 @@ class TestATimerThatLastsAsLongAsACounterSays:
         """)
         assert ticks(play) == [30, 30, 30, 50]
         assert play.events[-1].payload == {"who": "Y1"}
-
-    def test_that_of_one_robot_may_be_for_a_timer_of_all(self, stage):
-        play = stage(
-            "counters: {long_s: {per: robots, initial: 0.64}}",
-            "timers: {egg: {lasts_s: {counter: long_s, entity: B2}}}",
-            RUN_OUT,
-        )
-        assert ticks(play) == [30]
-
-    def test_its_limit_is_what_the_counter_said(self, stage):
-        play = stage(
-            "counters: {long_s: {initial: 1}}",
-            "timers: {egg: {lasts_s: {counter: long_s}, starts: true}}",
-            "rules: {over: {triggers: [{trigger: timer_expired, timer: egg}], actions: [{action: end}], says: 'After {limit} s.'}}",
-        )
-        play.play(40)
-        assert play.firings[0].says == "After 1 s."
 
 
 class TestAPhaseThatLastsAsLongAsACounterSays:

@@ -7,7 +7,7 @@ from textwrap import dedent
 
 import pytest
 
-from tests.referee.building import emitting, payload
+from tests.referee.building import emitting, payload, place, touch
 
 POLES = """
 obstacles:
@@ -59,8 +59,7 @@ class TestWhatTheyKeep:
         play = stage(ONCE)
         play.play()
         for robot, pole in (("Y1", "p2"), ("Y1", "p2"), ("B1", "p2"), ("Y1", "p1")):
-            play.touch(robot, pole)
-            play.play(2)
+            touch(play, robot, pole, ticks=2)
         assert play.referee.scores["yellow"] == -2
         assert play.referee.flags["touched"] == {"p1": True, "p2": True}
 
@@ -71,8 +70,7 @@ class TestARuleForEach:
         play = stage(EACH % (entity, other))
         play.play()
         for pole in ("p1", "p1", "p2"):
-            play.touch("Y2", pole)
-            play.play(2)
+            touch(play, "Y2", pole, ticks=2)
         play.play(20)
         return play
 
@@ -100,8 +98,7 @@ class TestWhoTouches:
     def test_a_robot_is_told_if_it_is_written_first(self, stage):
         play = stage(EACH % ("robots", "each"))
         play.play()
-        play.touch("Y2", "p1")
-        play.play()
+        touch(play, "Y2", "p1")
         (hit,) = play.events_named("HIT")
         assert (hit.payload["who"], hit.payload["team"]) == ("Y2", "yellow")
 
@@ -120,8 +117,7 @@ rules:
         )
         play.play()
         for robot in ("B1", "Y1"):
-            play.touch(robot, "p1")
-            play.play(2)
+            touch(play, robot, "p1", ticks=2)
         assert [event.payload["a"] for event in play.events_named("WHO")] == ["B1", "Y1"]
         assert play.referee.scores == {"blue": 1, "yellow": 1}
         play.place("Y1", 0.0, -0.6)  # who is placed has touched it all the same
@@ -168,30 +164,8 @@ rules:
 """
         )
         play.play()
-        play.place("Y1", -0.2, 0.2, -pi / 2)
-        play.play(2)
-        play.place("Y1", -0.2, 0.09, -pi / 2)
-        play.play()
+        place(play, "Y1", -0.2, 0.2, -pi / 2, ticks=2)
+        place(play, "Y1", -0.2, 0.09, -pi / 2)
         play.place("Y1", 0.2, 0.09, 0.0)  # near the other one, but it does not look there
         play.play()
         assert [event.payload["a"] for event in play.events_named("NEAR")] == ["p2"]
-
-
-class TestGroupsOfBothKinds:
-    def test_one_that_moves_and_one_that_does_not_keep_alike(self, stage):
-        play = stage(
-            POLES
-            + """
-counters: {hits: {per: marks}}
-rules:
-  hit:
-    for_each: marks
-    triggers: [{trigger: touches, entity: Y1, other: each}]
-    actions: [{action: count, counter: hits, entity: each}]
-"""
-        )
-        play.play()
-        for mark in ("crate", "p1", "crate"):
-            play.touch("Y1", mark)
-            play.play(2)
-        assert play.referee.counters["hits"] == {"crate": 2, "p1": 1}

@@ -24,13 +24,6 @@ class TestHowMuchIsPaid:
         assert [firing.scored for firing in play.firings] == [{"blue": points}] * 2
         assert play.referee.scores["blue"] == 2 * points
 
-    def test_it_is_a_bound_of_each_payment_not_of_the_score(self, stage):
-        play = played(stage, self.LATE, 30, scores={"blue": -100, "yellow": 0})
-        assert play.referee.scores["blue"] == -90
-
-    def test_a_whole_number_stays_one(self, stage):
-        assert isinstance(played(stage, self.LATE, 30).referee.scores["blue"], int)
-
 
 class TestHowFarAScoreGoes:
     FOUL = "{action: score, entrant: blue, points: %s, keeps_at_least: 0, keeps_at_most: 10}"
@@ -63,11 +56,6 @@ class TestHowFarAScoreGoes:
         )
         play.play(12)
         assert [firing.says for firing in play.firings] == ["-2"]
-
-    def test_both_kinds_of_bounds_together(self, stage):
-        action = "{action: score, entrant: blue, points: {counter: reckoned}, at_most: -2, keeps_at_least: 0}"
-        play = played(stage, action, 100, scores={"blue": 3, "yellow": 0})
-        assert [firing.scored["blue"] for firing in play.firings] == [-2, -1]
 
 
 class TestHowMuchIsCounted:

@@ -115,11 +115,3 @@ class TestItsChecks:
         (problem,) = caught.value.diagnostics
         assert problem.code == "not-per-entity"
         assert problem.where == InFile("it.yaml", 6, 118, "rules.it.conditions[0] (counter)")
-
-    def test_a_counter_that_does_not_exist(self):
-        rule = (
-            "counters: {laps: {per: robots}}\nrules: {it: {for_each: robots, triggers: [{trigger: half_started}], conditions: "
-            "[{condition: counter, counter: laps, entity: each, at_most: {highest: lap}}], actions: [{action: end}]}}\n"
-        )
-        with pytest.raises(ScenarioError, match="unknown-name"):
-            load_text(self.HEAD + rule, file="it.yaml")

@@ -4,7 +4,7 @@ import pytest
 
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.scenario.load import load_text
-from tests.referee.building import TAKEN_OFF, emitting, paid, payload, scoring
+from tests.referee.building import TAKEN_OFF, emitting, fail, paid, payload, scoring, touch
 
 HEAD = "schema_version: 1\nid: small\ntitle: Small\nextends: soccersim_v2\nmatch: {half_s: 60}\n"
 
@@ -27,24 +27,11 @@ class TestValueDistance:
         play.place("Y2", 0.5, 0.0)
         assert payload(play) == {"a": 0.3, "b": 0.2, "c": None}
 
-    def test_in_a_rule_for_each_it_is_that_of_the_current_one(self, stage):
-        play = stage(emitting("{far: {distance: [each, [0, 0]]}}", "for_each: yellow,"))
-        play.place("Y1", 0.3, 0.0)
-        play.place("Y2", 0.0, 0.6)
-        play.fail("B1")
-        play.play()
-        assert [event.payload["far"] for event in play.events] == [0.3, 0.6]
-
     @pytest.mark.parametrize("off", ["ball", "Y1"])
     def test_off_the_field_there_is_none(self, stage, off):
         play = stage(emitting("{far: {distance: [Y1, ball]}}"), TAKEN_OFF % off)
         play.play_until(15)
         assert payload(play) == {"far": None}
-
-    def test_a_broadcast_tells_it_on_every_tick(self, stage):
-        play = stage("broadcast: {fields: {far: {distance: [ball, [0, 1]]}}}")
-        play.place("ball", 0.0, 0.25)
-        assert play.play().broadcast == {"far": 0.75}
 
     def test_it_can_be_points_or_a_count_as_it_is(self, stage):
         play = stage(
@@ -102,34 +89,15 @@ class TestValueLastTouch:
     def test_it_is_the_name_of_the_last_robot_or_nobody(self, stage):
         play = stage(emitting("{who: {last_touch: ball}}"))
         assert payload(play) == {"who": None}
-        play.touch("ball", "Y2")
-        play.play()
-        play.touch("ball", "B1")
-        play.play(3)
+        touch(play, "ball", "Y2")
+        touch(play, "ball", "B1", ticks=3)
         assert payload(play) == {"who": "B1"}
-
-    def test_a_ball_that_was_put_somewhere_has_been_touched_by_nobody(self, stage):
-        play = stage(
-            emitting("{who: {last_touch: ball}}"),
-            "rules: {put: {triggers: [{trigger: time_reached, at_s: 0.32}], "
-            "actions: [{action: place, entity: ball, at: {point: [0, 0.2]}}]}}",
-        )
-        play.touch("ball", "Y2")
-        play.play_until(15)
-        assert payload(play) == {"who": None}
 
     def test_a_broadcast_tells_it_though_no_rule_asks_for_touches(self, stage):
         play = stage("broadcast: {fields: {who: {last_touch: ball}}}")
         assert play.output.broadcast == {"who": None}
         play.touch("ball", "Y2")
         assert play.play().broadcast == {"who": "Y2"}
-
-
-class TestNumbersAmongWeightedPoints:
-    def test_a_number_is_added_as_it_is(self, stage):
-        play = stage(scoring("[5, {word: time_left_s, weight: 0.1}]"))
-        play.play_until(0)
-        assert paid(play) == 5 + 5.9
 
 
 class TestPointsAndParamsInSentences:
@@ -142,8 +110,7 @@ class TestPointsAndParamsInSentences:
     def firing(loaded):
         play = ScriptedMatch(loaded.scenario, loaded.roster, half_of(loaded.scenario))
         play.place("Y1", 0.0, 0.5)
-        play.fail("Y1")
-        play.play()
+        fail(play, "Y1")
         return play.firings[-1]
 
     @pytest.mark.parametrize(
@@ -153,9 +120,6 @@ class TestPointsAndParamsInSentences:
         actions = f"[{{action: score, entrant: yellow, points: {points}}}]"
         assert self.said(actions, "A goal; {points} points.", "{goal: 7}") == f"A goal; {said} points."
 
-    def test_without_a_number_it_is_one_point(self):
-        assert self.said("[{action: score, entrant: yellow}]", "{points} point") == "1 point"
-
     @pytest.mark.parametrize(("tries", "said"), [(1, "1 point"), (-1, "-1 point"), (2, "2 points"), (0, "0 points"), (0.5, "0.5 points")])  # fmt: skip
     def test_one_point_is_no_points(self, tries, said):
         assert self.said(f"[{{action: score, entrant: yellow, points: {tries}}}]", "{points} points.") == f"{said}."
@@ -163,10 +127,6 @@ class TestPointsAndParamsInSentences:
         reckoned = f"[{{action: score, entrant: yellow, points: [{tries}, -0.5, {{distance: [Y1, [0, 0]]}}]}}]"
         assert self.said(reckoned, "A goal; {points} points!") == f"A goal; {said}!"
         assert self.said("[{action: score, entrant: yellow}]", "{goal} points.", f"{{goal: {tries}}}") == f"{said}."
-
-    def test_points_that_are_reckoned_when_it_fires_are_those_given(self):
-        actions = "[{action: score, entrant: yellow, points: [5, {distance: [Y1, [0, 0]], weight: -2}]}]"
-        assert self.said(actions, "Parked; {points} points.") == "Parked; 4 points."
 
     def test_a_param_stands_by_its_name(self):
         says = "{n} of {name}, {yes}; {nothing}; {entity}"

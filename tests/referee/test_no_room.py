@@ -9,6 +9,7 @@ from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.placement import ATTEMPTS_WAITING
 from rcj_challenges.scenario.load import load_text
+from tests.referee.building import place
 
 
 def put(where: str, more: str = "", entity: str = "Y1") -> str:
@@ -51,15 +52,13 @@ def test_a_wall_in_the_way_is_called_a_wall(stage):
 
 def test_all_that_is_in_the_way_is_named(stage):
     play = stage(put("point: [0, 0]", ", min_clearance_m: 0.02"))
-    play.place("B1", 0, 0.09)
-    play.play(20)
+    place(play, "B1", 0, 0.09, ticks=20)
     assert notes(play) == ["Y1 waits for room: B1 and ball are nearer than 0.02 m"]
 
 
 def test_without_a_free_spot_that_is_said(stage):
     play = stage("spots: {here: {x_m: 0, y_m: 0.2}}", put("nearest_free: [here]"))
-    play.place("ball", 0, 0.2)
-    play.play(20)
+    place(play, "ball", 0, 0.2, ticks=20)
     assert notes(play) == ["Y1 waits for room: no spot is free"]
 
 
@@ -88,8 +87,7 @@ rules:
       - {action: place, entity: Y1, at: {point: [0.3, 0]}, on_failure: stay}
 """,
     )
-    play.place("Y1", 0.2, 0)
-    play.play(20)
+    place(play, "Y1", 0.2, 0, ticks=20)
     assert play.pose("B1")[:2] == pytest.approx((0.5, 0))
     assert play.pose("Y1")[:2] == pytest.approx((0.2, 0))
     assert notes(play) == ["Y1 stays where it is for want of room: there was none when it was put"]
@@ -98,8 +96,7 @@ rules:
 def test_a_kick_without_an_aim_is_said(stage):
     kick = ", kick: {towards: {nearest_free: [here]}, speed_mps: 1}"
     play = stage("spots: {here: {x_m: 0, y_m: 0.2}}", put("point: [0.2, 0]", kick, entity="ball"))
-    play.place("Y1", 0, 0.2)
-    play.play(20)
+    place(play, "Y1", 0, 0.2, ticks=20)
     assert notes(play) == ["ball waits for room: its kick finds nothing to aim at"]
 
 
@@ -124,8 +121,7 @@ def test_to_look_for_the_reason_takes_nothing_from_chance(stage, monkeypatch):
     def placed(play):
         play.play(20)
         assert play.placements == []
-        play.place("ball", 0.5, 0.5)
-        play.play(2)
+        place(play, "ball", 0.5, 0.5, ticks=2)
         return play.pose("Y1")
 
     told = placed(stage(narrow, put("uniform_in: strip", ", facing: {random: true}")))

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.referee.building import SEQUENCE, A, B, C, walk
+from tests.referee.building import SEQUENCE, A, B, C, fail, touch, walk
 
 PAYS_EACH = """
 rules:
@@ -24,15 +24,13 @@ class TestWhoGetsPoints:
     @pytest.mark.parametrize(("robot", "scores"), [("Y2", {"blue": 0, "yellow": 2}), ("B1", {"blue": 2, "yellow": 0})])
     def test_each_is_the_one_who_drives_the_current_robot(self, stage, robot, scores):
         play = stage(PAYS_EACH)
-        play.touch(robot, "ball")
-        play.play()
+        touch(play, robot, "ball")
         assert play.referee.scores == scores
         assert play.firings[-1].scored == {name: points for name, points in scores.items() if points}
 
     def test_one_entrant_may_drive_robots_of_both_colours(self, stage):
         play = stage("entrants: {yellow: {robots: {Y1: a.py, B2: b.py}}, blue: {robots: {B1: a.py}}}", PAYS_EACH)
-        play.touch("B2", "ball")
-        play.play()
+        touch(play, "B2", "ball")
         assert play.referee.scores == {"blue": 0, "yellow": 2}
 
     @pytest.mark.parametrize(
@@ -46,8 +44,7 @@ class TestWhoGetsPoints:
     def test_last_touch_is_the_one_who_touched_it_last_and_nobody_if_none_did(self, stage, touches, scores):
         play = stage(PAYS_LAST, "balls: {ball: {start_m: [0.4, 0]}}")
         for robot in touches:
-            play.touch(robot, "ball")
-            play.play()
+            touch(play, robot, "ball")
         play.glide("ball", (0.0, 0.0), 20)
         play.play(25)
         assert play.referee.scores == scores
@@ -57,37 +54,14 @@ class TestWhoGetsPoints:
         play = stage(PAYS_LAST, "balls: {ball: {start_m: [0.4, 0]}}")
         play.touch("Y1", "ball", 9)
         play.play(2)
-        play.touch("B2", "ball", 3)
-        play.play()
+        touch(play, "B2", "ball", 3)
         play.glide("ball", (0.0, 0.0), 20)
         play.play(25)
         assert play.referee.scores == {"blue": 0, "yellow": 3}
 
-    def test_a_touch_before_it_was_put_elsewhere_does_not_count(self, stage):
-        play = stage(
-            "balls: {ball: {start_m: [0.4, 0]}}",
-            """
-            rules:
-              put:
-                triggers: [{trigger: program_fault, robot: B1}]
-                actions: [{action: place, entity: ball, at: {point: [0, 0.4]}}]
-              pays:
-                triggers: [{trigger: enters, entity: ball, zone: middle}]
-                actions: [{action: score, entrant: {last_touch: ball}}]
-            """,
-        )
-        play.touch("Y1", "ball")
-        play.play()
-        play.fail("B1")
-        play.play()
-        play.glide("ball", (0.0, 0.0), 20)
-        play.play(25)
-        assert play.referee.scores == {"blue": 0, "yellow": 0}
-
     def test_a_robot_that_nobody_drives_gets_nothing_for_anybody(self, stage):
         play = stage(PAYS_LAST, "balls: {ball: {start_m: [0.4, 0]}}\nentrants: {yellow: {robots: {Y1: a.py}}}")
-        play.touch("Y2", "ball")
-        play.play()
+        touch(play, "Y2", "ball")
         play.glide("ball", (0.0, 0.0), 20)
         play.play(25)
         assert play.referee.scores == {"yellow": 0, "blue": 0}
@@ -96,27 +70,9 @@ class TestWhoGetsPoints:
 class TestActionSequence:
     ANEW = "  anew: {triggers: [{trigger: program_fault, robot: B1}], actions: [{action: sequence, sequence: way}]}\n"
 
-    def test_the_steps_made_so_far_are_forgotten(self, stage):
-        play = stage(SEQUENCE % "cyclic: false" + self.ANEW)
-        walk(play, "ball", A, B)
-        play.fail("B1")
-        play.play()
-        walk(play, "ball", C)
-        assert play.names() == []
-        walk(play, "ball", (0.4, -0.3), (-0.4, -0.3), A, B, C)
-        assert play.names() == ["DONE"]
-
     def test_it_stands_at_its_first_step_if_the_entity_is_in_it(self, stage):
         play = stage(SEQUENCE % "cyclic: false" + self.ANEW)
         walk(play, "ball", A)
-        play.fail("B1")
-        play.play()
+        fail(play, "B1")
         walk(play, "ball", B, C)
         assert play.names() == ["DONE"]
-
-    def test_it_breaks_nothing(self, stage):
-        play = stage(SEQUENCE % "wrong_step: break" + self.ANEW)
-        walk(play, "ball", A, B)
-        play.fail("B1")
-        play.play()
-        assert play.names() == []

@@ -9,9 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.core.messages import MAX_LETTERS, matches_text, message_text, number_in, position_in
-from rcj_challenges.expect.scripted_match import ScriptedMatch
-from rcj_challenges.scenario.load import load_text
-from tests.referee.building import emitting, payload
+from tests.referee.building import emitting, fail, payload
 
 AS_TEXT = str.maketrans("\t\r\n\ufffd", "   \0")
 NUMBERS = st.floats(-10, 10)
@@ -124,29 +122,10 @@ class TestConditionTold:
         for message in (None, "GO", "STOP", "7"):
             if message is not None:
                 play.tell("Y1", message)
-            play.fail("B1")
-            play.play()
+            fail(play, "B1")
             found.append(play.referee.scores["yellow"] > before)
             before = play.referee.scores["yellow"]
         assert found == holds
-
-    def test_in_a_new_half_nothing_has_been_said(self):
-        scenario = load_text(
-            """
-            schema_version: 1
-            id: t
-            title: T
-            extends: soccersim_v2
-            match: {halves: 2, half_s: 2}
-            rules: {r: {triggers: [{trigger: time_reached, at_s: 1}], conditions: [{condition: told, entity: robots}],
-                        actions: [{action: score, entrant: yellow}]}}
-            """
-        )
-        play = ScriptedMatch(scenario.scenario, scenario.roster)
-        play.tell("Y1", "x")
-        play.play_until(40)
-        assert play.referee.scores["yellow"] == 1
-        assert "told" not in play.referee.kept
 
 
 class TestValueTold:
@@ -167,8 +146,7 @@ class TestValueTold:
         play = stage(f"rules: {{r: {rule % points}}}")
         play.tell("Y1", "7")
         play.tell("Y2", "seven")
-        play.fail("B1")
-        play.play()
+        fail(play, "B1")
         assert play.referee.scores["yellow"] == given
 
     def test_a_spot_is_set_to_the_position_told_and_stays_where_it_is_otherwise(self, stage):

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.referee.building import acted, at_tick_10
+from tests.referee.building import acted, at_tick_10, fail, place
 
 
 class TestActionScore:
@@ -52,10 +52,6 @@ class TestActionScore:
         assert found == points
         assert all(isinstance(number, int) for number in found)
 
-    def test_a_half_played_at_an_odd_length_gives_its_whole_seconds(self, stage):
-        rule = at_tick_10("{action: score, entrant: blue, points: {word: total_match_time_s}}")
-        assert acted(stage(rule, ticks=313)).referee.scores["blue"] == 10
-
     def test_weighted_words_are_rounded_before_they_are_weighted(self, stage):
         rule = at_tick_10(
             "{action: score, entrant: blue, points: [{word: time_left_s, weight: 0.5}, {word: halftime}]}"
@@ -83,10 +79,8 @@ class TestActionScore:
             triggers: [{trigger: program_fault}]
             actions: [{action: score, entrant: blue, points: {word: measured}}]
         """)
-        play.place("B1", 0.4, 0.0)
-        play.play()
-        play.fail("Y1")
-        play.play()
+        place(play, "B1", 0.4, 0.0)
+        fail(play, "Y1")
         assert play.referee.scores == {"blue": 0.5, "yellow": 4}
 
     def test_the_score_of_the_one_concerned_or_of_a_named_entrant(self, stage):
@@ -99,8 +93,7 @@ class TestActionScore:
               - {action: score, entrant: blue, points: {word: score, of: yellow}}
         """
         play = stage(rule, scores={"blue": 1, "yellow": 4})
-        play.fail("Y1")
-        play.play()
+        fail(play, "Y1")
         assert play.referee.scores == {"blue": 9, "yellow": 8}
 
     def test_a_weighted_counter_or_flag_kept_per_entity_is_that_entitys_or_as_one(self, stage):
@@ -122,13 +115,6 @@ class TestActionScore:
 
 
 class TestActionCount:
-    def test_count_then_score_pays_the_new_count(self, stage):
-        play = stage(
-            "counters: {rounds: {}}",
-            at_tick_10("{action: count, counter: rounds}", "{action: score, entrant: blue, points: {counter: rounds}}"),
-        )
-        assert acted(play).referee.scores["blue"] == 1
-
     @pytest.mark.parametrize(
         ("how", "expected"),
         [("by: 2.5", 7.5), ("by: -1", 4), ("to: 0", 0), ("to: {counter: other}", 9), ("by: {counter: other}", 14)],

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.referee.building import A_LOW, B_LOW, C_LOW, A, B, C, walk
+from tests.referee.building import A_LOW, B_LOW, C_LOW, A, B, C, fail, touch, walk
 
 RACE = """
 zones:
@@ -71,23 +71,6 @@ class TestEachMakesItsOwnSteps:
         assert said(play) == [("WRONG", "B1")]
         walk(play, "Y1", C)
         assert said(play) == [("WRONG", "B1"), ("DONE", "Y1")]
-
-    def test_any_of_several_places_makes_a_step_and_gates_count_forward(self, stage):
-        play = stage(RACE % ("yellow", "[a, {any_of: [b, high]}, c]"), HEARD.replace("robots", "yellow"))
-        walk(play, "Y1", A, (-0.3, 0.2), (0.0, 0.2), (0.0, 0.4), (0.4, 0.4), C)
-        walk(play, "Y2", A, (-0.3, 0.4), (0.0, 0.4), (0.0, 0.2), (0.4, 0.2), C)  # through `high` the wrong way
-        assert said(play) == [("DONE", "Y1")]
-
-    def test_balls_and_movable_obstacles_have_ways_too(self, stage):
-        box = "obstacles: {box: {shape: box, centre_m: [0, -0.6], size_m: [0.05, 0.05], movable: true}}"
-        told = (
-            "rules: {done: {triggers: [{trigger: sequence_completed, sequence: way}], actions: [{action: emit, "
-            "event: DONE, payload: {who: {word: entity_name}}}]}}"
-        )
-        play = stage(box, "groups: {loose: [balls, box]}", RACE % ("loose", "[a, b]"), told)
-        walk(play, "box", A, B)
-        walk(play, "ball", A, B)
-        assert said(play) == [("DONE", "box"), ("DONE", "ball")]
 
     @pytest.mark.parametrize(("more", "done"), [("begins_anew", []), ("goes_on", [("DONE", "Y1")])])
     def test_who_is_placed_loses_or_keeps_his_own_steps(self, stage, more, done):
@@ -185,8 +168,7 @@ class TestConditionSequenceAt:
         walk(play, "B1", A, B)
         for one, other in (("Y2", "B1"), ("Y1", "B2"), ("Y1", "B1")):
             assert play.names() == []
-            play.touch(one, other)
-            play.play()
+            touch(play, one, other)
         assert play.names() == ["MET"]
 
 
@@ -200,8 +182,7 @@ class TestActionSequence:
         play = stage(PLAIN, HEARD, anew)
         for robot in ("Y1", "B1"):
             walk(play, robot, A, B, B_LOW)
-        play.fail("B1")
-        play.play()
+        fail(play, "B1")
         for robot in ("Y1", "B1"):
             walk(play, robot, C_LOW, C)
         assert [who for _, who in said(play)] == done

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.referee.building import emitting, payload
+from tests.referee.building import emitting, payload, place
 
 PITCH = "spots: {found: {x_m: 0, y_m: 0.2}, other: {x_m: 0.5, y_m: -0.8}}\ngroups: {both: [found, other]}\n"
 
@@ -30,8 +30,7 @@ def remembering(stage, *sections: str, ball=(0.3, 0.1), **facts):
     play = stage(PITCH, at_s(0.32, set_to("ball")), *sections, **facts)
     play.place("ball", *ball)
     play.play_until(10)
-    play.place("ball", -0.3, 0.1)
-    play.play()
+    place(play, "ball", -0.3, 0.1)
     return play
 
 
@@ -132,32 +131,6 @@ class TestActionSetSpot:
         play.play_until(10)
         assert play.referee.spots["found"] == pytest.approx(there)
 
-    def test_a_mirror_may_depend_on_a_flag(self, stage):
-        flag = "flags: {changed: {}}\n"
-        set_it = at_s(0.32, mirrored("axis: x, when: changed"))
-        play = stage(PITCH, flag, set_it)
-        play.play_until(10)
-        assert play.referee.spots["found"] == pytest.approx((-0.4, -0.5))
-        play = stage(PITCH, flag.replace("{}}", "{initial: true}}"), set_it)
-        play.play_until(10)
-        assert play.referee.spots["found"] == pytest.approx((0.4, -0.5))
-
-    def test_in_a_rule_for_each_it_is_set_to_the_current_one(self, stage):
-        rule = (
-            "rules: {r: {for_each: robots, triggers: [{trigger: touches, entity: each, other: ball}], actions: [%s]}}"
-        )
-        play = stage(PITCH, rule % set_to("each"))
-        play.touch("ball", "B2")
-        play.play()
-        assert play.referee.spots["found"] == pytest.approx((-0.4, 0.5))
-
-    def test_it_can_be_set_to_the_other_one_in_a_touch(self, stage):
-        rule = "rules: {r: {triggers: [{trigger: touches, entity: ball, other: robots}], actions: [%s]}}"
-        play = stage(PITCH, rule % set_to("other"))
-        play.touch("ball", "B2")
-        play.play()
-        assert play.referee.spots["found"] == pytest.approx((-0.4, 0.5))
-
     @pytest.mark.parametrize("off", ["ball", "Y1"])
     def test_what_is_off_the_field_leaves_it_where_it_is(self, stage, off):
         play = stage(PITCH, at_s(0.16, f"{{action: remove, entity: {off}}}"), at_s(0.32, set_to(off)))
@@ -212,14 +185,6 @@ class TestWhereARememberedPlaceStands:
         assert ask(play) is before
         play.play_until(31)
         assert ask(play) is after
-
-    def test_a_rule_that_waits_for_the_ball_to_come_back_hears_it(self, stage):
-        held = "{trigger: holds, condition: {condition: distance, entity: ball, to: found, at_most: 0.05}}"
-        play = remembering(stage, f"rules: {{back: {{triggers: [{held}], actions: [{{action: emit, event: BACK}}]}}}}")
-        there = [event.tick for event in play.events_named("BACK")]
-        play.place("ball", 0.31, 0.1)
-        play.play()
-        assert [event.tick for event in play.events_named("BACK")] == [*there, play.tick]
 
     @pytest.mark.parametrize(
         "at",

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.referee.building import EMIT, IN_MIDDLE, event_ticks, feed, once
+from tests.referee.building import EMIT, IN_MIDDLE, event_ticks, fail, feed, once, place
 
 ADR = Path(__file__).parents[2] / "docs" / "adr" / "0001-tick-contract.md"
 
@@ -58,9 +58,6 @@ class TestLine0:
         assert (second.referee.counters["laps"], second.referee.counters["hits"]["Y2"]) == (1.2, 6)
         assert left["counters"] == {"laps": 1.1, "hits": {"B1": 0, "B2": 0, "Y1": 0, "Y2": 3}}
 
-    def test_where_no_counter_is_kept_nothing_is_said_of_them(self, stage):
-        assert stage("counters: {laps: {}}").referee.kept == {"draws": {}, "flags": {}}
-
     def test_0_3_tick_0_is_draws_layouts_arming_and_half_started(self, stage):
         play = stage(f"""
         draws: {{side: {{values: [left]}}}}
@@ -73,8 +70,7 @@ class TestLine0:
         """)
         assert (event_ticks(play), play.tick) == ([0], 0)
         assert play.pose("ball")[0] == pytest.approx(0.3)
-        play.place("ball", 0.0, 0.0)
-        play.play()
+        place(play, "ball", 0.0, 0.0)
         assert event_ticks(play, "CAME") == [1]  # armed with the ball where the layout put it
 
     def test_0_4_start_noise_is_drawn_at_tick_0(self, stage):
@@ -122,8 +118,7 @@ class TestLine3:
                                 "{condition: sequence_at, sequence: way, step: right}],"),
         )  # fmt: skip
         play.play(9)
-        play.place("ball", 0.3, 0.0)
-        play.play()
+        place(play, "ball", 0.3, 0.0)
         assert event_ticks(play) == [10]
 
     def test_3_2_all_are_evaluated_against_the_state_at_the_start_of_the_tick(self, stage):
@@ -235,8 +230,7 @@ class TestLine4:
         for half in (1, 2):
             play = stage(rules, half=half)
             for _ in range(3):
-                play.fail("B1")
-                play.play()
+                fail(play, "B1")
             assert event_ticks(play) == [1]
 
     def test_4_6_only_a_firing_whose_actions_ran_counts(self, stage):
@@ -246,8 +240,7 @@ class TestLine4:
           next: {{exclusive: only, cooldown_s: 0.32, triggers: [{{trigger: program_fault}}], actions: [{EMIT}]}}
         """)
         for _ in range(3):
-            play.fail("B1")
-            play.play()
+            fail(play, "B1")
         record = [(f.tick, f.rule, f.suppressed) for f in play.firings]
         assert record == [
             (1, "worn", None), (1, "next", "exclusive"),
@@ -284,10 +277,8 @@ class TestLine5:
         play.place("ball", 0.0, 0.0)  # comes in during the pause
         play.play(10)
         assert (event_ticks(play, "NEW"), event_ticks(play, "BOTH")) == ([], [7])
-        play.place("ball", 0.3, 0.0)
-        play.play()
-        play.place("ball", 0.0, 0.0)
-        play.play()
+        place(play, "ball", 0.3, 0.0)
+        place(play, "ball", 0.0, 0.0)
         assert (event_ticks(play, "NEW"), event_ticks(play, "BOTH")) == ([18], [7, 18])
 
     def test_5_3_entering_the_same_phase_arms_all_rules(self, stage):
@@ -317,8 +308,7 @@ class TestLine5:
         )
         play.play(9)
         assert not play.referee.time_is_up
-        play.place("ball", 0.0, 0.8)
-        play.play()
+        place(play, "ball", 0.0, 0.8)
         assert play.referee.time_is_up
         assert play.referee.scores["yellow"] == 1
 
@@ -349,8 +339,7 @@ class TestLine10:
             triggers: [{trigger: displaced, entity: each, distance_m: 0.25}]
             actions: [{action: score, entrant: yellow, points: 2}]
         """)
-        play.place("B2", -0.4, 0.0)
-        play.play()
+        place(play, "B2", -0.4, 0.0)
         (firing,) = play.firings
         assert (firing.tick, firing.rule, firing.entity, firing.trigger) == (1, "far", "B2", "displaced")
         assert (firing.measured, firing.limit, firing.scored) == (0.5, 0.25, {"yellow": 2})

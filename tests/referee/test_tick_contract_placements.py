@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.referee.building import EMIT, IN_MIDDLE, event_ticks, once
+from tests.referee.building import EMIT, IN_MIDDLE, event_ticks, once, place
 
 
 class TestLine6:
@@ -46,11 +46,9 @@ class TestLine6:
 
     def test_6_6_what_finds_no_room_is_tried_again_without_repeating_events(self, stage):
         play = stage(once(5, EMIT, "{action: place, entity: ball, at: {point: [0, 0.3]}}"))
-        play.place("B1", 0.0, 0.3)
-        play.play(20)
+        place(play, "B1", 0.0, 0.3, ticks=20)
         assert (play.placements, event_ticks(play)) == ([], [5])
-        play.place("B1", 0.5, 0.5)
-        play.play()
+        place(play, "B1", 0.5, 0.5)
         assert ([tick for tick, _ in play.placements], event_ticks(play)) == ([21], [5])
 
 

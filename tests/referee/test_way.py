@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.referee.building import emitting, paid, payload, scoring
+from tests.referee.building import emitting, payload
 
 TOLD = emitting("{y1: {way: Y1}, ball: {way: ball}}")
 
@@ -59,32 +59,6 @@ class TestValueWay:
         drive(play, "ball", (-0.5, 0.1))
         assert payload(play)["ball"] == 0.4
 
-    def test_it_is_points_a_part_of_points_or_a_count(self, stage):
-        play = stage(
-            "counters: {driven: {}}",
-            scoring("[5, {way: Y1, weight: -2}]"),
-            "rules: {kept: {triggers: [{trigger: program_fault, robot: B1}], "
-            "actions: [{action: count, counter: driven, to: {way: Y1}}, "
-            "{action: score, entrant: blue, points: {way: Y1}}]}}",
-        )
-        drive(play, "Y1", (-0.4, -0.2), (-0.4, -0.5))
-        assert paid(play) == 3.8
-        assert play.referee.counters["driven"] == play.referee.scores["blue"] == 0.6
-
-    def test_the_robots_ways_can_be_ranked_when_the_half_is_over(self, stage):
-        counted = """
-        match: {half_s: 1}
-        counters: {driven: {per: robots}}
-        rules:
-          sum: {for_each: robots, triggers: [{trigger: half_ended}],
-                actions: [{action: count, counter: driven, entity: each, to: {way: each}}]}
-        """
-        play = stage(counted)
-        drive(play, "B2", (-0.4, 0.25))
-        drive(play, "Y1", (-0.4, -0.25), ticks=30)
-        play.finish()
-        assert play.referee.counters["driven"] == {"B1": 0, "B2": 0.25, "Y1": 0.25, "Y2": 0}
-
     def test_each_half_begins_at_0(self, stage):
         assert payload(stage(TOLD, half=2)) == {"y1": 0, "ball": 0}
 
@@ -106,14 +80,6 @@ class TestConditionWay:
     def test_it_compares_the_way_of_an_entity(self, stage, ask, compared, holds):
         play = stage("counters: {budget: {initial: 0.55}}", asking(f"{{condition: way, entity: Y1, {compared}}}"))
         drive(play, "Y1", (-0.4, -0.2), (-0.4, -0.5))
-        assert ask(play) is holds
-
-    @pytest.mark.parametrize(
-        ("of", "holds"), [("any", True), ("all", False), ("none", False), ("{at_least: 2}", False)]
-    )
-    def test_of_a_group_so_many_must_have_come_so_far(self, stage, ask, of, holds):
-        play = stage(asking(f"{{condition: way, entity: robots, of: {of}, at_least: 0.2}}"))
-        drive(play, "Y1", (-0.4, -0.2))
         assert ask(play) is holds
 
     def test_who_is_off_the_field_has_come_as_far_as_before(self, stage, ask):
