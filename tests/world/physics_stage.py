@@ -120,6 +120,10 @@ class Stage:
         things = self.roster.things
         return {(things[one], things[other]) for pairs in snapshot.touches for one, other in pairs}
 
+    def touched_in(self, seconds: float) -> set[tuple[str, str]]:
+        """Play, and return the names of what touched meanwhile."""
+        return set().union(*map(self.touching, self.play(seconds)))
+
 
 _last: dict[str, Stage] = {}
 

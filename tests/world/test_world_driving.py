@@ -18,23 +18,17 @@ def lone_robot(yaw: float = 0.0, **changes) -> Stage:
     return stage
 
 
+@pytest.mark.parametrize("way", [1, -1])
 @pytest.mark.parametrize("yaw", [0.0, 0.7, 1.57, -2.4])
-def test_top_speed_is_20_cm_a_second_straight_ahead(yaw):
-    stage = lone_robot(yaw)
+def test_top_speed_is_20_cm_a_second_straight_ahead_and_back(yaw, way):
+    stage = lone_robot()
     stage.put("B1", 0.0, 0.0, yaw)
-    stage.drive("B1", FULL, FULL)
+    stage.drive("B1", way * FULL, way * FULL)
     stage.play(1.0)
     x, y, turning = stage.velocity("B1")
     assert math.hypot(x, y) == pytest.approx(0.20, rel=0.02)
-    assert math.remainder(math.atan2(y, x) - yaw, 2 * math.pi) == pytest.approx(0, abs=1e-3)
+    assert math.remainder(math.atan2(way * y, way * x) - yaw, 2 * math.pi) == pytest.approx(0, abs=1e-3)
     assert turning == pytest.approx(0, abs=1e-3)
-
-
-def test_a_robot_drives_backwards_as_fast():
-    stage = lone_robot()
-    stage.drive("B1", -FULL, -FULL)
-    stage.play(0.5)
-    assert stage.velocity("B1")[0] == pytest.approx(-0.20, rel=0.02)
 
 
 def test_wheels_against_each_other_spin_it_at_4_44_rad_a_second_on_the_spot():
@@ -101,16 +95,13 @@ def test_slower_wheels_drive_slower_and_a_difference_drives_a_circle():
 def test_another_chassis_drives_by_its_own_wheels():
     chassis = {"wheel_radius_m": 0.03, "size_m": 0.1, "wheel_track_m": 0.12, "mass_kg": 0.4}
     stage = lone_robot(kits={"v2": {"chassis": chassis}})
+    assert stage.world.judged().heights[0] == pytest.approx(0.05)
     stage.drive("B1", FULL, FULL)
     stage.play(0.5)
     assert stage.speed("B1") == pytest.approx(0.3, rel=0.02)
     stage.drive("B1", -FULL, FULL)
     stage.play(0.5)
     assert stage.velocity("B1")[2] == pytest.approx(0.3 / 0.06, rel=0.03)
-
-
-def test_the_height_of_the_cube_follows_its_size():
-    assert lone_robot(kits={"v2": {"chassis": {"size_m": 0.1}}}).world.judged().heights[0] == pytest.approx(0.05)
 
 
 def test_without_friction_nothing_drives():
@@ -177,7 +168,7 @@ def test_an_angle_is_left_as_soon_as_a_velocity_is_commanded():
 def test_an_idle_robot_does_not_roll():
     stage = lone_robot(0.3)
     before = stage.pose("B1")
-    stage.play(60)
+    stage.play(20)
     assert stage.pose("B1") == pytest.approx(before, abs=1e-6)
 
 
@@ -234,7 +225,7 @@ def test_two_robots_that_touch_with_turning_wheels_are_not_driven_apart():
     stage.drive("B2", -FULL, -FULL)
     touched, fastest_mps, fastest_turn_radps = False, 0.0, 0.0
     for _ in range(60):
-        touched = touched or any(("B1", "B2") in stage.touching(snapshot) for snapshot in stage.play(0.032))
+        touched = ("B1", "B2") in stage.touched_in(0.032) or touched
         fastest_mps = max(fastest_mps, stage.speed("B1"), stage.speed("B2"))
         fastest_turn_radps = max(fastest_turn_radps, *(abs(stage.velocity(name)[2]) for name in ("B1", "B2")))
     assert touched
@@ -253,12 +244,7 @@ def test_no_wall_makes_a_robot_faster_than_its_motors_whose_wheel_rubs_along_it(
         fastest_mps = max(fastest_mps, stage.speed("B1"))
     assert fastest_mps < 0.21
 
-
-def test_a_robot_slides_off_a_wall_that_it_meets_at_a_flat_angle():
-    stage = Stage()
-    stage.put("B1", 0.55, -0.5, math.pi / 2 - 0.2)
-    stage.drive("B1", FULL, FULL)
-    stage.play(5)
+    # It slides off along the wall.
     x, y, yaw = stage.pose("B1")
     assert y > 0.0
     assert x < 0.65 - 0.0375

@@ -17,7 +17,7 @@ def stage():
     return made
 
 
-def test_what_is_commanded_meanwhile_acts_when_they_are_let_go(stage):
+def test_held_wheels_do_not_turn_and_a_command_given_meanwhile_acts_afterwards(stage):
     stage.hold("Y1", "B1")
     stage.drive("Y1", FULL, FULL)
     stage.play(0.5)
@@ -26,20 +26,21 @@ def test_what_is_commanded_meanwhile_acts_when_they_are_let_go(stage):
     stage.hold()
     stage.play(0.5)
     assert stage.pose("Y1")[0] > 0.05
-    assert stage.pose("B1") == pytest.approx((0.0, 0.4, 0.0), abs=1e-6)  # nobody has commanded it
+    assert stage.pose("B1") == pytest.approx((0.0, 0.4, 0.0), abs=1e-6)  # without a command
 
 
-def test_who_drives_is_braked_and_drives_on_afterwards(stage):
-    stage.drive("Y1", FULL, FULL)
+def test_only_held_robots_are_braked_and_they_drive_on_afterwards(stage):
+    for robot in ("Y1", "B1"):
+        stage.drive(robot, FULL, FULL)
     stage.play(0.5)
-    assert stage.speed("Y1") > 0.15
-    stage.hold("Y1", "B1")
+    stage.hold("Y1")
     stage.play(0.5)
     assert stage.speed("Y1") < 1e-6
-    x = stage.pose("Y1")[0]
-    stage.hold()
+    assert stage.speed("B1") > 0.15
+    stage.hold("B1")
     stage.play(0.5)
-    assert stage.pose("Y1")[0] > x + 0.05
+    assert stage.speed("Y1") > 0.15
+    assert stage.speed("B1") < 1e-6
 
 
 def test_a_wheel_on_its_way_to_an_angle_waits_and_goes_there_afterwards(stage):
@@ -54,15 +55,21 @@ def test_a_wheel_on_its_way_to_an_angle_waits_and_goes_there_afterwards(stage):
     assert stage.wheel_angles("Y1") == pytest.approx([2.0, 2.0], abs=1e-5)
 
 
-def test_who_is_put_elsewhere_is_held_there_too(stage):
+@pytest.mark.parametrize("parked", [False, True])
+def test_a_held_robot_stands_where_it_is_put_until_it_is_let_go(stage, parked):
     stage.drive("Y1", FULL, FULL)
-    stage.hold("Y1", "B1")
+    stage.hold("Y1")
+    if parked:
+        stage.park("Y1")
     stage.put("Y1", 0.2, -0.3, math.pi / 2)
     stage.play(0.5)
     assert stage.pose("Y1") == pytest.approx((0.2, -0.3, math.pi / 2), abs=1e-6)
+    stage.hold()
+    stage.play(0.5)
+    assert stage.pose("Y1")[1] > -0.25
 
 
-def test_who_is_off_the_field_stays_stopped_when_the_others_are_let_go(stage):
+def test_a_robot_off_the_field_stays_stopped_when_the_others_are_let_go(stage):
     stage.drive("Y1", FULL, FULL)
     stage.park("Y1")
     stage.hold("Y1", "B1")
@@ -74,35 +81,10 @@ def test_who_is_off_the_field_stays_stopped_when_the_others_are_let_go(stage):
     assert stage.pose("Y1")[0] > 0.05
 
 
-def test_a_new_half_begins_free(stage):
+def test_a_new_half_starts_free(stage):
     stage.hold("Y1", "B1")
     stage.world.reset()
     stage.drive("Y1", FULL, FULL)
     start = stage.pose("Y1")
     stage.play(0.5)
     assert math.dist(stage.pose("Y1")[:2], start[:2]) > 0.05
-
-
-def test_only_those_that_are_held_stand(stage):
-    for robot in ("Y1", "B1"):
-        stage.drive(robot, FULL, FULL)
-    stage.hold("Y1")
-    stage.play(0.5)
-    assert stage.pose("Y1") == pytest.approx((0.0, 0.0, 0.0), abs=1e-6)
-    assert stage.pose("B1")[0] > 0.05
-    stage.hold("B1")
-    stage.play(0.5)
-    assert stage.pose("Y1")[0] > 0.05
-    assert stage.speed("B1") < 1e-6
-
-
-def test_who_is_held_and_taken_off_stands_where_it_is_put_until_it_is_let_go(stage):
-    stage.drive("Y1", FULL, FULL)
-    stage.hold("Y1")
-    stage.park("Y1")
-    stage.put("Y1", 0.2, -0.3)
-    stage.play(0.3)
-    assert stage.pose("Y1") == pytest.approx((0.2, -0.3, 0.0), abs=1e-6)
-    stage.hold()
-    stage.play(0.5)
-    assert stage.pose("Y1")[0] > 0.25

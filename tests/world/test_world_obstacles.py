@@ -23,7 +23,7 @@ def with_obstacle(shape: dict, mass_kg: float = 0.5, **field: float) -> Stage:
 @pytest.mark.parametrize("mass_kg", [0.02, 0.2, 0.5])
 def test_a_pushed_obstacle_goes_straight_on_and_equally_far_in_all_directions(shape, mass_kg):
     ways = []
-    for degrees in (0, 10, 22.5, 45, 70, 135, -100):
+    for degrees in (0, 22.5, 45, 70, -100):
         yaw = math.radians(degrees)
         stage = with_obstacle(shape, mass_kg)
         stage.put("crate", 0, 0, yaw)

@@ -33,7 +33,7 @@ def thrown(obstacle: dict, radius_m: float, speed: float, offset: float, degrees
 @pytest.mark.parametrize("thickness_m", [0.0005, 0.002, 0.01])
 @pytest.mark.parametrize("speed", [1.0, 2.0, 3.0, 4.0])
 def test_no_wall_is_too_thin_for_a_ball(radius_m, thickness_m, speed):
-    for offset in (0.0, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9):
+    for offset in (0.0, 0.3, 0.6, 0.9):
         _, given_back = thrown({**WALL, "thickness_m": thickness_m}, radius_m, speed, offset)
         assert given_back == pytest.approx(0.5, abs=0.15)
 
