@@ -51,31 +51,24 @@ def test_the_same_match_has_the_same_digest(wild, digest):
 
 def test_another_seed_or_another_limit_is_another_digest(wild):
     two = ("match.half_s=1", *alone("blue", "yellow"))
-    played = [wild(*two), wild(*two), wild(*two, seed=2), wild("penalty_area_s=14", *two)]
-    one, again, of_another_seed, with_another_limit = (run.result["digest"] for run in played)
-    assert one == again
-    assert len({one, of_another_seed, with_another_limit}) == 3
+    played = [wild(*two), wild(*two, seed=2), wild("penalty_area_s=14", *two)]
+    assert len({run.result["digest"] for run in played}) == 3
 
 
 def test_real_time_only_delays(wild):
-    two = ("match.half_s=2", *alone("blue", "yellow"))
+    two = ("match.half_s=1.5", *alone("blue", "yellow"))
     fast, slow = wild(*two), wild(*two, real_time=True)
     assert fast.result["digest"] == slow.result["digest"]
-    assert slow.result["wall_s"] > 2
+    assert slow.result["wall_s"] > 1.5
 
 
-@pytest.mark.nightly
-def test_ten_seconds_in_real_time_have_the_same_digest(wild):
-    assert wild("match.half_s=10").result["digest"] == wild("match.half_s=10", real_time=True).result["digest"]
-
-
-def test_the_referee_judges_the_trajectory_alone_as_it_judged_the_match(wild):
-    run = wild("match.halves=2", "match.half_s=3")
+def test_the_referee_judges_the_trajectory_alone_as_it_judged_the_match(play):
+    run = play("robot_progress_s=2", "match.halves=2", "match.half_s=3")
     assert run.events("LACK_OF_PROGRESS")
     assert judged_again(run.folder) == reflog_of(run.folder)
 
 
-def test_a_program_that_fails_is_told_at_the_same_tick_when_the_match_is_judged_again(place):
+def test_a_program_fails_at_the_same_tick_when_the_match_is_judged_again(place):
     broken = "from controller import Robot\nrobot = Robot()\nfor _ in range(9):\n    robot.step(32)\n1 / 0\n"
     blue, yellow = (
         place.team_folder(broken, AHEAD, name="Broken"),
