@@ -36,31 +36,28 @@ def differences(ranking, happens="", given=""):
 
 
 @pytest.mark.parametrize(
-    ("happens", "ranking"),
+    ("given", "happens", "ranking"),
     [
-        ("", "[[blue, yellow]]"),
-        ("", "[[yellow, blue]]"),
-        (", place: {Y1: [0, 0.8]}", "[yellow, blue]"),
-        (", touch: [[Y1, walls]]", "[blue, yellow]"),
-        (", touch: [[Y1, walls]], place: {Y2: [0, 0.8]}", "[yellow, blue]"),
+        ("", "", "[[blue, yellow]]"),
+        ("", "", "[[yellow, blue]]"),
+        ("", ", place: {Y1: [0, 0.8]}", "[yellow, blue]"),
+        ("", ", touch: [[Y1, walls]]", "[blue, yellow]"),
+        ("", ", touch: [[Y1, walls]], place: {Y2: [0, 0.8]}", "[yellow, blue]"),
+        ("given: {score: {blue: 1}, counters: {laps: {Y1: 3}}}, ", "", "[blue, yellow]"),
+        ("given: {counters: {laps: {Y1: 3}}}, ", "", "[yellow, blue]"),
     ],
 )
-def test_it_is_as_result_ranks_them(happens, ranking):
-    assert differences(ranking, happens) == ()
+def test_entrants_are_ranked_as_result_says(given, happens, ranking):
+    assert differences(ranking, happens, given) == ()
 
 
-def test_what_was_compared_is_told_where_it_is_otherwise():
+def test_another_ranking_is_shown_with_the_values_compared():
     assert differences("[yellow, blue]", ", touch: [[Y1, walls]]") == (
         "ranking: expected yellow, then blue; is blue (0, 0, 2.016), then yellow (0, 0, 7.016)",
     )
     assert differences("[yellow, blue]") == (
         "ranking: expected yellow, then blue; is blue (0, 0, 2.016) and yellow (0, 0, 2.016)",
     )
-
-
-def test_what_was_given_counts():
-    assert differences("[blue, yellow]", given="given: {score: {blue: 1}, counters: {laps: {Y1: 3}}}, ") == ()
-    assert differences("[yellow, blue]", given="given: {counters: {laps: {Y1: 3}}}, ") == ()
 
 
 @pytest.mark.parametrize(
@@ -78,7 +75,7 @@ def test_each_entrant_has_one_place(ranking, expected):
     assert complaints("rules: {}\n" + TEST % ("", ranking)) == [expected]
 
 
-class TestWhatIsToldOfTheCountersThatRank:
+class TestChangesOfTheCountersThatRank:
     RACE = """
     counters: {laps: {per: robots}, faults: {}, other: {}}
     result: {rank: [{counter: laps}, {time: ascending, plus: [{counter: faults, weight: 5}]}]}
@@ -90,18 +87,18 @@ class TestWhatIsToldOfTheCountersThatRank:
     """
     NO_LAPS = dict.fromkeys(("B1", "B2", "Y1", "Y2"), 0)
 
-    def test_it_is_told_at_the_start_and_where_one_has_changed(self, stage):
+    def test_they_are_reported_at_the_start_and_when_one_has_changed(self, stage):
         play = stage(self.RACE)
-        told = {}
+        reported = {}
         for tick in range(31):
             if tick:
                 play.play(1)
-            told |= {one.tick: one.counters for one in play.output.changes if isinstance(one, CountersChange)}
-        assert told == {0: {"laps": self.NO_LAPS, "faults": 0}, 10: {"laps": self.NO_LAPS, "faults": 1}}
+            reported |= {one.tick: one.counters for one in play.output.changes if isinstance(one, CountersChange)}
+        assert reported == {0: {"laps": self.NO_LAPS, "faults": 0}, 10: {"laps": self.NO_LAPS, "faults": 1}}
         assert play.finish().changes == (CountersChange(30, {"laps": self.NO_LAPS | {"Y1": 1}, "faults": 1}),)
-        assert told[0]["laps"]["Y1"] == 0  # what was told stays as it was
+        assert reported[0]["laps"]["Y1"] == 0  # what was reported stays as it was
 
-    def test_where_the_ranking_asks_no_counter_nothing_is_told(self, stage):
+    def test_without_a_counter_in_the_ranking_none_is_reported(self, stage):
         play = stage("counters: {laps: {}}", "rules: {it: {triggers: [{trigger: half_started}], "
                      "actions: [{action: count, counter: laps}]}}")  # fmt: skip
         assert not any(isinstance(one, CountersChange) for one in play.output.changes)

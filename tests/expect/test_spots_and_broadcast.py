@@ -1,4 +1,4 @@
-"""Tests of scenarios decide where chance sets spots, and compare what programs are told."""
+"""Tests of scenarios decide where chance sets spots, and compare what the referee sends to programs."""
 
 import pytest
 
@@ -25,37 +25,31 @@ rules:
 """
 
 
-def tried(test, lasts_s=1):
-    """Return what comes out differently in a test of that scenario."""
-    return list(
-        run_test(
-            loaded(f"{HIDING}expect: {{it: {{keyframes: [{{at_s: 0.5}}], lasts_s: {lasts_s}, {test}}}}}\n"), "it"
-        ).differences
-    )
+def with_test(test, lasts_s=1, keyframe="at_s: 0.5", scenario=HIDING):
+    return f"{scenario}expect: {{it: {{keyframes: [{{{keyframe}}}], lasts_s: {lasts_s}, {test}}}}}\n"
 
 
-def refused(test):
-    return complaints(f"{HIDING}expect: {{it: {{keyframes: [{{at_s: 0.5}}], lasts_s: 1, {test}}}}}\n")
+def differences(test, lasts_s=1, keyframe="at_s: 0.5"):
+    return list(run_test(loaded(with_test(test, lasts_s, keyframe)), "it").differences)
 
 
 class TestExpectSpots:
     def test_chance_sets_the_spot_where_the_test_has_decided(self):
-        assert tried("spots: {treasure: [0.2, -0.3]}, poses: {treasure: [0.2, -0.3]}") == []
-        assert tried("poses: {treasure: [0.2, -0.3]}") != []
+        assert differences("spots: {treasure: [0.2, -0.3]}, poses: {treasure: [0.2, -0.3]}") == []
+        assert differences("poses: {treasure: [0.2, -0.3]}") != []
 
     def test_several_places_come_one_after_the_other_and_then_chance_decides_again(self):
+        # A place is where the spot is in the end, after the mirror.
         places = "spots: {treasure: [[0.2, 0], [0, -0.4], [0, -0.2]]}"
-        assert not [line for line in tried(f"{places}, poses: {{treasure: [0, -0.4]}}", 3) if "expected" in line]
-        assert not [line for line in tried(f"{places}, poses: {{treasure: [0, -0.2]}}", 5) if "expected" in line]
-        assert [line for line in tried(f"{places}, poses: {{treasure: [0, -0.2]}}", 7) if "expected" in line]
-
-    def test_a_place_is_where_the_spot_is_then_after_the_mirror(self):
-        assert tried("spots: {treasure: [[0.2, 0], [0, -0.4]]}, poses: {treasure: [0, -0.4]}", 3) == []
+        found = [
+            differences(f"{places}, poses: {{treasure: [0, {y}]}}", s) for s, y in ((3, -0.4), (5, -0.2), (7, -0.2))
+        ]
+        assert [any("expected" in line for line in lines) for lines in found] == [False, False, True]
 
     def test_where_chance_sets_it_less_often_that_is_noted_beside_what_fails(self):
-        lines = tried("spots: {treasure: [[0.2, 0], [0, -0.4], [0, -0.2]]}, score: {yellow: 1}", 3)
+        lines = differences("spots: {treasure: [[0.2, 0], [0, -0.4], [0, -0.2]]}, score: {yellow: 1}", 3)
         assert lines[-1] == "note: chance set treasure 2 times; spots decides 3 places"
-        assert tried("spots: {treasure: [[0.2, 0], [0, -0.4]]}, score: {yellow: 1}")[-1].startswith(
+        assert differences("spots: {treasure: [[0.2, 0], [0, -0.4]]}, score: {yellow: 1}")[-1].startswith(
             "note: chance set treasure once;"
         )
 
@@ -71,7 +65,7 @@ class TestExpectSpots:
         ],
     )
     def test_only_what_chance_could_bring_can_be_decided(self, spots, expected):
-        assert refused(f"spots: {spots}") == [expected]
+        assert complaints(with_test(f"spots: {spots}")) == [expected]
 
     @pytest.mark.parametrize(
         ("zones", "expected"),
@@ -83,19 +77,19 @@ class TestExpectSpots:
     )
     def test_spot_that_is_set_to_something_else_than_a_zone_is_reported_alone(self, zones, expected):
         wrong = HIDING.replace("uniform_in: box", f"uniform_in: {zones}", 1)
-        test = "expect: {it: {keyframes: [{at_s: 0.5}], lasts_s: 1, spots: {treasure: [0.2, 0]}}}\n"
-        assert complaints(wrong + test) == [expected]
+        assert complaints(with_test("spots: {treasure: [0.2, 0]}", scenario=wrong)) == [expected]
 
     def test_a_line_is_met_within_a_millimetre_and_no_place_outside_the_walls_is(self):
-        assert tried("spots: {treasure: [[0.2, 0], [0.0009, -0.3]]}") == []
+        assert differences("spots: {treasure: [[0.2, 0], [0.0009, -0.3]]}") == []
         beyond = HIDING.replace("x_max_m: 0.3", "x_max_m: 3")
-        test = "expect: {it: {keyframes: [{at_s: 0.5}], lasts_s: 1, spots: {treasure: [1, 0]}}}\n"
-        assert complaints(beyond + test) == ["never-drawn expect.it.spots.treasure"]
+        assert complaints(with_test("spots: {treasure: [1, 0]}", scenario=beyond)) == [
+            "never-drawn expect.it.spots.treasure"
+        ]
 
 
-class TestExpectTold:
+class TestExpectBroadcast:
     @pytest.mark.parametrize(
-        ("told", "differences"),
+        ("told", "lines"),
         [
             ("{Y1: {near_m: 0.5, way: left}, B2: {hot: true}}", []),
             ("{robots: {half: 1}}", []),
@@ -118,21 +112,15 @@ class TestExpectTold:
             ("{Y1: {ball: 3}}", ["ball told to Y1: expected 3, is nothing"]),
         ],
     )
-    def test_what_each_was_told_last_is_compared_key_by_key(self, told, differences):
-        put = "spots: {treasure: [0.2, 0.1]}, draws: {way: left}"
-        hand = "keyframes: [{at_s: 0.5, place: {Y1: [0.2, -0.4], ball: [0.1, 0.2]}}]"
-        text = f"{HIDING}expect: {{it: {{{hand}, lasts_s: 1, {put}, told: {told}}}}}\n"
-        assert list(run_test(loaded(text), "it").differences) == differences
+    def test_the_last_broadcast_to_each_is_compared_key_by_key(self, told, lines):
+        test = f"spots: {{treasure: [0.2, 0.1]}}, draws: {{way: left}}, told: {told}"
+        assert differences(test, keyframe="at_s: 0.5, place: {Y1: [0.2, -0.4], ball: [0.1, 0.2]}") == lines
 
     def test_between_two_broadcasts_the_last_one_counts(self):
-        # Ten ticks are 0.32 s: what happens at 0.7 s is told at 0.96 s.
-        test = (
-            "{keyframes: [{at_s: 0.7, place: {ball: [0.3, 0.3]}}], lasts_s: %s, told: {Y1: {ball: [%s, 0.3]}}, "
-            "spots: {treasure: [0.2, 0]}}"
-        )
-        for lasts_s, differences in ((1, 0), (0.9, 1)):
-            found = list(run_test(loaded(f"{HIDING}expect: {{it: {test % (lasts_s, 0.3)}}}\n"), "it").differences)
-            assert len(found) == differences
+        # Ten ticks are 0.32 s: what happens at 0.7 s is sent at 0.96 s.
+        test = "told: {Y1: {ball: [0.3, 0.3]}}, spots: {treasure: [0.2, 0]}"
+        for lasts_s, count in ((1, 0), (0.9, 1)):
+            assert len(differences(test, lasts_s, "at_s: 0.7, place: {ball: [0.3, 0.3]}")) == count
 
     @pytest.mark.parametrize(
         ("told", "expected"),
@@ -143,8 +131,7 @@ class TestExpectTold:
         ],
     )
     def test_only_what_the_broadcast_has_can_be_expected(self, told, expected):
-        assert refused(f"told: {told}") == [expected]
+        assert complaints(with_test(f"told: {told}")) == [expected]
 
-    def test_without_a_broadcast_nobody_is_told_anything(self):
-        test = "expect: {it: {keyframes: [{at_s: 0.5}], lasts_s: 1, told: {Y1: {a: 1}}}}\n"
-        assert complaints(test) == ["unknown-name expect.it.told.Y1.a"]
+    def test_without_a_broadcast_no_key_can_be_expected(self):
+        assert complaints(with_test("told: {Y1: {a: 1}}", scenario="")) == ["unknown-name expect.it.told.Y1.a"]
