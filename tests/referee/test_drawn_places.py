@@ -6,6 +6,8 @@ import math
 
 import pytest
 
+from tests.referee.building import acted, at_tick_10
+
 LEFT, MIDDLE, RIGHT, OUTSIDE = (-0.3, 0.0), (0.0, 0.0), (0.3, 0.0), (0.0, 0.7)
 HOT = "draws: {hot: {values: [left, right], not_last: true}}"
 NOW = "{trigger: time_reached, at_s: 0.32}"
@@ -163,44 +165,36 @@ class TestDistances:
         body = f"rules: {{told: {{triggers: [{{trigger: half_started}}], {told}}}}}"
         assert stage(self.PLACES, body, draws=draws).events[0].payload == {"far": far}
 
-    @pytest.mark.parametrize(("spot", "fires"), [("far", 0), ("near", 1)])
-    def test_a_condition_compares_it(self, stage, spot, fires):
-        near = "conditions: [{condition: distance, entity: ball, to: spot, at_most: 0.3}],"
-        play = stage(self.PLACES, hears("{trigger: half_started}", more=near), draws={"spot": spot})
-        assert len(play.events) == fires
-
 
 class TestPlaces:
     """A drawn robot, ball or obstacle, beside which or towards which something is put."""
 
-    WHO = "draws: {who: {values: [B1, Y1]}}"
+    WHO = "draws: {who: {values: [%s]}}"
 
-    def put(self, stage, who: str, action: str):
-        play = stage(self.WHO, f"rules: {{put: {{triggers: [{NOW}], actions: [{action}]}}}}", draws={"who": who})
+    def put(self, stage, who: str, action: str, values: str = "B1, Y1"):
+        play = stage(self.WHO % values, at_tick_10(action), draws={"who": who})
         play.place("B1", 0.4, 0.5, math.pi / 2)
         play.place("Y1", -0.4, -0.5, math.pi)
-        play.play_until(10)
-        return play
+        return acted(play)
 
-    @pytest.mark.parametrize(("who", "where"), [("B1", (0.5, 0.3)), ("Y1", (-0.3, -0.7))])
-    def test_something_is_put_beside_the_one_that_is_drawn(self, stage, who, where):
-        play = self.put(stage, who, "{action: place, entity: ball, at: {relative_to: who, offset_m: [0.1, -0.2]}}")
-        assert play.pose("ball")[:2] == pytest.approx(where)
-
-    @pytest.mark.parametrize(("who", "where"), [("B1", (0.4, 0.6)), ("Y1", (-0.5, -0.5))])
-    def test_the_offset_turns_with_the_one_that_is_drawn(self, stage, who, where):
-        at = "{relative_to: who, offset_m: [0.1, 0], turns: true}"
-        play = self.put(stage, who, f"{{action: place, entity: ball, at: {at}}}")
-        assert play.pose("ball")[:2] == pytest.approx(where)
-
-    @pytest.mark.parametrize(("who", "where"), [("B1", (0.4, 0.3)), ("Y1", (-0.4, -0.7))])
-    def test_a_mirror_turns_the_offset_over_and_not_the_one_that_is_drawn(self, stage, who, where):
-        at = "{relative_to: who, offset_m: [0, 0.2]}, mirror: {axis: y}"
-        play = self.put(stage, who, f"{{action: place, entity: ball, at: {at}}}")
-        assert play.pose("ball")[:2] == pytest.approx(where)
+    @pytest.mark.parametrize(
+        ("at", "of_b1", "of_y1"),
+        [
+            ("{relative_to: who, offset_m: [0.1, -0.2]}", (0.5, 0.3), (-0.3, -0.7)),
+            ("{relative_to: who, offset_m: [0.1, 0], turns: true}", (0.4, 0.6), (-0.5, -0.5)),
+            # A mirror turns the offset over, and not the one that is drawn.
+            ("{relative_to: who, offset_m: [0, 0.2]}, mirror: {axis: y}", (0.4, 0.3), (-0.4, -0.7)),
+            ("{nearest_free: neutral_spots, to: who}", (0.3, 0.3), (-0.3, -0.3)),
+            ("{furthest_free: neutral_spots, from: who}", (-0.3, -0.3), (0.3, 0.3)),
+        ],
+    )
+    def test_something_is_put_where_the_drawn_one_is(self, stage, at, of_b1, of_y1):
+        for who, where in (("B1", of_b1), ("Y1", of_y1)):
+            play = self.put(stage, who, f"{{action: place, entity: ball, at: {at}}}")
+            assert play.pose("ball")[:2] == pytest.approx(where)
 
     @pytest.mark.parametrize(("who", "way"), [("B1", (0.4, 0.5)), ("Y1", (-0.4, -0.5))])
-    def test_a_ball_is_kicked_towards_the_one_that_is_drawn(self, stage, who, way):
+    def test_a_ball_is_kicked_towards_the_drawn_one(self, stage, who, way):
         kick = "{towards: {relative_to: who}, speed_mps: 0.5}"
         play = self.put(stage, who, f"{{action: place, entity: ball, at: {{point: [0, 0]}}, kick: {kick}}}")
         placement = play.placements[-1][1]
@@ -209,29 +203,16 @@ class TestPlaces:
             (0.5 * way[0] / length, 0.5 * way[1] / length), abs=1e-6
         )
 
-    @pytest.mark.parametrize(("who", "x"), [("B1", 0.3), ("Y1", -0.3)])
-    def test_the_nearest_and_the_furthest_spot_are_those_of_the_one_that_is_drawn(self, stage, who, x):
-        for word, near in (("nearest_free: neutral_spots, to", 1), ("furthest_free: neutral_spots, from", -1)):
-            play = self.put(stage, who, f"{{action: place, entity: ball, at: {{{word}: who}}}}")
-            assert play.pose("ball")[:2] == pytest.approx((near * x, near * x))
-
-    @pytest.mark.parametrize(("who", "yaw"), [("B1", math.pi / 2), ("Y1", -math.pi / 2)])
-    def test_it_looks_towards_the_one_that_is_drawn(self, stage, who, yaw):
-        x = 0.4 if who == "B1" else -0.4
+    @pytest.mark.parametrize(("who", "x", "yaw"), [("B1", 0.4, math.pi / 2), ("Y1", -0.4, -math.pi / 2)])
+    def test_a_robot_looks_towards_the_drawn_one(self, stage, who, x, yaw):
         action = f"{{action: place, entity: Y2, at: {{point: [{x}, 0]}}, facing: {{towards: who}}}}"
-        play = self.put(stage, who, action)
-        assert play.pose("Y2")[2] == pytest.approx(yaw, abs=1e-6)
+        assert self.put(stage, who, action).pose("Y2")[2] == pytest.approx(yaw, abs=1e-6)
 
     def test_of_a_draw_in_the_same_tick_the_new_one_counts(self, stage):
         actions = "{action: place, entity: ball, at: {relative_to: who, offset_m: [0.1, 0]}}, {action: draw, draw: who, as: Y1}"
         assert self.put(stage, "B1", actions).pose("ball")[:2] == pytest.approx((-0.3, -0.5))
 
     def test_entities_and_spots_may_be_drawn_together(self, stage):
-        play = stage(
-            "draws: {who: {values: [B1, middle_blue]}}",
-            f"rules: {{put: {{triggers: [{NOW}], actions: [{{action: place, entity: ball, "
-            "at: {relative_to: who, offset_m: [0.1, 0.1]}, mirror: {axis: y}}]}}",
-            draws={"who": "middle_blue"},
-        )
-        play.play_until(10)
+        action = "{action: place, entity: ball, at: {relative_to: who, offset_m: [0.1, 0.1]}, mirror: {axis: y}}"
+        play = self.put(stage, "middle_blue", action, "B1, middle_blue")
         assert play.pose("ball")[:2] == pytest.approx((0.1, -0.3))  # a spot is mirrored with its offset

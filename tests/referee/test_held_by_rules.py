@@ -1,8 +1,8 @@
-"""Robots that rules hold, for a time or until a rule lets them go; who is held can be asked, and is told in the output."""
+"""Robots that phases or rules hold, for a time or until a rule lets them go; conditions and values ask for it."""
 
 import pytest
 
-from tests.referee.building import ASKING, fail, touch
+from tests.referee.building import ASKING, fail, on_fault, touch
 
 RULES = """
 phases: {stop: {lasts_s: 0.32, robots: held}}
@@ -22,12 +22,41 @@ def play(stage):
 
 
 def held(play, ticks):
-    """Play so many ticks and return for each, 1 being the first, whom rules hold; None: nobody."""
+    """Play so many ticks and return for each in which rules hold robots, 1 being the first, their names."""
     return {tick: found for tick in range(1, ticks + 1) if (found := names(play.play()))}
 
 
 def names(output):
     return ",".join(ROBOTS[robot] for robot in sorted(output.held))
+
+
+class TestPhaseThatHoldsRobots:
+    """The output says in each tick whether the robots are held from the next one on."""
+
+    PHASES = """
+phases: {countdown: {lasts_s: 0.32, robots: held}, stop: {lasts_s: 0.32, robots: held}, pause: {lasts_s: 0.32}}
+first_phase: %s
+rules:
+  stop: {triggers: [{trigger: touches, entity: Y1, other: ball}], actions: [{action: set_phase, phase: stop}]}
+  pause: {triggers: [{trigger: touches, entity: Y2, other: ball}], actions: [{action: set_phase, phase: pause}]}
+"""
+
+    @pytest.mark.parametrize(
+        ("first", "robot", "ticks"),
+        [
+            ("countdown", "", range(10)),  # over when tick 10 is judged
+            ("play", "Y1", range(3, 13)),  # from the tick in which the rule enters the phase
+            ("play", "Y2", []),
+        ],
+    )
+    def test_from_its_first_tick_to_the_one_before_its_end(self, stage, first, robot, ticks):
+        play = stage(self.PHASES % first)
+        held = [play.output.robots_held]
+        for tick in range(1, 23):
+            if robot and tick == 3:
+                play.touch(robot, "ball")
+            held.append(play.play().robots_held)
+        assert [tick for tick, is_held in enumerate(held) if is_held] == [*ticks]
 
 
 class TestActionHold:
@@ -49,11 +78,9 @@ class TestActionHold:
 
     @pytest.mark.parametrize(("value", "ticks"), [("0.32", 10), ("0", 0), ("-1", 0), ("0.001", 1), ("1000000", 200)])
     def test_a_counter_says_how_long_when_it_is_read(self, stage, value, ticks):
-        play = stage(
-            f"counters: {{penalty_s: {{initial: {value}}}}}",
-            "rules: {r: {triggers: [{trigger: program_fault, robot: Y1}], "
-            "actions: [{action: hold, entity: Y1, for_s: {counter: penalty_s}}, {action: count, counter: penalty_s, to: 9}]}}",
-        )
+        hold = "{action: hold, entity: Y1, for_s: {counter: penalty_s}}"
+        more = "{action: count, counter: penalty_s, to: 9}"
+        play = stage(f"counters: {{penalty_s: {{initial: {value}}}}}", on_fault("Y1", hold, more))
         play.fail("Y1")
         assert len(held(play, 200)) == ticks
 
@@ -71,11 +98,8 @@ class TestActionHold:
         assert lasting == [32, 63, 32]  # 1 s, 2 s and 1 s, rounded up to ticks
 
     def test_a_draw_says_how_long(self, stage):
-        play = stage(
-            "draws: {penalty_s: {values: [0.64, 0.64]}}",
-            "rules: {r: {triggers: [{trigger: program_fault, robot: Y1}], "
-            "actions: [{action: hold, entity: Y1, for_s: {draw: penalty_s}}]}}",
-        )
+        hold = "{action: hold, entity: Y1, for_s: {draw: penalty_s}}"
+        play = stage("draws: {penalty_s: {values: [0.64, 0.64]}}", on_fault("Y1", hold))
         play.fail("Y1")
         assert len(held(play, 100)) == 20
 
@@ -85,7 +109,7 @@ class TestActionHold:
         play.touch("Y1", "ball" if first == "walls" else "walls")
         assert len(held(play, 100)) == 100
 
-    def test_who_is_put_elsewhere_or_taken_off_stays_held_and_its_time_runs_on(self, play):
+    def test_a_robot_put_elsewhere_or_taken_off_stays_held_and_its_time_runs_on(self, play):
         touch(play, "Y1", "ball")
         play.fail("Y1")
         found = held(play, 30)
@@ -145,7 +169,7 @@ class TestConditionHeld:
         play = stage(ASKING % "{condition: held, entity: Y1, negate: true}", "phases: {play: {robots: held}}")
         assert not ask(play)
 
-    def test_also_of_who_is_off_the_field(self, stage, ask):
+    def test_also_of_a_robot_off_the_field(self, stage, ask):
         off = "rules: {away: {triggers: [{trigger: half_started}], actions: [{action: hold, entity: Y1}, {action: remove, entity: Y1}]}}"
         assert ask(stage(ASKING % "{condition: held, entity: Y1}", off))
 
@@ -186,7 +210,7 @@ rules:
   release: {triggers: [{trigger: touches, entity: Y1, other: walls}], actions: [{action: release, entity: Y1}]}
 """
 
-    def test_who_is_held_is_not_judged_and_its_window_begins_when_it_is_let_go(self, stage):
+    def test_a_held_robot_is_not_judged_and_its_window_begins_when_it_is_let_go(self, stage):
         play = stage(self.LAZY)
         touch(play, "Y1", "ball", ticks=160)
         assert [event.tick for event in play.events] == [101 + 21]  # held in ticks 2 to 101; 20 pieces of path follow

@@ -328,43 +328,20 @@ class TestDamagedRobot:
         assert play.referee.counters["put_backs"]["B1"] == 0
 
 
-class TestLimitsComeFromTheFile:
-    """Each limit changed by an override changes what is called: the rule book is the file."""
-
-    def test_goal_pause(self, match_play):
-        play = match_play("goal_pause_s=1")
-        play.place("ball", 0.0, 0.8)
-        play.play(40)
-        assert [event.tick for event in play.events_named("KICKOFF")] == [0, 1 + 32]
-
-    def test_robot_progress(self, match_play):
-        play = match_play("robot_progress_s=5")
-        play.play(200)
-        assert {tick for tick, who in calls(play) if who in ROBOTS} == {158}
-
-    def test_ball_progress(self, match_play):
-        play = match_play("ball_progress_s=5")
-        play.play(200)
-        assert calls(play) == [(158, "ball")]
-
-    def test_progress_length(self, match_play):
-        play = match_play("progress_m=0.00001")
-        keep_moving(play, 500)
-        assert calls(play) == []
-
-    def test_penalty_area(self, match_play):
-        play = match_play("penalty_area_s=3")
-        play.place("B1", 0.0, 0.65)
-        play.play(100)
-        assert len(play.events_named("INSIDE_PENALTY_FOR_TOO_LONG")) == 1
-
-    def test_field(self, match_play):
-        play = match_play("zones.pitch.x_max_m=0.5")
-        play.place("B1", 0.55, 0.0)
-        play.play()
-        assert calls(play) == [(1, "B1")]
-
-    def test_damage(self, match_play):
-        play = match_play("damaged_after_put_backs=1")
-        keep_moving(play, 2 * 470, still=("B1",))
-        assert calls(play, "ROBOT_DAMAGED") == [(940, "B1")]
+@pytest.mark.parametrize(
+    ("override", "poses", "ticks", "event", "first"),
+    [
+        ("goal_pause_s=1", {"ball": (0.0, 0.8)}, 40, "KICKOFF", (1 + 32, "B3")),
+        ("robot_progress_s=5", {}, 200, "LACK_OF_PROGRESS", (158, "B1")),
+        ("ball_progress_s=5", {}, 200, "LACK_OF_PROGRESS", (158, "ball")),
+        ("penalty_area_s=3", {"B1": (0.0, 0.65)}, 100, "INSIDE_PENALTY_FOR_TOO_LONG", (95, "B1")),
+        ("zones.pitch.x_max_m=0.5", {"B1": (0.55, 0.0)}, 1, "LACK_OF_PROGRESS", (1, "B1")),
+        ("damaged_after_put_backs=1", {}, 2 * 470, "ROBOT_DAMAGED", (940, "B1")),
+    ],
+)
+def test_limits_come_from_the_file(match_play, override, poses, ticks, event, first):
+    play = match_play(override)
+    for name, (x_m, y_m) in poses.items():
+        play.place(name, x_m, y_m)
+    play.play(ticks)
+    assert next(call for call in calls(play, event) if call[0]) == first

@@ -9,7 +9,7 @@ from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.placement import ATTEMPTS_WAITING
 from rcj_challenges.scenario.load import load_text
-from tests.referee.building import place
+from tests.referee.building import at_tick_10, place
 
 
 def put(where: str, more: str = "", entity: str = "Y1") -> str:
@@ -38,40 +38,37 @@ def test_what_waits_for_room_is_in_the_log_once_with_what_is_in_the_way(stage):
     assert play.names() == ["PUT"]
 
 
-def test_what_does_not_wait_stays_where_it_is(stage):
-    play = stage(put("point: [0, 0]", ", on_failure: stay"))
+NARROW = "zones: {strip: {shape: rect, x_min_m: -0.05, x_max_m: 0.05, y_min_m: -0.01, y_max_m: 0.01}}"
+HOLE = "zones: {hole: {shape: circle, centre_m: [0, 0], radius_m: 0.01}}"
+HERE = "spots: {here: {x_m: 0, y_m: 0.2}}"
+
+
+@pytest.mark.parametrize(
+    ("sections", "poses", "note"),
+    [
+        ([put("point: [0, 0]", ", on_failure: stay")], {}, "Y1 stays where it is for want of room: ball is there"),
+        ([put("point: [0.64, 0]")], {}, "Y1 waits for room: a wall or a fixed obstacle is there"),
+        (
+            [put("point: [0, 0]", ", min_clearance_m: 0.02")],
+            {"B1": (0, 0.09)},
+            "Y1 waits for room: B1 and ball are nearer than 0.02 m",
+        ),
+        ([HERE, put("nearest_free: [here]")], {"ball": (0, 0.2)}, "Y1 waits for room: no spot is free"),
+        ([HOLE, put("uniform_in: hole")], {}, "Y1 waits for room: chance found none in 100 attempts"),
+        ([put("point: [0.3, 0]", entity="[Y1, Y2]")], {}, "Y2 waits for room: Y1 is there"),
+        (
+            [HERE, put("point: [0.2, 0]", ", kick: {towards: {nearest_free: [here]}, speed_mps: 1}", entity="ball")],
+            {"Y1": (0, 0.2)},
+            "ball waits for room: its kick finds nothing to aim at",
+        ),
+    ],
+)
+def test_the_log_says_why_there_is_no_room(stage, sections, poses, note):
+    play = stage(*sections)
+    for entity, (x_m, y_m) in poses.items():
+        play.place(entity, x_m, y_m)
     play.play(20)
-    assert notes(play) == ["Y1 stays where it is for want of room: ball is there"]
-
-
-def test_a_wall_in_the_way_is_called_a_wall(stage):
-    play = stage(put("point: [0.64, 0]"))
-    play.play(20)
-    assert notes(play) == ["Y1 waits for room: a wall or a fixed obstacle is there"]
-
-
-def test_all_that_is_in_the_way_is_named(stage):
-    play = stage(put("point: [0, 0]", ", min_clearance_m: 0.02"))
-    place(play, "B1", 0, 0.09, ticks=20)
-    assert notes(play) == ["Y1 waits for room: B1 and ball are nearer than 0.02 m"]
-
-
-def test_without_a_free_spot_that_is_said(stage):
-    play = stage("spots: {here: {x_m: 0, y_m: 0.2}}", put("nearest_free: [here]"))
-    place(play, "ball", 0, 0.2, ticks=20)
-    assert notes(play) == ["Y1 waits for room: no spot is free"]
-
-
-def test_where_chance_looked_in_vain_that_is_said(stage):
-    play = stage("zones: {hole: {shape: circle, centre_m: [0, 0], radius_m: 0.01}}", put("uniform_in: hole"))
-    play.play(20)
-    assert notes(play) == ["Y1 waits for room: chance found none in 100 attempts"]
-
-
-def test_of_two_put_to_one_place_the_second_waits_for_the_first(stage):
-    play = stage(put("point: [0.3, 0]", entity="[Y1, Y2]"))
-    play.play(20)
-    assert notes(play) == ["Y2 waits for room: Y1 is there"]
+    assert notes(play) == [note]
 
 
 def test_where_there_is_room_in_the_end_it_is_said_that_there_was_none_before(stage):
@@ -93,22 +90,8 @@ rules:
     assert notes(play) == ["Y1 stays where it is for want of room: there was none when it was put"]
 
 
-def test_a_kick_without_an_aim_is_said(stage):
-    kick = ", kick: {towards: {nearest_free: [here]}, speed_mps: 1}"
-    play = stage("spots: {here: {x_m: 0, y_m: 0.2}}", put("point: [0.2, 0]", kick, entity="ball"))
-    place(play, "Y1", 0, 0.2, ticks=20)
-    assert notes(play) == ["ball waits for room: its kick finds nothing to aim at"]
-
-
 def test_what_comes_back_and_finds_no_room_is_said_too(stage):
-    play = stage(
-        """
-rules:
-  away:
-    triggers: [{trigger: time_reached, at_s: 0.32}]
-    actions: [{action: remove, entity: Y1, for_s: 0.32, back_at: {point: [0, 0]}}]
-"""
-    )
+    play = stage(at_tick_10("{action: remove, entity: Y1, for_s: 0.32, back_at: {point: [0, 0]}}"))
     play.play(15)
     assert notes(play) == []
     play.play(20)
@@ -116,17 +99,15 @@ rules:
 
 
 def test_to_look_for_the_reason_takes_nothing_from_chance(stage, monkeypatch):
-    narrow = "zones: {strip: {shape: rect, x_min_m: -0.05, x_max_m: 0.05, y_min_m: -0.01, y_max_m: 0.01}}"
-
     def placed(play):
         play.play(20)
         assert play.placements == []
         place(play, "ball", 0.5, 0.5, ticks=2)
         return play.pose("Y1")
 
-    told = placed(stage(narrow, put("uniform_in: strip", ", facing: {random: true}")))
+    one = placed(stage(NARROW, put("uniform_in: strip", ", facing: {random: true}")))
     monkeypatch.setattr(Referee, "_log_no_room", lambda _referee, _job: None)
-    assert told == placed(stage(narrow, put("uniform_in: strip", ", facing: {random: true}")))
+    assert one == placed(stage(NARROW, put("uniform_in: strip", ", facing: {random: true}")))
 
 
 FILE = """schema_version: 1
@@ -149,9 +130,6 @@ def test_a_test_that_fails_says_what_waits_for_room():
     assert len(differences) == 2
     assert differences[0].startswith("Y1: expected at (0, 0)")
     assert differences[1] == "note: from 1.024 s on Y1 waits for room: ball is there (rule put)"
-
-
-NARROW = "zones: {strip: {shape: rect, x_min_m: -0.05, x_max_m: 0.05, y_min_m: -0.01, y_max_m: 0.01}}"
 
 
 def drawn_by_tick(play, monkeypatch, ticks: int) -> list[int]:

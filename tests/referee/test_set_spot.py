@@ -2,47 +2,45 @@
 
 import pytest
 
-from tests.referee.building import emitting, payload, place
+from tests.referee.building import ASKING, emitting, once, payload, place
 
 PITCH = "spots: {found: {x_m: 0, y_m: 0.2}, other: {x_m: 0.5, y_m: -0.8}}\ngroups: {both: [found, other]}\n"
+EVERY_TICK = "rules: {set: {triggers: [{trigger: time_reached, at_s: 0.032, every_s: 0.032}], actions: [%s]}}"
+FAR = emitting("{far: {distance: [ball, found]}}")
 
 
-def at_s(seconds: float, *actions: str, more: str = "") -> str:
-    name = f"at_{round(1000 * seconds)}"
-    trigger = f"{{trigger: time_reached, at_s: {seconds}}}"
-    return f"rules: {{{name}: {{{more} triggers: [{trigger}], actions: [{', '.join(actions)}]}}}}"
-
-
-def set_to(what: str) -> str:
-    return f"{{action: set_spot, spot: found, to: {what}}}"
-
-
-def mirrored(mirror: str) -> str:
-    return f"{{action: set_spot, spot: found, to: Y1, mirror: {{{mirror}}}}}"
+def set_to(what: str, more: str = "") -> str:
+    return f"{{action: set_spot, spot: found, to: {what}{more}}}"
 
 
 def put(what: str, at: str, more: str = "") -> str:
     return f"{{action: place, entity: {what}, at: {at}{more}}}"
 
 
-def remembering(stage, *sections: str, ball=(0.3, 0.1), **facts):
+def remembering(stage, *sections: str, **facts):
     """Return a play in which the ball lay at (0.3, 0.1) when the spot was set, and now lies at (-0.3, 0.1)."""
-    play = stage(PITCH, at_s(0.32, set_to("ball")), *sections, **facts)
-    play.place("ball", *ball)
+    play = stage(PITCH, once(10, set_to("ball")), *sections, **facts)
+    play.place("ball", 0.3, 0.1)
     play.play_until(10)
     place(play, "ball", -0.3, 0.1)
     return play
 
 
-FAR = emitting("{far: {distance: [ball, found]}}")
+def found(stage, action: str, *sections: str, **facts) -> tuple[float, float]:
+    """Return where the spot is after a rule has set it."""
+    play = stage(PITCH, *sections, once(10, action), **facts)
+    play.play_until(12)
+    return play.referee.spots["found"]
 
 
 class TestActionSetSpot:
-    def test_until_a_rule_sets_it_the_spot_is_where_the_file_says(self, stage):
-        play = stage(PITCH, at_s(10, set_to("ball")), FAR)
+    def test_until_a_rule_sets_it_the_spot_is_where_the_file_says_in_each_half(self, stage):
+        play = stage(PITCH, once(300, set_to("ball")), FAR)
         play.place("ball", 0.3, 0.2)
         assert payload(play) == {"far": 0.3}
-        assert play.referee.spots["found"] == (0.0, 0.2)
+        left = remembering(stage).referee
+        assert left.spots["found"] != (0.0, 0.2)
+        assert stage(PITCH, half=2, kept=left.kept).referee.spots["found"] == (0.0, 0.2)
 
     def test_it_stays_where_the_ball_was_when_the_ball_rolls_on(self, stage):
         play = remembering(stage, FAR)
@@ -51,25 +49,36 @@ class TestActionSetSpot:
         assert play.referee.spots["other"] == (0.5, -0.8)
 
     @pytest.mark.parametrize(
-        ("to", "there"), [("Y1", (-0.4, -0.5)), ("other", (0.5, -0.8)), ("[0.1, 0.2]", (0.1, 0.2))]
+        ("to", "there"),
+        [
+            ("Y1", (-0.4, -0.5)),
+            ("other", (0.5, -0.8)),
+            ("[0.1, 0.2]", (0.1, 0.2)),
+            ("Y1, mirror: {axis: x}", (0.4, -0.5)),
+            ("Y1, mirror: {axis: y}", (-0.4, 0.5)),
+            ("Y1, mirror: {axis: both}", (0.4, 0.5)),
+            ("{on_line: [[2, 2], [3, 3]]}", (0.0, 0.2)),  # none of its points is on the floor, so it stays
+        ],
     )
-    def test_it_can_be_set_to_a_robot_another_spot_or_a_point(self, stage, to, there):
-        play = stage(PITCH, at_s(0.32, set_to(to)))
-        play.play_until(10)
-        assert play.referee.spots["found"] == pytest.approx(there)
+    def test_it_can_be_set_to_a_robot_another_spot_a_point_or_a_mirror_image(self, stage, to, there):
+        assert found(stage, set_to(to)) == pytest.approx(there)
 
     @pytest.mark.parametrize(("decided", "there"), [("other", (0.5, -0.8)), ("Y1", (-0.4, -0.5))])
     def test_it_can_be_set_to_what_a_draw_has_decided(self, stage, decided, there):
         draws = "draws: {hidden: {values: [other, Y1]}}"
-        play = stage(PITCH, draws, at_s(0.32, set_to("hidden")), draws={"hidden": decided})
-        play.play_until(10)
-        assert play.referee.spots["found"] == pytest.approx(there)
+        assert found(stage, set_to("hidden"), draws, draws={"hidden": decided}) == pytest.approx(there)
+
+    @pytest.mark.parametrize("off", ["ball", "Y1"])
+    def test_what_is_off_the_field_leaves_it_where_it_is(self, stage, off):
+        gone = once(5, f"{{action: remove, entity: {off}}}", name="gone")
+        assert found(stage, set_to(off), gone) == (0.0, 0.2)
+
+    def test_the_mirror_image_of_a_middle_is_a_plain_0(self, stage):
+        assert str(found(stage, set_to("[0, 0]", ", mirror: {axis: both}"))) == "(0.0, 0.0)"
 
     def test_chance_may_set_it_anywhere_in_a_zone_again_and_again(self, stage):
         box = "zones: {box: {shape: rect, x_min_m: 0.1, x_max_m: 0.3, y_min_m: -0.4, y_max_m: 0.2}}"
-        every_tick = "{trigger: time_reached, at_s: 0.032, every_s: 0.032}"
-        rule = f"rules: {{r: {{triggers: [{every_tick}], actions: [{set_to('{uniform_in: box}')}]}}}}"
-        play = stage(PITCH, box, rule)
+        play, again = (stage(PITCH, box, EVERY_TICK % set_to("{uniform_in: box}")) for _ in range(2))
         points = []
         for _ in range(400):
             play.play()
@@ -80,86 +89,47 @@ class TestActionSetSpot:
         assert 0.29 < max(xs) <= 0.3
         assert -0.4 <= min(ys) < -0.38
         assert 0.18 < max(ys) <= 0.2
-        again = stage(PITCH, box, rule)
         again.play()
         assert again.referee.spots["found"] == points[0]
 
     def test_chance_may_set_it_anywhere_on_a_line_and_to_the_mirror_image_of_that(self, stage):
-        line = set_to("{on_line: [[0.1, 0.2], [0.3, 0.4]]}")
-        play = stage(PITCH, at_s(0.32, line))
-        play.play_until(10)
-        x, y = play.referee.spots["found"]
+        line = "{on_line: [[0.1, 0.2], [0.3, 0.4]]}"
+        x, y = found(stage, set_to(line))
         assert 0.1 < x < 0.3
         assert y == pytest.approx(x + 0.1)
-        play = stage(PITCH, at_s(0.32, line.replace("action: set_spot", "action: set_spot, mirror: {axis: y}")))
-        play.play_until(10)
-        assert play.referee.spots["found"] == pytest.approx((x, -y))
+        assert found(stage, set_to(line, ", mirror: {axis: y}")) == pytest.approx((x, -y))
 
     @pytest.mark.parametrize(
-        ("zone", "corner"),
+        "zone",
         [
-            ("shape: rect, x_min_m: 0.4, x_max_m: 1.2, y_min_m: 0.5, y_max_m: 1.5", (0.65, 0.75)),
-            ("shape: circle, centre_m: [0.64, 0.74], radius_m: 0.04", (0.65, 0.75)),  # behind the chamfer, but a bit
+            "shape: rect, x_min_m: 0.4, x_max_m: 1.2, y_min_m: 0.5, y_max_m: 1.5",
+            "shape: circle, centre_m: [0.64, 0.74], radius_m: 0.04",  # behind the chamfer, but a bit
         ],
     )
-    def test_chance_sets_it_nowhere_outside_the_walls(self, stage, zone, corner):
-        every_tick = "{trigger: time_reached, at_s: 0.032, every_s: 0.032}"
-        rule = f"rules: {{r: {{triggers: [{every_tick}], actions: [{set_to('{uniform_in: box}')}]}}}}"
-        play = stage(PITCH, f"zones: {{box: {{{zone}}}}}", rule)
+    def test_chance_sets_it_nowhere_outside_the_walls(self, stage, zone):
+        play = stage(PITCH, f"zones: {{box: {{{zone}}}}}", EVERY_TICK % set_to("{uniform_in: box}"))
         for _ in range(200):
             play.play()
             x, y = play.referee.spots["found"]
-            assert x <= corner[0]
-            assert y <= corner[1]
-            assert (corner[0] - x) + (corner[1] - y) >= 0.06 - 1e-9  # the chamfer
-
-    def test_where_no_point_of_a_line_is_on_the_floor_it_stays_where_it_is(self, stage):
-        play = stage(PITCH, at_s(0.32, set_to("{on_line: [[2, 2], [3, 3]]}")))
-        play.play_until(10)
-        assert play.referee.spots["found"] == (0.0, 0.2)
-
-    def test_the_mirror_image_of_a_middle_is_a_plain_0(self, stage):
-        play = stage(
-            PITCH, at_s(0.32, set_to("[0, 0]").replace("action: set_spot", "action: set_spot, mirror: {axis: both}"))
-        )
-        play.play_until(10)
-        assert str(play.referee.spots["found"]) == "(0.0, 0.0)"
-
-    @pytest.mark.parametrize(("axis", "there"), [("x", (0.4, -0.5)), ("y", (-0.4, 0.5)), ("both", (0.4, 0.5))])
-    def test_with_a_mirror_it_is_set_to_the_mirror_image(self, stage, axis, there):
-        play = stage(PITCH, at_s(0.32, mirrored(f"axis: {axis}")))
-        play.play_until(10)
-        assert play.referee.spots["found"] == pytest.approx(there)
-
-    @pytest.mark.parametrize("off", ["ball", "Y1"])
-    def test_what_is_off_the_field_leaves_it_where_it_is(self, stage, off):
-        play = stage(PITCH, at_s(0.16, f"{{action: remove, entity: {off}}}"), at_s(0.32, set_to(off)))
-        play.play_until(12)
-        assert play.referee.spots["found"] == (0.0, 0.2)
+            assert x <= 0.65
+            assert y <= 0.75
+            assert (0.65 - x) + (0.75 - y) >= 0.06 - 1e-9  # the chamfer
 
     def test_what_the_same_rule_places_was_elsewhere_before(self, stage):
-        play = stage(PITCH, at_s(0.32, put("ball", "{point: [0.5, 0.5]}"), set_to("ball")))
+        play = stage(PITCH, once(10, put("ball", "{point: [0.5, 0.5]}"), set_to("ball")))
         play.place("ball", 0.3, 0.1)
         play.play_until(12)
         assert play.referee.spots["found"] == pytest.approx((0.3, 0.1))
         assert play.pose("ball")[:2] == pytest.approx((0.5, 0.5))
 
     def test_actions_after_it_read_the_new_place_and_conditions_of_the_tick_the_old_one(self, stage):
-        judged = """
-        rules:
-          later: {triggers: [{trigger: time_reached, at_s: 0.32}],
-                  conditions: [{condition: distance, entity: ball, to: found, at_most: 0.01}],
-                  actions: [{action: score, entrant: blue}]}
-        """
+        near = "conditions: [{condition: distance, entity: ball, to: found, at_most: 0.01}],"
         paid = "{action: score, entrant: yellow, points: {distance: [ball, found]}}"
-        play = stage(PITCH, at_s(0.32, paid, set_to("ball"), paid), judged)
+        later = once(10, "{action: score, entrant: blue}", name="later", more=near)
+        play = stage(PITCH, once(10, paid, set_to("ball"), paid), later)
         play.place("ball", 0.3, 0.2)
         play.play_until(12)
         assert play.referee.scores == {"yellow": 0.3, "blue": 0}
-
-    def test_each_half_begins_with_the_place_of_the_file(self, stage):
-        assert remembering(stage).referee.spots["found"] != (0.0, 0.2)
-        assert stage(PITCH, half=2).referee.spots["found"] == (0.0, 0.2)
 
 
 class TestWhereARememberedPlaceStands:
@@ -174,12 +144,7 @@ class TestWhereARememberedPlaceStands:
         ],
     )
     def test_conditions_ask_for_where_it_is_now(self, stage, ask, condition, before, after):
-        asked = f"""
-        rules:
-          asked: {{triggers: [{{trigger: program_fault, robot: B1}}], conditions: [{condition}],
-                   actions: [{{action: emit, event: TRUE_NOW}}]}}
-        """
-        play = stage(PITCH, asked, at_s(0.96, set_to("ball")))
+        play = stage(PITCH, ASKING % condition, once(30, set_to("ball")))
         play.place("ball", 0.3, 0.1)
         play.place("Y1", -0.4, 0.1, 0.0)
         assert ask(play) is before
@@ -195,24 +160,21 @@ class TestWhereARememberedPlaceStands:
         ],
     )  # fmt: skip
     def test_things_are_put_where_it_is_now(self, stage, at):
-        draw = "draws: {drawn: {values: [found]}}"
-        play = remembering(stage, draw, at_s(0.64, put("Y1", at)))
+        play = remembering(stage, "draws: {drawn: {values: [found]}}", once(20, put("Y1", at), name="later"))
         play.play_until(22)
         assert play.pose("Y1")[:2] == pytest.approx((0.3, 0.1))
 
     def test_a_robot_faces_it_and_a_ball_is_kicked_there(self, stage):
-        facing = ", facing: {towards: found}"
-        kick = ", kick: {towards: {spot: found}, speed_mps: 1}"
-        play = remembering(
-            stage, at_s(0.64, put("Y1", "{point: [0.3, -0.4]}", facing), put("ball", "{point: [0, 0.1]}", kick))
-        )
+        robot = put("Y1", "{point: [0.3, -0.4]}", ", facing: {towards: found}")
+        ball = put("ball", "{point: [0, 0.1]}", ", kick: {towards: {spot: found}, speed_mps: 1}")
+        play = remembering(stage, once(20, robot, ball, name="later"))
         play.play_until(19)
         placements = play.play().placements
         assert placements[0].yaw_rad == pytest.approx(1.5708, abs=1e-4)
         assert (placements[1].vx_mps, placements[1].vy_mps) == pytest.approx((1.0, 0.0))
 
     def test_what_waits_for_room_goes_where_the_spot_is_then(self, stage):
-        play = stage(PITCH, at_s(0.32, put("Y1", "{spot: found}")), at_s(0.64, set_to("[0.3, -0.2]")))
+        play = stage(PITCH, once(10, put("Y1", "{spot: found}")), once(20, set_to("[0.3, -0.2]"), name="later"))
         play.place("ball", 0.0, 0.2)
         play.play_until(15)
         assert play.pose("Y1")[:2] == pytest.approx((-0.4, -0.5))

@@ -9,119 +9,97 @@ from hypothesis import strategies as st
 
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.scenario.roster import Roster
-from tests.referee.building import A_LOW, B_LOW, C_LOW, SEQUENCE, A, B, C, place, touch, walk
+from tests.referee.building import A_LOW, B_LOW, C_LOW, SEQUENCE, A, B, C, hears, place, rule, touch, walk
+
+
+def crossing(direction: str, gate: str = "halfway") -> str:
+    return hears(f"crosses, entity: ball, gate: {gate}, direction: {direction}")
 
 
 class TestTriggerCrosses:
-    def rules(self, direction: str, gate: str = "halfway") -> str:
-        return f"""
-        rules:
-          over:
-            triggers: [{{trigger: crosses, entity: ball, gate: {gate}, direction: {direction}}}]
-            actions: [{{action: emit, event: OVER}}]
-        """
+    MOUTH = "gates: {mouth: {from_m: [0.1, -0.05], to_m: [0.1, 0.05], anchor: B1}}"
 
     # `halfway` runs from +x to -x: its left is -y, so forward is towards -y.
     @pytest.mark.parametrize(("direction", "expected"), [("forward", 1), ("backward", 2), ("either", 3)])
     def test_direction_is_seen_from_the_gate(self, stage, direction, expected):
-        play = stage(self.rules(direction))
+        play = stage(crossing(direction))
         place(play, "ball", 0.1, -0.2)
         before = len(play.events)
         walk(play, "ball", (0.1, 0.2), (0.1, -0.2), (0.1, 0.2))
         assert len(play.events) - before == expected
 
     def test_past_the_posts_is_not_through(self, stage):
-        play = stage("gates: {narrow: {from_m: [0.1, 0], to_m: [-0.1, 0]}}", self.rules("either", "narrow"))
+        play = stage("gates: {narrow: {from_m: [0.1, 0], to_m: [-0.1, 0]}}", crossing("either", "narrow"))
         place(play, "ball", 0.3, 0.2)
         walk(play, "ball", (0.3, -0.2), (0.12, 0.2))
         assert play.names() == []
         walk(play, "ball", (0.05, -0.2))
-        assert play.names() == ["OVER"]
+        assert play.names() == ["TOLD"]
 
     def test_a_gate_can_move_and_turn_with_an_entity(self, stage):
-        play = stage(
-            """
-        gates: {mouth: {from_m: [0.1, -0.05], to_m: [0.1, 0.05], anchor: B1}}
-        """,
-            self.rules("either", "mouth"),
-        )
+        play = stage(self.MOUTH, crossing("either", "mouth"))
         play.place("B1", -0.4, 0.0, 0.0)
         place(play, "ball", 0.2, 0.0)
         walk(play, "B1", (0.05, 0.0))  # the gate, 0.1 ahead, stops short of the ball
         assert play.names() == []
         walk(play, "B1", (0.15, 0.0))
-        assert play.names() == ["OVER"]
+        assert play.names() == ["TOLD"]
 
     def test_a_gate_off_the_field_is_not_crossed(self, stage):
-        play = stage(
-            """
-        gates: {mouth: {from_m: [0.1, -0.05], to_m: [0.1, 0.05], anchor: B1}}
-        """,
-            self.rules("either", "mouth"),
-            """
-        rules:
-          gone: {triggers: [{trigger: half_started}], actions: [{action: remove, entity: B1}]}
-        """,
-        )
-        play.place("ball", 3.2, 0.0)  # where the stage parks things
-        play.play()
+        gone = rule("trigger: half_started", "{action: remove, entity: B1}", name="gone")
+        play = stage(self.MOUTH, crossing("either", "mouth"), gone)
+        place(play, "ball", 3.2, 0.0)  # where the stage parks things
         walk(play, "ball", (3.0, 0.0))
         assert play.names() == []
 
 
-class TestTriggerSequenceCompleted:
-    def test_it_fires_when_the_last_step_is_made(self, stage):
-        play = stage(SEQUENCE % "cyclic: false")
-        walk(play, "ball", A, B)
-        assert play.names() == []
-        walk(play, "ball", C)
-        assert play.names() == ["DONE"]
+ONCE, CYCLIC = SEQUENCE % "cyclic: false", SEQUENCE % "cyclic: true"
+BREAKS = SEQUENCE % "cyclic: false, wrong_step: break"
+CYCLIC_BREAKS = SEQUENCE % "cyclic: true, wrong_step: break"
+BY_GATE = ONCE.replace("[a, b, c]", "[a, high, c]")
+BY_ANY = ONCE.replace("[a, b, c]", "[a, {any_of: [b, high]}, c]")
+IN_FIRST = ONCE.replace("start_m: [-0.4, -0.2]", "start_m: [-0.4, 0]")
+ROUND, BACK = [A, B, C], [C_LOW, A_LOW, A]
+
+
+class TestTriggersOfSequences:
+    @pytest.mark.parametrize(
+        ("sequence", "path", "names"),
+        [
+            (ONCE, [A, B], []),
+            (ONCE, ROUND, ["DONE"]),
+            (ONCE, [A, A_LOW, C_LOW, C, B], []),  # steps out of order
+            # A cyclic one is complete on re-entering its first step, which is the first of the next round.
+            (CYCLIC, ROUND, []),
+            (CYCLIC, [*ROUND, *BACK], ["DONE"]),
+            (CYCLIC, [*ROUND, *BACK, B, C, *BACK], ["DONE", "DONE"]),
+            # One that is not cyclic begins again at its first step.
+            (ONCE, [*ROUND, C_LOW, B_LOW, B, C], ["DONE"]),
+            (ONCE, [*ROUND, *BACK, B, C], ["DONE", "DONE"]),
+            (IN_FIRST, [B, C], ["DONE"]),
+            # Any of several places makes a step; a gate only forward, which is upwards.
+            (BY_ANY, [A, (-0.3, 0.2), (0.0, 0.2), (0.0, 0.4), (0.4, 0.4), C], ["DONE"]),
+            (BY_GATE, [A, (-0.2, 0.4), (0.0, 0.4), (0.0, 0.2), (0.2, 0.2), C], []),
+            # Another of its steps breaks it, and the steps made so far are lost; re-entering the current one does not.
+            (CYCLIC_BREAKS, [A, A_LOW, C_LOW, C], ["WRONG"]),
+            (CYCLIC_BREAKS, [A, B, B_LOW, B, B_LOW, B, C], []),
+            (BREAKS, [A, B, A, A_LOW, C_LOW, C], ["WRONG", "WRONG"]),
+        ],
+    )
+    def test_steps_on_a_path(self, stage, sequence, path, names):
+        play = stage(sequence)
+        walk(play, "ball", *path)
+        assert play.names() == names
 
     def test_it_measures_the_time_since_the_first_step(self, stage):
-        play = stage(SEQUENCE % "cyclic: false")
+        play = stage(ONCE)
         place(play, "ball", *A, ticks=10)
         place(play, "ball", *B, ticks=10)
         place(play, "ball", *C)
         assert play.events[0].payload == {"took": 0.64}
 
-    def test_steps_out_of_order_do_not_complete_it(self, stage):
-        play = stage(SEQUENCE % "cyclic: false")
-        walk(play, "ball", A, A_LOW, C_LOW, C, B)
-        assert play.names() == []
-
-    def test_a_cyclic_one_is_complete_on_re_entering_the_first_step_and_begins_again(self, stage):
-        play = stage(SEQUENCE % "cyclic: true")
-        walk(play, "ball", A, B, C)
-        assert play.names() == []
-        walk(play, "ball", C_LOW, A_LOW, A)
-        assert play.names() == ["DONE"]
-        walk(play, "ball", B, C, C_LOW, A_LOW, A)
-        assert play.names() == ["DONE", "DONE"]
-
-    def test_one_that_is_not_cyclic_begins_again_at_its_first_step(self, stage):
-        play = stage(SEQUENCE % "cyclic: false")
-        walk(play, "ball", A, B, C, C_LOW, B_LOW, B, C)
-        assert play.names() == ["DONE"]
-        walk(play, "ball", C_LOW, A_LOW, A, B, C)
-        assert play.names() == ["DONE", "DONE"]
-
-    def test_it_stands_at_its_first_step_if_the_entity_is_in_it_when_armed(self, stage):
-        play = stage((SEQUENCE % "cyclic: false").replace("start_m: [-0.4, -0.2]", "start_m: [-0.4, 0]"))
-        walk(play, "ball", B, C)
-        assert play.names() == ["DONE"]
-
-    def test_any_of_several_places_makes_a_step(self, stage):
-        play = stage((SEQUENCE % "cyclic: false").replace("[a, b, c]", "[a, {any_of: [b, high]}, c]"))
-        walk(play, "ball", A, (-0.3, 0.2), (0.0, 0.2), (0.0, 0.4), (0.4, 0.4), C)
-        assert play.names() == ["DONE"]
-
-    def test_a_gate_counts_only_forward(self, stage):
-        play = stage((SEQUENCE % "cyclic: false").replace("[a, b, c]", "[a, high, c]"))
-        walk(play, "ball", A, (-0.2, 0.4), (0.0, 0.4), (0.0, 0.2), (0.2, 0.2), C)  # through `high` downwards
-        assert play.names() == []
-
     def test_all_steps_within_one_tick_are_seen(self, stage):
-        play = stage(SEQUENCE % "cyclic: false")
+        play = stage(ONCE)
         place(play, "ball", -0.55, 0.0)
         walk(play, "ball", (0.45, 0.0), ticks=2)
         assert play.names() == ["DONE"]
@@ -194,23 +172,6 @@ class TestSequenceWhoseEntityIsPutElsewhere:
         self.put(play)
         walk(play, "ball", C)
         assert play.names() == ["DONE"]
-
-
-class TestTriggerSequenceBroken:
-    def test_another_of_its_steps_breaks_it(self, stage):
-        play = stage(SEQUENCE % "cyclic: true, wrong_step: break")
-        walk(play, "ball", A, A_LOW, C_LOW, C)
-        assert play.names() == ["WRONG"]
-
-    def test_re_entering_the_current_step_is_never_wrong(self, stage):
-        play = stage(SEQUENCE % "cyclic: true, wrong_step: break")
-        walk(play, "ball", A, B, B_LOW, B, B_LOW, B, C)
-        assert play.names() == []
-
-    def test_a_broken_one_has_lost_the_steps_that_were_made(self, stage):
-        play = stage(SEQUENCE % "cyclic: false, wrong_step: break")
-        walk(play, "ball", A, B, A, A_LOW, C_LOW, C)  # from its first step straight to the last
-        assert play.names() == ["WRONG", "WRONG"]
 
 
 PROGRESS = """
