@@ -12,7 +12,7 @@ from pydantic import Discriminator, Field, GetCoreSchemaHandler, Tag
 from pydantic_core import CoreSchema
 
 from rcj_challenges.rules.binder import Binder, Scope
-from rcj_challenges.rules.fields import Names, Strict, described
+from rcj_challenges.rules.fields import Name, Names, Point, Strict, described
 from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import number
 from rcj_challenges.tracking.bound_rules import Act, Firing, Reader, Test
@@ -48,6 +48,10 @@ class Word(Strict):
     def name(cls) -> str:
         """Return how the file writes the word."""
         return str(get_args(cls.model_fields[cls.KEY].annotation)[0])
+
+    def distances_m(self) -> tuple[tuple[Name | Point, float], ...]:
+        """Return the fixed distances in m that it compares with, each with the name or point it is measured from."""
+        return ()
 
 
 class Vocabulary:
@@ -238,7 +242,13 @@ class FormWord(Word):
 
 
 class PlaceWord(FormWord):
-    """A place where something is put, ``at: {spot: centre}``, or that a kick is aimed at."""
+    """A place where something is put, ``at: {spot: centre}``, or that a kick is aimed at.
+
+    Attributes:
+        IS_SPREAD: whether it may be anywhere in the zones, or between the points, that are its options.
+    """
+
+    IS_SPREAD: ClassVar[bool] = False
 
     def compile(self, to: Scope, entity: int) -> PlaceResolver:
         """Return what finds the point.
@@ -252,6 +262,11 @@ class PlaceWord(FormWord):
     def describe(self, phrases: Phrases) -> str:
         """Return the place as the part of a sentence that follows ``put``: ``on the spot “centre”``."""
         raise NotImplementedError
+
+    def options(self) -> tuple[Name | Point, ...]:
+        """Return the names and points among which it chooses; none if what is put there decides."""
+        names = getattr(self, self.KEY)
+        return names if isinstance(names, tuple) else (names,)
 
     def aim(self, phrases: Phrases) -> str:
         """Return the place as what a kick is aimed at: ``a random point of the blue goal``."""

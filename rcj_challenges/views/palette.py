@@ -30,9 +30,14 @@ def css_colour(colour: str) -> str:
     return _TEAM_COLOURS.get(colour, colour)
 
 
+def hex_of(colour: str) -> str:
+    """Return the same as ``#rrggbb``; grey for a name that CSS does not know."""
+    return hex_colour(css_colour(colour)) or "#868e96"
+
+
 def rgb(colour: str) -> Rgb:
-    """Return a CSS colour as numbers from 0 to 255; grey for a name that CSS does not know."""
-    return _numbers(hex_colour(css_colour(colour)) or "#868e96")
+    """Return the same as numbers from 0 to 255."""
+    return _numbers(hex_of(colour))
 
 
 def text_on(colour: Rgb) -> Rgb:

@@ -77,11 +77,6 @@ def test_noise_of_placement_and_start_add_up():
     assert {area.words(): names for area, names in areas.items()} == {"(-0.3, -0.3), ± 0.155, 0.095": ["Y1"]}
 
 
-def test_mirrored_start_keeps_its_noise():
-    one = loaded("{action: place, entity: Y1, at: start, mirror: {axis: x}}")
-    assert [area.words() for area in placement_areas(one.scenario, one.roster)] == ["(0.3, -0.3), ± 0.075, 0.075"]
-
-
 def test_offset_from_a_spot_is_a_point():
     beside = "{relative_to: left, offset_m: [0.1, 0]}"
     assert places(put(beside)) == ["(-0.2, 0.05)"]
@@ -182,10 +177,3 @@ def test_places_are_drawn_with_one_number_for_the_same_things():
     numbers = re.findall(r"<title>put B1</title><rect [^>]*/><text [^>]*>(\d+)</text>", picture)
     assert len(numbers) == 2
     assert len(set(numbers)) == 1
-
-
-def test_robot_put_at_its_start_is_not_drawn_twice():
-    one = loaded("{action: place, entity: B1, at: {point: [0.3, 0.3]}}", trigger="trigger: half_ended")
-    picture = draw_scenario(one.scenario, one.roster)
-    assert ">B1: (0.3, 0.3)<" in picture
-    assert "<title>put B1" not in picture

@@ -18,13 +18,13 @@ DARK = 100
 
 
 @pytest.fixture(autouse=True)
-def fonts_are_looked_for_anew():
+def fonts_are_looked_up_again():
     png.written_with.cache_clear()
     yield
     png.written_with.cache_clear()
 
 
-def test_it_has_the_words():
+def test_picture_has_the_words():
     # The renderer takes a general name such as sans-serif for Arial, and where that is missing it leaves all words out.
     if png.written_with() is None:
         pytest.skip("this computer has no font")
@@ -35,19 +35,9 @@ def test_it_has_the_words():
         assert legend.getextrema()[0] < DARK
 
 
-def test_that_it_has_none_is_said(tmp_path, monkeypatch):
+def test_missing_font_is_reported(tmp_path, monkeypatch):
     monkeypatch.setattr(png, "FAMILIES", ("No Such Font",))
     done = CliRunner().invoke(app, ["draw", "match", "--out", str(tmp_path / "field.png")])
     assert done.exit_code == 0
     assert (tmp_path / "field.png").exists()
-    assert done.stderr == (
-        "field.png has no words, for no font for them was found on this computer: take --out field.svg, or install a "
-        "font, such as DejaVu Sans or Noto Sans\n"
-    )
-
-
-def test_where_there_is_a_font_nothing_is_said(tmp_path):
-    if png.written_with() is None:
-        pytest.skip("this computer has no font")
-    done = CliRunner().invoke(app, ["draw", "match", "--out", str(tmp_path / "field.png")])
-    assert done.stderr == ""
+    assert "field.png has no words" in done.stderr

@@ -67,15 +67,6 @@ class TestSetAsTheHalfStarts:
         one = loaded(set_to("ball"), more="phases: {later: {}}\nmatch: {halves: 2}\n", rule=more)
         assert ">found: 0, 0.2 when a half starts; rules set it<" in draw_scenario(one.scenario, one.roster)
 
-    def test_where_another_rule_has_left_the_phase_before_it_stays_where_the_file_says(self):
-        leave = (
-            "  s: {triggers: [{trigger: half_started}], priority: -1, actions: [{action: set_phase, phase: later}]}\n"
-        )
-        one = loaded(set_to("ball"), more="phases: {later: {}}\n", rules=leave)
-        assert ">found: 0, 0.2 when a half starts; rules set it<" in draw_scenario(one.scenario, one.roster)
-        one = loaded(set_to("ball"), more="phases: {later: {}}\n", rule="phases: any, ", rules=leave)
-        assert ">found: rules set it when a half starts<" in draw_scenario(one.scenario, one.roster)
-
     def test_nobody_has_told_a_place_when_a_half_starts(self):
         one = loaded(set_to("{told: Y1}"))
         assert ">found: 0, 0.2 when a half starts; rules set it<" in draw_scenario(one.scenario, one.roster)

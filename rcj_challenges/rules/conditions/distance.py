@@ -94,6 +94,10 @@ expect:
     def watched(self, to: Binder) -> tuple[int, ...]:
         return (*super().watched(to), *anchors(to, self.to))
 
+    def distances_m(self) -> tuple[tuple[Name | Point, float], ...]:
+        limits = (self.at_least, self.at_most, self.equals)
+        return tuple((self.to, float(limit)) for limit in limits if isinstance(limit, int | float) and limit > 0)
+
     def describe(self, phrases: Phrases) -> str:
         who = phrases.quantified(self.of, self.entity, negate=self.negate)
         point = phrases.point(self.to, self.entity)

@@ -3,7 +3,7 @@
 from typing import Annotated, Literal
 
 from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
-from rcj_challenges.rules.fields import Names, NotNegative, described
+from rcj_challenges.rules.fields import Name, Names, NotNegative, Point, described
 from rcj_challenges.rules.phrasing import USUALLY_FREE_M, within_words
 from rcj_challenges.rules.quantifier import Quantifier, quantified
 from rcj_challenges.rules.refs import SPOTS
@@ -44,3 +44,7 @@ expect:
     def describe(self, phrases: Phrases) -> str:
         who = phrases.quantified(self.of, self.spot, negate=self.negate).does("is", "are")
         return f"{who} free{within_words(self.clearance_m)}"
+
+    def distances_m(self) -> tuple[tuple[Name | Point, float], ...]:
+        spots = (self.spot,) if isinstance(self.spot, str) else self.spot
+        return tuple((spot, self.clearance_m) for spot in spots if self.clearance_m)

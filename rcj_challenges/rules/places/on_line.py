@@ -15,6 +15,7 @@ class OnLine(PlaceWord):
     on_line: tuple[Point, Point] = Field(..., strict=False, description="both ends, [[x, y], [x, y]] in m")
 
     KEY = "on_line"
+    IS_SPREAD = True
     EXAMPLE = """
 rules:
   put:

@@ -31,3 +31,6 @@ expect:
 
     def aim(self, phrases: Phrases) -> str:
         return phrases.point(self.point)
+
+    def options(self) -> tuple[Point, ...]:
+        return (self.point,)

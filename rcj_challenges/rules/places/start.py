@@ -34,5 +34,8 @@ expect:
     def aim(self, _phrases: Phrases) -> str:
         return "its start"
 
+    def options(self) -> tuple[()]:
+        return ()
+
     def put(self, phrases: Phrases, entity: Names, *, plural: bool) -> str:
         return "put at their starts" if plural else super().put(phrases, entity, plural=plural)

@@ -17,6 +17,7 @@ class UniformIn(PlaceWord):
     )
 
     KEY = "uniform_in"
+    IS_SPREAD = True
     EXAMPLE = """
 zones:
   middle: {shape: circle, centre_m: [0.4, 0], radius_m: 0.1}

@@ -7,7 +7,7 @@ from pydantic import Field
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.regions import Cell, FarFrom
 from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
-from rcj_challenges.rules.fields import Names, Point, Positive, described
+from rcj_challenges.rules.fields import Name, Names, Point, Positive, described
 from rcj_challenges.rules.phrasing import metres
 from rcj_challenges.rules.refs import ENTITIES
 from rcj_challenges.tracking.bound_rules import HitBuffer
@@ -62,6 +62,10 @@ expect:
         origin = "where it was put" if self.from_ == "last_placement" else phrases.point(self.from_)
         how = "" if self.axis == "distance" else " in x or in y"
         return f"{phrases.any_of(self.entity)} is more than {metres(self.distance_m)}{how} from {origin}"
+
+    def distances_m(self) -> tuple[tuple[Name | Point, float], ...]:
+        is_fixed = self.from_ != "last_placement" and self.axis == "distance"
+        return ((self.from_, self.distance_m),) if is_fixed else ()
 
 
 class DisplacedTracker(PositionTracker):

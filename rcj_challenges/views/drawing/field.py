@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.rules.phrasing import degrees
-from rcj_challenges.rules.places.on_line import OnLine
 from rcj_challenges.scenario.models.field import Box as BoxObstacle
 from rcj_challenges.scenario.models.field import Cylinder
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -25,12 +24,11 @@ from rcj_challenges.views.drawing.shapes import (
     forward_mark,
     goal_floor,
     point_words,
-    shifted,
     turned,
-    visible_line,
     zone_outline,
 )
-from rcj_challenges.views.drawing.zones import BLACK, corner_inside, draw_zones, fill_colour
+from rcj_challenges.views.drawing.zones import BLACK, corner_inside, draw_zones
+from rcj_challenges.views.palette import PALETTE, hex_of, rgb, text_on
 
 _PX_PER_M = 290.0  # of a field of the usual size
 _MAX_PX = (480.0, 720.0)  # across and up: of a larger field the scale is smaller, and texts keep their size
@@ -42,10 +40,10 @@ _POST_M = 0.012  # the end of a gate
 _TIP_M = 0.009  # the end of its mark that points forward
 _NUMBER_PX = 8.5  # of a character of the name in a robot's body
 _BESIDE_PX = 0.75 * MARKER_PX  # from a small thing to its marker
-_WHITE = "#ffffff"
 _PUT, _PUT_MARKER = "#f08c00", "#9a5a00"  # what rules put somewhere
 _GATE = "#c92a2a"
 _WITHIN = "within-the-walls"
+_WITHIN_WALLS = f'clip-path="url(#{_WITHIN})"'
 _NOISE_BOX = 'fill="none" stroke="#495057" stroke-dasharray="3 3"'
 _PUT_AREA = f'fill="{_PUT}" fill-opacity="0.18" stroke="{_PUT}" stroke-width="1"'
 _PLACED = "a rule puts it when a half starts"
@@ -109,12 +107,13 @@ def _mark_m(paper: Paper, usual_m: float) -> float:
 def _ground(paper: Paper, scenario: Scenario) -> None:
     field = scenario.field
     w, h = field.width_m / 2, field.length_m / 2
+    paper.clip(_WITHIN, [floor_of(field), *(goal_floor(goal, field) for goal in field.goals.values())])
     paper.polygon(floor_of(field), 'fill="#e9f5ec" stroke="#343a40" stroke-width="3"', "the field, inside its walls")
     for name, goal in field.goals.items():
         corners = goal_floor(goal, field)
-        paper.polygon(corners, f'fill="{fill_colour(goal.colour)}" fill-opacity="0.35"', name)
+        paper.polygon(corners, f'fill="{hex_of(goal.colour)}" fill-opacity="0.35"', name)
         for start, end in zip(corners[1:], [*corners[2:], corners[0]], strict=True):
-            paper.line(start, end, f'stroke="{fill_colour(goal.colour)}" stroke-width="3"')
+            paper.line(start, end, f'stroke="{hex_of(goal.colour)}" stroke-width="3"')
         paper.line(corners[0], corners[1], 'stroke="#ffffff" stroke-width="2"')
     # As on the replay page, the halfway line is one between two goals; without them it is only the axis.
     middle_words = "halfway line, y = 0" if field.goals else "y = 0"
@@ -130,50 +129,49 @@ def _placement_areas(paper: Paper, scenario: Scenario, roster: Roster, poses: di
     """Draw where rules put things. Places of the same things have the same number."""
     places: dict[tuple[str, bool], list[Area]] = {}
     for area, things in placement_areas(scenario, roster).items():
-        places.setdefault((", ".join(things), area.aim), []).append(area)
+        places.setdefault((", ".join(things), area.is_aim), []).append(area)
     entries: list[Entry] = []
-    for (names, aim), areas in places.items():
+    for (names, is_aim), areas in places.items():
         # What stands there when a half begins is drawn there anyway.
         pose = poses.get(names)
-        shown = [area for area in areas if aim or any(area.noise_m) or pose is None or area.at != pose[:2]]
+        shown = [area for area in areas if is_aim or any(area.noise_m) or pose is None or area.at != (pose[:2],)]
         number = paper.new_number() if shown else ""
         for area in shown:
-            _draw_area(paper, scenario, area, f"{'roll' if aim else 'put'} {names}", number)
+            _draw_area(paper, scenario, area, f"{'roll' if is_aim else 'put'} {names}", number)
         entries.append(Entry(f"{names}: {'; '.join(area.words() for area in areas)}", number, _PUT_MARKER))
     return "Put by rules (m)", entries
 
 
 def _draw_area(paper: Paper, scenario: Scenario, area: Area, title: str, number: str) -> None:
-    offset_px, at = (0.0, 0.0), area.at
-    if isinstance(at, str):
-        outline = [flipped(point, area.flip) for point in zone_outline(scenario.zones[at], paper.bounds)]
-        if not outline:
+    offset_px = (0.0, 0.0)
+    match area.at:
+        case str() as zone:
+            outline = [flipped(point, area.flip) for point in zone_outline(scenario.zones[zone], paper.bounds)]
+            if not outline:
+                return
+            paper.polygon(outline, _PUT_AREA, f"{title} anywhere in here")
+            place = corner_inside(paper, outline)
+        case (at,):
+            dot_m = _mark_m(paper, _DOT_M)
+            width_m, height_m = (2 * max(noise, dot_m) for noise in area.noise_m)
+            paper.polygon(turned(box(width_m, height_m), at, 0.0), _PUT_AREA, f"{title} at {point_words(at)}")
+            place, offset_px = at, (0.0, _BESIDE_PX)
+        case start, end, *_:
+            line = f'stroke="{_PUT}" stroke-width="5" stroke-opacity="0.6"'
+            paper.line(start, end, line, f"{title} anywhere on this line")
+            place = ((start[0] + 3 * end[0]) / 4, (start[1] + 3 * end[1]) / 4)
+        case _:
             return
-        paper.polygon(outline, _PUT_AREA, f"{title} anywhere in here")
-        place = corner_inside(paper, outline)
-    elif isinstance(at, OnLine):
-        (x1, y1), (x2, y2) = at.on_line
-        line = f'stroke="{_PUT}" stroke-width="5" stroke-opacity="0.6"'
-        paper.line((x1, y1), (x2, y2), line, f"{title} anywhere on this line")
-        place = ((x1 + 3 * x2) / 4, (y1 + 3 * y2) / 4)
-    else:
-        dot_m = _mark_m(paper, _DOT_M)
-        width_m, height_m = (2 * max(noise, dot_m) for noise in area.noise_m)
-        paper.polygon(turned(box(width_m, height_m), at, 0.0), _PUT_AREA, f"{title} at {point_words(at)}")
-        place, offset_px = at, (0.0, _BESIDE_PX)
     paper.mark(place, number, title, _PUT_MARKER, offset_px=offset_px)
 
 
 def _distances(paper: Paper, scenario: Scenario, roster: Roster) -> Section:
-    """Draw distances from spots and points as circles within the walls; others stand only in the legend."""
     remembered, nowhere = spots_set_by_rules(scenario), spots_set_at_start(scenario)
     found = measured_distances(scenario, roster)
-    goals = (goal_floor(goal, scenario.field) for goal in scenario.field.goals.values())
-    paper.clip(_WITHIN, [floor_of(scenario.field), *goals])
     for distance in found:
-        if distance.centre_m is not None and distance.name not in nowhere:
+        if distance.name not in nowhere:
             colour = _PUT if distance.name in remembered else "#495057"
-            style = f'fill="none" stroke="{colour}" stroke-dasharray="1 4" clip-path="url(#{_WITHIN})" class="distance"'
+            style = f'fill="none" stroke="{colour}" stroke-dasharray="1 4" {_WITHIN_WALLS} class="distance"'
             paper.circle(distance.centre_m, distance.radius_m, style, distance.words(" m"))
     return "Distances that rules measure (m)", [Entry(distance.words()) for distance in found]
 
@@ -185,18 +183,16 @@ def _gates(paper: Paper, scenario: Scenario) -> Section:
         if gate.anchor is not None:
             x_m, y_m, yaw_rad = start_pose(scenario, gate.anchor)
             ends = turned(ends, (x_m, y_m), yaw_rad)
-        shown = visible_line(ends[0], ends[1], scenario.field)
-        number = "" if shown is None else paper.new_number()
-        if shown is not None:
-            paper.line(*shown, f'stroke="{_GATE}" stroke-width="3"', name)
-            for post in (end for end in ends if end in shown):
-                paper.circle(post, _mark_m(paper, _POST_M), f'fill="{_GATE}"')
-            centre, tip = forward_mark(*shown, _mark_m(paper, FORWARD_M))
-            paper.line(centre, tip, f'stroke="{_GATE}" stroke-width="2"', "forward")
-            paper.circle(tip, _mark_m(paper, _TIP_M), f'fill="{_GATE}"')
-            (x, y), (tip_x, tip_y) = paper.px(centre), paper.px(tip)
-            share = _BESIDE_PX / (math.dist((x, y), (tip_x, tip_y)) or 1.0)
-            paper.mark(centre, number, name, _GATE, offset_px=(share * (x - tip_x), share * (y - tip_y)))
+        number = paper.new_number()
+        paper.line(ends[0], ends[1], f'stroke="{_GATE}" stroke-width="3" {_WITHIN_WALLS}', name)
+        for post in ends:
+            paper.circle(post, _mark_m(paper, _POST_M), f'fill="{_GATE}" {_WITHIN_WALLS}')
+        centre, tip = forward_mark(ends[0], ends[1], _mark_m(paper, FORWARD_M))
+        paper.line(centre, tip, f'stroke="{_GATE}" stroke-width="2"', "forward")
+        paper.circle(tip, _mark_m(paper, _TIP_M), f'fill="{_GATE}"')
+        (x, y), (tip_x, tip_y) = paper.px(centre), paper.px(tip)
+        share = _BESIDE_PX / (math.dist((x, y), (tip_x, tip_y)) or 1.0)
+        paper.mark(centre, number, name, _GATE, offset_px=(share * (x - tip_x), share * (y - tip_y)))
         moving = f", moving with {gate.anchor}" if gate.anchor else ""
         entries.append(Entry(f"{name}: {point_words(gate.from_m)} to {point_words(gate.to_m)}{moving}", number, _GATE))
     return "Gates (m; the short mark points forward)", entries
@@ -210,7 +206,7 @@ def _obstacles(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None])
         if pose is None:
             entries.append(Entry(f"{name}: {_PLACED}"))
             continue
-        style, at = f'fill="{fill_colour(obstacle.colour)}" stroke="#212529"', pose[:2]
+        style, at = f'fill="{hex_of(obstacle.colour)}" stroke="#212529"', pose[:2]
         if isinstance(obstacle, Cylinder):
             reach_m = obstacle.radius_m
             paper.circle(at, reach_m, style, name)
@@ -238,9 +234,9 @@ def _spots(paper: Paper, scenario: Scenario) -> Section:
             entries.append(Entry(f"{name}: rules set it when a half starts"))
             continue
         at, is_set = (spot.x_m, spot.y_m), name in remembered
-        for dx, dy in ((reach_m, 0.0), (0.0, reach_m)):
-            stroke = f'stroke="{_PUT if is_set else "#212529"}" stroke-width="2"'
-            paper.line(shifted(at, (-dx, -dy)), shifted(at, (dx, dy)), stroke, name)
+        stroke = f'stroke="{_PUT if is_set else "#212529"}" stroke-width="2"'
+        paper.line((at[0] - reach_m, at[1]), (at[0] + reach_m, at[1]), stroke, name)
+        paper.line((at[0], at[1] - reach_m), (at[0], at[1] + reach_m), stroke, name)
         number, colour = paper.new_number(), _PUT_MARKER if is_set else BLACK
         paper.mark(at, number, name, colour, offset_px=(_BESIDE_PX, -_BESIDE_PX))
         words = " when a half starts; rules set it" if is_set else ""
@@ -256,7 +252,7 @@ def _robots(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) ->
         if pose is None:
             entries.append(Entry(f"{name}: {_PLACED}"))
             continue
-        kit, body, at = scenario.kits[robot.kit], _team_colour(robot.colour), pose[:2]
+        kit, at, ink = scenario.kits[robot.kit], pose[:2], text_on(rgb(robot.colour))
         chassis, size_m = kit.chassis, kit.chassis.size_m
         shifts = any(noise_m) and pose == start_pose(scenario, name)
         if shifts:
@@ -265,15 +261,15 @@ def _robots(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) ->
         for side in (0.5, -0.5):
             corners = [(x, y + side * chassis.wheel_track_m) for x, y in wheel]
             paper.polygon(turned(corners, at, pose[2]), 'fill="#212529"')
-        paper.polygon(turned(box(size_m, size_m), at, pose[2]), f'fill="{body}" stroke="#212529"', name)
+        paper.polygon(turned(box(size_m, size_m), at, pose[2]), f'fill="{hex_of(robot.colour)}" stroke="#212529"', name)
         reach, wide = (size_m / 2 if kit.looks_along == "+x" else -size_m / 2), size_m * 0.16
         nose = [(reach * 0.95, 0.0), (reach * 0.55, wide), (reach * 0.55, -wide)]
-        paper.polygon(turned(nose, at, pose[2]), f'fill="{_ink_on(body)}"', "its front")
+        paper.polygon(turned(nose, at, pose[2]), f'fill="rgb{ink}"', "its front")
         paper.keep_free(at, size_m * 0.7)
         number = ""
         if len(name) * _NUMBER_PX <= size_m * paper.scale:
             x, y = paper.px(at)
-            paper.text_px(x, y + 5, name, "number" if _ink_on(body) == _WHITE else "number dark")
+            paper.text_px(x, y + 5, name, "number" if ink == rgb(PALETTE["mark"]) else "number dark")
         else:
             number = paper.new_number()
             paper.mark(at, number, name, BLACK, offset_px=(0.0, size_m * 0.7 * paper.scale + _BESIDE_PX))
@@ -293,7 +289,7 @@ def _balls(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) -> 
             entries.append(Entry(f"{name}: {_PLACED}"))
             continue
         at, number = pose[:2], paper.new_number()
-        paper.circle(at, ball.radius_m, f'fill="{fill_colour(ball.colour)}" stroke="#212529"', name)
+        paper.circle(at, ball.radius_m, f'fill="{hex_of(ball.colour)}" stroke="#212529"', name)
         paper.keep_free(at, ball.radius_m)
         reach_px = ball.radius_m * paper.scale * 0.7 + _BESIDE_PX
         paper.mark(at, number, name, BLACK, offset_px=(-reach_px, -reach_px))
@@ -303,14 +299,3 @@ def _balls(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) -> 
 
 def _numbers(at: Point) -> str:
     return point_words(at).strip("()")
-
-
-def _team_colour(colour: str) -> str:
-    """Return a team's colour; blue and yellow are those on which white letters can be read."""
-    return {"blue": "#2563eb", "yellow": "#ca8a04"}.get(colour) or fill_colour(colour)
-
-
-def _ink_on(colour: str) -> str:
-    """Return black or white, whichever can be read on a colour #rrggbb (luma of ITU-R BT.601)."""
-    red, green, blue = (int(colour[k : k + 2], 16) for k in (1, 3, 5))
-    return BLACK if 0.299 * red + 0.587 * green + 0.114 * blue > 150 else _WHITE

@@ -40,7 +40,7 @@ class Entry(NamedTuple):
     """A line of the legend.
 
     Attributes:
-        text: what it says.
+        text: its words.
         number: the marker that it explains; empty: none.
         colour: of that marker.
         sample: SVG attributes of a small box that shows the line or area that it explains; empty: none.
@@ -133,7 +133,7 @@ class Paper:
         return str(self._numbers)
 
     def mark(self, at: Point, number: str, name: str, colour: str, *, offset_px: Point = (0.0, 0.0)) -> None:
-        """Add a marker; where it stands is decided when all are known."""
+        """Add a marker; its place is chosen by `svg`."""
         self._markers.append(_Marker(self.px(at), offset_px, number, name, colour))
 
     def svg(self, title: str, sections: Sequence[Section] = ()) -> str:

@@ -4,27 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import chain, product
+from itertools import product
 from typing import NamedTuple
 
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.rules.actions.place import Place
 from rcj_challenges.rules.actions.remove import Remove
 from rcj_challenges.rules.actions.set_spot import SetSpot
+from rcj_challenges.rules.base import PlaceWord
 from rcj_challenges.rules.fields import Names
 from rcj_challenges.rules.mirror import Mirror
-from rcj_challenges.rules.places import At
-from rcj_challenges.rules.places.choice import Choice
-from rcj_challenges.rules.places.furthest_free import FurthestFree
-from rcj_challenges.rules.places.nearest_free import NearestFree
-from rcj_challenges.rules.places.on_line import OnLine
+from rcj_challenges.rules.places import place_of
 from rcj_challenges.rules.places.point import AtPoint
-from rcj_challenges.rules.places.relative_to import RelativeTo
-from rcj_challenges.rules.places.spot import AtSpot
-from rcj_challenges.rules.places.start import Start
-from rcj_challenges.rules.places.uniform_in import UniformIn
 from rcj_challenges.rules.values.draw import DrawValue
-from rcj_challenges.rules.values.told import ToldValue
 from rcj_challenges.scenario.half_start import rules_at_start
 from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
@@ -37,7 +29,7 @@ from rcj_challenges.views.drawing.shapes import Point, point_words
 Flip = tuple[bool, bool]
 """Whether x becomes -x, and whether y becomes -y."""
 AS_WRITTEN: Flip = (False, False)
-_MirroredPlacing = tuple[Placing | Place, tuple[Mirror | None, ...]]
+_MirroredPlacing = tuple[Placing | Place, list[Flip]]
 
 
 @dataclass(frozen=True)
@@ -45,26 +37,26 @@ class Area:
     """A place that is neither a spot nor a start.
 
     Attributes:
-        at: the name of a zone or a line, all points of which are equally likely, or a point.
+        at: the name of a zone, both ends of a line, all points of which are equally likely, or one point.
         noise_m: half width of the noise around it, in x and y.
-        flip: how a zone is mirrored. (Lines and points are mirrored themselves.)
-        aim: whether a ball rolls there from where it is put.
+        flip: how a zone is mirrored. (Points are mirrored themselves.)
+        is_aim: whether a ball rolls there from where it is put.
     """
 
-    at: str | OnLine | Point
+    at: str | tuple[Point, ...]
     noise_m: Point = (0.0, 0.0)
     flip: Flip = AS_WRITTEN
-    aim: bool = False
+    is_aim: bool = False
 
     def words(self) -> str:
         """Return where it is: ``(0, 0.1)``, ``(-0.3, 0) to (0.3, 0)``, ``in garden``, ``rolls towards (0, 0.1)``."""
         noise = f", ± {self.noise_m[0]:g}, {self.noise_m[1]:g}" if any(self.noise_m) else ""
         if isinstance(self.at, str):
             axes = " and ".join(f"{axis} becomes -{axis}" for axis, turns in zip("xy", self.flip, strict=True) if turns)
-            where = f"{'' if self.aim else 'in '}{self.at}{f', mirrored ({axes})' if axes else ''}"
+            where = f"{'' if self.is_aim else 'in '}{self.at}{f', mirrored ({axes})' if axes else ''}"
         else:
-            where = " to ".join(map(point_words, self.at.on_line if isinstance(self.at, OnLine) else (self.at,)))
-        return f"{'rolls towards ' if self.aim else ''}{where}{noise}"
+            where = " to ".join(map(point_words, self.at))
+        return f"{'rolls towards ' if self.is_aim else ''}{where}{noise}"
 
 
 def placement_areas(scenario: Scenario, roster: Roster) -> dict[Area, list[str]]:
@@ -107,9 +99,9 @@ def _placed(scenario: Scenario, roster: Roster, rule: Rule, before: dict[str, Po
         ends: list[dict[str, Pose2 | None]] = []
         for placings in _alternatives(scenario, action):
             ends.append(dict(placed))
-            for placing, mirrors in placings:
+            for placing, flips in placings:
                 for name in roster.expand(_names(placing.entity or (), rule)):
-                    ends[-1][name] = _certain_pose(scenario, placing, mirrors, name)
+                    ends[-1][name] = _certain_pose(scenario, roster, placing, flips, name)
         for name in {name for end in ends for name in end}:
             first, *others = (end.get(name, before[name]) for end in ends)
             placed[name] = first if all(other == first for other in others) else None
@@ -130,42 +122,38 @@ def layouts_of(scenario: Scenario, action: Place) -> list[str]:
 
 
 class _Put(NamedTuple):
-    """What is put where, with noise, mirrored; ``aim``: it only rolls there."""
+    """What is put where, with noise, mirrored; ``is_aim``: it only rolls there."""
 
     names: tuple[str, ...]
-    at: At | None
+    at: PlaceWord
     noise_m: Point = (0.0, 0.0)
     flip: Flip = AS_WRITTEN
-    aim: bool = False
-
-    @property
-    def is_marked(self) -> bool:
-        """Whether spots and starts, which are drawn anyway, have to be marked as places too."""
-        return self.aim or self.flip != AS_WRITTEN or any(self.noise_m)
+    is_aim: bool = False
 
 
 def _puts(scenario: Scenario, rule: Rule) -> Iterator[_Put]:
     for action in rule.actions:
         if isinstance(action, Remove) and action.for_s is not None:
-            yield _Put(_names(action.entity, rule), action.back_at)
-        elif isinstance(action, SetSpot) and not isinstance(action.to, str | ToldValue):
+            yield _Put(_names(action.entity, rule), place_of(action.back_at))
+        elif isinstance(action, SetSpot):
             at = AtPoint(point=action.to) if isinstance(action.to, tuple) else action.to
-            yield from (_Put((action.spot,), at, flip=flip) for flip in _flips(action.mirror))
+            if isinstance(at, PlaceWord):
+                yield from (_Put((action.spot,), at, flip=flip) for flip in _flips(action.mirror))
         elif isinstance(action, Place):
-            for placing, mirrors in chain.from_iterable(_alternatives(scenario, action)):
+            for placing, flips in (one for layout in _alternatives(scenario, action) for one in layout):
                 names = _names(placing.entity or (), rule)
-                for flip in _flips(*mirrors):
-                    yield _Put(names, placing.at, placing.noise_m, flip)
+                for flip in flips:
+                    yield _Put(names, place_of(placing.at or "start"), placing.noise_m, flip)
                     if placing.kick is not None:
-                        yield _Put(names, placing.kick.towards, flip=flip, aim=True)
+                        yield _Put(names, place_of(placing.kick.towards), flip=flip, is_aim=True)
 
 
 def _alternatives(scenario: Scenario, action: Place) -> list[list[_MirroredPlacing]]:
-    """Return what an action puts somewhere, with the mirrors that apply to it, for each layout that it may place."""
+    """Return what an action puts somewhere, and how that may be mirrored, for each layout that it may place."""
     if action.entity is not None:
-        return [[(action, (action.mirror,))]]
+        return [[(action, _flips(action.mirror))]]
     layouts = (scenario.placements[name] for name in layouts_of(scenario, action))
-    return [[(placing, (placing.mirror, action.mirror)) for placing in layout] for layout in layouts]
+    return [[(placing, _flips(placing.mirror, action.mirror)) for placing in layout] for layout in layouts]
 
 
 def _flips(*mirrors: Mirror | None) -> list[Flip]:
@@ -178,24 +166,15 @@ def _flips(*mirrors: Mirror | None) -> list[Flip]:
 
 
 def _certain_pose(
-    scenario: Scenario, placing: Placing | Place, mirrors: tuple[Mirror | None, ...], name: str
+    scenario: Scenario, roster: Roster, placing: Placing | Place, flips: list[Flip], name: str
 ) -> Pose2 | None:
     """Return the only pose that a placement can give; None if chance or the course of the half decides."""
-    start, spots = start_pose(scenario, name), fixed_spots(scenario)
-    flips = _flips(*mirrors)
-    match placing.at:
-        case "start" | Start():
-            point = start[0], start[1]
-        case AtPoint(point=point):
-            pass
-        case AtSpot(spot=spot) if spot in spots:
-            point = spots[spot].x_m, spots[spot].y_m
-        case _:
-            return None
-    if len(flips) > 1:
+    start, at = start_pose(scenario, name), place_of(placing.at or "start")
+    points = _points(scenario, roster, at) if at.options() else [start[:2]]
+    if at.IS_SPREAD or len(points) != 1 or len(flips) != 1:
         return None
     yaw_rad = float(placing.facing) if isinstance(placing.facing, int | float) else start[2]
-    return (*flipped(point, flips[0]), yaw_rad)
+    return (*flipped(points[0], flips[0]), yaw_rad)
 
 
 def _names(names: Names, rule: Rule) -> tuple[str, ...]:
@@ -205,60 +184,36 @@ def _names(names: Names, rule: Rule) -> tuple[str, ...]:
 
 
 def _areas(scenario: Scenario, roster: Roster, put: _Put) -> Iterator[tuple[Area, tuple[str, ...]]]:
-    """Yield the places that a placement may choose from, with what is put there."""
-    names, at, noise_m, flip, aim = put
-    match at:
-        case OnLine(on_line=(start, end)):
-            yield Area(OnLine(on_line=(flipped(start, flip), flipped(end, flip))), noise_m, aim=aim), names
-        case UniformIn():
-            zones = (zone for zone in roster.expand(at.uniform_in) if zone in scenario.zones)
-            yield from ((Area(zone, noise_m, flip, aim), names) for zone in zones)
-        case "start" | Start():
-            yield from _starts(scenario, roster, put)
-        case _:
-            points = _points(scenario, roster, put)
-            yield from ((Area(flipped(point, flip), noise_m, aim=aim), names) for point in points)
+    """Yield the places that a placement may choose from, with what is put there.
 
-
-def _points(scenario: Scenario, roster: Roster, put: _Put) -> list[Point]:
-    """Return the points that a placement may choose from, not yet mirrored; without spots as they are drawn anyway.
-
-    A place beside something that moves has no place in the drawing.
+    Spots and starts are drawn anyway: they are areas only as an aim, mirrored, or with noise.
     """
-    match put.at:
-        case RelativeTo(relative_to=anchor, offset_m=(dx, dy)):
-            spots = _spots(scenario, roster, anchor) if put.is_marked or dx or dy else []
-            return [(x + dx, y + dy) for x, y in spots]
-        case AtPoint(point=point):
-            return [point]
-        case (
-            AtSpot(spot=options)
-            | Choice(choice=options)
-            | NearestFree(nearest_free=options)
-            | FurthestFree(furthest_free=options)
-        ):
-            pass
-        case _:
-            return []
+    names, at, noise_m, flip, is_aim = put
+    is_marked = is_aim or flip != AS_WRITTEN or any(noise_m)
+    if not at.options():
+        for name in (one for one in roster.expand(names) if is_marked and one in roster.things):
+            own_m = (0.0, 0.0) if is_aim else start_noise_m(scenario, name)
+            both_m = (noise_m[0] + own_m[0], noise_m[1] + own_m[1])
+            yield Area((flipped(start_pose(scenario, name)[:2], flip),), both_m, is_aim=is_aim), (name,)
+        return
+    points = [flipped(point, flip) for point in _points(scenario, roster, at, has_spots=is_marked)]
+    if at.IS_SPREAD:
+        zones = [name for option in at.options() if isinstance(option, str) for name in roster.expand(option)]
+        yield from ((Area(zone, noise_m, flip, is_aim), names) for zone in zones if zone in scenario.zones)
+        points_apart = [tuple(points)] if points else []
+    else:
+        points_apart = [(point,) for point in points]
+    yield from ((Area(ends, noise_m, is_aim=is_aim), names) for ends in points_apart)
+
+
+def _points(scenario: Scenario, roster: Roster, at: PlaceWord, *, has_spots: bool = True) -> list[Point]:
+    """Return the points of a place, not mirrored, without spots that rules set and whatever moves."""
+    fixed, (dx, dy) = fixed_spots(scenario), getattr(at, "offset_m", (0.0, 0.0))
     points: list[Point] = []
-    for option in options if isinstance(options, tuple) else (options,):
+    for option in at.options():
         if not isinstance(option, str):
             points.append(option)
-        elif put.is_marked:
-            points += _spots(scenario, roster, option)
+        elif has_spots or dx or dy:
+            spots = (fixed[name] for name in roster.may_be(option) if name in fixed)
+            points += [(spot.x_m + dx, spot.y_m + dy) for spot in spots]
     return points
-
-
-def _starts(scenario: Scenario, roster: Roster, put: _Put) -> Iterator[tuple[Area, tuple[str, ...]]]:
-    """Yield the start of each thing; noise of the placement adds to the noise of the start itself."""
-    for name in roster.expand(put.names) if put.is_marked else ():
-        if name in roster.things:
-            own_m = (0.0, 0.0) if put.aim else start_noise_m(scenario, name)
-            noise_m = (put.noise_m[0] + own_m[0], put.noise_m[1] + own_m[1])
-            yield Area(flipped(start_pose(scenario, name)[:2], put.flip), noise_m, aim=put.aim), (name,)
-
-
-def _spots(scenario: Scenario, roster: Roster, name: str) -> list[Point]:
-    """Return the points of a spot, a group, or a draw among spots, without those that rules set."""
-    fixed = fixed_spots(scenario)
-    return [(fixed[one].x_m, fixed[one].y_m) for one in roster.may_be(name) if one in fixed]

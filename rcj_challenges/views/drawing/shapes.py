@@ -1,23 +1,26 @@
-"""Zones as polygons that end at the paper, lines that end at the walls, and points as text."""
+"""Zones, floors and gates as polygons and lines, and points as text."""
 
 from __future__ import annotations
 
 import math
 
 from rcj_challenges.scenario.models.field import FieldModel, Goal
-from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
+from rcj_challenges.scenario.models.places import CircleZone, PolygonZone, RectZone, Zone
 
 Point = tuple[float, float]
 Box = tuple[float, float, float, float]
 """Left, bottom, right and top, in m."""
 
 FORWARD_M = 0.05
+_FAR_M = 1e4
+"""Where an open side ends: beyond all that is drawn."""
+_CIRCLE_CORNERS = 72
 
 
 def zone_outline(zone: Zone, bounds: Box) -> list[Point]:
     """Return a zone's outline in m without regard to ``inverted``, clipped at bounds; empty if it is outside."""
     left, bottom, right, top = bounds
-    outline = _whole_outline(zone, bounds)
+    outline = _whole_outline(zone)
     for through, normal in (((left, 0), (1, 0)), ((right, 0), (-1, 0)), ((0, bottom), (0, 1)), ((0, top), (0, -1))):
         outline = _beyond(outline, through, normal)
     return outline
@@ -29,16 +32,11 @@ def visible_outline(zone: Zone, field: FieldModel, paper: Box) -> list[Point]:
     A zone with an open side ends at the walls, because it would cover the goals and everything around the field. If it
     begins behind the floor, it ends where the goals do.
     """
-    if not _is_open(zone):
-        return zone_outline(zone, paper)
-    return floor_outline(zone, field) or zone_outline(zone, _with_goals(field)) or zone_outline(zone, paper)
-
-
-def _with_goals(field: FieldModel) -> Box:
-    """Return the box around the floor and the goals."""
-    depth_m = max((goal.depth_m for goal in field.goals.values()), default=0.0)
-    w, h = field.width_m / 2, field.length_m / 2 + depth_m
-    return -w, -h, w, h
+    if any(abs(part) >= _FAR_M for point in _whole_outline(zone) for part in point):
+        depth_m = max((goal.depth_m for goal in field.goals.values()), default=0.0)
+        w, h = field.width_m / 2, field.length_m / 2 + depth_m
+        return floor_outline(zone, field) or zone_outline(zone, (-w, -h, w, h)) or zone_outline(zone, paper)
+    return zone_outline(zone, paper)
 
 
 def floor_of(field: FieldModel) -> list[Point]:
@@ -65,98 +63,43 @@ def floor_outline(zone: Zone, field: FieldModel) -> list[Point]:
     return outline
 
 
-def _is_open(zone: Zone) -> bool:
-    if isinstance(zone, RectZone):
-        return None in (zone.x_min_m, zone.x_max_m, zone.y_min_m, zone.y_max_m)
-    return isinstance(zone, HalfPlaneZone)
-
-
-def _whole_outline(zone: Zone, bounds: Box) -> list[Point]:
-    """Return a zone's outline as far as it reaches; open sides end at the bounds."""
-    left, bottom, right, top = bounds
-    if isinstance(zone, RectZone):
-        x0 = left if zone.x_min_m is None else zone.x_min_m
-        x1 = right if zone.x_max_m is None else zone.x_max_m
-        y0 = bottom if zone.y_min_m is None else zone.y_min_m
-        y1 = top if zone.y_max_m is None else zone.y_max_m
-        # An open side that begins beyond the bounds would end before it begins.
-        return [(x0, y0), (x1, y0), (x1, y1), (x0, y1)] if x0 < x1 and y0 < y1 else []
-    if isinstance(zone, CircleZone):
-        x, y = zone.centre_m
-        steps = 72
-        return [
-            (
-                x + zone.radius_m * math.cos(math.tau * k / steps),
-                y + zone.radius_m * math.sin(math.tau * k / steps),
-            )
-            for k in range(steps)
-        ]
-    if isinstance(zone, PolygonZone):
-        return list(zone.points_m)
-    return _beyond([(left, bottom), (right, bottom), (right, top), (left, top)], zone.through_m, zone.normal)
+def _whole_outline(zone: Zone) -> list[Point]:
+    match zone:
+        case RectZone():
+            sides = (zone.x_min_m, -_FAR_M), (zone.y_min_m, -_FAR_M), (zone.x_max_m, _FAR_M), (zone.y_max_m, _FAR_M)
+            return corners_of(*(far_m if side_m is None else side_m for side_m, far_m in sides))
+        case CircleZone(centre_m=(x, y), radius_m=radius_m):
+            turns = (math.tau * k / _CIRCLE_CORNERS for k in range(_CIRCLE_CORNERS))
+            return [(x + radius_m * math.cos(turn), y + radius_m * math.sin(turn)) for turn in turns]
+        case PolygonZone():
+            return list(zone.points_m)
+    everything = corners_of(-_FAR_M, -_FAR_M, _FAR_M, _FAR_M)
+    return _beyond(everything, zone.through_m, zone.normal)
 
 
 def _beyond(corners: list[Point], through: Point, normal: Point) -> list[Point]:
     """Return the part of a polygon on the normal's side of a line."""
-    px, py = through
-    nx, ny = normal
-    depths = [(x - px) * nx + (y - py) * ny for x, y in corners]
+    depths = [(x - through[0]) * normal[0] + (y - through[1]) * normal[1] for x, y in corners]
     outline: list[Point] = []
-    for k, corner in enumerate(corners):
+    for k, (x, y) in enumerate(corners):
         after = (k + 1) % len(corners)
-        following, depth, next_depth = corners[after], depths[k], depths[after]
-        if depth >= 0:
-            outline.append(corner)
-        if (depth < 0) != (next_depth < 0):
-            share = depth / (depth - next_depth)
-            outline.append(
-                (
-                    corner[0] + share * (following[0] - corner[0]),
-                    corner[1] + share * (following[1] - corner[1]),
-                )
-            )
+        if depths[k] >= 0:
+            outline.append((x, y))
+        if (depths[k] < 0) != (depths[after] < 0):
+            share = depths[k] / (depths[k] - depths[after])
+            outline.append((x + share * (corners[after][0] - x), y + share * (corners[after][1] - y)))
     return outline
 
 
-def middle(outline: list[Point], bounds: Box) -> Point:
-    """Return a point for a label: the middle of what of the outline is on the paper."""
-    inside = [(min(max(x, bounds[0]), bounds[2]), min(max(y, bounds[1]), bounds[3])) for x, y in outline]
-    xs, ys = [x for x, _ in inside], [y for _, y in inside]
+def middle(outline: list[Point]) -> Point:
+    """Return the middle of the box around an outline."""
+    xs, ys = [x for x, _ in outline], [y for _, y in outline]
     return (min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2
 
 
-def corners_of(bounds: Box) -> list[Point]:
+def corners_of(left: float, bottom: float, right: float, top: float) -> list[Point]:
     """Return the corners of a box, clockwise."""
-    left, bottom, right, top = bounds
     return [(left, top), (right, top), (right, bottom), (left, bottom)]
-
-
-def visible_line(start: Point, end: Point, field: FieldModel) -> tuple[Point, Point] | None:
-    """Return the part of a line inside the walls; None if there is none.
-
-    A line that ends outside is cut at the walls, or where the goals end if none of it is on the floor.
-    """
-    around = _with_goals(field)
-    if all(around[0] <= x <= around[2] and around[1] <= y <= around[3] for x, y in (start, end)):
-        return start, end
-    return _inside(start, end, floor_of(field)) or _inside(start, end, corners_of(around))
-
-
-def _inside(start: Point, end: Point, corners: list[Point]) -> tuple[Point, Point] | None:
-    """Return the part of a line inside a convex polygon, whose corners stand clockwise."""
-    enters, leaves = 0.0, 1.0
-    for k, (x, y) in enumerate(corners):
-        normal = (y - corners[k - 1][1], corners[k - 1][0] - x)
-        depth, end_depth = ((px - x) * normal[0] + (py - y) * normal[1] for px, py in (start, end))
-        if depth < 0 and end_depth < 0:
-            return None
-        if depth < 0:
-            enters = max(enters, depth / (depth - end_depth))
-        elif end_depth < 0:
-            leaves = min(leaves, depth / (depth - end_depth))
-    dx, dy = end[0] - start[0], end[1] - start[1]
-    at = [(start[0] + share * dx, start[1] + share * dy) for share in (enters, leaves)]
-    return (at[0], at[1]) if enters < leaves else None
 
 
 def turned(points: list[Point], at: Point, yaw_rad: float) -> list[Point]:
@@ -174,19 +117,12 @@ def forward_mark(start: Point, end: Point, length_m: float = FORWARD_M) -> tuple
 
 def box(width_m: float, height_m: float) -> list[Point]:
     """Return the corners of a box around the origin."""
-    x, y = width_m / 2, height_m / 2
-    return [(-x, -y), (x, -y), (x, y), (-x, y)]
-
-
-def shifted(point: Point, by: Point) -> Point:
-    """Return a point so far from another one."""
-    return point[0] + by[0], point[1] + by[1]
+    return corners_of(-width_m / 2, -height_m / 2, width_m / 2, height_m / 2)
 
 
 def zone_words(zone: Zone) -> str:
     """Return a zone's numbers in words: ``-0.2 < x < 0.2, y > 0.59``."""
-    words = _shape_words(zone)
-    return f"all but {words}" if zone.inverted else words
+    return f"all but {_shape_words(zone)}" if zone.inverted else _shape_words(zone)
 
 
 def point_words(point: Point) -> str:
@@ -195,13 +131,14 @@ def point_words(point: Point) -> str:
 
 
 def _shape_words(zone: Zone) -> str:
-    if isinstance(zone, RectZone):
-        sides = (_range_words("x", zone.x_min_m, zone.x_max_m), _range_words("y", zone.y_min_m, zone.y_max_m))
-        return ", ".join(side for side in sides if side) or "everywhere"
-    if isinstance(zone, CircleZone):
-        return f"within {zone.radius_m:g} of {point_words(zone.centre_m)}"
-    if isinstance(zone, PolygonZone):
-        return "polygon " + " ".join(map(point_words, zone.points_m))
+    match zone:
+        case RectZone():
+            sides = (_range_words("x", zone.x_min_m, zone.x_max_m), _range_words("y", zone.y_min_m, zone.y_max_m))
+            return ", ".join(filter(None, sides)) or "everywhere"
+        case CircleZone():
+            return f"within {zone.radius_m:g} of {point_words(zone.centre_m)}"
+        case PolygonZone():
+            return "polygon " + " ".join(map(point_words, zone.points_m))
     return f"beyond {point_words(zone.through_m)} towards {point_words(zone.normal)}"
 
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from rcj_challenges.core.colours import hex_colour
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.drawing.paper import MARKER_PX, Entry, Paper, Section
 from rcj_challenges.views.drawing.shapes import Point, corners_of, floor_outline, middle, visible_outline, zone_words
+from rcj_challenges.views.palette import hex_of
 
 BLACK = "#161c24"
 # Dark enough for white numbers; none of these is near orange.
@@ -17,12 +17,12 @@ def draw_zones(paper: Paper, scenario: Scenario) -> Section:
     entries: list[Entry] = []
     for k, (name, zone) in enumerate(scenario.zones.items()):
         marker = _ZONE_COLOURS[k % len(_ZONE_COLOURS)]
-        colour, marker = (fill_colour(zone.colour), BLACK) if zone.colour else (marker, marker)
+        colour, marker = (hex_of(zone.colour), BLACK) if zone.colour else (marker, marker)
         dash = "" if zone.drawn else ' stroke-dasharray="6 4"'
         style = f'fill="{colour}" fill-opacity="0.06" stroke="{colour}" stroke-width="1.5"{dash}'
         area = visible_outline(zone, scenario.field, paper.bounds)
         if zone.inverted:
-            whole = corners_of(paper.bounds)
+            whole = corners_of(*paper.bounds)
             both = " ".join(paper.outline(outline) for outline in (whole, area) if outline)
             paper.path(both, f'{style} fill-rule="evenodd"', f"all but {name}")
             area = area or whole
@@ -37,7 +37,6 @@ def draw_zones(paper: Paper, scenario: Scenario) -> Section:
 
 
 def _has_room(paper: Paper, area: list[Point]) -> bool:
-    """Return whether a marker fits into the box around an area."""
     xs, ys = [x for x, _ in area], [y for _, y in area]
     return bool(area) and min(max(xs) - min(xs), max(ys) - min(ys)) * paper.scale > MARKER_PX
 
@@ -45,11 +44,6 @@ def _has_room(paper: Paper, area: list[Point]) -> bool:
 def corner_inside(paper: Paper, area: list[Point]) -> Point:
     """Return a place for a marker inside an area, near its upper left corner."""
     x, y = min(area, key=lambda point: point[0] - point[1])
-    to_x, to_y = middle(area, paper.bounds)
+    to_x, to_y = middle(area)
     step_m = 0.8 * MARKER_PX / paper.scale
     return x + max(-step_m, min(step_m, to_x - x)), y + max(-step_m, min(step_m, to_y - y))
-
-
-def fill_colour(colour: str) -> str:
-    """Return a colour as a number: programs that render SVG do not know all of CSS's names."""
-    return hex_colour(colour) or "#868e96"
