@@ -62,7 +62,7 @@ def show_stats(runs: Sequence[Path | None], out: Path, *, as_json: bool, explain
     from rcj_challenges.records.errors import RecordError
     from rcj_challenges.views.console import console_for
     from rcj_challenges.views.replay.browse import find_run
-    from rcj_challenges.views.stats import run_stats, stats_as_json, together
+    from rcj_challenges.views.stats import merge_stats, run_stats, stats_as_json
 
     found, errors = [], []
     folders: dict[Path, Path] = {}  # what is given twice counts once
@@ -75,7 +75,7 @@ def show_stats(runs: Sequence[Path | None], out: Path, *, as_json: bool, explain
             errors.append(error)
     if not found:
         raise errors[0]
-    stats = together(found)
+    stats = merge_stats(found)
     stats.notes += map(str, errors)
     if same := len(runs) - len(found) - len(errors):
         stats.notes.append(f"{same} of the runs are the same as others: counted once")

@@ -81,7 +81,7 @@ class _RecordedDriver:
 
     def release(self, observation: Observation) -> None:
         """Let its ``step`` return."""
-        self._writer.saw(self._number, observation)
+        self._writer.record_observation(self._number, observation)
         self._driver.release(observation)
 
     def collect(self, if_long: Callable[[], None] | None = None) -> Request | Fault:
@@ -99,9 +99,9 @@ class _RecordedDriver:
         printed = self._tail.new_text() if log_bytes != self._log_bytes else ""
         self._log_bytes = log_bytes
         if isinstance(answer, Fault):
-            self._writer.printed(self._number, printed)
+            self._writer.record_output(self._number, printed)
         else:
-            self._writer.did(self._number, answer.motors, printed)
+            self._writer.record_action(self._number, answer.motors, printed)
         return answer
 
 
@@ -138,14 +138,14 @@ class SensorRecording:
 
     def tell(self, observer: Observer, half: HalfInfo) -> None:
         """Pass on the data recorded from now on to an observer."""
-        self._writer.tell(observer.sensing(half, self._robots))
+        self._writer.set_listeners(observer.sensing(half, self._robots))
 
     def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *_: object) -> None:
         for number, tail in enumerate(self._tails):
-            self._writer.printed(number, tail.new_text())
+            self._writer.record_output(number, tail.new_text())
             tail.close()
         self._writer.close()
 

@@ -15,13 +15,7 @@ class RecordError(DiagnosticError):
     """A record that is missing, damaged, foreign, or of another version."""
 
     def __init__(self, code: str, message: str, help_: str = "") -> None:
-        """Describe what is wrong.
-
-        Args:
-            code: stable over versions.
-            message: what is wrong, in one line.
-            help_: what to do, in one line.
-        """
+        """Create an error; its code is stable over versions, message and help are one line each."""
         super().__init__(Diagnostic(code, message, help_))
 
     @property

@@ -40,11 +40,7 @@ _POLL_INTERVAL_S = 0.02
 
 
 def check_version(record: int, name: str) -> None:
-    """Refuse a record of another version.
-
-    Args:
-        record: its version.
-        name: of its folder.
+    """Refuse a record of another version; ``name`` is that of its folder.
 
     Raises:
         RecordError: it is older or newer than what this package reads.
@@ -94,11 +90,10 @@ def read_file(path: Path, max_bytes: int = MAX_FILE_BYTES) -> bytes:
 
 
 def write_all(file: Any, pending: bytearray) -> None:
-    """Write everything, and take from ``pending`` what is written: an unbuffered file may take less than it was given.
+    """Write everything, and remove from ``pending`` what is written: an unbuffered file may take less than given.
 
     Raises:
-        OSError: it takes no more; with its name. What is left in ``pending`` may be written later: a disk is not full
-            for ever.
+        OSError: it takes no more; with its name. What is left in ``pending`` may be written later.
     """
     with naming(file.name):
         while pending:
@@ -215,7 +210,7 @@ def when_free(do: Callable[[], object]) -> None:
 
 @contextmanager
 def naming(path: object) -> Iterator[None]:
-    """Let an error of writing have the file's name, as one of opening has."""
+    """Add the file's name to an error of writing, as one of opening has it."""
     try:
         yield
     except OSError as error:

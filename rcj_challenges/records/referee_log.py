@@ -169,11 +169,6 @@ def _by_tick(entries: Sequence[tuple[int, int, Entry]]) -> tuple[LoggedTick, ...
 
 
 def _entry(line: Any) -> Entry:
-    """Parse a line.
-
-    Raises:
-        KeyError, TypeError, ValueError: it is not a line of a log.
-    """
     tick = _whole(line["tick"], 0)
     match line["kind"]:
         case "event":

@@ -14,6 +14,7 @@ from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import SCENARIO, TRAJECTORY
 from rcj_challenges.records.recorded_scenario import read_scenario
+from rcj_challenges.records.referee_log import RefereeLog, log_of_result, read_referee_log
 from rcj_challenges.records.result import RunResult, read_result
 from rcj_challenges.records.trajectory import HalfTrack, Trajectory
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -28,13 +29,20 @@ class RunRecord:
         result: ``result.json``.
         scenario: as it was played.
         halves: those with at least one tick; at least one.
+        log: of the referee.
         problems: sentences about what is missing or damaged; empty if all is well.
     """
 
     result: RunResult
     scenario: Scenario
     halves: tuple[HalfTrack, ...]
+    log: RefereeLog
     problems: tuple[str, ...]
+
+    @property
+    def shown_log(self) -> RefereeLog:
+        """The log; if it is lost, the events of the result."""
+        return self.log if self.log.ticks else log_of_result(self.result)
 
 
 def read_run(folder: Path) -> RunRecord:
@@ -65,20 +73,17 @@ def read_run(folder: Path) -> RunRecord:
     if trajectory.damage:
         ticks = sum(half.ticks for half in halves)
         problems.append(f"The recorded poses are damaged: {ticks} ticks of them could be read, {_extent(halves)}.")
-    return RunRecord(result, scenario, halves, tuple(problems))
+    log = read_referee_log(folder)
+    if log.damage:
+        problems.append(f"{log.damage} and left out.")
+    return RunRecord(result, scenario, halves, log, tuple(problems))
 
 
 def _extent(halves: Iterable[HalfTrack]) -> str:
-    """Return how far a record goes, in words."""
     return ", ".join(f"{s_from_ticks(half.ticks):.1f} s of half {half.info.half}" for half in halves)
 
 
 def _check_seats(half: HalfTrack, scenario: Scenario, folder: Path) -> None:
-    """Refuse a half that others played.
-
-    Raises:
-        RecordError: it was played by other seats than the scenario has.
-    """
     if set(half.info.teams) != set(scenario.entrants):
         message = f"{folder.name}: half {half.info.half} was played by other seats than the scenario has"
         raise RecordError("record-damaged", message, "copy the whole record again")

@@ -94,7 +94,7 @@ def row_dtype(robot: SensedRobot) -> np.dtype[np.void]:
 
 
 class SensorListener(Protocol):
-    """Gets a recording while it is made. Calls must return at once: the match waits for them."""
+    """Receives a recording while it is made. Calls must return at once: the match waits for them."""
 
     def sensed(self, robot: int, row: bytes) -> None:
         """Take a row of `row_dtype`, as it is recorded.
@@ -127,7 +127,7 @@ class _Rows:
         self.printed_bytes_left = MAX_PRINTED_BYTES
         self.tick = 0
 
-    def saw(self, observation: Observation) -> None:
+    def record_observation(self, observation: Observation) -> None:
         self.tick = observation.tick
         self._values = observation.values
         if self._packets:
@@ -137,7 +137,7 @@ class _Rows:
                 numbers += (packet.strength, *packet.direction)
             self._received = numbers
 
-    def did(self, motors: Sequence[MotorCommand]) -> bytes:
+    def record_action(self, motors: Sequence[MotorCommand]) -> bytes:
         for command in motors:
             holds_angle = not math.isinf(command.position_rad)
             self._motors[self._motor_at[command.device]] = math.nan if holds_angle else command.velocity_radps
@@ -173,28 +173,28 @@ class SensorWriter:
         self._next_write = TICKS_PER_CHUNK
         self._is_full = False
 
-    def tell(self, listeners: Sequence[SensorListener]) -> None:
-        """Also pass on the data recorded from now on to these."""
+    def set_listeners(self, listeners: Sequence[SensorListener]) -> None:
+        """Pass the data recorded from now on to these, too."""
         self._listeners = tuple(listeners)
 
-    def saw(self, robot: int, observation: Observation) -> None:
-        """Record what a program sees."""
+    def record_observation(self, robot: int, observation: Observation) -> None:
+        """Record an observation."""
         if not self._is_full:
             if observation.tick >= self._next_write:
                 self._write()
                 self._next_write = observation.tick + TICKS_PER_CHUNK
-            self._rows[robot].saw(observation)
+            self._rows[robot].record_observation(observation)
 
-    def did(self, robot: int, motors: Sequence[MotorCommand], printed: str = "") -> None:
+    def record_action(self, robot: int, motors: Sequence[MotorCommand], printed: str = "") -> None:
         """Record what a program set and printed on its last observation (before the first: at tick 0)."""
         if not self._is_full:
             if self._rows[robot].is_sensed:
-                row = self._rows[robot].did(motors)
+                row = self._rows[robot].record_action(motors)
                 for listener in self._listeners:
                     listener.sensed(robot, row)
-            self.printed(robot, printed)
+            self.record_output(robot, printed)
 
-    def printed(self, robot: int, text: str) -> None:
+    def record_output(self, robot: int, text: str) -> None:
         """Record what a program printed since its last observation."""
         rows = self._rows[robot]
         if text and not self._is_full and rows.printed_bytes_left > 0:

@@ -1,4 +1,4 @@
-"""The trajectory: everything that the referee saw of a run, written during play, so that it can be judged again.
+"""The trajectory: all that the referee saw of a run, written during play, so that it can be judged again.
 
 A file of chunks (`chunks`). Its header names entities and things. A chunk ``{"half": …}`` begins a half with its facts;
 then comes one chunk for each 25 ticks: the number of rows and notes of what is rare (start, placements, faults, radio
@@ -334,11 +334,7 @@ class _HalfReader:
         self._notes: dict[str, dict[int, Any]] = {"start": {}, "placements": {}, "faults": {}, "told": {}}
 
     def add(self, head: Mapping[str, Any], body: bytes) -> None:
-        """Add a chunk.
-
-        Raises:
-            Exception: one of `_DAMAGE`: it does not fit; nothing of it is added.
-        """
+        """Add a chunk; one that does not fit raises one of `_DAMAGE`, and nothing of it is added."""
         rows: Array = np.frombuffer(body, self._dtype, head["rows"])
         pairs: Array = np.frombuffer(body, "<u2", offset=rows.nbytes).reshape(-1, 2)
         if len(pairs) != int(rows["touch_counts"].sum(dtype=np.int64)):
@@ -355,11 +351,7 @@ class _HalfReader:
         self._pairs.append(pairs)
 
     def _check(self, tick: int, key: str, found: Any) -> None:
-        """Refuse a note about what does not take part.
-
-        Raises:
-            ValueError: it is one.
-        """
+        """Raise ValueError for a note about what does not take part."""
         if key == "start":
             lengths = {len(found.heights), len(found.uprights), *map(len, found.substeps)}
             things = chain.from_iterable(chain.from_iterable(found.touches))
@@ -394,15 +386,11 @@ def _adapter(kind: Any) -> TypeAdapter[Any]:
 
 
 def _info(data: Any, half: int) -> HalfInfo:
-    """Return the facts of a half.
-
-    Raises:
-        ValueError: they are not those of this half, or do not fit each other.
-    """
+    """Return the facts of a half; raise ValueError if they are of another half or contradict each other."""
     info: HalfInfo = _adapter(HalfInfo).validate_python(data)
     seats = set(info.teams)
     if info.half != half or not (set(info.teams.values()) == set(info.scores) == set(info.team_names) == seats):
-        raise ValueError("facts that do not fit each other")
+        raise ValueError("facts that contradict each other")
     return info
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from datetime import datetime
 from pathlib import Path
 from types import TracebackType
@@ -90,11 +90,11 @@ class RecordWriter:
         name: str | None = None,
         now: Callable[[], datetime] = utc_now,
     ) -> None:
-        """Make the folder; write the scenario and a result that is not complete yet.
+        """Make the folder; write the scenario and an incomplete result.
 
         Args:
             out: the folder in which the run's folder is made (``runs``).
-            header: what is known before the start.
+            header: the facts before the start.
             name: of the run's folder; left out: time and scenario. A number is added if it exists.
             now: the wall clock, for the name and for ``datetime`` in the reflog.
 
@@ -146,7 +146,7 @@ class RecordWriter:
 
     @property
     def result(self) -> dict[str, Any]:
-        """What ``result.json`` says at present; a copy may be printed or sent as JSON."""
+        """The current content of ``result.json``."""
         return dict(self._result or {})
 
     def begin_half(self, half: HalfInfo) -> None:
@@ -225,8 +225,6 @@ class RecordWriter:
         if kind is not None and not self._reflog.closed:
             self.break_off(kind)
 
-    # --- parts ------------------------------------------------------------------------------------------------------
-
     def _close_half(self, half: HalfInfo, ended: str | None, *, complete: bool) -> None:
         # An interruption in here closes it a second time.
         if half.half not in [one["half"] for one in self._halves]:
@@ -245,7 +243,6 @@ class RecordWriter:
     def _log(
         self, half: HalfInfo, events: Sequence[Event], firings: Sequence[Firing], changes: Sequence[Change]
     ) -> None:
-        """Write what happened in a tick to the reflog and the referee's log, and keep it for digest and result."""
         if events:
             write_all(self._reflog, bytearray(reflog_lines(events, timestamp(self._now()))))
         for event in events:
@@ -259,16 +256,7 @@ class RecordWriter:
     def _fault(self, fault: Fault, half: HalfInfo) -> dict[str, Any]:
         entrants = self._header.scenario.entrants
         team = next((half.teams[seat] for seat, entrant in entrants.items() if fault.robot in entrant.robots), None)
-        return {
-            "robot": fault.robot,
-            "team": team,
-            "half": fault.half,
-            "tick": fault.tick,
-            "kind": fault.kind,
-            "detail": fault.detail,
-            "traceback": fault.traceback,
-            "timed": fault.timed,
-        }
+        return {**asdict(fault), "team": team}
 
     def _write_result(self, more: Mapping[str, Any]) -> None:
         line = self._result_line(more)

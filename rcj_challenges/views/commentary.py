@@ -1,4 +1,4 @@
-"""What happens in a match, in sentences for people: the rules' own, and the score when it changes."""
+"""A match as remarks for people: sentences of the rules, and the score when it changes."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ class Commentator:
         self._names = distinct_names({seat: sanitize(name, 32) for seat, name in half.team_names.items()})
 
     def remarks(self, output: RefereeOutput) -> Iterator[Remark]:
-        """Yield what there is to say about one output: its events, then points that were given without one."""
+        """Yield the remarks about an output: its events, then points that were given without one."""
         for event in self._builder.add(output.events, output.firings, output.changes).events:
             scored = {seat: points for seat, points in event.scored.items() if points}
             # The score changes once, also by a rule that emits several events.
@@ -78,8 +78,8 @@ class Commentator:
 
 def _sentence(event: TimelineEvent) -> Remark:
     says = "" if event.cause is None else event.cause.says
-    told = extra_payload_text(event.name, event.payload, says)
-    return Remark(f"{_time(event):>7}  {sanitize(' · '.join(filter(None, (says or _name(event), told))), 300)}")
+    values = extra_payload_text(event.name, event.payload, says)
+    return Remark(f"{_time(event):>7}  {sanitize(' · '.join(filter(None, (says or _name(event), values))), 300)}")
 
 
 def _name(event: TimelineEvent) -> str:

@@ -1,4 +1,4 @@
-"""The console for people: letters that its encoding lacks are replaced, and it falls silent when its reader is gone."""
+"""The console for people: it replaces letters that its encoding lacks, and stops writing when its reader is gone."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from rcj_challenges.core.sanitize import sanitize_lines
 
 
 class PatientConsole(Console):
-    """A console that falls silent when its reader has seen enough (``| head``): a match goes on to its end.
+    """A console that stops writing when its reader is gone (``| head``); the match goes on to its end.
 
-    Whatever it prints may hold text of strangers, so characters that would steer the terminal become visible.
+    It prints text of strangers, so control characters are made visible.
     """
 
     def render(self, renderable: RenderableType, options: ConsoleOptions | None = None) -> Iterable[Segment]:
@@ -25,7 +25,7 @@ class PatientConsole(Console):
             yield piece if piece.is_control else piece._replace(text=sanitize_lines(piece.text))
 
     def on_broken_pipe(self) -> None:
-        """Say nothing more. Rich would end the command, with exit status 1."""
+        """Print nothing more. Rich would end the command, with exit status 1."""
         with contextlib.suppress(SystemExit):
             super().on_broken_pipe()
 

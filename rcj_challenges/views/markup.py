@@ -8,5 +8,5 @@ from rcj_challenges.core.sanitize import sanitize_lines
 
 
 def escaped(text: str) -> str:
-    """Return text that can stand in an element or an attribute: visible characters without a meaning in markup."""
+    """Return text as it can stand in an element or an attribute: markup is escaped, control characters are visible."""
     return html.escape(sanitize_lines(text))

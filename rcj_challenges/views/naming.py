@@ -1,4 +1,4 @@
-"""What teams are called where several stand side by side: two may have the same name."""
+"""Names of teams that are shown side by side: two teams may have the same name."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def changes_sides(scenario: Scenario) -> bool:
 
 
 def titles(scenario: Scenario, result: RunResult) -> dict[str, str]:
-    """Return what teams are called, by their seats of the first half; no two are called the same."""
+    """Return distinct names of the teams, by their seats of the first half."""
     names = {team: entrant.name or team for team, entrant in result.entrants.items()}
     return distinct_names(names, sides_change=changes_sides(scenario))
 

@@ -1,4 +1,4 @@
-"""The values of an event's payload beside the sentence of its rule: short, and nothing twice."""
+"""The values of an event's payload that the sentence of its rule does not have, as short text."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ _ON_THE_BOARD = frozenset(
     ("score", "score_blue", "score_yellow", "team_name_blue", "team_name_yellow", "halftime", "match_id",
      "total_match_time", "total_match_time_s")
 )  # fmt: skip
-"""Fields of official events, which the scoreboard shows: who plays, how it stands, which half, how long."""
+"""Fields of official events, which the scoreboard shows."""
 
 _OFFICIAL = frozenset(("KICKOFF", "GOAL", "LACK_OF_PROGRESS", "ROBOT_DAMAGED"))
 """Events of the match, whose sentences name the robots and teams concerned."""
-_ABOUT_WHOM = frozenset(("robot_name", "team_name", "type"))
+_SUBJECTS = frozenset(("robot_name", "team_name", "type"))
 
 _LONGEST = 80
 _DECIMALS = 4
@@ -25,7 +25,7 @@ _DECIMALS = 4
 
 def extra_payload_text(event: str, payload: Mapping[str, Any], says: str) -> str:
     """Return ``run 8.48 s, poles 1``: the values of an event's payload that neither sentence nor scoreboard show."""
-    known = _ON_THE_BOARD | _ABOUT_WHOM if says and event in _OFFICIAL else _ON_THE_BOARD
+    known = _ON_THE_BOARD | _SUBJECTS if says and event in _OFFICIAL else _ON_THE_BOARD
     left = {key: value for key, value in payload.items() if key not in known}
     return ", ".join(_words(key, value) for key, value in left.items() if not _is_in_sentence(key, value, says))
 
@@ -48,16 +48,16 @@ def _words(key: str, value: Any) -> str:
     name = key.removesuffix("_name")
     match value:
         case bool():
-            told = "yes" if value else "no"
+            text = "yes" if value else "no"
         case int() | float():
-            told = _number(value)
+            text = _number(value)
         case None:
-            told = "none"
+            text = "none"
         case str():
-            told = value
+            text = value
         case _:
-            told = json.dumps(value, ensure_ascii=False)
-    return measured_words(name, told if len(told) <= _LONGEST else told[: _LONGEST - 1] + "…")
+            text = json.dumps(value, ensure_ascii=False)
+    return measured_words(name, text if len(text) <= _LONGEST else text[: _LONGEST - 1] + "…")
 
 
 def _number(value: float) -> str:

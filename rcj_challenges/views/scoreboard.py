@@ -19,7 +19,7 @@ from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.core.timing import TICK_S, s_from_ticks
 from rcj_challenges.match.observers import Observer, Progress
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Scenario
-from rcj_challenges.views.commentary import Commentator
+from rcj_challenges.views.commentary import Commentator, Remark
 from rcj_challenges.views.naming import distinct_names
 from rcj_challenges.views.sentences import clock, fault_line
 
@@ -30,7 +30,7 @@ _BAR_COLUMNS = 30
 
 
 def create_observer(console: Console, scenario: Scenario, *, quiet: bool, shared: bool) -> Observer:
-    """Return the scoreboard in a terminal, plain lines elsewhere; if quiet what programs print, if that is asked for.
+    """Return the scoreboard in a terminal, plain lines elsewhere; if quiet, only what programs print.
 
     Args:
         console: where it is shown.
@@ -158,10 +158,10 @@ def pace(progress: Progress) -> str:
 
 
 class PrintedLines(Observer):
-    """What programs print whose output is shown, and nothing else.
+    """Shows what programs print whose output is shown, and nothing else.
 
     Attributes:
-        trouble: why it fell silent in the middle of the match, such as a full disk; the match goes on to its end.
+        trouble: why nothing more is shown, such as a full disk; the match goes on to its end.
     """
 
     def __init__(self, console: Console) -> None:
@@ -169,69 +169,78 @@ class PrintedLines(Observer):
         self._console = console
 
     def printed(self, robot: str, text: str) -> None:
-        """Show what a program printed."""
+        """Show the output of a program."""
         for line in text.splitlines():
-            self._say(f"{robot} | {sanitize(line.expandtabs(4), 2000)}")
+            self._print(f"{robot} | {sanitize(line.expandtabs(4), 2000)}")
 
-    def _say(self, line: str) -> None:
+    def _print(self, line: str) -> None:
         if self.trouble is None:
             try:
-                self._print(line)
+                self._console.print(line, markup=False, highlight=False, soft_wrap=True)
             except OSError as error:
                 self.trouble = error
 
-    def _print(self, line: str) -> None:
-        self._console.print(line, markup=False, highlight=False, soft_wrap=True)
+
+class _Commented(PrintedLines):
+    """Also shows what happens, as remarks of a commentator."""
+
+    def __init__(self, console: Console, scenario: Scenario) -> None:
+        super().__init__(console)
+        self._commentator = Commentator(scenario)
+
+    def half_started(self, half: HalfInfo) -> None:
+        """Begin a half."""
+        self._commentator.begin(half)
+
+    def after_tick(self, snapshot: Snapshot, output: RefereeOutput) -> None:
+        """Show the remarks about a tick."""
+        if output.events or output.firings or output.changes:
+            for remark in self._commentator.remarks(output):
+                self._show(remark)
+
+    def after_last_tick(self, output: RefereeOutput, half: HalfInfo) -> None:
+        """Show the remarks about the rules after the last tick."""
+        for remark in self._commentator.remarks(output):
+            self._show(remark)
+
+    def _show(self, remark: Remark) -> None:
+        self._print(remark.text)
 
 
-class PlainLines(PrintedLines):
+class PlainLines(_Commented):
     """One line for each event and each simulated minute: for logs, pipes and editors."""
 
     progress_every_ticks = round(60 / TICK_S)
 
     def __init__(self, console: Console, scenario: Scenario) -> None:
-        super().__init__(console)
-        self._commentator = Commentator(scenario)
-        self._print(scenario.title)  # where this cannot be said no match need begin
+        super().__init__(console, scenario)
+        # Not through _print: if this fails, the match need not begin.
+        console.print(scenario.title, markup=False, highlight=False, soft_wrap=True)
 
     def half_started(self, half: HalfInfo) -> None:
-        """Say who plays where."""
-        self._commentator.begin(half)
-        self._say(f"half {half.half} of {half.halves}  {_seats(half)}")
+        """Print who plays where."""
+        super().half_started(half)
+        self._print(f"half {half.half} of {half.halves}  {_seats(half)}")
 
     def progressed(self, progress: Progress) -> None:
-        """Say time, score and speed."""
+        """Print time, score and speed."""
         if progress.clock_ticks < progress.half.ticks:
             line = score_so_far(progress.half, progress.scores)
-            self._say(f"{clock(s_from_ticks(progress.clock_ticks)):>7}  {line}  ({pace(progress)})")
-
-    def after_tick(self, snapshot: Snapshot, output: RefereeOutput) -> None:
-        """Say what happened."""
-        if output.events or output.firings or output.changes:
-            self._comment(output)
-
-    def after_last_tick(self, output: RefereeOutput, half: HalfInfo) -> None:
-        """Say what happened after the last tick."""
-        self._comment(output)
+            self._print(f"{clock(s_from_ticks(progress.clock_ticks)):>7}  {line}  ({pace(progress)})")
 
     def fault(self, fault: Fault) -> None:
-        """Say the fault."""
-        self._say(fault_line(fault))
-
-    def _comment(self, output: RefereeOutput) -> None:
-        for remark in self._commentator.remarks(output):
-            self._say(remark.text)
+        """Print the fault."""
+        self._print(fault_line(fault))
 
 
-class Scoreboard(Observer):
+class Scoreboard(_Commented):
     """A live board: teams, score, clock, speed, last events. What changed the score stays above it."""
 
     progress_every_ticks = 125
 
     def __init__(self, console: Console, scenario: Scenario) -> None:
-        self._console = console
+        super().__init__(console, scenario)
         self._title = scenario.title
-        self._commentator = Commentator(scenario)
         known = {seat: colour for seat, colour in self._commentator.colours.items() if colour in ANSI_COLOR_NAMES}
         self._styles = {seat: f"bold {colour}" for seat, colour in known.items()}
         self._events: deque[Text] = deque(maxlen=_EVENTS_SHOWN)
@@ -239,7 +248,7 @@ class Scoreboard(Observer):
 
     def half_started(self, half: HalfInfo) -> None:
         """Put the board up."""
-        self._commentator.begin(half)
+        super().half_started(half)
         self._live.start()
         self._draw(Progress(half, 0, 0, dict(half.scores), "play", 0.0, 0.0))
 
@@ -247,35 +256,20 @@ class Scoreboard(Observer):
         """Draw the board again."""
         self._draw(progress)
 
-    def after_tick(self, snapshot: Snapshot, output: RefereeOutput) -> None:
-        """Show what happened."""
-        if output.events or output.firings or output.changes:
-            self._comment(output)
-
-    def after_last_tick(self, output: RefereeOutput, half: HalfInfo) -> None:
-        """Show what happened after the last tick."""
-        self._comment(output)
-
     def fault(self, fault: Fault) -> None:
-        """Remember the fault; the next drawing shows it."""
+        """Add the fault to the events; the next drawing shows it."""
         self._events.append(Text(fault_line(fault), style="red", no_wrap=True, overflow="ellipsis"))
-
-    def printed(self, robot: str, text: str) -> None:
-        """Show what a program printed, above the board."""
-        for line in text.splitlines():
-            self._console.print(f"{robot} | {sanitize(line.expandtabs(4), 2000)}", markup=False, highlight=False)
 
     def finished(self, result: dict[str, Any]) -> None:
         """Take the board down."""
         self._live.stop()
 
-    def _comment(self, output: RefereeOutput) -> None:
-        for remark in self._commentator.remarks(output):
-            line = _one_line(remark.text, self._styles.get(remark.seat, ""))
-            if remark.seat:
-                self._console.print(line)
-            else:
-                self._events.append(line)
+    def _show(self, remark: Remark) -> None:
+        line = _one_line(remark.text, self._styles.get(remark.seat, ""))
+        if remark.seat:
+            self._console.print(line)
+        else:
+            self._events.append(line)
 
     def _draw(self, progress: Progress) -> None:
         half = progress.half

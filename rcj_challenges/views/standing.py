@@ -21,15 +21,15 @@ def shows_score(scenario: Scenario) -> bool:
 
 
 def counted_names(scenario: Scenario) -> list[dict[str, str]]:
-    """Return the counters that the ranking compares, as a scoreboard says them: ``{"name": "best", "unit": "s"}``."""
+    """Return the counters that the ranking compares, as a scoreboard has them: ``{"name": "best", "unit": "s"}``."""
     return [dict(zip(("name", "unit"), measure(name), strict=True)) for name in ranked_counters(scenario)]
 
 
-class Counting:
-    """Follows what the counters that decide the ranking count for each team, half after half.
+class RankingCounters:
+    """Follows the counters that decide the ranking, for each team and over all halves.
 
     Args:
-        scenario: what is played; of one whose ranking asks no counter nothing is followed.
+        scenario: what is played.
     """
 
     def __init__(self, scenario: Scenario) -> None:
@@ -41,15 +41,15 @@ class Counting:
         self._latest: Mapping[str, Any] | None = None
 
     def begin(self, half: HalfInfo) -> None:
-        """Begin a half; what is counted from now on is counted in it."""
+        """Begin a half."""
         counters = self._scenario.counters
         if self._latest is not None:
             self._over.append(self._tally(self._latest))
             self._began = {name: self._latest[name] for name in self._names if counters[name].keep == "match"}
         self._seats, self._latest = half.teams, None
 
-    def at(self, counters: Mapping[str, Any]) -> dict[str, list[Value]] | None:
-        """Return by team what counts for it now, in the order of `counted_names`; None if a counter is missing."""
+    def by_team(self, counters: Mapping[str, Any]) -> dict[str, list[Value]] | None:
+        """Return the current values by team, in the order of `counted_names`; None if a counter is missing."""
         if any(name not in counters for name in self._names):
             return None
         self._latest = counters

@@ -19,7 +19,7 @@ from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.records.trajectory import HalfTrack
 from rcj_challenges.rules.actions.emit import Emit
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.views.standing import Counting, Value
+from rcj_challenges.views.standing import RankingCounters, Value
 
 POINTS = "POINTS"
 """Name of what stands in the timeline for points that a rule gives without an event."""
@@ -134,7 +134,7 @@ class TimelineBuilder:
             name: [action.event for action in rule.actions if isinstance(action, Emit)]
             for name, rule in scenario.rules.items()
         }
-        self._counting = Counting(scenario)
+        self._ranking = RankingCounters(scenario)
         self._unannounced: Counter[str] = Counter()
         self._half = HalfTimeline(0, {}, {})
         self._score: Mapping[str, Score] = {}
@@ -144,7 +144,7 @@ class TimelineBuilder:
         self._score = {half.teams[seat]: points for seat, points in half.scores.items()}
         self._half = self.timeline.halves[half.half] = HalfTimeline(half.half, half.teams, self._score)
         self._unannounced.clear()
-        self._counting.begin(half)
+        self._ranking.begin(half)
 
     def add(
         self,
@@ -186,7 +186,7 @@ class TimelineBuilder:
                     half.scores.append((change.tick, score))
                     news = replace(news, score=score)
                 case CountersChange():
-                    counted = self._counting.at(change.counters)
+                    counted = self._ranking.by_team(change.counters)
                     if counted is not None:
                         half.counted.append((change.tick, counted))
                         news = replace(news, counted=counted)

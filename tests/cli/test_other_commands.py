@@ -13,9 +13,9 @@ from rcj_challenges.cli.app import app
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.match import batch
 from rcj_challenges.match.batch import Job, Outcome
-from rcj_challenges.records.testing import write_made_up_run
 from rcj_challenges.views.replay.browse import address_of
 from tests.cli.in_this_process import played_one_after_the_other
+from tests.made_up_runs import write_made_up_run
 
 BALL_CHASER = Path(__file__).parents[2] / "examples/teams/ball_chaser"
 

@@ -9,8 +9,8 @@ from PIL import Image
 from rcj_challenges.cli.app import app
 from rcj_challenges.core.diagnostics import DiagnosticError
 from rcj_challenges.core.errors import RcjError
-from rcj_challenges.records.testing import write_made_up_run
 from rcj_challenges.views.video import errors, make
+from tests.made_up_runs import write_made_up_run
 
 
 def run(*arguments):

@@ -70,7 +70,7 @@ def report(folder: Path) -> dict[str, object]:
     from rcj_challenges.scenario.errors import ScenarioError
     from rcj_challenges.scenario.json_schema import scenario_schema
     from rcj_challenges.scenario.load import load_text
-    from rcj_challenges.views.replay.sensing import robot_facts
+    from rcj_challenges.views.replay.sensor_blocks import robot_facts
     from rcj_challenges.views.sheet import sheet_markdown
     from scripts.write_reference import Example, page
     from tests.match.playing import Place

@@ -7,9 +7,9 @@ import pytest
 from rcj_challenges.core.play import Event
 from rcj_challenges.records.digest import StatesDigest, given_values, inputs_digest, run_digest
 from rcj_challenges.records.result import read_result
-from rcj_challenges.records.testing import small_scenario, write_made_up_run
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.scenario.load import load, load_resolved, load_text
+from tests.made_up_runs import small_scenario, write_made_up_run
 
 HEAD = "schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\n"
 RULE = "{triggers: [{trigger: half_started}], actions: [{action: emit, event: %s}]}"
@@ -137,18 +137,3 @@ def test_a_programs_own_words_are_no_part_of_the_states() -> None:
         return states([], [Event(5, "PROGRAM_FAULT", {"robot_name": "Y1", "kind": "crash", "detail": detail})])
 
     assert with_detail("at 0x7f00") == with_detail("at 0x7fff")
-
-
-def test_a_long_run_is_hashed_as_it_goes_and_state_may_change_its_length() -> None:
-    once, twice = StatesDigest(), StatesDigest()
-    for number in range(5000):
-        once.state(bytes([number % 256]) * (8 + number % 2))
-    for number in range(5000):
-        twice.state(bytes([number % 256]) * (8 + number % 2))
-        if number % 1000 == 0:
-            twice.hexdigest()
-    assert once.hexdigest() == twice.hexdigest()
-
-
-def test_either_digest_changes_that_of_the_run() -> None:
-    assert len({run_digest("a", "b"), run_digest("b", "a"), run_digest("a", "a")}) == 3

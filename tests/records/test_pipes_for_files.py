@@ -12,7 +12,7 @@ from rcj_challenges.records.referee_log import read_referee_log
 from rcj_challenges.records.result import read_result
 from rcj_challenges.records.run_record import read_run
 from rcj_challenges.records.sensors import read_sensors
-from rcj_challenges.records.testing import write_made_up_run
+from tests.made_up_runs import write_made_up_run
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no pipes among its files")
 

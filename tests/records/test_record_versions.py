@@ -12,11 +12,11 @@ from rcj_challenges.records.folder import RECORD_VERSION
 from rcj_challenges.records.result import read_result
 from rcj_challenges.records.run_record import read_run
 from rcj_challenges.records.sensors import read_sensors
-from rcj_challenges.records.testing import write_made_up_run
 from rcj_challenges.records.trajectory import Trajectory
 from rcj_challenges.views.replay import write_replay
 from rcj_challenges.views.stats import run_stats
 from tests.goldens.plays import RECORD
+from tests.made_up_runs import write_made_up_run
 
 OLD = Path(__file__).parent / "version-1"
 """The result of a match as version 1 wrote it."""

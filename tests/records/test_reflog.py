@@ -14,8 +14,8 @@ from rcj_challenges.core.play import Event, Fault, Firing, RefereeOutput
 from rcj_challenges.records.lines import json_line
 from rcj_challenges.records.referee_log import LoggedTick, read_referee_log
 from rcj_challenges.records.reflog import events_of, reflog_lines
-from rcj_challenges.records.testing import half_info, made_up_snapshot, small_header, small_scenario
 from rcj_challenges.records.writer import RecordWriter
+from tests.made_up_runs import half_info, made_up_snapshot, small_header, small_scenario
 
 
 def test_a_line_has_the_keys_order_and_number_format_of_the_original() -> None:

@@ -16,11 +16,11 @@ from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REFEREE_LOG
 from rcj_challenges.records.referee_log import RefereeLog, read_referee_log
 from rcj_challenges.records.run_record import read_run
-from rcj_challenges.records.testing import (
+from rcj_challenges.records.trajectory import Trajectory
+from tests.made_up_runs import (
     begun_run,
     write_made_up_run,
 )
-from rcj_challenges.records.trajectory import Trajectory
 
 FILE = "trajectory.chunks"
 TICKS = 60
@@ -140,13 +140,6 @@ def test_a_scenario_that_was_changed_to_one_that_cannot_be_played_is_refused(goo
 def test_a_trajectory_of_another_scenario_is_refused(good: Path, tmp_path: Path) -> None:
     other = write_made_up_run(tmp_path, ticks=5, halves=1, robots_per_team=1)
     assert code(damaged(good, tmp_path / "run", whole(other))) == "record-damaged"
-
-
-def test_a_folder_in_place_of_the_trajectory_is_refused(good: Path, tmp_path: Path) -> None:
-    shutil.copytree(good, tmp_path / "run")
-    (tmp_path / "run" / FILE).unlink()
-    (tmp_path / "run" / FILE).mkdir()
-    assert code(tmp_path / "run", FILE) == "record-unreadable"
 
 
 @pytest.mark.parametrize("name", ["result.json", "scenario.json"])

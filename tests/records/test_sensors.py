@@ -39,10 +39,10 @@ def bits(numbers: np.ndarray) -> list[bytes]:
 
 def write(folder: Path, ticks: int, half: int = 1) -> SensorWriter:
     writer = SensorWriter(folder, half, [robot()])
-    writer.did(0, [MotorCommand(0, 3.0, INF)])
+    writer.record_action(0, [MotorCommand(0, 3.0, INF)])
     for tick in range(1, ticks + 1):
-        writer.saw(0, saw(tick))
-        writer.did(0, [], f"line {tick}\n" if tick % 50 == 0 else "")
+        writer.record_observation(0, saw(tick))
+        writer.record_action(0, [], f"line {tick}\n" if tick % 50 == 0 else "")
     return writer
 
 
@@ -54,8 +54,8 @@ def test_readings_are_read_back_bit_for_bit(rows: list, tmp_path_factory: pytest
     folder = tmp_path_factory.mktemp("run")
     writer = SensorWriter(folder, 1, [robot()])
     for tick, values in enumerate(rows, 1):
-        writer.saw(0, saw(tick, values))
-        writer.did(0, [])
+        writer.record_observation(0, saw(tick, values))
+        writer.record_action(0, [])
     writer.close()
     track = read_sensors(folder)[1].robots["B1"]
     assert bits(track.values) == bits(np.array(rows))
@@ -65,11 +65,11 @@ def test_readings_are_read_back_bit_for_bit(rows: list, tmp_path_factory: pytest
 
 def test_a_motor_keeps_what_it_was_set_to_until_it_is_set_again(tmp_path: Path) -> None:
     writer = SensorWriter(tmp_path, 1, [robot()])
-    writer.did(0, [MotorCommand(1, 4.5, INF)])
-    writer.saw(0, saw(1))
-    writer.did(0, [])
-    writer.saw(0, saw(2))
-    writer.did(0, [MotorCommand(0, -2.0, INF), MotorCommand(1, 4.5, 1.0)])
+    writer.record_action(0, [MotorCommand(1, 4.5, INF)])
+    writer.record_observation(0, saw(1))
+    writer.record_action(0, [])
+    writer.record_observation(0, saw(2))
+    writer.record_action(0, [MotorCommand(0, -2.0, INF), MotorCommand(1, 4.5, 1.0)])
     writer.close()
     motors = read_sensors(tmp_path)[1].robots["B1"].motors
     assert motors[:2, 1].tolist() == [4.5, 4.5]
@@ -89,12 +89,12 @@ def test_before_its_first_step_a_program_has_seen_nothing(tmp_path: Path) -> Non
 def test_only_packets_of_balls_are_kept_the_newest_last(tmp_path: Path) -> None:
     writer = SensorWriter(tmp_path, 1, [robot(balls=2)])
     heard = [Packet(4, b"x", strength, (1.0, 0.0, -0.1)) for strength in (1.0, 2.0, 3.0)]
-    writer.saw(0, saw(1, packets=[heard[0], Packet(5, b"\x01", 9.0, (0.0, 1.0, 0.0)), *heard[1:]]))
-    writer.did(0, [])
-    writer.saw(0, saw(2, packets=heard[:1]))
-    writer.did(0, [])
-    writer.saw(0, saw(3))
-    writer.did(0, [])
+    writer.record_observation(0, saw(1, packets=[heard[0], Packet(5, b"\x01", 9.0, (0.0, 1.0, 0.0)), *heard[1:]]))
+    writer.record_action(0, [])
+    writer.record_observation(0, saw(2, packets=heard[:1]))
+    writer.record_action(0, [])
+    writer.record_observation(0, saw(3))
+    writer.record_action(0, [])
     writer.close()
     packets = read_sensors(tmp_path)[1].robots["B1"].packets
     assert packets[0].tolist() == [[2.0, 1.0, 0.0, -0.1], [3.0, 1.0, 0.0, -0.1]]
@@ -105,10 +105,10 @@ def test_only_packets_of_balls_are_kept_the_newest_last(tmp_path: Path) -> None:
 
 def test_printed_text_stands_at_the_tick_at_which_it_was_printed(tmp_path: Path) -> None:
     writer = SensorWriter(tmp_path, 1, [robot("B1"), robot("Y1")])
-    writer.did(0, [], "hello\n")
-    writer.saw(1, saw(7))
-    writer.did(1, [], "<b>\u202e日本\n")
-    writer.printed(1, "goodbye\n")
+    writer.record_action(0, [], "hello\n")
+    writer.record_observation(1, saw(7))
+    writer.record_action(1, [], "<b>\u202e日本\n")
+    writer.record_output(1, "goodbye\n")
     writer.close()
     half = read_sensors(tmp_path)[1]
     assert half.robots["B1"].output == ((0, "hello\n"),)
@@ -119,8 +119,8 @@ def test_endless_printing_is_cut_and_the_readings_go_on(tmp_path: Path, monkeypa
     monkeypatch.setattr(sensors, "MAX_PRINTED_BYTES", 1000)
     writer = SensorWriter(tmp_path, 1, [robot()])
     for tick in range(1, 21):
-        writer.saw(0, saw(tick))
-        writer.did(0, [], "x" * 99 + "\n")
+        writer.record_observation(0, saw(tick))
+        writer.record_action(0, [], "x" * 99 + "\n")
     writer.close()
     track = read_sensors(tmp_path)[1].robots["B1"]
     text = "".join(text for _, text in track.output)
@@ -135,8 +135,8 @@ def test_a_recording_does_not_grow_beyond_its_size_and_says_where_it_stops(
     noise = np.random.default_rng(1)
     writer = SensorWriter(tmp_path, 1, [robot()])
     for tick in range(1, 3001):
-        writer.saw(0, saw(tick, noise.random(4).tolist()))
-        writer.did(0, [])
+        writer.record_observation(0, saw(tick, noise.random(4).tolist()))
+        writer.record_action(0, [])
     writer.close()
     half = read_sensors(tmp_path)[1]
     path = next((tmp_path / "sensors").iterdir())
@@ -181,22 +181,12 @@ def test_a_damaged_recording_is_read_as_far_as_it_goes_or_refused(
         assert all(len(track.ticks) <= 301 for half in halves.values() for track in half.robots.values())
 
 
-def test_a_run_without_sensors_has_no_recording(tmp_path: Path) -> None:
-    assert read_sensors(tmp_path) == {}
-
-
-def test_halves_are_files_of_their_own(tmp_path: Path) -> None:
-    write(tmp_path, 10, half=1).close()
-    write(tmp_path, 20, half=2).close()
-    assert {half: len(one.robots["B1"].ticks) for half, one in read_sensors(tmp_path).items()} == {1: 11, 2: 21}
-
-
 def test_without_sensors_only_what_is_printed_is_recorded(tmp_path: Path) -> None:
     writer = SensorWriter(tmp_path, 1, [SensedRobot("B1")])
-    writer.did(0, [MotorCommand(0, 3.0, INF)], "ready\n")
+    writer.record_action(0, [MotorCommand(0, 3.0, INF)], "ready\n")
     for tick in range(1, 301):
-        writer.saw(0, saw(tick))
-        writer.did(0, [], f"line {tick}\n" if tick % 100 == 0 else "")
+        writer.record_observation(0, saw(tick))
+        writer.record_action(0, [], f"line {tick}\n" if tick % 100 == 0 else "")
     writer.close()
     half = read_sensors(tmp_path)[1]
     assert not half.has_readings

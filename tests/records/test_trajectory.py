@@ -13,15 +13,15 @@ from rcj_challenges.core.play import Fault, Placement, RefereeOutput, Snapshot
 from rcj_challenges.records import chunks
 from rcj_challenges.records.chunks import ChunkWriter
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.testing import (
+from rcj_challenges.records.trajectory import TICKS_PER_CHUNK, Trajectory
+from rcj_challenges.records.writer import RecordWriter
+from tests.made_up_runs import (
     half_info,
     made_up_snapshot,
     small_header,
     small_scenario,
     write_made_up_run,
 )
-from rcj_challenges.records.trajectory import TICKS_PER_CHUNK, Trajectory
-from rcj_challenges.records.writer import RecordWriter
 
 FILE = "trajectory.chunks"
 _ENTITIES = 3  # two robots and the ball

@@ -14,13 +14,13 @@ from typing import Any
 from zoneinfo import ZoneInfo
 
 from rcj_challenges.records.sensors import SensorWriter
-from rcj_challenges.records.testing import write_made_up_run
 from rcj_challenges.tournament.engine import Season
 from rcj_challenges.tournament.load import load_tournament
 from rcj_challenges.tournament.played import Played, PlayedMatch, Ruling, RulingKind, Submission
 from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Ruled, Team
 from rcj_challenges.tournament.site import SiteSource
 from rcj_challenges.views.replay import write_replay
+from tests.made_up_runs import write_made_up_run
 from tests.views.sensing_play import SENSED, sense
 
 HOSTILE = "</script><script>alert(1)</script><img src=x onerror=alert(2)>"

@@ -10,10 +10,10 @@ from rcj_challenges.core.play import Event, RefereeOutput
 from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.match.observers import ObserverGroup
 from rcj_challenges.records.sensors import SensorWriter
-from rcj_challenges.records.testing import half_info, made_up_play, small_header, small_scenario
 from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.views.live import MAX_SPEED, LiveShow
 from rcj_challenges.views.replay import write_replay
+from tests.made_up_runs import half_info, made_up_play, small_header, small_scenario
 from tests.views.sensing_play import SENSED, sense
 
 TICKS = 1000
@@ -82,7 +82,7 @@ class MadeUpMatch:
             senses = None
             if self._sensors:
                 senses = recording.enter_context(closing(SensorWriter(writer.folder, number, SENSED)))
-                senses.tell(observer.sensing(half, SENSED))
+                senses.set_listeners(observer.sensing(half, SENSED))
             for snapshot, output in made_up_play(len(self._scenario.robots), ticks, half.scores):
                 if self._stopped.is_set():
                     return False

@@ -9,10 +9,10 @@ from rcj_challenges.core.play import Event, Fault, Firing, Placement, RefereeOut
 from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.records.logos import logo_path
 from rcj_challenges.records.sensors import SensorWriter
-from rcj_challenges.records.testing import half_info, made_up_play, small_header, small_scenario
 from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.replay import write_replay
+from tests.made_up_runs import half_info, made_up_play, small_header, small_scenario
 from tests.views.sensing_play import SENSED, logo, sense
 
 TICKS = 1000

@@ -46,11 +46,11 @@ def sense(writer: SensorWriter, tick: int) -> None:
     """Record one tick of both robots; tick 0: what they set and print before their first step."""
     for robot in range(len(SENSED)):
         if tick == 0:
-            writer.did(robot, [MotorCommand(0, 3.0, math.inf)], "ready\n")
+            writer.record_action(robot, [MotorCommand(0, 3.0, math.inf)], "ready\n")
             continue
         heard = [Packet(6, b"x", 4.0, (1.0, 0.0, -0.1))] if tick % 2 else []
-        writer.saw(robot, Observation(tick, values_at(tick), heard))
-        writer.did(robot, [MotorCommand(1, -float(tick % 8), math.inf)], "" if robot else printed_at(tick))
+        writer.record_observation(robot, Observation(tick, values_at(tick), heard))
+        writer.record_action(robot, [MotorCommand(1, -float(tick % 8), math.inf)], "" if robot else printed_at(tick))
 
 
 def logo(red: int) -> bytes:

@@ -48,16 +48,6 @@ def test_an_event_is_told_by_the_sentence_of_its_rule(half):
     assert said(KICKOFF, half) == [(" 0:00.0  Yellow kicks off.", "")]
 
 
-def test_of_a_payload_is_told_what_the_sentence_leaves_out(half):
-    firing = Firing(50, "match_start", None, "half_started", says="The half begins.")
-    event = Event(50, "MATCH_START", {"score_blue": 0, "run_s": 8.48})
-    assert said(RefereeOutput((event,), (firing,)), half) == [(" 0:01.6  The half begins. · run 8.48 s", "")]
-
-
-def test_an_event_without_a_sentence_is_told_by_its_name(half):
-    assert said(RefereeOutput((Event(50, "POLE_TOUCHED"),)), half) == [(" 0:01.6  POLE TOUCHED", "")]
-
-
 def test_points_without_an_event_are_told_and_lost_ones_with_their_number(half):
     firing = Firing(50, "no_such_rule", None, "enters", scored={"yellow": -3})
     change = ScoreChange(50, {"blue": 1, "yellow": -2})
@@ -76,21 +66,6 @@ def test_a_rule_that_scores_and_emits_two_events_scores_once(half):
     scenario = MATCH.model_copy(update={"rules": MATCH.rules | {"goal_in_yellow": rule}})
     output = replace(GOAL, events=(*GOAL.events, Event(509, "APPLAUSE")), firings=(firing,))
     assert [seat for _, seat in said(output, half, scenario)] == ["blue", ""]
-
-
-def test_points_on_every_tick_are_told_a_few_times_and_all_counted(half):
-    commentator = Commentator(MATCH)
-    commentator.begin(half)
-    paid = [
-        RefereeOutput(
-            firings=(Firing(tick, "no_such_rule", None, "enters", scored={"blue": 1}),),
-            changes=(ScoreChange(tick, {"blue": 2 + tick, "yellow": 1}),),
-        )
-        for tick in range(100)
-    ]
-    assert 0 < sum(len(list(commentator.remarks(output))) for output in paid) < 50
-    (goal,) = commentator.remarks(replace(GOAL, changes=(ScoreChange(509, {"blue": 102, "yellow": 1}),)))
-    assert "Die Kicker 102 : 1" in goal.text
 
 
 def test_what_a_suppressed_rule_would_have_said_is_not_told(half):

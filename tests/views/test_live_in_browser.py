@@ -6,9 +6,10 @@ from typing import Any
 import pytest
 
 from rcj_challenges.core.timing import TICK_S
-from rcj_challenges.records.testing import made_up_snapshot, small_scenario
-from tests.views.browser_stage import NARROW, NO_WEBGL, WIDE, until
+from tests.made_up_runs import made_up_snapshot, small_scenario
+from tests.views.browser_stage import NARROW, NO_WEBGL, until
 from tests.views.live_play import HOSTILE, TICKS, MadeUpMatch
+from tests.views.sensing_play import logo
 
 
 def test_a_spectator_sees_the_match_go_on_while_it_is_played_and_finds_no_wheel(
@@ -80,6 +81,31 @@ def test_it_ends_as_a_replay_that_has_everything(
     assert page.locator("#live").is_disabled()
 
 
+def test_live_page_ends_with_the_readings_and_rays_of_the_replay(
+    made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
+) -> None:
+    ticks = 500
+    played = made_up_match(ticks=ticks, logos={"blue": logo(200)}, sensors=True).start()
+    page = watch(played.show.address, script=NO_WEBGL)
+    played.end()
+    until(page, "replay.recording.over")
+    replay = watch(f"{played.show.address}replay.html", script=NO_WEBGL)
+    until(replay, "[1, 2].map((half) => replay.app.sensors.half(half) && replay.app.output.of(half)).every(Boolean)")
+    everything = f"""() => [1, 2].map((half) => [...replay.app.sensors.half(half).values()].map((robot) => [
+      robot.facts.name, robot.facts.units, robot.facts.devices, [...robot.ticks],
+      robot.columns.map((column) => [0, 1, 2, 77, 256, 257, {ticks}].map((row) => column[row])),
+    ]).concat([replay.app.output.of(half)]))"""
+    assert page.evaluate(everything) == replay.evaluate(everything)
+    rays = f"replay.app.sensors.raysAt({ticks + 1 + 77}, true)"
+    live, recorded = page.evaluate(rays), replay.evaluate(rays)
+    assert [ray["colour"] for ray in live] == [ray["colour"] for ray in recorded]
+    assert len(live) == 6
+    for one, other in zip(
+        _flat([ray["pieces"] for ray in live]), _flat([ray["pieces"] for ray in recorded]), strict=True
+    ):
+        assert one == pytest.approx(other, abs=2e-4)
+
+
 def _flat(nested: Any) -> list[float]:
     return [number for part in nested for number in _flat(part)] if isinstance(nested, list) else [nested]
 
@@ -118,21 +144,6 @@ def test_a_reload_can_still_steer_and_a_wrong_token_resigns(
     assert played.show.pace.state["paused"]
 
 
-@pytest.mark.nightly
-def test_pause_and_play_of_a_spectator_do_not_touch_the_match(
-    made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
-) -> None:
-    played = made_up_match(speed=1.0).start()
-    page = watch(played.show.address, script=NO_WEBGL)
-    page.keyboard.press("k")
-    stood = page.evaluate("replay.place")
-    until(page, f"replay.recording.last > {stood} + 30")
-    assert page.evaluate("replay.place") == stood
-    page.select_option("#speed", "16")
-    page.keyboard.press("k")
-    until(page, "replay.app.player.following")  # played on faster than the match, until it was there
-
-
 def test_a_lost_connection_is_found_again(made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]) -> None:
     played = made_up_match(speed=1.0).start()
     page = watch(played.show.address, script=NO_WEBGL)
@@ -153,11 +164,3 @@ def _is_wholly_on_the_screen(page: Any, size: dict[str, int]) -> bool:
         assert box["x"] >= 0, part
         assert box["x"] + box["width"] <= size["width"], part
     return page.evaluate("document.documentElement.scrollWidth") <= size["width"]
-
-
-@pytest.mark.nightly
-def test_nothing_of_the_page_is_outside_of_a_wide_screen_either(
-    made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
-) -> None:
-    played = made_up_match(speed=1.0).start()
-    assert _is_wholly_on_the_screen(watch(played.show.steering_address), WIDE)

@@ -191,17 +191,6 @@ def status_of(port: int, path: str) -> int:
     return status
 
 
-@pytest.mark.nightly
-def test_live_for_so_long_ends_by_itself_and_the_record_is_as_usual(tmp_path: Path, team: Path) -> None:
-    done = command(*short(team, "--live", "--speed", "max", "--live-for", "0"), cwd=tmp_path)
-    assert done.returncode == 0, done.stderr
-    assert "live:   http://127.0.0.1:" in done.stdout
-    token = done.stdout.partition("#token=")[2].split()[0]
-    (folder,) = (tmp_path / "runs").iterdir()
-    assert (folder / "replay.html").is_file()
-    assert all(token.encode() not in path.read_bytes() for path in folder.rglob("*") if path.is_file())
-
-
 def test_json_stays_the_result_and_nothing_else(tmp_path: Path, team: Path) -> None:
     done = command(*short(team, "--json", "--live", "0", "--speed", "max", "--live-for", "0"), cwd=tmp_path)
     assert done.returncode == 0, done.stderr

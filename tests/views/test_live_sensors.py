@@ -18,19 +18,19 @@ from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.match.observers import ObserverGroup
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.records.sensors import SensorWriter, read_sensors
-from rcj_challenges.records.testing import (
+from rcj_challenges.scenario.load import load
+from rcj_challenges.views.live import MAX_SPEED, LiveShow, Pace
+from rcj_challenges.views.live.encoder import LiveObserver
+from rcj_challenges.views.live.feed import Feed
+from rcj_challenges.views.live.sensor_feed import HalfSensorFeed, packed_steps
+from rcj_challenges.views.replay.sensor_blocks import output_block, sensor_block, sensor_facts
+from tests.made_up_runs import (
     half_info,
     made_up_play,
     small_header,
     small_scenario,
     write_made_up_run,
 )
-from rcj_challenges.scenario.load import load
-from rcj_challenges.views.live import MAX_SPEED, LiveShow, Pace
-from rcj_challenges.views.live.feed import Feed
-from rcj_challenges.views.live.senses import HalfSenses, packed_steps
-from rcj_challenges.views.live.telling import LiveObserver
-from rcj_challenges.views.replay.sensing import output_block, sensor_block, sensor_facts
 from tests.views.sensing_play import ENDLESS, HOSTILE, SENSED, TURNED, logo, sense
 
 SCENARIO = small_scenario(halves=2, half_s=60.0)
@@ -41,11 +41,11 @@ TICKS = 130
 Table = list[list[int]]
 
 
-# --- reading what is told ----------------------------------------------------------------------------------------------
+# --- reading the feed ----------------------------------------------------------------------------------------------
 
 
-class Told:
-    """What a spectator knows who has read all of a feed."""
+class Received:
+    """What a spectator has received from all of a feed."""
 
     def __init__(self, feed: Feed) -> None:
         self.order: list[Any] = []
@@ -115,32 +115,32 @@ def replayed(half: Any) -> dict[str, Table]:
     return tables
 
 
-# --- a half that is recorded and told ------------------------------------------------------------------------------------
+# --- a half that is recorded and sent ------------------------------------------------------------------------------------
 
 
-def told(folder: Path, ticks: int = TICKS, every: int = 7, sensors: bool = True) -> Told:
-    """Play a half without physics; whoever watches is told every so many ticks."""
+def received(folder: Path, ticks: int = TICKS, every: int = 7, sensors: bool = True) -> Received:
+    """Play a half without physics; the feed is flushed every so many ticks."""
     feed = Feed()
     observer = LiveObserver(SCENARIO, feed, Pace(MAX_SPEED))
     half = half_info(SCENARIO, 1, ticks, HEADER)
     observer.half_started(half)
     writer = SensorWriter(folder, 1, SENSED)
     if sensors:
-        writer.tell(ObserverGroup(observer).sensing(half, SENSED))
+        writer.set_listeners(ObserverGroup(observer).sensing(half, SENSED))
     for snapshot, output in made_up_play(ROBOTS, ticks):
         observer.after_tick(snapshot, output)
         sense(writer, snapshot.tick)
         if snapshot.tick % every == 0:
             observer.flush()
-    writer.printed(0, "last words\n")  # after the half was closed, as a program's last output comes
+    writer.record_output(0, "last words\n")  # after the half was closed, as a program's last output comes
     writer.close()
     observer.flush()
-    return Told(feed)
+    return Received(feed)
 
 
 @pytest.mark.parametrize("every", [1, 7, 1000])
-def test_spectators_are_told_the_very_readings_that_the_replay_has(every: int, tmp_path: Path) -> None:
-    live = told(tmp_path, every=every)
+def test_spectators_receive_the_readings_of_the_replay(every: int, tmp_path: Path) -> None:
+    live = received(tmp_path, every=every)
     half = read_sensors(tmp_path)[1]
     recorded = replayed(half)
     assert len(recorded["B1"]) == TICKS + 1
@@ -151,7 +151,7 @@ def test_spectators_are_told_the_very_readings_that_the_replay_has(every: int, t
 
 @pytest.mark.parametrize("every", [1, 1000])
 def test_printed_lines_are_those_of_the_replay_whatever_they_contain(every: int, tmp_path: Path) -> None:
-    live = told(tmp_path, every=every)
+    live = received(tmp_path, every=every)
     recorded = json.loads(zlib.decompress(base64.b64decode(output_block(read_sensors(tmp_path)[1]))))
     for robot in ("B1", "Y2"):
         assert [line[1:] for line in live.lines if line[1] == robot] == [line for line in recorded if line[0] == robot]
@@ -160,7 +160,7 @@ def test_printed_lines_are_those_of_the_replay_whatever_they_contain(every: int,
 
 
 def test_what_is_read_of_a_moment_comes_after_the_moment(tmp_path: Path) -> None:
-    order = told(tmp_path).order
+    order = received(tmp_path).order
     assert order.index("half") < order.index("sensors") < order.index(("poses", 0)) < order.index(("sensed", 0))
     known = -1
     for entry in order:
@@ -171,19 +171,12 @@ def test_what_is_read_of_a_moment_comes_after_the_moment(tmp_path: Path) -> None
             assert entry[1] - known <= 7
 
 
-def test_a_match_without_a_recording_tells_of_no_sensors(tmp_path: Path) -> None:
-    live = told(tmp_path, sensors=False)
-    assert live.tables == {}
-    assert "sensors" not in live.order
-    assert "printed" not in live.order
-
-
 def test_half_of_a_surrogate_pair_does_not_break_the_feed() -> None:
-    senses = HalfSenses(HalfInfo(1, 1, 10, 1, 0, {}, {}, {}, {}), SENSED)
+    senses = HalfSensorFeed(HalfInfo(1, 1, 10, 1, 0, {}, {}, {}, {}), SENSED)
     senses.printed((0, 3, "\ud800 \x00 \u2028\n"))
     feed = Feed()
     feed.append(senses.announcement + senses.messages())
-    assert Told(feed).lines == [[1, "B1", 3, "\ud800 \x00 \u2028\n"]]
+    assert Received(feed).lines == [[1, "B1", 3, "\ud800 \x00 \u2028\n"]]
 
 
 @given(st.lists(st.integers(-(2**32), 2**32), max_size=30))
@@ -193,15 +186,11 @@ def test_any_difference_is_packed_and_unpacked(steps: list[int]) -> None:
     assert len(packed) <= 5 * len(steps)
 
 
-def test_small_differences_take_one_byte() -> None:
-    assert packed_steps(np.array([0, -1, 1, -64, 63])) == bytes([0, 1, 2, 127, 126])
-
-
 # --- logos -------------------------------------------------------------------------------------------------------------
 
 
 def facts_of(show: LiveShow) -> Any:
-    return json.loads(show._stage.page.decode().partition('id="facts">')[2].partition("</script>")[0])
+    return json.loads(show._served.page.decode().partition('id="facts">')[2].partition("</script>")[0])
 
 
 def test_logos_are_in_the_page_before_the_match_begins() -> None:
@@ -258,12 +247,12 @@ def chatty(tmp_path: Path) -> Callable[..., MatchPlan]:
     return plan
 
 
-def test_a_match_that_is_recorded_and_watched_tells_all_of_its_recording(chatty: Callable[..., MatchPlan]) -> None:
+def test_live_match_sends_all_of_its_recording(chatty: Callable[..., MatchPlan]) -> None:
     plan = chatty(record_sensors=True)
     with LiveShow(plan.loaded.scenario, {}, 7, logos=plan.logos, speed=MAX_SPEED) as show:
         played = play_match(plan, ObserverGroup(show.observer))
         show.match_over(played.folder)
-        live = Told(show._feed)
+        live = Received(show._feed)
         assert all(team["logo"] for team in facts_of(show)["teams"])
     halves = read_sensors(played.folder)
     assert sorted(halves) == [1, 2]

@@ -5,13 +5,13 @@ from pathlib import Path
 import pytest
 
 from rcj_challenges.records.result import read_result
-from rcj_challenges.records.testing import write_made_up_run
 from rcj_challenges.scenario.load import load
-from rcj_challenges.views.live.telling import live_facts
+from rcj_challenges.views.live.encoder import live_facts
 from rcj_challenges.views.naming import distinct_names
 from rcj_challenges.views.replay import page
 from rcj_challenges.views.replay.things import visible_things
 from rcj_challenges.views.video.footage import Footage
+from tests.made_up_runs import write_made_up_run
 
 TWICE = {"blue": "Hanse", "yellow": "Hanse"}
 

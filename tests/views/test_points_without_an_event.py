@@ -11,14 +11,10 @@ from typing import Any
 import pytest
 
 from rcj_challenges.core.play import Event, Firing, RefereeOutput, Snapshot
-from rcj_challenges.records.testing import half_info, made_up_snapshot, small_header, small_scenario, with_changes
 from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.views.live.feed import Feed
-from rcj_challenges.views.live.pace import MAX_SPEED, Pace
-from rcj_challenges.views.live.telling import LiveObserver
 from rcj_challenges.views.replay import write_replay
-from rcj_challenges.views.timeline import MAX_UNANNOUNCED
+from tests.made_up_runs import half_info, made_up_snapshot, small_header, small_scenario, with_changes
 
 TICKS = 40
 SCORE = {"action": "score", "entrant": "yellow"}
@@ -99,26 +95,3 @@ def test_points_that_are_lost_are_no_goal_and_no_points_at_all_are_neither(tmp_p
     assert (lost["standing"], both["standing"]) == ("0 : -1", "2 : -2")
     # Where one gains and another loses, it is told in the colour of who gains.
     assert None is not lost["colour"] != both["colour"] is not None
-
-
-def test_a_rule_that_pays_all_the_time_does_not_fill_the_page(tmp_path: Path) -> None:
-    ticks = MAX_UNANNOUNCED + 20
-    facts = _page(tmp_path, lambda tick: RefereeOutput(firings=(_second(tick),)), ticks)
-    assert len(facts["events"]) == MAX_UNANNOUNCED
-    assert facts["halves"][0]["score_changes"][-1] == [ticks, {"yellow": ticks + 1, "blue": 0}]
-
-
-def test_a_live_match_tells_them_too() -> None:
-    scenario, feed = _scenario(), Feed()
-    observer = LiveObserver(scenario, feed, Pace(MAX_SPEED))
-    observer.half_started(half_info(scenario, 1, TICKS, small_header(scenario)))
-    for snapshot, judged in _ticks(_output, TICKS):
-        observer.after_tick(snapshot, judged)
-    observer.after_last_tick(RefereeOutput(), half_info(scenario, 1, TICKS, small_header(scenario)))
-    feed.close()
-    pieces, at = [], 0
-    while piece := feed.read(at, 0.0):
-        pieces.append(piece)
-        at += len(piece)
-    told = b"".join(pieces)
-    assert [name.decode() for name in re.findall(rb'"name":"([A-Z]+)"', told)] == ["POINTS", "GOAL", "POINTS"]

@@ -9,7 +9,7 @@ import pytest
 
 from rcj_challenges.records.trajectory import Trajectory
 from rcj_challenges.views.palette import css_colour
-from tests.views.browser_stage import NARROW, NO_WEBGL, WIDE, Stage, picture, settled, shown_moment, until
+from tests.views.browser_stage import NARROW, NO_WEBGL, WIDE, picture, settled, shown_moment, until
 from tests.views.replay_play import (
     BACK,
     CRASH,
@@ -137,13 +137,6 @@ def test_crash_is_whole_with_its_line_and_has_one_time_everywhere(show: Callable
     assert TRACEBACK.rstrip() in page.locator("#printed .fault").inner_text()
 
 
-def test_name_of_a_robot_is_red_once_its_program_has_failed(show: Callable[..., Any], run: Path) -> None:
-    page = show(run, f"#h1t{CRASH - 1}", script=NO_WEBGL)
-    assert page.locator(".label.failed").count() == 0
-    _go(page, 1, CRASH)
-    assert page.locator(".label.failed").all_inner_texts() == ["Y1"]
-
-
 def test_end_has_the_final_score_and_play_starts_again(show: Callable[..., Any], run: Path) -> None:
     page = show(run, f"#h2t{TICKS - 1}")
     assert (page.locator("#phase").inner_text(), page.get_attribute("#play", "aria-label")) == ("in play", "Play")
@@ -154,18 +147,6 @@ def test_end_has_the_final_score_and_play_starts_again(show: Callable[..., Any],
     page.click("#play")
     until(page, f"replay.half == 1 && replay.tick < {TICKS}")
     page.keyboard.press("k")
-
-
-def test_current_event_is_never_under_the_heading_of_its_half(show: Callable[..., Any], run: Path) -> None:
-    page = show(run, "#h2t0", viewport=NARROW)
-    tops = """() => [document.querySelector("#events [aria-current]"), document.querySelectorAll("#events .divider")[0]]
-      .map((one) => one.getBoundingClientRect()).map(({ top, bottom }, index) => index ? bottom : top)"""
-    _go(page, 1, STUCK)
-    page.evaluate("""() => { const list = document.getElementById("events");
-      list.scrollTop = document.querySelectorAll("#events .goal")[0].offsetTop - list.offsetTop; }""")
-    _go(page, 1, GOALS[0])
-    event, heading = page.evaluate(tops)
-    assert event >= heading
 
 
 def test_every_event_of_the_list_lands_on_its_tick(show: Callable[..., Any], run: Path) -> None:
@@ -195,24 +176,6 @@ def test_held_robot_and_one_that_is_off_the_field_are_marked(show: Callable[...,
     before = page.evaluate("replay.app.camera.pose.target")
     _go(page, 1, REMOVED + 50)
     assert page.evaluate("replay.app.camera.pose.target") == pytest.approx(before, abs=0.1)
-
-
-def test_scoreboard_stays_where_it_is(show: Callable[..., Any], run: Path) -> None:
-    page = show(run)
-    places = """() => [...document.querySelectorAll(".team .name, .score, #clock, #half, .tools, #view")].map((one) => {
-      const { x, y, width, height } = one.getBoundingClientRect();
-      return one.matches(".score, #half") ? [x, y] : [x, y, width, height];
-    })"""
-    found = []
-    for half, tick in ((1, 0), (1, HELD), (1, GOALS[0]), (2, GOALS[1]), (2, TICKS)):
-        _go(page, half, tick)
-        found.append(page.evaluate(places))
-    page.evaluate("replay.recording.facts.stopped_phases = ['goal_pause']")
-    _go(page, 1, GOALS[0] + 100)
-    found.append(page.evaluate(places))
-    assert page.inner_text("#half") == "half 1 of 2 · 0:32 + 0:03 stopped"
-    page.evaluate("replay.recording.facts.stopped_phases = []")
-    assert all(one == found[0] for one in found)
 
 
 def test_zones_gates_spots_and_heat_can_be_shown_in_their_owners_colours(show: Callable[..., Any], run: Path) -> None:
@@ -280,31 +243,7 @@ def test_readings_and_rays_are_those_of_the_moment(show: Callable[..., Any], run
     assert page.locator(".sensing:visible").count() == 0
 
 
-def test_page_without_sensors_says_how_to_get_them(show: Callable[..., Any], tmp_path: Path) -> None:
-    page = show(write_storied_run(tmp_path, with_sensors=False), script=NO_WEBGL)
-    page.click("#tab-robots")
-    assert "--record sensors" in page.locator("#no-sensors").inner_text()
-    assert page.get_by_role("button", name="Rays").count() == 0
-    page.click("#tab-output")
-    assert page.locator("#no-output").is_visible()
-
-
 # --- playing -----------------------------------------------------------------------------------------------------------
-
-
-def test_after_a_click_the_keys_belong_to_the_field_again(show: Callable[..., Any], run: Path) -> None:
-    page = show(run, "#h1t450")
-    playing = "replay.app.player.playing"
-    for clicked in ("[data-camera=top]", "#tab-robots", "#step", "#seek", "#events a >> nth=3"):
-        page.click("#tab-events" if clicked.startswith("#events") else "body", position={"x": 5, "y": 5})
-        page.click(clicked)
-        page.keyboard.press("Space")
-        assert page.evaluate(playing), clicked
-        page.keyboard.press("Space")
-        assert not page.evaluate(playing), clicked
-    page.focus("#next")
-    page.keyboard.press("Enter")
-    assert page.evaluate("document.activeElement.id") == "next"  # by the keyboard one stays where one is
 
 
 def test_play_wind_and_speed(show: Callable[..., Any], run: Path) -> None:
@@ -380,20 +319,6 @@ def test_each_camera_shows_another_picture_and_a_click_on_a_robot_its_trail(
     assert page.locator("#behind").input_value() == "0"
 
 
-def test_panel_can_be_hidden_and_the_page_fill_the_screen(show: Callable[..., Any], run: Path) -> None:
-    page = show(run)
-    width = "document.getElementById('view').clientWidth"
-    with_panel = page.evaluate(width)
-    page.click("#panel")
-    assert page.evaluate(width) > with_panel + 200
-    page.keyboard.press("h")
-    assert page.evaluate(width) == with_panel
-    page.keyboard.press("f")
-    until(page, "document.fullscreenElement")
-    page.keyboard.press("f")
-    until(page, "!document.fullscreenElement")
-
-
 # --- any screen --------------------------------------------------------------------------------------------------------
 
 CUT_OFF = """() => [...document.querySelectorAll(".team .name, .half, .phase, #caption")]
@@ -456,17 +381,6 @@ def test_on_paper_there_is_the_picture_and_nothing_to_press(show: Callable[..., 
         assert shown_px == whole_px > 100
     finally:
         page.emulate_media(media="screen")
-
-
-def test_page_whose_poses_are_damaged_says_so(
-    show: Callable[..., Any], browser_stage: Stage, run: Path, tmp_path: Path
-) -> None:
-    text = (run / "replay.html").read_text("utf-8")
-    at = text.index('id="half-1">') + 400
-    (tmp_path / "replay.html").write_text(text[:at] + "AAAA" + text[at + 4 :], "utf-8")
-    show(tmp_path, ready="#problem:not([hidden])")
-    assert len(browser_stage.complaints) == 1  # this one
-    browser_stage.complaints.clear()
 
 
 @pytest.mark.nightly

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from rcj_challenges.scenario.load import load, load_text
+from rcj_challenges.scenario.load import load
 from rcj_challenges.views.sheet import sheet_html
 
 PHONE = {"width": 360, "height": 740}
@@ -84,34 +84,3 @@ def test_players_need_two_pages_of_paper(sheet_of: Callable[..., Any]) -> None:
     assert (
         page.evaluate("document.querySelector('figure > svg').getBoundingClientRect().width") * 13 / 477 >= 7 * 96 / 72
     )
-
-
-def test_on_paper_the_head_of_a_table_comes_again_on_each_page(sheet_of: Callable[..., Any]) -> None:
-    page = sheet_of("match", {"width": 794, "height": 1123})
-    page.emulate_media(media="print")
-    head = "() => [...document.querySelectorAll('table')].map((one) => getComputedStyle(one.rows[0].parentElement).display)"
-    assert set(page.evaluate(head)) == {"table-header-group"}
-    assert set(page.evaluate("() => [...document.querySelectorAll('h2')].map((one) => getComputedStyle(one).breakAfter)")) == {"avoid"}  # fmt: skip
-
-
-def test_on_a_phone_where_robots_start_is_no_tower_of_words(sheet_of: Callable[..., Any]) -> None:
-    page = sheet_of("precision_lidar", PHONE)
-    rows_px = page.evaluate(
-        "[...document.querySelectorAll('table')[0].querySelectorAll('tr')].map(row => row.clientHeight)"
-    )
-    assert max(rows_px) < 5 * 24  # lines of text
-
-
-def test_on_a_phone_short_words_take_no_more_room_than_they_need(watch: Callable[..., Any], tmp_path: Path) -> None:
-    loaded = load_text(
-        "schema_version: 1\nid: two\ntitle: Two\nextends: soccersim_v2\nballs: {second: {start_m: [0.3, 0]}}\n"
-        "obstacles: {crate: {shape: box, centre_m: [0.5, 0.5], size_m: [0.1, 0.1]}}\n"
-    )
-    file = tmp_path / "two.html"
-    file.write_text(sheet_html(loaded.scenario, loaded.roster), encoding="utf-8")
-    page = watch(file.as_uri(), ready="table", viewport=PHONE)
-    yes_or_no_px = page.evaluate(
-        "[...document.querySelectorAll('td')].filter(cell => /^(yes|no)$/.test(cell.textContent)).map(cell => cell.clientWidth)"
-    )
-    assert len(yes_or_no_px) == 3
-    assert max(yes_or_no_px) < 9 * 16  # letters of the head

@@ -48,15 +48,6 @@ def test_packets_of_2021_are_unpacked_as_the_sheet_says():
     assert numbers[-1] is False
 
 
-def test_no_packet_of_2021_ends_like_json_whatever_it_begins_with():
-    # 0.1 + this many steps of the smallest size begins with the byte of "{".
-    x = next(x for x in (0.1 + step * 2**-56 for step in range(1000)) if struct.pack("d", x).startswith(b"{"))
-    for waiting in (False, True):
-        packet = struct.pack("ddd?", x, 0, 0, waiting)
-        assert packet.startswith(b"{")
-        assert not packet.endswith(b"}")
-
-
 def test_only_robots_with_a_receiver_receive_packets():
     assert "sends B1, B2, B3, Y1 and Y3 a packet" in received("robots: {Y2: {without: [supervisor receiver]}}\n")
     deaf = ", ".join(f"{name}: {{without: [supervisor receiver]}}" for name in ("B1", "B2", "B3", "Y1", "Y2", "Y3"))

@@ -8,8 +8,8 @@ from typer.testing import CliRunner
 
 from rcj_challenges.cli.app import app
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.testing import write_made_up_run
 from rcj_challenges.views.stats import DEFINITIONS
+from tests.made_up_runs import write_made_up_run
 
 
 @pytest.fixture(scope="module")
@@ -75,13 +75,6 @@ def test_json_has_the_figures_with_their_definitions(out: Path) -> None:
     assert told["runs"] == ["20210618-100000-small", "20210618-110000-small"]
     assert told["teams"]["Hanse"]["runs"] == 2
     assert told["definitions"]["possession"]["unit"] == "%"
-
-
-def test_of_several_runs_the_readable_ones_are_shown_and_the_others_named(out: Path) -> None:
-    code, text = stats("20210618-09", "20210618-10", out=out)
-    assert code == 1
-    assert "1 run" in text
-    assert "20210618-090000-small: result.json is damaged" in text
 
 
 def test_a_run_that_is_given_twice_counts_once(out: Path) -> None:

@@ -4,8 +4,8 @@ import json
 import shutil
 from pathlib import Path
 
-from rcj_challenges.records.testing import GOAL_EVERY_TICKS, begun_run
 from rcj_challenges.views.stats import run_stats
+from tests.made_up_runs import GOAL_EVERY_TICKS, begun_run
 
 
 def test_points_of_a_run_that_was_killed_are_those_of_its_log(tmp_path: Path) -> None:
@@ -26,14 +26,3 @@ def test_points_of_a_run_that_was_killed_are_those_of_its_log(tmp_path: Path) ->
     assert "LATE" not in stats.calls
     (killed / "referee.jsonl").unlink()
     assert run_stats(killed).teams["Alster"].points == 0
-
-
-def test_that_the_log_is_missing_is_told(tmp_path: Path) -> None:
-    writer = begun_run(tmp_path, GOAL_EVERY_TICKS + 50)
-    writer.finish({"complete": True})
-    assert run_stats(writer.folder).notes == []
-    (writer.folder / "referee.jsonl").unlink()
-    (note,) = run_stats(writer.folder).notes
-    assert note.endswith(
-        ": The referee's log is missing: no calls are counted, and what awaits a kick-off counts as play."
-    )

@@ -7,7 +7,8 @@ from rcj_challenges.core.play import Event, Fault, Firing
 from rcj_challenges.records.referee_log import read_referee_log
 from rcj_challenges.records.reflog import events_of
 from rcj_challenges.records.run_record import read_run
-from rcj_challenges.records.testing import (
+from rcj_challenges.views.timeline import POINTS, TimelineBuilder, timeline_of
+from tests.made_up_runs import (
     GOAL_EVERY_TICKS,
     half_info,
     made_up_play,
@@ -15,7 +16,6 @@ from rcj_challenges.records.testing import (
     small_scenario,
     write_made_up_run,
 )
-from rcj_challenges.views.timeline import POINTS, TimelineBuilder, timeline_of
 
 TICKS = 2 * GOAL_EVERY_TICKS + 50
 SCENARIO = small_scenario(halves=2, half_s=TICKS * 0.032)

@@ -5,7 +5,6 @@ from dataclasses import replace
 import pytest
 
 from rcj_challenges.core.timing import TICK_S
-from rcj_challenges.records.testing import GOAL_EVERY_TICKS, write_made_up_run
 from rcj_challenges.views.timeline import Timeline
 from rcj_challenges.views.video.clips import (
     Clip,
@@ -18,6 +17,7 @@ from rcj_challenges.views.video.clips import (
 )
 from rcj_challenges.views.video.errors import VideoError
 from rcj_challenges.views.video.footage import Footage
+from tests.made_up_runs import GOAL_EVERY_TICKS, write_made_up_run
 
 GOAL_S = GOAL_EVERY_TICKS * TICK_S
 

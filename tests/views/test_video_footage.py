@@ -8,10 +8,10 @@ import pytest
 from rcj_challenges.core.play import Placement, RefereeOutput
 from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.records.errors import RecordError
-from rcj_challenges.records.testing import half_info, made_up_snapshot, small_header, small_scenario, write_made_up_run
 from rcj_challenges.records.trajectory import Trajectory
 from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.views.video.footage import Footage
+from tests.made_up_runs import half_info, made_up_snapshot, small_header, small_scenario, write_made_up_run
 
 BALL = 6
 

@@ -7,11 +7,11 @@ import pytest
 from PIL import Image
 
 from rcj_challenges.core.timing import TICK_S
-from rcj_challenges.records.testing import GOAL_EVERY_TICKS, write_made_up_run
 from rcj_challenges.views.video.clips import moment_at
 from rcj_challenges.views.video.footage import Footage
 from rcj_challenges.views.video.overlay import BAR, Overlay
 from rcj_challenges.views.video.text import text_mask
+from tests.made_up_runs import GOAL_EVERY_TICKS, write_made_up_run
 
 GOAL_S = GOAL_EVERY_TICKS * TICK_S
 

@@ -6,51 +6,26 @@ import json
 import math
 import re
 from collections.abc import Callable
-from itertools import combinations
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from rcj_challenges.core.changes import CountersChange
-from rcj_challenges.core.measures import measure_words, measured_words, number_words
 from rcj_challenges.core.play import Event, Firing, RefereeOutput
-from rcj_challenges.records.testing import half_info, made_up_snapshot, small_header, small_scenario
 from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.views.live.encoder import LiveObserver
 from rcj_challenges.views.live.feed import Feed
 from rcj_challenges.views.live.pace import MAX_SPEED, Pace
-from rcj_challenges.views.live.telling import LiveObserver
 from rcj_challenges.views.payloads import extra_payload_text
 from rcj_challenges.views.replay import write_replay
-from rcj_challenges.views.standing import Counting, shows_score
-from rcj_challenges.views.video.footage import Footage
-from tests.views.browser_stage import NARROW, NO_WEBGL, settled
+from rcj_challenges.views.standing import RankingCounters, shows_score
+from tests.made_up_runs import half_info, made_up_snapshot, small_header, small_scenario
+from tests.views.browser_stage import NO_WEBGL, settled
 
 TICKS = 40
 RANK = [{"counter": "laps", "order": "descending"}, {"counter": "best_s", "order": "ascending"}]
-
-
-@pytest.mark.parametrize(
-    ("name", "alone", "with_value"),
-    [
-        ("best_s", "best (s)", "best 3 s"),
-        ("way_m", "way (m)", "way 3 m"),
-        ("top_speed_mps", "top speed (m/s)", "top speed 3 m/s"),
-        ("poles_touched", "poles touched", "poles touched 3"),
-        ("s", "s", "s 3"),
-        ("_s", " s", " s 3"),
-    ],
-)
-def test_a_name_that_ends_with_its_unit_is_said_with_it(name: str, alone: str, with_value: str) -> None:
-    assert (measure_words(name), measured_words(name, "3")) == (alone, with_value)
-
-
-@pytest.mark.parametrize(
-    ("value", "words"), [(10.48, "10.48"), (3, "3"), (100, "100"), (-0.0000001, "0"), (-2.5, "-2.5"), (0, "0")]
-)
-def test_a_number_has_no_superfluous_zeros(value: float, words: str) -> None:
-    assert number_words(value) == words
 
 
 @pytest.mark.parametrize(
@@ -151,9 +126,9 @@ def test_the_page_knows_who_came_where_and_by_what(run: Path) -> None:
 
 
 def test_a_record_that_lacks_what_was_counted_is_shown_without_it(run: Path) -> None:
-    counting = Counting(_scenario())
-    counting.begin(half_info(_scenario(), 1, TICKS, small_header(_scenario())))
-    assert counting.at({"laps": {"B1": 1}}) is None
+    counters = RankingCounters(_scenario())
+    counters.begin(half_info(_scenario(), 1, TICKS, small_header(_scenario())))
+    assert counters.by_team({"laps": {"B1": 1}}) is None
 
 
 def test_points_are_shown_where_rules_give_some_or_the_ranking_compares_them() -> None:
@@ -161,13 +136,6 @@ def test_points_are_shown_where_rules_give_some_or_the_ranking_compares_them() -
     assert shows_score(_scenario())
     assert not shows_score(_scenario(rules=rules))
     assert shows_score(_scenario(rules=rules, result={"rank": [{"score": "ascending"}]}))
-
-
-def test_the_board_of_a_picture_says_what_counts(run: Path) -> None:
-    footage = Footage.open(run)
-    half = footage.half(1)
-    assert footage.counted(half, 19 * 0.032) == ("Hanse: laps 0, best 99 s", "Alster: laps 0, best 99 s")
-    assert footage.counted(half, 20 * 0.032)[0] == "Hanse: laps 1, best 99 s"
 
 
 def test_scoreboard_list_and_caption_show_it(show: Callable[..., Any], run: Path) -> None:
@@ -262,48 +230,6 @@ def test_a_gate_that_moves_with_a_robot_is_drawn_where_the_robot_is(
     assert not _is_pink(page.evaluate(COLOUR_AT, first)), "it has gone on"
 
 
-@pytest.mark.parametrize("script", ["", NO_WEBGL], ids=["3-D", "2-D"])
-@pytest.mark.nightly
-def test_names_of_zones_do_not_cover_each_other(show: Callable[..., Any], tmp_path: Path, script: str) -> None:
-    # A goal and the penalty area before it, as in the match: on a laptop their names are wider than what lies between.
-    goal = {"shape": "rect", "x_min_m": -0.2, "x_max_m": 0.2, "y_min_m": 0.745, "y_max_m": 0.849}
-    area = {"shape": "rect", "x_min_m": -0.35, "x_max_m": 0.35, "y_min_m": 0.59}
-    zones = {"blue_goal": goal, "blue_penalty_area": area, "all_in_front_of_the_goal": area}
-    spots = {"corner": {"x_m": 0, "y_m": 0.63}}
-    page = show(_replay(tmp_path, zones=zones, spots=spots), script=script, viewport={"width": 1280, "height": 800})
-    page.keyboard.press("z")
-    for camera in ("overview", "top"):
-        page.evaluate("(camera) => replay.app.look(camera)", camera)
-        settled(page)
-        names = page.locator(".label.mark")
-        boxes = {one.inner_text(): one.bounding_box() for one in names.all()}
-        assert set(boxes) >= {*zones, *spots}
-        for (one, a), (other, b) in combinations(boxes.items(), 2):
-            beside = a["x"] + a["width"] <= b["x"] or b["x"] + b["width"] <= a["x"]
-            assert beside or a["y"] + a["height"] <= b["y"] or b["y"] + b["height"] <= a["y"], (camera, one, other)
-
-
-@pytest.mark.parametrize(
-    "script", [pytest.param("", id="3-D", marks=pytest.mark.nightly), pytest.param(NO_WEBGL, id="2-D")]
-)
-def test_a_name_at_the_edge_is_written_whole_on_a_phone(show: Callable[..., Any], tmp_path: Path, script: str) -> None:
-    # Its name stands beside the gate's end, which is at the wall.
-    gates = {
-        "west_line": {"from_m": [-0.6, 0], "to_m": [-0.65, 0]},
-        "east_line_of_all": {"from_m": [0.6, 0], "to_m": [0.65, 0]},
-    }
-    rules = {name: _crosses(name)["line"] for name in gates}
-    page = show(_replay(tmp_path, gates=gates, rules=rules), script=script, viewport=NARROW)
-    for camera in ("overview", "top"):
-        page.evaluate("(camera) => replay.app.look(camera)", camera)
-        settled(page)
-        names = page.locator(".label.mark")
-        assert set(names.all_inner_texts()) == set(gates)
-        for box in (one.bounding_box() for one in names.all()):
-            assert box["x"] >= 0
-            assert box["x"] + box["width"] <= NARROW["width"]
-
-
 def test_a_live_match_tells_what_counts_where_it_changes() -> None:
     scenario, feed = _scenario(), Feed()
     observer = LiveObserver(scenario, feed, Pace(MAX_SPEED))
@@ -315,21 +241,9 @@ def test_a_live_match_tells_what_counts_where_it_changes() -> None:
     change = CountersChange(TICKS, {"laps": {"B1": 1, "Y1": 2}, "best_s": 7})
     observer.after_last_tick(RefereeOutput(firings=(last,), changes=(change,)), half)
     feed.close()
-    told = re.findall(rb'"tick":(\d+),"counted":(\{.*?\]\})', b"".join(iter(_reader(feed), None)))
+    told = re.findall(rb'"tick":(\d+),"counted":(\{.*?\]\})', feed.read(0, 0.0) or b"")
     assert [(int(tick), json.loads(values)) for tick, values in told] == [
         (0, {"blue": [0, 99], "yellow": [0, 99]}),
         (20, {"blue": [1, 99], "yellow": [0, 99]}),
         (TICKS, {"blue": [1, 7], "yellow": [2, 7]}),
     ]
-
-
-def _reader(feed: Feed) -> Callable[[], bytes | None]:
-    at = 0
-
-    def read() -> bytes | None:
-        nonlocal at
-        piece = feed.read(at, 0.0)
-        at += len(piece or b"")
-        return piece
-
-    return read

@@ -22,7 +22,7 @@ from rcj_challenges.tournament.site.public import public_facts, read_replay
 from rcj_challenges.tournament.site.render import Renderer
 from rcj_challenges.tournament.site.tree import Tree, fingerprint
 from rcj_challenges.views.replay.page import page_text
-from rcj_challenges.views.replay.sensing import output_block, sensor_block, sensor_facts
+from rcj_challenges.views.replay.sensor_blocks import output_block, sensor_block, sensor_facts
 
 _MAX_REPORT_FILES = 200
 

@@ -1,15 +1,14 @@
-"""The feed: everything that is sent to spectators, in one growing row of bytes.
+"""The feed: everything that is sent to spectators, as one growing sequence of bytes.
 
-A spectator reads from any place of it, at its own speed: what is written is never changed, so all read the same bytes
-and nothing is kept for any of them. Messages are framed as ``kind`` (uint8), ``length`` (uint32), then so many bytes,
-little-endian; a message is appended whole.
+A spectator reads from any place of it, at its own speed; written bytes never change. Messages are framed as ``kind``
+(uint8), ``length`` (uint32), then so many bytes, little-endian; a message is appended whole.
 
 | kind | content |
 |---|---|
-| 0 | empty: the connection is alive. It is sent in between and is not part of the row |
+| 0 | empty, keeps the connection alive; sent in between, not part of the sequence |
 | 1 | one JSON object; its key ``say`` names it: ``half``, ``sensors``, ``news``, ``printed``, ``pace``, ``over`` |
 | 2 | poses: half (uint16), tick of the first row (uint32), then rows of int16 ``[channel][entity]`` |
-| 3 | readings of a robot: half (uint16), its place in ``sensors`` (uint16), rows (uint32), then the rows: `senses` |
+| 3 | readings of a robot: half (uint16), its place in ``sensors`` (uint16), rows (uint32), the rows: `sensor_feed` |
 """
 
 from __future__ import annotations
@@ -20,30 +19,30 @@ import threading
 from bisect import bisect_right
 from typing import Any
 
-STILL_HERE = struct.pack("<BI", 0, 0)
+KEEP_ALIVE = struct.pack("<BI", 0, 0)
 
-_SAID, _POSES, _SENSED = 1, 2, 3
+_JSON, _POSES, _READINGS = 1, 2, 3
 _MAX_AT_ONCE = 1 << 16
 
 
-def said(message: dict[str, Any]) -> bytes:
+def json_message(message: dict[str, Any]) -> bytes:
     """Return a JSON message, framed."""
     body = json.dumps(message, ensure_ascii=True, allow_nan=False, separators=(",", ":")).encode("ascii")
-    return struct.pack("<BI", _SAID, len(body)) + body
+    return struct.pack("<BI", _JSON, len(body)) + body
 
 
-def poses(half: int, first_tick: int, rows: bytes) -> bytes:
+def pose_message(half: int, first_tick: int, rows: bytes) -> bytes:
     """Return poses of ticks that follow each other, framed; ``rows`` is int16 ``[tick][channel][entity]``."""
     return struct.pack("<BIHI", _POSES, 6 + len(rows), half, first_tick) + rows
 
 
-def sensed(half: int, robot: int, rows: int, steps: bytes) -> bytes:
+def reading_message(half: int, robot: int, rows: int, steps: bytes) -> bytes:
     """Return what a robot's program saw and set, framed; ``steps`` are packed."""
-    return struct.pack("<BIHHI", _SENSED, 8 + len(steps), half, robot, rows) + steps
+    return struct.pack("<BIHHI", _READINGS, 8 + len(steps), half, robot, rows) + steps
 
 
 class Feed:
-    """A row of bytes that only grows; one writes, any number read, each from a thread of its own."""
+    """A sequence of bytes that only grows: one thread writes, any number of threads read."""
 
     def __init__(self) -> None:
         self._chunks: list[bytes] = []
@@ -53,12 +52,12 @@ class Feed:
 
     @property
     def size_bytes(self) -> int:
-        """How much there is."""
+        """The length so far."""
         with self._news:
             return self._size()
 
     def append(self, chunk: bytes) -> None:
-        """Add whole messages and wake everybody who waits for them."""
+        """Add whole messages and wake all readers that wait."""
         if chunk:
             with self._news:
                 self._chunks.append(chunk)
@@ -66,16 +65,16 @@ class Feed:
                 self._news.notify_all()
 
     def close(self) -> None:
-        """Nothing more comes: wakes all readers that wait."""
+        """End the feed and wake all readers that wait."""
         with self._news:
             self._closed = True
             self._news.notify_all()
 
     def read(self, start: int, wait_s: float) -> bytes | None:
-        """Return what stands from a place on, at most 64 KB or one chunk; waits for it if there is nothing yet.
+        """Return the bytes from a place on, at most 64 KB or one chunk; waits if there are none yet.
 
         Returns:
-            The bytes, empty if nothing came within ``wait_s``, None if nothing will ever come.
+            The bytes, empty if none came within ``wait_s``, None at the end of the feed.
         """
         with self._news:
             if start >= self._size() and not self._closed:

@@ -1,4 +1,4 @@
-"""How fast the match runs for its spectators: a speed, a pause, single steps. It delays the loop and nothing else."""
+"""The pace of a live match: speed, pause, single steps. It only delays the loop."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ SLOWEST, FASTEST = 0.01, 1_000.0
 _SLICE_S = 0.5
 """Waits are cut into slices: on some systems a wait without an end cannot be interrupted from the keyboard."""
 _FORGIVEN_S = 0.2
-"""A match that is later than this does not race to catch up: its pace counts from now on."""
+"""A match that is later than this does not catch up: its pace counts from now on."""
 
 
 class Pace:
-    """Whether the next tick may begin. The match asks; whoever steers it answers, from another thread.
+    """Decides when the next tick may begin; it is steered from another thread.
 
     Args:
         speed: simulated over wall time; `MAX_SPEED` does not wait.
@@ -55,7 +55,7 @@ class Pace:
         return {"paused": self._paused, "speed": None if self._speed == MAX_SPEED else self._speed}
 
     def before_tick(self, tick: int) -> float:
-        """Return when this tick may begin, and how long that took in s. Costs nothing at full speed."""
+        """Wait until this tick may begin; returns for how long in s."""
         if self._free:
             return 0.0
         began_s = self._clock()
@@ -89,7 +89,7 @@ class Pace:
         self._set(speed=speed)
 
     def release(self) -> None:
-        """Let the match go on without anybody's leave, for good."""
+        """Let the match run at full speed, for good."""
         with self._turn:
             self._over = True
             self._free = True
@@ -110,7 +110,6 @@ class Pace:
             self._changed(now)
 
     def _wait_s(self, tick: int) -> float:
-        """Return how long this tick has to wait at least; 0 lets it begin."""
         if self._over:
             return 0.0
         if self._paused:
@@ -124,7 +123,7 @@ class Pace:
         due_s = self._anchor_s + (tick - self._anchor_tick) * TICK_S / self._speed
         again, self._last_tick = tick < self._last_tick, tick
         if self._anchor_tick < 0 or again or now_s - due_s > _FORGIVEN_S:
-            # A change, a new half, or a match that cannot keep up: count from here.
+            # After a change, in a new half, or if the match cannot keep up: count from here.
             self._anchor_s, self._anchor_tick = now_s, tick
             return 0.0
         return due_s - now_s

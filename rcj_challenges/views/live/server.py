@@ -1,6 +1,6 @@
-"""The server: standard library, loopback only, a thread for each connection, nothing kept for any of them.
+"""The server of a live match: standard library, loopback only, a thread for each connection.
 
-What it answers (`docs/live.md`): ``GET /`` the page, ``GET /feed?match=ID&from=N`` the feed from a byte on for as long
+Its addresses (`docs/live.md`): ``GET /`` the page, ``GET /feed?match=ID&from=N`` the feed from a byte on for as long
 as it grows, ``GET /replay.html`` the finished page, ``POST /steer`` with the token: pause, resume, step, speed.
 """
 
@@ -12,7 +12,6 @@ import socket
 import socketserver
 import sys
 import threading
-from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
@@ -20,22 +19,22 @@ from pathlib import Path
 from typing import Any, ClassVar
 from urllib.parse import parse_qs, urlsplit
 
-from rcj_challenges.views.live.feed import STILL_HERE, Feed
+from rcj_challenges.views.live.feed import KEEP_ALIVE, Feed
 from rcj_challenges.views.live.pace import MAX_SPEED, MAX_STEPS, Pace
 
 HOST = "127.0.0.1"
 MAX_CONNECTIONS = 64
-"""Further spectators get an answer that asks them to try again later."""
+"""Further spectators get status 503."""
 
 _TIMEOUT_S = 20.0
-"""A spectator that takes nothing, or asks nothing, for so long is let go; the page comes back by itself."""
-_STILL_HERE_S = 5.0
-_LONGEST_ORDER = 1_024
+"""Idle connections are closed after this time; the page connects again by itself."""
+_KEEP_ALIVE_S = 5.0
+_MAX_COMMAND_BYTES = 1_024
 _MAX_DIGITS = 12
-_MAX_TAKEN_IN = 65_536
-_LINGERS_S = 1.0
+_MAX_DRAINED_BYTES = 65_536
+_LINGER_S = 1.0
 _REFUSED_WITHIN_S = 0.2
-"""So long the next one to connect may have to wait for one that finds no room and has not asked for anything yet."""
+"""How long a connection that is refused may hold up the next one."""
 
 _HEADERS = {
     "Cache-Control": "no-store",
@@ -52,15 +51,15 @@ _TEXT = "text/plain; charset=utf-8"
 
 
 @dataclass
-class Stage:
-    """What the server has to show.
+class ServedMatch:
+    """The match that the server shows.
 
     Attributes:
         page: the viewer, UTF-8.
-        match: name of this match, so that a page of another one is not fed with it.
+        match: identifies this match, so that a page of another one does not receive its feed.
         feed: what happened so far.
         pace: what may be steered.
-        token: who knows it may steer.
+        token: gives the right to steer.
         replay: the finished page, once there is one.
     """
 
@@ -75,7 +74,7 @@ class Stage:
 class SpectatorServer(ThreadingHTTPServer):
     """Listens on loopback; `serve_forever` runs in a thread of its own.
 
-    Connections are threads that end with the process and are not waited for: a spectator never holds up the end.
+    The threads of connections end with the process: a spectator never holds up the end.
     """
 
     daemon_threads = True
@@ -84,17 +83,17 @@ class SpectatorServer(ThreadingHTTPServer):
     allow_reuse_address = sys.platform != "win32"
     request_queue_size = 32
 
-    def __init__(self, port: int, stage: Stage) -> None:
+    def __init__(self, port: int, served: ServedMatch) -> None:
         """Listen.
 
         Args:
             port: 0 takes a free one.
-            stage: what to show.
+            served: what to show.
 
         Raises:
             OSError: the port is taken or not allowed.
         """
-        self.stage = stage
+        self.served = served
         self._free = threading.BoundedSemaphore(MAX_CONNECTIONS)
         super().__init__((HOST, port), _Handler)
         self.port: int = self.server_address[1]
@@ -104,7 +103,7 @@ class SpectatorServer(ThreadingHTTPServer):
         self.origins = frozenset(f"http://{host}" for host in self.hosts)
 
     def server_bind(self) -> None:
-        """Bind without asking the name service who we are, which may take seconds."""
+        """Bind without a look-up of the host's name, which may take seconds."""
         socketserver.TCPServer.server_bind(self)
         self.server_name, self.server_port = HOST, self.server_address[1]
 
@@ -115,7 +114,7 @@ class SpectatorServer(ThreadingHTTPServer):
                 request.settimeout(_REFUSED_WITHIN_S)
                 request.sendall(b"HTTP/1.1 503 Service Unavailable\r\nConnection: close\r\nContent-Length: 0\r\n\r\n")
                 request.shutdown(socket.SHUT_WR)
-                request.recv(_MAX_TAKEN_IN)  # what is left unread takes the answer with it on Windows
+                request.recv(_MAX_DRAINED_BYTES)  # unread bytes would discard the answer on Windows
             self.shutdown_request(request)
             return
         super().process_request(request, client_address)
@@ -128,7 +127,7 @@ class SpectatorServer(ThreadingHTTPServer):
             self._free.release()
 
     def handle_error(self, request: Any, client_address: Any) -> None:
-        """Say nothing of spectators that are gone."""
+        """Ignore spectators that are gone."""
         if not isinstance(sys.exception(), OSError):
             super().handle_error(request, client_address)
 
@@ -151,7 +150,7 @@ class _Handler(BaseHTTPRequestHandler):
         """Show the page, the feed or the replay."""
         path = self._path()
         if path == "/":
-            self._answer(200, self.server.stage.page, _HTML)
+            self._answer(200, self.server.served.page, _HTML)
         elif path == "/feed":
             self._feed()
         elif path == "/replay.html":
@@ -170,10 +169,10 @@ class _Handler(BaseHTTPRequestHandler):
 
     do_PUT = do_DELETE = do_PATCH = do_POST  # noqa: N815 - the names that http.server looks for
 
-    # --- who may ask ------------------------------------------------------------------------------------------------
+    # --- access -----------------------------------------------------------------------------------------------------
 
     def _path(self) -> str | None:
-        """Return the path, if it exists and may be asked for in this way; else answer and return None."""
+        """Return the path if the request is allowed; else answer it and return None."""
         server = self.server
         origin, site = self.headers.get("Origin"), self.headers.get("Sec-Fetch-Site", "none")
         try:
@@ -198,23 +197,22 @@ class _Handler(BaseHTTPRequestHandler):
 
     def _may_steer(self) -> bool:
         given = self.headers.get("Authorization", "").encode("utf-8", "replace")
-        return hmac.compare_digest(given, f"Bearer {self.server.stage.token}".encode())
+        return hmac.compare_digest(given, f"Bearer {self.server.served.token}".encode())
 
     # --- answers ----------------------------------------------------------------------------------------------------
 
     def _feed(self) -> None:
-        """Send the feed from a place on, for as long as it grows."""
-        stage = self.server.stage
+        served = self.server.served
         asked = parse_qs(urlsplit(self.path).query)
         start = asked.get("from", ["0"])[0]
         if not (start.isascii() and start.isdigit() and len(start) <= _MAX_DIGITS):
             return self._refuse(400, "from: a number of bytes")
-        if asked.get("match", [""])[0] != stage.match:
+        if asked.get("match", [""])[0] != served.match:
             return self._refuse(409, "another match is played here now")
         self._head(200, {"Content-Type": "application/octet-stream", "Transfer-Encoding": "chunked"})
-        at = min(int(start), stage.feed.size_bytes)
-        while (chunk := stage.feed.read(at, _STILL_HERE_S)) is not None:
-            self._send_chunk(chunk or STILL_HERE)
+        at = min(int(start), served.feed.size_bytes)
+        while (chunk := served.feed.read(at, _KEEP_ALIVE_S)) is not None:
+            self._send_chunk(chunk or KEEP_ALIVE)
             at += len(chunk)
         self.wfile.write(b"0\r\n\r\n")
         return None
@@ -223,7 +221,7 @@ class _Handler(BaseHTTPRequestHandler):
         self.wfile.write(b"%x\r\n%b\r\n" % (len(chunk), chunk))
 
     def _replay(self) -> None:
-        replay = self.server.stage.replay
+        replay = self.server.served.replay
         try:
             page = None if replay is None else replay.read_bytes()
         except OSError:
@@ -240,31 +238,34 @@ class _Handler(BaseHTTPRequestHandler):
             )
         length = self.headers.get("Content-Length", "")
         # Of more digits than these Python makes no number.
-        if not (length.isascii() and length.isdigit() and len(length) <= _MAX_DIGITS) or int(length) > _LONGEST_ORDER:
-            return self._refuse(413, f"an order of at most {_LONGEST_ORDER} bytes")
+        if (
+            not (length.isascii() and length.isdigit() and len(length) <= _MAX_DIGITS)
+            or int(length) > _MAX_COMMAND_BYTES
+        ):
+            return self._refuse(413, f"a command of at most {_MAX_COMMAND_BYTES} bytes")
         try:
-            carry_out(self.server.stage.pace, json.loads(self.rfile.read(int(length))))
+            apply_command(self.server.served.pace, json.loads(self.rfile.read(int(length))))
         except (ValueError, TypeError, RecursionError) as error:
             return self._refuse(400, str(error), keep=True)
-        return self._answer(200, json.dumps(self.server.stage.pace.state).encode(), _JSON)
+        return self._answer(200, json.dumps(self.server.served.pace.state).encode(), _JSON)
 
     def _refuse(self, status: int, why: str, more: dict[str, str] | None = None, *, keep: bool = False) -> None:
-        """Say no. What is left of the request is not carried out, so the connection ends, unless all of it was read."""
+        """Refuse a request; the connection ends, unless all of the request was read."""
         if not keep:
             self.close_connection = True
             more = {"Connection": "close", **(more or {})}
         self._answer(status, f"{why}\n".encode(), _TEXT, more)
         if not keep:
-            self._end_after_what_is_left()
+            self._drain_request()
 
-    def _end_after_what_is_left(self) -> None:
-        """Take in a little of what is still sent: a connection that ends with unread bytes takes the answer with it."""
+    def _drain_request(self) -> None:
+        """Read a little of what is still sent: closing a connection with unread bytes would discard the answer."""
         with suppress(OSError):
             self.wfile.flush()
             self.connection.shutdown(socket.SHUT_WR)
-            self.connection.settimeout(_LINGERS_S)
-            left = _MAX_TAKEN_IN
-            while left > 0 and (taken := self.connection.recv(min(left, _LONGEST_ORDER))):
+            self.connection.settimeout(_LINGER_S)
+            left = _MAX_DRAINED_BYTES
+            while left > 0 and (taken := self.connection.recv(min(left, _MAX_COMMAND_BYTES))):
                 left -= len(taken)
 
     def _answer(self, status: int, body: bytes, kind: str, more: dict[str, str] | None = None) -> None:
@@ -282,25 +283,26 @@ class _Handler(BaseHTTPRequestHandler):
         """Log nothing: the terminal belongs to the match, and addresses are private."""
 
 
-def carry_out(pace: Pace, order: Any) -> None:
-    """Carry out an order: ``{"do": "pause"}``, ``resume``, ``step`` (with ``ticks``), ``speed`` (a number or null).
+def apply_command(pace: Pace, command: Any) -> None:
+    """Apply a command: ``{"do": "pause"}``, ``resume``, ``step`` (with ``ticks``), ``speed`` (a number or null).
 
     Raises:
-        ValueError: it is not an order; the message says what is.
+        ValueError: it is not a command; the message lists them.
     """
-    does = order.get("do") if isinstance(order, dict) else None
-    plain: dict[Any, Callable[[], None]] = {"pause": pace.pause, "resume": pace.resume}
-    if isinstance(does, str) and does in plain:
-        plain[does]()
-    elif does == "step":
-        ticks = order.get("ticks", 1)
-        if type(ticks) is not int or not 1 <= ticks <= MAX_STEPS:
-            raise ValueError(f"ticks: a whole number from 1 to {MAX_STEPS}")
-        pace.step(ticks)
-    elif does == "speed":
-        speed = order.get("speed")
-        if speed is not None and (isinstance(speed, bool) or not isinstance(speed, int | float)):
-            raise ValueError("speed: a number, or null for as fast as it can")
-        pace.set_speed(MAX_SPEED if speed is None else speed)
-    else:
-        raise ValueError("do: one of pause, resume, step, speed")
+    match command:
+        case {"do": "pause"}:
+            pace.pause()
+        case {"do": "resume"}:
+            pace.resume()
+        case {"do": "step"}:
+            ticks = command.get("ticks", 1)
+            if type(ticks) is not int or not 1 <= ticks <= MAX_STEPS:
+                raise ValueError(f"ticks: a whole number from 1 to {MAX_STEPS}")
+            pace.step(ticks)
+        case {"do": "speed"}:
+            speed = command.get("speed")
+            if speed is not None and (isinstance(speed, bool) or not isinstance(speed, int | float)):
+                raise ValueError("speed: a number, or null for as fast as it can")
+            pace.set_speed(MAX_SPEED if speed is None else speed)
+        case _:
+            raise ValueError("do: one of pause, resume, step, speed")

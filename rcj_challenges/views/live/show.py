@@ -17,10 +17,10 @@ from rcj_challenges.records.folder import REPLAY
 from rcj_challenges.records.logos import LogoError
 from rcj_challenges.records.result import read_result
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.views.live.feed import Feed, said
+from rcj_challenges.views.live.encoder import LiveObserver, live_facts
+from rcj_challenges.views.live.feed import Feed, json_message
 from rcj_challenges.views.live.pace import Pace
-from rcj_challenges.views.live.server import HOST, SpectatorServer, Stage
-from rcj_challenges.views.live.telling import LiveObserver, live_facts
+from rcj_challenges.views.live.server import HOST, ServedMatch, SpectatorServer
 from rcj_challenges.views.replay.page import LIVE_PAGE, about_run, logo_address, no_logo, page_text, places
 
 _FLUSH_EVERY_S = 0.1
@@ -39,8 +39,8 @@ class PortTakenError(DiagnosticError):
 class LiveShow:
     """Serves a match from before its first tick until it is closed; a context manager.
 
-    Use it as: give `observer` to the match; afterwards call `match_over`, then `linger` for as long as spectators shall
-    be served. Leaving the context ends everything at once, whoever still watches.
+    Pass `observer` to the match; afterwards call `match_over`, then `linger` for as long as spectators shall be served.
+    Leaving the context closes all connections.
 
     Attributes:
         observer: receives the match.
@@ -58,13 +58,13 @@ class LiveShow:
         port: int = 0,
         speed: float = 1.0,
     ) -> None:
-        """Open the port; from now on the page is there.
+        """Open the port and serve the page.
 
         Args:
             scenario: what is played.
             titles: names of the teams, by their seat of the first half.
             seed: of the match.
-            logos: of the teams as they gave them, by their seat of the first half; why one cannot be shown is said.
+            logos: of the teams as they gave them, by their seat of the first half.
             port: to listen on; 0 takes a free one.
             speed: simulated over wall time, `MAX_SPEED` as fast as it can.
 
@@ -74,38 +74,38 @@ class LiveShow:
         self._scenario = scenario
         self._feed = Feed()
         self.pace = Pace(speed, self._paced)
-        self._feed.append(said({"say": "pace", **self.pace.state}))
+        self._feed.append(json_message({"say": "pace", **self.pace.state}))
         self.observer = LiveObserver(scenario, self._feed, self.pace)
         match = secrets.token_urlsafe(9)
         facts = live_facts(scenario, dict(titles), seed)
-        self._no_logos = _give_logos(facts, logos or {})
+        self._no_logos = _add_logos(facts, logos or {})
         page = page_text({**facts, "match": match}, {}, kind=LIVE_PAGE).encode()
-        self._stage = Stage(page, match, self._feed, self.pace, secrets.token_urlsafe(24))
+        self._served = ServedMatch(page, match, self._feed, self.pace, secrets.token_urlsafe(24))
         try:
-            self._server = SpectatorServer(port, self._stage)
+            self._server = SpectatorServer(port, self._served)
         except OSError as error:
-            raise PortTakenError(_why(port, error)) from error
+            raise PortTakenError(_port_error(port, error)) from error
         self.port = self._server.port
         self._ended = threading.Event()
         self._threads = [
             threading.Thread(target=self._server.serve_forever, kwargs={"poll_interval": _ACCEPT_EVERY_S}, daemon=True),
-            threading.Thread(target=self._keep_telling, daemon=True),
+            threading.Thread(target=self._flush_regularly, daemon=True),
         ]
         for thread in self._threads:
             thread.start()
 
     @property
     def address(self) -> str:
-        """Where everybody on this machine may watch."""
+        """The address for spectators on this machine."""
         return f"http://{HOST}:{self.port}/"
 
     @property
     def steering_address(self) -> str:
-        """The same for a person who may control the match. Browsers do not send the token: it stands behind ``#``."""
-        return f"{self.address}#token={self._stage.token}"
+        """The same with the right to steer. Browsers do not send the token, because it stands behind ``#``."""
+        return f"{self.address}#token={self._served.token}"
 
     def match_over(self, folder: Path) -> None:
-        """Tell spectators that the match is over and recorded; they can go on looking at all of it.
+        """Send the end of the match; its page can still be looked at.
 
         Args:
             folder: of the record; its replay page is served if it is there.
@@ -113,7 +113,7 @@ class LiveShow:
         self.observer.flush()
         self.pace.release()
         page = folder / REPLAY
-        self._stage.replay = page if page.is_file() else None
+        self._served.replay = page if page.is_file() else None
         about: list[tuple[str, str]] = []
         ranked: list[dict[str, str]] = []
         complete = False
@@ -121,13 +121,13 @@ class LiveShow:
             result = read_result(folder)
             about, ranked = [*about_run(result), *self._no_logos], places(self._scenario, result)
             complete = result.complete
-        has_replay = self._stage.replay is not None
+        has_replay = self._served.replay is not None
         over = {"say": "over", "about": about, "places": ranked, "complete": complete, "replay": has_replay}
-        self._feed.append(said(over))
+        self._feed.append(json_message(over))
         self._feed.close()
 
     def linger(self, seconds: float | None) -> None:
-        """Go on serving for so long, or (None) until somebody interrupts from the keyboard; then return."""
+        """Go on serving for so long, or (None) until Ctrl-C."""
         left_s = seconds
         with suppress(KeyboardInterrupt):
             while left_s is None or left_s > 0:
@@ -137,7 +137,7 @@ class LiveShow:
                 left_s = None if left_s is None else left_s - beat_s
 
     def close(self) -> None:
-        """End it at once. Can be called again."""
+        """Close all connections. Can be called again."""
         self._ended.set()
         self.pace.release()
         self._feed.close()
@@ -153,15 +153,15 @@ class LiveShow:
         self.close()
 
     def _paced(self, state: dict[str, object]) -> None:
-        self._feed.append(said({"say": "pace", **state}))
+        self._feed.append(json_message({"say": "pace", **state}))
 
-    def _keep_telling(self) -> None:
+    def _flush_regularly(self) -> None:
         while not self._ended.wait(_FLUSH_EVERY_S):
             self.observer.flush()
 
 
-def _give_logos(facts: dict[str, Any], logos: Mapping[str, bytes]) -> list[tuple[str, str]]:
-    """Add the teams' logos to the facts; return, and add to what is said there, why one is not shown."""
+def _add_logos(facts: dict[str, Any], logos: Mapping[str, bytes]) -> list[tuple[str, str]]:
+    """Add the teams' logos to the facts; returns why others are not shown."""
     missing = []
     for team in (team for team in facts["teams"] if team["name"] in logos):
         try:
@@ -172,7 +172,7 @@ def _give_logos(facts: dict[str, Any], logos: Mapping[str, bytes]) -> list[tuple
     return missing
 
 
-def _why(port: int, error: OSError) -> Diagnostic:
+def _port_error(port: int, error: OSError) -> Diagnostic:
     taken = error.errno == errno.EADDRINUSE
     what = "is in use already" if taken else f"cannot be listened on: {error.strerror}"
     return Diagnostic(

@@ -1,4 +1,4 @@
-"""Finding records and opening their pages: what ``view`` and ``replay`` do."""
+"""Finds records and opens their pages."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class RunRow:
 
     Attributes:
         folder: of the record.
-        result: what it says, None if it cannot be read.
+        result: None if it cannot be read.
         problem: why it cannot be read, else empty.
         score: points by team, so far if it was killed or goes on.
     """
@@ -68,7 +68,7 @@ def find_run(run: Path | None, out: Path) -> Path:
         if not folders:
             raise RecordError("no-record", f"no run was recorded in {sanitize(out)} yet", _RUN)
         return folders[0]
-    # Who stands in a record and names another one means no file in here.
+    # In the folder of a record, the name of another one is no file of this one.
     in_it = [run.parent] if len(run.parts) > 1 or os.path.lexists(run) else []
     for folder in (run, *in_it, out / run):
         if _is_record(folder):
@@ -88,7 +88,7 @@ def open_replay(folder: Path) -> tuple[Path, bool]:
     """Open a record's page in the browser, after writing it if it is missing.
 
     Returns:
-        The page's path, and whether a browser took it (there may be none, as on a machine without a display).
+        The page's path, and whether a browser opened it (there may be none).
 
     Raises:
         RecordError: the record cannot be shown.
@@ -100,10 +100,10 @@ def open_replay(folder: Path) -> tuple[Path, bool]:
 
 
 def address_of(page: Path, system: str = sys.platform) -> str:
-    """Return by what a browser is asked to show a page.
+    """Return the address under which a browser opens a page.
 
-    Windows takes what is escaped in an address of a file for letters of its old code pages: it does not find a page
-    below Jörg's folder. There the path itself is asked for, which has no escapes.
+    Windows reads escapes in the address of a file as letters of its old code pages, and does not find a page below
+    Jörg's folder; there it is the path itself, which has no escapes.
 
     Args:
         page: an absolute path.

@@ -30,7 +30,7 @@ PARKED_BEYOND_M = 100.0
 """What is farther out was taken off the field: a field is at most 10 m long, the parking place begins at 1000 m."""
 
 _LARGEST = 32_767
-"""As x it says that something is off the field: ``recording.js`` knows it. Nothing on the field gets it."""
+"""As x it means off the field, also in ``recording.js``."""
 _ZLIB_LEVEL = 6
 
 Array = npt.NDArray[Any]

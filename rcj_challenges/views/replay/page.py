@@ -1,4 +1,4 @@
-"""Putting the page together: facts, poses and viewer in one file that needs nothing else."""
+"""Builds the replay page: facts, poses and viewer in one file."""
 
 from __future__ import annotations
 
@@ -16,7 +16,6 @@ from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY, replaced
 from rcj_challenges.records.logos import MAX_LOGO_BYTES, LogoError, checked_png, logo_path
-from rcj_challenges.records.referee_log import log_of_result, read_referee_log
 from rcj_challenges.records.result import RunResult
 from rcj_challenges.records.run_record import RunRecord, read_run
 from rcj_challenges.records.sensors import DAMAGE, read_sensors
@@ -25,17 +24,9 @@ from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.markup import escaped
 from rcj_challenges.views.naming import titles
 from rcj_challenges.views.palette import PALETTE
-from rcj_challenges.views.replay.packing import (
-    HEIGHT_M,
-    TILT_RAD,
-    TURN_RAD,
-    Frames,
-    frames_of,
-    length_unit,
-    packed,
-)
-from rcj_challenges.views.replay.sensing import output_block, sensor_block, sensor_facts
-from rcj_challenges.views.replay.story import EventFacts, half_facts
+from rcj_challenges.views.replay.events import EventFacts, half_facts
+from rcj_challenges.views.replay.packing import Frames, frames_of, length_unit, packed, units
+from rcj_challenges.views.replay.sensor_blocks import output_block, sensor_block, sensor_facts
 from rcj_challenges.views.replay.things import visible_things
 from rcj_challenges.views.scoreboard import ranking_rows
 from rcj_challenges.views.timeline import HalfTimeline, timeline_of
@@ -98,15 +89,15 @@ def write_replay(folder: Path, run: RunRecord | None = None) -> Path:
 def _text_of(run: RunRecord, folder: Path) -> str:
     unit_m = length_unit(*run.halves)
     frames = [frames_of(half, unit_m) for half in run.halves]
-    facts = _facts(run, folder, frames, unit_m)
+    facts = _facts(run, frames, unit_m)
     blocks = {half.info.half: packed(moving) for half, moving in zip(run.halves, frames, strict=True)}
-    more = _sense(facts, folder)
-    _give_logos(facts, folder, run.scenario.entrants)
+    more = _sensor_blocks(facts, folder)
+    _add_logos(facts, folder, run.scenario.entrants)
     return page_text(facts, blocks, more)
 
 
-def _sense(facts: dict[str, Any], folder: Path) -> dict[str, str]:
-    """Add what is known of sensor recordings to the facts; return their blocks by id."""
+def _sensor_blocks(facts: dict[str, Any], folder: Path) -> dict[str, str]:
+    """Add the facts of sensor recordings; return their blocks by id."""
     facts["sensors"] = {}
     blocks = {}
     try:
@@ -126,7 +117,7 @@ def _sense(facts: dict[str, Any], folder: Path) -> dict[str, str]:
     return blocks
 
 
-def _give_logos(facts: dict[str, Any], folder: Path, seats: Collection[str]) -> None:
+def _add_logos(facts: dict[str, Any], folder: Path, seats: Collection[str]) -> None:
     """Add the teams' logos to the facts, or why one cannot be shown; only seats of the scenario are names of files."""
     for team in [team for team in facts["teams"] if team["name"] in seats]:
         path = logo_path(folder, team["name"])
@@ -151,17 +142,15 @@ def no_logo(title: str, why: Exception) -> tuple[str, str]:
     return "logo", f"that of {title} is not shown: {why}"
 
 
-def _facts(run: RunRecord, folder: Path, frames: list[Frames], unit_m: float) -> dict[str, Any]:
-    result, halves, log = run.result, run.halves, read_referee_log(folder)
-    timeline = timeline_of(run.scenario, halves, log if log.ticks else log_of_result(result))
-    problems = [*run.problems, *([f"{log.damage} and left out."] if log.damage else [])]
-    units = {"x": unit_m, "y": unit_m, "yaw": TURN_RAD, "z": HEIGHT_M, "tilt": TILT_RAD}
+def _facts(run: RunRecord, frames: list[Frames], unit_m: float) -> dict[str, Any]:
+    result, halves = run.result, run.halves
+    timeline, worth = timeline_of(run.scenario, halves, run.shown_log), units(unit_m)
     return {
         "tick_s": TICK_S,
         **visible_things(run.scenario),
         "teams": team_facts(titles(run.scenario, result)),
         "halves_planned": halves[0].info.halves,
-        "channels": [{"name": name, "unit": units[name]} for name in frames[0].columns],
+        "channels": [{"name": name, "unit": worth[name]} for name in frames[0].columns],
         "halves": [
             _half(half, moving, timeline.halves[half.info.half]) for half, moving in zip(halves, frames, strict=True)
         ],
@@ -169,7 +158,7 @@ def _facts(run: RunRecord, folder: Path, frames: list[Frames], unit_m: float) ->
         "places": places(run.scenario, result),
         "complete": result.complete,
         "about": about_run(result),
-        "problem": " ".join(problems),
+        "problem": " ".join(run.problems),
     }
 
 
@@ -190,12 +179,12 @@ def _half(half: HalfTrack, frames: Frames, timeline: HalfTimeline) -> dict[str, 
 
 
 def team_facts(names: Mapping[str, str]) -> list[dict[str, str]]:
-    """Return the teams as the page knows them; of an endless name, which browsers break into lines slowly, a part."""
+    """Return the teams for the page; very long names, which browsers lay out slowly, are cut."""
     return [{"name": team, "title": name[:_LONGEST_NAME]} for team, name in names.items()]
 
 
 def fault_detail(fault: Fault) -> str:
-    """Return all that is known of a program's failure: its traceback, which ends with the error, or one line."""
+    """Return the traceback of a program's failure, which ends with the error, or else one line."""
     return (fault.traceback.rstrip() or fault.detail)[-_LONGEST_DETAIL:]
 
 
@@ -210,7 +199,7 @@ def places(scenario: Scenario, result: RunResult) -> list[dict[str, str]]:
 
 
 def about_run(result: RunResult) -> list[tuple[str, str]]:
-    """Return what is said of the run beside the field."""
+    """Return the facts of the run that stand beside the field."""
     versions = result.versions
     lines = [
         ("scenario", f"{result.title} ({result.scenario})"),
@@ -231,7 +220,7 @@ def about_run(result: RunResult) -> list[tuple[str, str]]:
 def page_text(
     facts: dict[str, Any], blocks: dict[int, str], more: Mapping[str, str] | None = None, kind: PageKind = REPLAY_PAGE
 ) -> str:
-    """Return the page. Every part is put in once, in one pass: no part can smuggle in another's mark.
+    """Return the page. Every part is inserted in one pass, so that no part can contain the mark of another.
 
     Args:
         facts: the data of the viewer, JSON-able.

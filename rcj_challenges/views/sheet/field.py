@@ -15,7 +15,7 @@ from rcj_challenges.views.sheet.phrasebook import Phrasebook
 
 
 def field_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
-    """Yield what is known of the field."""
+    """Yield the facts of the field."""
     field = scenario.field
     corners = (
         f"walls at 45° cut {metres(field.corner_cut_m)} off both sides of each corner" if field.corner_cut_m else ""

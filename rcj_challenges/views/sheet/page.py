@@ -33,7 +33,7 @@ from rcj_challenges.views.sheet.phrasebook import Phrasebook
 from rcj_challenges.views.sheet.programs import program_sections
 from rcj_challenges.views.sheet.robots import has, robot_blocks
 from rcj_challenges.views.sheet.rules import rule_blocks, rules_on_sheet, when_words
-from rcj_challenges.views.sheet.spoken import spoken
+from rcj_challenges.views.sheet.says import says_sentence
 
 
 def sheet_of(scenario: Scenario, roster: Roster) -> Sheet:
@@ -43,9 +43,9 @@ def sheet_of(scenario: Scenario, roster: Roster) -> Sheet:
         Section("The match", tuple(_match(scenario))),
         Section("Scoring", tuple(_scoring(scenario, phrases, rules))),
     ]
-    said = dict.fromkeys(spoken(phrases, rule) for name, rule in scenario.rules.items() if name in rules and rule.says)
-    if said:
-        lead.append(Section("Rules", (Items(tuple(said)),)))
+    sentences = dict.fromkeys(says_sentence(phrases, rule) for name, rule in scenario.rules.items() if name in rules)
+    if texts := tuple(filter(None, sentences)):
+        lead.append(Section("Rules", (Items(texts),)))
     lead.append(Section("What to hand in", tuple(_submission(scenario))))
     appendix = [
         Section("Field", tuple(field_blocks(scenario, phrases))),
@@ -78,7 +78,7 @@ def _scoring(scenario: Scenario, phrases: Phrasebook, rules: Mapping[str, Rule])
 
 
 def _points_rows(phrases: Phrasebook, rule: Rule) -> Iterator[tuple[str, str, str]]:
-    """Yield who gets how many points by a rule: one row for each receiver."""
+    """Yield a row for each receiver of points of a rule."""
     points: dict[str, list[str]] = {}
     own = phrases.within(rule)
     for action in rule.actions:
@@ -86,7 +86,7 @@ def _points_rows(phrases: Phrasebook, rule: Rule) -> Iterator[tuple[str, str, st
             points.setdefault(action.receiver(own), []).append(
                 f"{amount_words(own, action.points)}{bounds_words(action, 'score')}"
             )
-    when = spoken(own, rule) or f"{when_words(rule, phrases)}."
+    when = says_sentence(own, rule) or f"{when_words(rule, phrases)}."
     yield from ((when, who, ", plus ".join(parts)) for who, parts in points.items())
 
 
@@ -107,8 +107,8 @@ def _criterion_words(phrases: Phrasebook, criterion: RankByScore | RankByTime | 
     ]
     shorter = "shorter" if criterion.time == "ascending" else "longer"
     return (
-        f"A {shorter} time is better: how long {halves} until a rule ended it{stops}{''.join(changes)}. Who does not "
-        f"finish has the whole {seconds(sum(half_lengths_s(match)))}."
+        f"A {shorter} time is better: how long {halves} until a rule ended it{stops}{''.join(changes)}. A team that "
+        f"does not finish has the whole {seconds(sum(half_lengths_s(match)))}."
     )
 
 
@@ -139,8 +139,8 @@ def _submission(scenario: Scenario) -> Iterator[Block]:
     yield Table(("team", "robot", "program"), tuple(rows))
     if any(isinstance(entries, tuple) for one in scenario.entrants.values() for entries in one.robots.values()):
         yield "Of several places of a program the first that exists is taken."
-    asked = {frozenset(entrant.robots.values()) for entrant in scenario.entrants.values()}
-    if scenario.match.swap_sides and scenario.match.halves > 1 and len(asked) > 1:
+    programs = {frozenset(entrant.robots.values()) for entrant in scenario.entrants.values()}
+    if scenario.match.swap_sides and scenario.match.halves > 1 and len(programs) > 1:
         yield "As the teams change sides, each of them hands in the programs of both."
 
 

@@ -24,7 +24,7 @@ from rcj_challenges.scenario.robot_messages import referee_listens, robots_with_
 from rcj_challenges.views.sheet.document import Block, Items, Section, Table
 from rcj_challenges.views.sheet.phrasebook import Phrasebook
 from rcj_challenges.views.sheet.robots import has
-from rcj_challenges.views.sheet.spoken import spoken
+from rcj_challenges.views.sheet.says import says_sentence
 
 _FLAG_PACKETS = {
     "v2.1": 'It is one byte, whether a kick-off is awaited; Python unpacks it with struct.unpack("?", packet).',
@@ -48,7 +48,7 @@ def program_sections(scenario: Scenario, phrases: Phrasebook, rules: Mapping[str
     events: dict[str, list[str]] = {}
     for rule in rules.values():
         for event in {action.event: None for action in rule.actions if isinstance(action, Emit)}:
-            events.setdefault(event, []).append(spoken(phrases, rule))
+            events.setdefault(event, []).append(says_sentence(phrases, rule))
     if events:
         rows = ((event, " Or: ".join(filter(None, dict.fromkeys(said)))) for event, said in events.items())
         yield Section("Events in the log", (Table(("event", "meaning"), tuple(rows)),))

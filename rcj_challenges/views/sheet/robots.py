@@ -1,4 +1,4 @@
-"""The robots of a rule sheet: who drives them, their kits and devices, and how they talk to each other."""
+"""The robots of a rule sheet: their programs, kits, devices and radio channels."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _RADIO = (TeamEmitterDevice, TeamReceiverDevice)
 
 
 def robot_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
-    """Yield what is known of the robots."""
+    """Yield the facts of the robots."""
     owners = entrant_of(scenario)
     rows = [
         (plain(name), plain(robot.colour), _driver(robot, owners.get(name)), robot.kit, _start(robot.start))

@@ -6,6 +6,6 @@ reading records (records), tables for a terminal (cli).
 
 from rcj_challenges.views.stats.figures import DEFINITIONS, stats_as_json
 from rcj_challenges.views.stats.run import run_stats
-from rcj_challenges.views.stats.tally import Stats, together
+from rcj_challenges.views.stats.tally import Stats, merge_stats
 
-__all__ = ["DEFINITIONS", "Stats", "run_stats", "stats_as_json", "together"]
+__all__ = ["DEFINITIONS", "Stats", "merge_stats", "run_stats", "stats_as_json"]

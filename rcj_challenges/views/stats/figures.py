@@ -1,4 +1,4 @@
-"""From sums to figures, and the words that say what each figure is."""
+"""Figures, computed from sums, and their definitions."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 
 from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.views.stats.tally import Stats, Tally, TeamTally
-from rcj_challenges.views.stats.touching import FREE_TICKS, ONE_TOUCH_S, SHOT_WITHIN_S
+from rcj_challenges.views.stats.touches import FREE_TICKS, ONE_TOUCH_S, SHOT_WITHIN_S
 
 
 @dataclass(frozen=True)

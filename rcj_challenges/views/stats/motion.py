@@ -1,4 +1,4 @@
-"""Ways and speeds: where things were, without the jumps when they were put elsewhere."""
+"""Ways and speeds of entities, without the jumps when they were put elsewhere."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From the record of one run to its sums."""
+"""Counts the record of one run."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ from typing import Any
 
 import numpy as np
 
-from rcj_challenges.records.referee_log import read_referee_log, score_so_far
+from rcj_challenges.records.referee_log import score_so_far
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.records.run_record import RunRecord, read_run
 from rcj_challenges.records.trajectory import HalfTrack
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.seats import teams_by_seat
 from rcj_challenges.views.naming import titles
-from rcj_challenges.views.stats.ground import attacked_ends, goal_widths, own_end
+from rcj_challenges.views.stats.ends import attacked_ends, goal_widths, own_end
 from rcj_challenges.views.stats.motion import Motion, motion_of, play_mask
 from rcj_challenges.views.stats.tally import Stats, Tally, TeamTally
-from rcj_challenges.views.stats.touching import Goals, contacts_of, owners, shots_of, touch_ends
+from rcj_challenges.views.stats.touches import Goals, contacts_of, owners, shots_of, touch_ends
 from rcj_challenges.views.timeline import POINTS, TimelineEvent, timeline_of
 
 NO_CALLS = frozenset({"MATCH_START", "MATCH_FINISH", "KICKOFF", PROGRAM_FAULT, POINTS})
@@ -34,14 +34,14 @@ def run_stats(folder: Path, run: RunRecord | None = None) -> Stats:
     Raises:
         RecordError: there is nothing in the folder that could be counted.
     """
-    run, written = run or read_run(folder), read_referee_log(folder)
-    notes = [*run.problems, *([f"{written.damage}."] if written.damage else [])]
-    if not written.ticks and not written.damage:
+    run = run or read_run(folder)
+    notes = [*run.problems]
+    if not run.log.ticks and not run.log.damage:
         notes.append("The referee's log is missing: no calls are counted, and what awaits a kick-off counts as play.")
     stats = Stats(runs=[folder.name], notes=[f"{folder.name}: {note}" for note in notes])
-    counting = _Counting(run, stats)
+    counting = _RunCounter(run, stats)
     # Of a run that was killed the log goes on for longer than the poses: the figures end with these.
-    log = written.up_to({half.info.half: half.ticks for half in run.halves})
+    log = run.log.up_to({half.info.half: half.ticks for half in run.halves})
     timeline = timeline_of(run.scenario, run.halves, log)
     for half in run.halves:
         phases = timeline.halves[half.info.half].phases
@@ -62,8 +62,8 @@ def run_stats(folder: Path, run: RunRecord | None = None) -> Stats:
     return stats
 
 
-class _Counting:
-    """Adds up one run."""
+class _RunCounter:
+    """Counts one run."""
 
     def __init__(self, run: RunRecord, stats: Stats) -> None:
         self._stats = stats

@@ -1,4 +1,4 @@
-"""Sums from which all figures are made: whatever is added here can be added over robots, halves and runs."""
+"""Sums over robots, halves and runs, from which the figures are computed."""
 
 from __future__ import annotations
 
@@ -42,18 +42,9 @@ class Tally:
 
     def add(self, other: Tally) -> None:
         """Add another's sums."""
-        self.ball_ticks += other.ball_ticks
-        self.field_ticks += other.field_ticks
-        self.distance_m += other.distance_m
-        self.fastest_mps = max(self.fastest_mps, other.fastest_mps)
-        self.sided_ticks += other.sided_ticks
-        self.own_half_ticks += other.own_half_ticks
-        self.owned_ticks += other.owned_ticks
-        self.touches += other.touches
-        self.shots += other.shots
-        self.on_goal += other.on_goal
-        self.calls.update(other.calls)
-        self.faults.update(other.faults)
+        for name, value in vars(other).items():
+            mine = getattr(self, name)
+            setattr(self, name, max(mine, value) if name == "fastest_mps" else mine + value)
 
 
 @dataclass
@@ -109,11 +100,10 @@ class Stats:
     notes: list[str] = field(default_factory=list)
 
 
-def together(several: Iterable[Stats]) -> Stats:
+def merge_stats(several: Iterable[Stats]) -> Stats:
     """Return the sums over several runs; teams of one name are one team, and their robots go by their labels.
 
-    Which side a robot played first makes no difference. Two teams may call themselves the same, or one has handed in
-    twice: a note says so, because the sum may mix two teams.
+    A note reports a name under which several submissions played, because the sum may mix two teams.
     """
     total = Stats()
     for one in several:
@@ -133,8 +123,8 @@ def together(several: Iterable[Stats]) -> Stats:
         _add_all(total.balls, one.balls)
     for name, team in total.teams.items():
         if len(team.programs) > 1:
-            told = f"{len(team.programs)} different submissions have this name; they are added up as one team"
-            total.notes.append(f"{name}: {told}")
+            note = f"{len(team.programs)} different submissions have this name; they are added up as one team"
+            total.notes.append(f"{name}: {note}")
     return total
 
 

@@ -15,14 +15,13 @@ import numpy.typing as npt
 from rcj_challenges.core.amounts import Score
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.core.timing import TICK_S, s_from_ticks
-from rcj_challenges.records.referee_log import log_of_result, read_referee_log
 from rcj_challenges.records.run_record import read_run
 from rcj_challenges.records.trajectory import HalfTrack
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.naming import titles
+from rcj_challenges.views.replay.events import EventFacts
 from rcj_challenges.views.replay.packing import frames_of, length_unit, units
-from rcj_challenges.views.replay.story import EventFacts
 from rcj_challenges.views.replay.things import visible_things
 from rcj_challenges.views.standing import counted_line, shows_score
 from rcj_challenges.views.timeline import Timeline, timeline_of
@@ -124,8 +123,8 @@ class Footage:
         Raises:
             RecordError: there is nothing in the folder that could be shown.
         """
-        run, log = read_run(folder), read_referee_log(folder)
-        timeline = timeline_of(run.scenario, run.halves, log if log.ticks else log_of_result(run.result))
+        run = read_run(folder)
+        timeline = timeline_of(run.scenario, run.halves, run.shown_log)
         names = titles(run.scenario, run.result)
         return cls(
             scenario=run.scenario,
@@ -135,7 +134,7 @@ class Footage:
             timeline=timeline,
             events=EventFacts(run.scenario, names).of_timeline(timeline),
             titles=names,
-            warnings=(*run.problems, *([f"{log.damage} and left out."] if log.damage else [])),
+            warnings=run.problems,
         )
 
     def half(self, number: int) -> HalfFootage:

@@ -18,7 +18,7 @@ from rcj_challenges.views.video.camera import Camera
 from rcj_challenges.views.video.clips import Clip, Moment, frame_count, moments
 from rcj_challenges.views.video.errors import VideoError, cannot_write
 from rcj_challenges.views.video.footage import Footage
-from rcj_challenges.views.video.opengl import choose_backend
+from rcj_challenges.views.video.opengl import offscreen_opengl
 from rcj_challenges.views.video.overlay import Overlay
 
 MIN_PX, MAX_PX = 160, 4096
@@ -67,12 +67,11 @@ def opened_renderer(footage: Footage, size: tuple[int, int], camera: str, *, fin
     Raises:
         VideoError: the camera is unknown, or this computer has no OpenGL.
     """
-    chosen = Camera.parse(camera, footage.roster)
-    choose_backend()
-    from rcj_challenges.views.video.renderer import SceneRenderer  # noqa: PLC0415 - loads MuJoCo, which reads MUJOCO_GL
+    chosen, overlay = Camera.parse(camera, footage.roster), Overlay(footage, size)
+    with offscreen_opengl():
+        from rcj_challenges.views.video.renderer import SceneRenderer  # noqa: PLC0415 - loads MuJoCo
 
-    overlay = Overlay(footage, size)
-    renderer = SceneRenderer(footage, (size[0], size[1] - overlay.height), chosen, fine=fine)
+        renderer = SceneRenderer(footage, (size[0], size[1] - overlay.height), chosen, fine=fine)
 
     def draw(moment: Moment) -> Image.Image:
         frame = Image.new("RGB", size, PALETTE["outside"]["light"])

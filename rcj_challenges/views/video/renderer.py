@@ -26,6 +26,9 @@ class SceneRenderer:
         size: of the pictures, in pixels.
         camera: from where.
         fine: whether edges are smooth; takes several times as long.
+
+    Raises:
+        RuntimeError: there is no OpenGL; importing this module may also raise `ImportError` or `AttributeError`.
     """
 
     def __init__(self, footage: Footage, size: tuple[int, int], camera: Camera, *, fine: bool) -> None:
@@ -33,7 +36,10 @@ class SceneRenderer:
         self._entities = footage.things["entities"]
         self._model = build_scene(footage, size, fine=fine)
         self._data: Any = mujoco.MjData(self._model)
-        self._renderer: Any = mujoco.Renderer(self._model, size[1], size[0])
+        try:
+            self._renderer: Any = mujoco.Renderer(self._model, size[1], size[0])
+        except mujoco.FatalError as error:
+            raise RuntimeError(str(error)) from error
         self._option: Any = mujoco.MjvOption()
         self._option.geomgroup[:] = 1
         self._camera_state: Any = mujoco.MjvCamera()

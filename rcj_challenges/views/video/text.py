@@ -1,4 +1,4 @@
-"""Writes text with Pillow, in fonts of this computer that have its characters."""
+"""Draws text with Pillow, in fonts of this computer that have its characters."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a rule says, with words for the blanks that are filled in only when it fires."""
+"""The sentence ``says`` of a rule, with general words for the blanks that are filled in when it fires."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ OPEN = "…"
 
 _UNKNOWN_TEAM = "the team"
 _ARTICLES = ("the ", "one of ")
-"""How words begin that stand for a name, and need no article or kind beside them."""
+"""Beginnings of words that need no article or kind beside them."""
 _KIND = "robot|ball|obstacle|gate|spot|zone|team"
 _BESIDE_A_NAME = rf"(?:\b(?:the|an?|this|that) )?(?:\b(?:{_KIND}) )?{{}}(?: (?:{_KIND})\b)?"
 """What makes sense beside a name only: “the gate {each}”, “the {each} gate”."""
 
 
-def spoken(phrases: Phrasebook, rule: Rule) -> str:
-    """Return what a rule says as a whole sentence; an empty text if it says nothing."""
+def says_sentence(phrases: Phrasebook, rule: Rule) -> str:
+    """Return the sentence of a rule; an empty text if it has none."""
     words = fill_params(rule, phrases.scenario.params).strip()
     if not words:
         return ""

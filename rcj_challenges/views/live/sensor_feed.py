@@ -1,7 +1,4 @@
-"""What programs see, set and print, on its way from the sensor recording to the feed: the numbers of the replay page.
-
-The match hands over the bytes that it records; all else is done by the thread that fills the feed.
-"""
+"""Encodes the sensor recording of a half for the feed, with the numbers of the replay page."""
 
 from __future__ import annotations
 
@@ -14,8 +11,8 @@ import numpy.typing as npt
 
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.records.sensors import SensedRobot, row_dtype
-from rcj_challenges.views.live.feed import said, sensed
-from rcj_challenges.views.replay.sensing import columns_of, robot_facts, speeds, whole_numbers
+from rcj_challenges.views.live.feed import json_message, reading_message
+from rcj_challenges.views.replay.sensor_blocks import columns_of, robot_facts, speeds, whole_numbers
 
 Array = npt.NDArray[Any]
 
@@ -23,63 +20,61 @@ _LETTERS_A_MESSAGE = 100_000
 _GROUP_BITS, _MAX_GROUPS = 7, 5
 
 
-class HalfSenses:
+class HalfSensorFeed:
     """The sensor recording of one half while it is made; a `rcj_challenges.records.sensors.SensorListener`.
 
-    `sensed` and `printed` only keep what they are given: packed bytes, and entries that the record keeps anyway.
-    Holding on to anything else for each tick would cost the match its caches. `messages` does the work.
+    `sensed` and `printed`, which the match calls, only store bytes; `messages` does the work in another thread.
     """
 
     def __init__(self, half: HalfInfo, robots: Sequence[SensedRobot]) -> None:
         self._half = half.half
         self._robots = robots
-        self._rounders = [_Rounder(robot) for robot in robots]
+        self._encoders = [_RowEncoder(robot) for robot in robots]
         self._rows: list[deque[bytes]] = [deque() for _ in robots]
         self._printed: deque[tuple[int, int, str]] = deque()
 
     @property
     def announcement(self) -> bytes:
-        """The message that comes before all readings of the half: which robots, and what their columns are."""
+        """The message before all readings of the half: its robots and their columns."""
         if not any(robot.devices for robot in self._robots):
             return b""  # only what programs print is recorded
         facts = {"robots": [{**robot_facts(robot), "rows": 0} for robot in self._robots]}
-        return said({"say": "sensors", "half": self._half, "facts": facts})
+        return json_message({"say": "sensors", "half": self._half, "facts": facts})
 
     def sensed(self, robot: int, row: bytes) -> None:
-        """Keep a row."""
+        """Store a row."""
         self._rows[robot].append(row)
 
     def printed(self, entry: tuple[int, int, str]) -> None:
-        """Keep what was printed."""
+        """Store what was printed."""
         self._printed.append(entry)
 
     def messages(self) -> bytes:
-        """Return all that was kept since the last call, framed."""
+        """Return all that was stored since the last call, framed."""
         parts = []
-        for number, (waiting, rounder) in enumerate(zip(self._rows, self._rounders, strict=True)):
+        for number, (waiting, encoder) in enumerate(zip(self._rows, self._encoders, strict=True)):
             rows = [waiting.popleft() for _ in range(len(waiting))]
             if rows:
-                parts.append(sensed(self._half, number, len(rows), rounder.steps(b"".join(rows))))
+                parts.append(reading_message(self._half, number, len(rows), encoder.steps(b"".join(rows))))
         return b"".join([*parts, *self._lines()])
 
     def _lines(self) -> list[bytes]:
-        """Return messages of what was printed."""
         messages, lines, letters = [], [], 0
         for _ in range(len(self._printed)):
             robot, tick, text = self._printed.popleft()
             lines.append((self._robots[robot].name, tick, text))
             letters += len(text)
             if letters > _LETTERS_A_MESSAGE:
-                messages.append(self._say(lines))
+                messages.append(self._printed_message(lines))
                 lines, letters = [], 0
-        return [*messages, self._say(lines)] if lines else messages
+        return [*messages, self._printed_message(lines)] if lines else messages
 
-    def _say(self, lines: list[tuple[str, int, str]]) -> bytes:
-        return said({"say": "printed", "half": self._half, "lines": lines})
+    def _printed_message(self, lines: list[tuple[str, int, str]]) -> bytes:
+        return json_message({"say": "printed", "half": self._half, "lines": lines})
 
 
-class _Rounder:
-    """Turns the recorded rows of one robot into what the page has of it."""
+class _RowEncoder:
+    """Converts the recorded rows of one robot to the columns of the page."""
 
     def __init__(self, robot: SensedRobot) -> None:
         floats = (row_dtype(robot).itemsize - 4) // 8

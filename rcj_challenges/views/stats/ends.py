@@ -8,12 +8,13 @@ from rcj_challenges.rules.actions.score import Score
 from rcj_challenges.rules.fields import Names
 from rcj_challenges.rules.triggers.enters import Enters
 from rcj_challenges.scenario.models.field import FieldModel
-from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.roster import Roster, with_each
+from rcj_challenges.views.drawing.shapes import visible_outline
 
 _AT_THE_END = 0.9
 """A zone is at an end of the field if its middle is beyond this share of the way from the centre to the end line."""
+_EVERYWHERE = (-100.0, -100.0, 100.0, 100.0)
 
 
 def attacked_ends(scenario: Scenario, roster: Roster) -> dict[str, frozenset[int]]:
@@ -35,7 +36,7 @@ def attacked_ends(scenario: Scenario, roster: Roster) -> dict[str, frozenset[int
 
 
 def _receivers(action: Score, rule: Rule, scenario: Scenario, roster: Roster) -> list[str]:
-    """Return the seats that may get the points; of those of the last to touch it nothing is known beforehand."""
+    """Return the seats that may get the points; none if it depends on the last touch."""
     if not isinstance(action.entrant, str):
         return []
     if action.entrant in scenario.entrants:
@@ -55,34 +56,19 @@ def goal_widths(field: FieldModel) -> Mapping[int, float]:
 
 
 def _ends_entered(rule: Rule, scenario: Scenario, roster: Roster) -> set[int]:
-    balls = set(scenario.balls)
-    ends = set()
+    balls, ends = set(scenario.balls), set()
     for trigger in rule.triggers:
         if isinstance(trigger, Enters) and balls & set(_members(trigger.entity, rule, roster)):
             for name in _members(trigger.zone, rule, roster):
                 zone = scenario.zones.get(name)
-                y = 0.0 if zone is None else _middle_y(zone, scenario.field)
-                if abs(y) > _AT_THE_END * scenario.field.length_m / 2:
-                    ends.add(1 if y > 0 else -1)
+                ys = [y for _, y in visible_outline(zone, scenario.field, _EVERYWHERE)] if zone is not None else []
+                if ys and abs(sum(ys) / len(ys)) > _AT_THE_END * scenario.field.length_m / 2:
+                    ends.add(1 if sum(ys) > 0 else -1)
     return ends
 
 
 def _members(names: Names, rule: Rule, roster: Roster) -> tuple[str, ...]:
     return roster.may_be(with_each(names, rule.for_each))
-
-
-def _middle_y(zone: Zone, field: FieldModel) -> float:
-    """Return the y of a zone's middle in m; an open side ends at the end line."""
-    end = field.length_m / 2
-    if isinstance(zone, RectZone):
-        low = -end if zone.y_min_m is None else zone.y_min_m
-        high = end if zone.y_max_m is None else zone.y_max_m
-        return (low + high) / 2
-    if isinstance(zone, CircleZone):
-        return zone.centre_m[1]
-    if isinstance(zone, PolygonZone):
-        return sum(y for _, y in zone.points_m) / len(zone.points_m)
-    return zone.through_m[1] if isinstance(zone, HalfPlaneZone) else 0.0
 
 
 def _by_start(scenario: Scenario) -> dict[str, set[int]]:

@@ -85,9 +85,9 @@ class EventFacts:
         beside = [reason if about != reason else "", extra_payload_text(name, payload, says)]
         if fault is not None:
             about, says, beside = fault_sentence(fault), _short(fault.traceback or fault.detail), []
-        told = _short(" · ".join(filter(None, beside)), 300)
+        more = _short(" · ".join(filter(None, beside)), 300)
         head = " ".join(filter(None, (name.replace("_", " "), self._names.get(team, ""), standing)))
-        caption = " · ".join(filter(None, (about, told)))
+        caption = " · ".join(filter(None, (about, more)))
         return {
             "half": event.half,
             "tick": event.tick,
@@ -97,8 +97,8 @@ class EventFacts:
             "team": team,
             "colour": self._colours.get(seat),
             "standing": standing,
-            "about": _short(about or told, 300),
-            "told": told if about else "",
+            "about": _short(about or more, 300),
+            "told": more if about else "",
             "caption": _short(f"{head}: {caption}" if caption else head, 200),
             "says": says,
             "rule": cause.rule if cause is not None else "",
@@ -115,7 +115,7 @@ class EventFacts:
         return rule is not None and len(rule.triggers) > 1
 
     def _reason(self, cause: Firing | None) -> str:
-        """Return why a rule fired: ``Y1 made no progress: 0.497 m in 15 s, at least 0.5``; empty if no word says it."""
+        """Return why a rule fired: ``Y1 made no progress: 0.497 m in 15 s, at least 0.5``; or nothing."""
         rule = self._rules.get(cause.rule) if cause is not None else None
         if cause is None or rule is None:
             return ""

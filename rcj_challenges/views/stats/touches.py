@@ -1,4 +1,4 @@
-"""Touches of balls, and what follows from them: who had a ball last, and which touches were shots."""
+"""Touches of balls: which robot had a ball last, and which touches were shots."""
 
 from __future__ import annotations
 

@@ -3,7 +3,7 @@
 import pytest
 
 from rcj_challenges.scenario.load import load_text
-from rcj_challenges.views.stats.ground import attacked_ends
+from rcj_challenges.views.stats.ends import attacked_ends
 
 GOALS = """schema_version: 1
 id: goals

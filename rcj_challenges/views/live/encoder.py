@@ -1,4 +1,4 @@
-"""From the calls of a match to the messages of the feed, in the words of the replay page."""
+"""Encodes a match as messages of the feed, with the data of the replay page."""
 
 from __future__ import annotations
 
@@ -18,21 +18,21 @@ from rcj_challenges.records.reflog import events_of
 from rcj_challenges.records.sensors import SensedRobot, SensorListener
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.views.live.feed import Feed, poses, said
+from rcj_challenges.views.live.feed import Feed, json_message, pose_message
 from rcj_challenges.views.live.pace import Pace
-from rcj_challenges.views.live.senses import HalfSenses
+from rcj_challenges.views.live.sensor_feed import HalfSensorFeed
 from rcj_challenges.views.naming import changes_sides, distinct_names
+from rcj_challenges.views.replay.events import EventFacts, half_facts
 from rcj_challenges.views.replay.packing import FINEST_M, put_at_start, rounded_poses, units
 from rcj_challenges.views.replay.page import fault_detail, team_facts
-from rcj_challenges.views.replay.story import EventFacts, half_facts
 from rcj_challenges.views.replay.things import visible_things
 from rcj_challenges.views.timeline import TimelineBuilder
 
 _MAX_TICKS_AT_ONCE = 2_000
 _NUMBERS_PER_ENTITY = 5  # x, y, yaw; height; upright
-_Kept = tuple[int, bytes, tuple[Snapshot, RefereeOutput] | None]  # tick, poses, and all of it where something happened
+_Kept = tuple[int, bytes, tuple[Snapshot, RefereeOutput] | None]  # tick, poses, and all of it if something happened
 _SEEN_BEYOND_M = 3.0
-"""How far outside of the field poses are distinguished; what is further (parked robots) stands at the edge."""
+"""How far outside of the field poses are distinguished; what is further (parked robots) is shown at the edge."""
 
 
 def live_facts(scenario: Scenario, titles: dict[str, str], seed: int) -> dict[str, Any]:
@@ -62,17 +62,15 @@ def live_facts(scenario: Scenario, titles: dict[str, str], seed: int) -> dict[st
 
 
 def _unit_m(scenario: Scenario) -> float:
-    """Return what 1 is worth for x and y: fixed before the match, so it follows from the field."""
     reach_m = max(scenario.field.width_m, scenario.field.length_m) / 2 + _SEEN_BEYOND_M
     return max(FINEST_M, reach_m / 32_767)
 
 
 class LiveObserver(Observer):
-    """Fills the feed from the calls of a match.
+    """Fills the feed while a match is played.
 
-    In a tick it only keeps the poses; `flush`, called from another thread some times a second, makes messages of them.
-    So the match pays about as much at any speed, and spectators see it in small steps at real time. Snapshots are kept
-    only of ticks in which something happened: holding on to all of them would cost the match its caches.
+    A tick only stores its poses; `flush`, called from another thread several times a second, makes messages of them.
+    Snapshots are kept only of ticks in which something happened: keeping all of them would cost the match its caches.
     """
 
     def __init__(self, scenario: Scenario, feed: Feed, pace: Pace) -> None:
@@ -80,7 +78,7 @@ class LiveObserver(Observer):
         self._feed = feed
         self._unit_m = _unit_m(scenario)
         self._half: HalfInfo | None = None
-        self._senses: HalfSenses | None = None
+        self._sensor_feed: HalfSensorFeed | None = None
         self._builder = TimelineBuilder(scenario)
         self._event_facts = EventFacts(scenario, {})
         self._entities = 0
@@ -90,56 +88,54 @@ class LiveObserver(Observer):
         self.before_tick = pace.before_tick  # type: ignore[method-assign]
 
     def after_tick(self, snapshot: Snapshot, output: RefereeOutput) -> None:
-        """Keep what the next `flush` sends."""
+        """Store what the next `flush` sends."""
         poses, heights = snapshot.substeps[-1], snapshot.heights
         if len(heights) != self._entities:
             self._entities = len(heights)
             self._row = struct.Struct(f"<{_NUMBERS_PER_ENTITY * self._entities}f")
         row = self._row.pack(*chain.from_iterable(poses), *heights, *snapshot.uprights)
-        is_news = (
-            output.changes or output.events or output.firings or output.placements or snapshot.faults
-        )  # fmt: skip
+        is_news = output.changes or output.events or output.firings or output.placements or snapshot.faults
         self._waiting.append((snapshot.tick, row, (snapshot, output) if is_news else None))
 
     def half_started(self, half: HalfInfo) -> None:
-        """Announce the half; what is left of the one before comes first."""
+        """Send the facts of the half, after the rest of the one before."""
         self.flush()
         with self._flushing:
             self._half = half
-            self._senses = None
+            self._sensor_feed = None
             self._builder.begin_half(half)
             named = {half.teams[seat]: name for seat, name in half.team_names.items() if name}
             self._event_facts = EventFacts(
                 self._scenario, distinct_names(named, sides_change=changes_sides(self._scenario))
             )
-            self._feed.append(said({"say": "half", "facts": self._half_facts(half)}))
+            self._feed.append(json_message({"say": "half", "facts": self._half_facts(half)}))
 
     def sensing(self, half: HalfInfo, robots: Sequence[SensedRobot]) -> Sequence[SensorListener]:
-        """Announce what is recorded of each robot; from now on, what its program sees, sets and prints."""
+        """Send the facts of the sensor recording; from now on its rows follow."""
         with self._flushing:
-            self._senses = HalfSenses(half, robots)
-            self._feed.append(self._senses.announcement)
-        return (self._senses,)
+            self._sensor_feed = HalfSensorFeed(half, robots)
+            self._feed.append(self._sensor_feed.announcement)
+        return (self._sensor_feed,)
 
     def after_last_tick(self, output: RefereeOutput, half: HalfInfo) -> None:
-        """Send what came of the rules after the last tick."""
+        """Send the output of the rules after the last tick."""
         self.flush()
         with self._flushing:
             reported = (*output.events, *output.firings, *output.changes)
             if reported:
                 tick = max(one.tick for one in reported)
-                self._feed.append(self._news(Snapshot(tick, [], [], [], ()), output))
+                self._feed.append(self._tick_message(Snapshot(tick, [], [], [], ()), output))
 
     def flush(self) -> None:
-        """Make messages of all that waits: poses first, so that no reading is of a moment that is not known yet."""
+        """Send all that waits, poses first: a reading never comes before the poses of its tick."""
         with self._flushing:
             while self._waiting:
                 batch: list[_Kept] = []
                 while self._waiting and len(batch) < _MAX_TICKS_AT_ONCE:
                     batch.append(self._waiting.popleft())
                 self._send(batch)
-            if self._senses is not None:
-                self._feed.append(self._senses.messages())
+            if self._sensor_feed is not None:
+                self._feed.append(self._sensor_feed.messages())
 
     # --- messages ---------------------------------------------------------------------------------------------------
 
@@ -155,11 +151,10 @@ class LiveObserver(Observer):
         heights, uprights = numbers[:, 3 * entities : 4 * entities], numbers[:, 4 * entities :]
         channels = rounded_poses(judged, heights, uprights, self._unit_m)
         rows = np.stack(list(channels.values()), axis=1).astype("<i2").tobytes()
-        news = [self._news(*happened) for _, _, happened in batch if happened is not None]
-        self._feed.append(poses(half.half, first, rows) + b"".join(news))
+        news = [self._tick_message(*happened) for _, _, happened in batch if happened is not None]
+        self._feed.append(pose_message(half.half, first, rows) + b"".join(news))
 
-    def _news(self, snapshot: Snapshot, output: RefereeOutput) -> bytes:
-        """Return what happened in a tick, framed: events, changes, faults, what was put elsewhere."""
+    def _tick_message(self, snapshot: Snapshot, output: RefereeOutput) -> bytes:
         half = self._half
         assert half is not None  # noqa: S101 - only called within a half
         events = events_of(snapshot, output)
@@ -178,7 +173,7 @@ class LiveObserver(Observer):
         if snapshot.faults:
             news["faults"] = [_fault(fault) for fault in snapshot.faults]
         news["events"] = [self._event_facts.event(event, half.teams) for event in added.events]
-        return said(news)
+        return json_message(news)
 
     def _half_facts(self, half: HalfInfo) -> dict[str, Any]:
         return {
