@@ -33,15 +33,10 @@ class ChunkWriter:
     """
 
     def __init__(self, path: Path, header: Mapping[str, Any], level: int) -> None:
-        """Create the file.
-
-        Args:
-            path: of the file; it must not exist.
-            header: JSON-able; the record's version is added.
-            level: of zlib's compression; 0: none.
+        """Create the file; the header is JSON-able, level 0 of zlib's compression packs nothing.
 
         Raises:
-            OSError: it cannot be written.
+            OSError: it exists, or cannot be written.
         """
         self._level = level
         self._pending = bytearray(json_line({"record": RECORD_VERSION, **header}))

@@ -30,13 +30,7 @@ _MESSAGES = {PROGRAM_FAULT: "detail"}
 
 
 def inputs_digest(scenario: Scenario, seed: int, programs: Mapping[str, str]) -> str:
-    """Return the SHA-256 of what was played, as 64 hexadecimal digits.
-
-    Args:
-        scenario: resolved: presets, parameters and command line worked in.
-        seed: of the match.
-        programs: hash of the programs' files, by team.
-    """
+    """Return the SHA-256 of a resolved scenario, the seed and the hashes of programs by team, in hexadecimal digits."""
     played = given_values(scenario)
     played.pop("params", None)
     parts = [f"rcj-challenges inputs {_INPUTS_VERSION}", played, seed, dict(sorted(programs.items()))]

@@ -29,12 +29,7 @@ class UnwritableError(RecordError, HostError):
 
     @classmethod
     def of(cls, error: OSError, place: Path) -> Self | None:
-        """Translate an error into one of the record; None if it is not about a file in its place.
-
-        Args:
-            error: of the system, with the file's name.
-            place: the record's folder, or the one that it is in.
-        """
+        """Translate an error about a file in the record's folder, or the one it is in; None for any other."""
         if not isinstance(error.filename, str) or not Path(error.filename).is_relative_to(place):
             return None
         help_ = _HELD_HELP if is_held(error) else _HELP.get(error.errno or 0, "")

@@ -58,10 +58,6 @@ def open_file(path: Path, max_bytes: int = MAX_FILE_BYTES) -> BinaryIO:
 
     Records are untrusted: a named pipe in place of a file would block for ever, a device might never end.
 
-    Args:
-        path: of the file.
-        max_bytes: larger files are refused.
-
     Raises:
         RecordError: it is a pipe or a device, or too large.
         OSError: it is missing, a folder, or cannot be read.
@@ -188,10 +184,7 @@ def _put(temporary: Path, path: Path) -> None:
 
 
 def when_free(do: Callable[[], object]) -> None:
-    """Rename or remove files; if Windows refuses it while another program has one open, retry for a while.
-
-    Args:
-        do: the work; it may be begun several times.
+    """Rename or remove files; if Windows refuses it while another program has one open, try again for a while.
 
     Raises:
         OSError: it cannot be done, or the other program still has the file.

@@ -78,14 +78,7 @@ class RefereeLog:
         return [event_line(one.half, event) for one in self.ticks for event in one.events]
 
     def score(self, first: Mapping[str, Score], teams_in: Callable[[int], Mapping[str, str]]) -> dict[str, Score]:
-        """Return the last score by team.
-
-        ``result.json`` has the score of whole halves: of a match that was killed, or is still played, the log has more.
-
-        Args:
-            first: by team, as the match begins.
-            teams_in: returns, for a half, the teams by seat.
-        """
+        """Return the last score by team, also of a match that was killed; ``first`` is that of its beginning."""
         found = ((one.half, change) for one in reversed(self.ticks) for change in one.changes)
         half, last = next(((half, change) for half, change in found if isinstance(change, ScoreChange)), (0, None))
         teams = teams_in(half) if last is not None else {}

@@ -219,11 +219,7 @@ _TIME_FAULTS = frozenset({"start_timeout", "step_timeout", "half_timeout"})
 
 
 def has_time_fault(result: Mapping[str, Any]) -> bool:
-    """Return whether a time limit decided something in a run, so that another computer may have gone on.
-
-    Args:
-        result: the content of ``result.json``.
-    """
+    """Return whether a time limit decided something in a run, so that another computer may have gone on."""
     return any(fault.get("timed") or fault["kind"] in _TIME_FAULTS for fault in result["faults"])
 
 

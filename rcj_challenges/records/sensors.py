@@ -97,12 +97,7 @@ class SensorListener(Protocol):
     """Receives a recording while it is made. Calls must return at once: the match waits for them."""
 
     def sensed(self, robot: int, row: bytes) -> None:
-        """Take a row of `row_dtype`, as it is recorded.
-
-        Args:
-            robot: its place in the order of the recording.
-            row: the observation, with what the program set on it.
-        """
+        """Take a row of `row_dtype` of a robot, by its place in the order of the recording."""
 
     def printed(self, entry: tuple[int, int, str]) -> None:
         """Take what a program printed, as it is recorded: robot, tick of the observation before, text."""
@@ -157,13 +152,7 @@ class SensorWriter:
     """Writes the sensor recording of one half."""
 
     def __init__(self, folder: Path, half: int, robots: Sequence[SensedRobot]) -> None:
-        """Create the file.
-
-        Args:
-            folder: of the run.
-            half: 1-based.
-            robots: those whose programs are recorded; calls name them by their place in this order.
-        """
+        """Create the file of a half; calls name robots by their place in this order."""
         (folder / SENSORS).mkdir(exist_ok=True)
         header = {"half": half, "robots": [asdict(robot) for robot in robots]}
         self._file = ChunkWriter(folder / SENSORS / f"half-{half}.sensors", header, _ZLIB_LEVEL)

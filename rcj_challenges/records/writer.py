@@ -207,12 +207,7 @@ class RecordWriter:
         return self.folder
 
     def break_off(self, error: type[BaseException], result: Mapping[str, Any] | None = None) -> Path:
-        """Close the record of a run that was not played to its end, as `finish` does; can be called again.
-
-        Args:
-            error: what stopped it.
-            result: as for `finish`.
-        """
+        """Close the record of a run that was stopped by an error, as `finish` does; can be called again."""
         fields = {"complete": False, "states": "", "digest": "", "stopped": error.__name__}
         return self.finish(fields | dict(result or {}))
 

@@ -25,12 +25,7 @@ def titles(scenario: Scenario, result: RunResult) -> dict[str, str]:
 
 
 def distinct_names(names: Mapping[str, str], *, sides_change: bool = False) -> dict[str, str]:
-    """Return the names by team; those that look the same with their seats: ``Hanse (blue)``, ``Hanse (blue first)``.
-
-    Args:
-        names: by team: its seat, that of the first half where sides are changed.
-        sides_change: whether a team plays from another seat later, so that its seat alone would mislead.
-    """
+    """Return the names by team; those that look the same with their seats: ``Hanse (blue)``, ``Hanse (blue first)``."""
     several = Counter(sanitize(name)[:_LONGEST] for name in names.values())
     first = " first" if sides_change else ""
     return {

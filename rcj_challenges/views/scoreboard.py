@@ -32,11 +32,7 @@ _BAR_COLUMNS = 30
 def create_observer(console: Console, scenario: Scenario, *, quiet: bool, shared: bool) -> Observer:
     """Return the scoreboard in a terminal, plain lines elsewhere; if quiet, only what programs print.
 
-    Args:
-        console: where it is shown.
-        scenario: what is played.
-        quiet: whether nothing of the match is.
-        shared: whether programs also write into the terminal, so that the scoreboard would be drawn over their lines.
+    In a terminal that is shared with the programs, the scoreboard would be drawn over their lines.
     """
     if quiet:
         return PrintedLines(console)
@@ -55,12 +51,7 @@ def score_line(names: Mapping[str, str], scores: Mapping[str, int | float], *, s
 
 
 def score_so_far(half: HalfInfo, scores: Mapping[str, int | float]) -> str:
-    """Return the `score_line` within a half, teams in the order of the first half as in the result and on pages.
-
-    Args:
-        half: who plays where.
-        scores: by seat of this half.
-    """
+    """Return the `score_line` within a half, teams in the order of the first half as in the result and on pages."""
     seat_of = {team: seat for seat, team in half.teams.items()}
     changed = any(team != seat for seat, team in half.teams.items())
     return score_line(_team_names(half), {team: scores[seat_of[team]] for team in half.teams}, sides_change=changed)
@@ -120,14 +111,7 @@ def ranking_lines(
     *,
     sides_change: bool = False,
 ) -> list[str]:
-    """Return ``place 1: Hanse, score 4, time 9.248 s`` for each team, best first; nothing if the score alone decides.
-
-    Args:
-        rank: the scenario's criteria.
-        names: by team.
-        ranking: as in ``result.json``.
-        sides_change: as of `distinct_names`.
-    """
+    """Return ``place 1: Hanse, score 4, time 9.248 s`` for each team, best first; nothing if the score decides."""
     titles = _titles(names, sides_change=sides_change)
     rows = ranking_rows(rank, titles, ranking)
     return [f"place {place}: {team}, {values}" for place, team, values in rows]

@@ -26,11 +26,7 @@ def counted_names(scenario: Scenario) -> list[dict[str, str]]:
 
 
 class RankingCounters:
-    """Follows the counters that decide the ranking, for each team and over all halves.
-
-    Args:
-        scenario: what is played.
-    """
+    """Follows the counters that decide the ranking, for each team and over all halves."""
 
     def __init__(self, scenario: Scenario) -> None:
         self._scenario = scenario

@@ -122,12 +122,7 @@ class TimelineBuilder:
     """
 
     def __init__(self, scenario: Scenario, max_unannounced: int = MAX_UNANNOUNCED) -> None:
-        """Begin a run.
-
-        Args:
-            scenario: what is played.
-            max_unannounced: how often points without an event stand in it, for each rule and half.
-        """
+        """Begin a run; of points without an event, the first ones of each rule and half are in the timeline."""
         self.timeline = Timeline()
         self._max_unannounced = max_unannounced
         self._emitted = {
@@ -153,17 +148,7 @@ class TimelineBuilder:
         changes: Iterable[Change],
         faults: Iterable[Fault] = (),
     ) -> TickNews:
-        """Add a tick, or what follows the last one of a half.
-
-        Args:
-            events: the faults of programs among them.
-            firings: of rules.
-            changes: of the referee's state.
-            faults: of programs.
-
-        Returns:
-            What is new.
-        """
+        """Add a tick, or what follows the last one of a half; faults are also among the events. Returns the news."""
         news = self._add_changes(changes)
         ran = [firing for firing in firings if firing.suppressed is None]
         found = (*self._joined(events, ran, {fault.robot: fault for fault in faults}), *self._points(ran))
@@ -225,13 +210,7 @@ class TimelineBuilder:
 
 
 def timeline_of(scenario: Scenario, halves: Iterable[HalfTrack], log: RefereeLog) -> Timeline:
-    """Return the timeline of a recorded run.
-
-    Args:
-        scenario: what was played.
-        halves: those that are shown, in order.
-        log: of the referee; what it has of other halves is left out.
-    """
+    """Return the timeline of the halves of a recorded run; other halves in the log are ignored."""
     builder = TimelineBuilder(scenario)
     for half in halves:
         builder.begin_half(half.info)

@@ -65,12 +65,7 @@ class _Marker(NamedTuple):
 
 
 class Paper:
-    """Collects SVG elements. Coordinates are the field's: metres, x to the right, y up.
-
-    Args:
-        bounds: what is shown.
-        px_per_m: scale.
-    """
+    """Collects SVG elements. Coordinates are the field's: metres, x to the right, y up."""
 
     def __init__(self, bounds: Box, px_per_m: float) -> None:
         self.bounds = bounds
@@ -137,12 +132,7 @@ class Paper:
         self._markers.append(_Marker(self.px(at), offset_px, number, name, colour))
 
     def svg(self, title: str, sections: Sequence[Section] = ()) -> str:
-        """Return the picture.
-
-        Args:
-            title: of the picture and the legend.
-            sections: of the legend on its right, without those that have no lines; none: the picture has no legend.
-        """
+        """Return the picture with a legend on its right, without sections that have no lines; or only the picture."""
         elements, width, height = self._with_markers(), self.width_px, self.height_px
         if sections:
             lines, below = _legend(title, sections, self.width_px + 8)

@@ -36,13 +36,7 @@ _SEEN_BEYOND_M = 3.0
 
 
 def live_facts(scenario: Scenario, titles: dict[str, str], seed: int) -> dict[str, Any]:
-    """Return the facts of the page before the first half: as in a replay, without anything that happened yet.
-
-    Args:
-        scenario: what is played.
-        titles: names of the teams, by their seat of the first half.
-        seed: of the match.
-    """
+    """Return the facts of the page before the first half; titles are by the seats of the first half."""
     names = {team: titles.get(team) or team for team in scenario.entrants}
     apart = distinct_names(names, sides_change=changes_sides(scenario))
     return {

@@ -28,7 +28,7 @@ class Pace:
     Args:
         speed: simulated over wall time; `MAX_SPEED` does not wait.
         changed: called with `state` after each change, by the thread that made it.
-        clock: seconds that only grow; another one in tests.
+        clock: seconds that only grow.
     """
 
     def __init__(

@@ -84,11 +84,7 @@ class SpectatorServer(ThreadingHTTPServer):
     request_queue_size = 32
 
     def __init__(self, port: int, served: ServedMatch) -> None:
-        """Listen.
-
-        Args:
-            port: 0 takes a free one.
-            served: what to show.
+        """Listen; port 0 takes a free one.
 
         Raises:
             OSError: the port is taken or not allowed.

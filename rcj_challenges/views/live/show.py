@@ -58,15 +58,7 @@ class LiveShow:
         port: int = 0,
         speed: float = 1.0,
     ) -> None:
-        """Open the port and serve the page.
-
-        Args:
-            scenario: what is played.
-            titles: names of the teams, by their seat of the first half.
-            seed: of the match.
-            logos: of the teams as they gave them, by their seat of the first half.
-            port: to listen on; 0 takes a free one.
-            speed: simulated over wall time, `MAX_SPEED` as fast as it can.
+        """Open the port (0: a free one) and serve the page; titles and logos are by the seats of the first half.
 
         Raises:
             PortTakenError: the port is in use or not allowed.
@@ -105,11 +97,7 @@ class LiveShow:
         return f"{self.address}#token={self._served.token}"
 
     def match_over(self, folder: Path) -> None:
-        """Send the end of the match; its page can still be looked at.
-
-        Args:
-            folder: of the record; its replay page is served if it is there.
-        """
+        """Send the end of the match, and serve the replay page of its record, if it is there."""
         self.observer.flush()
         self.pace.release()
         page = folder / REPLAY

@@ -104,10 +104,6 @@ def address_of(page: Path, system: str = sys.platform) -> str:
 
     Windows reads escapes in the address of a file as letters of its old code pages, and does not find a page below
     Jörg's folder; there it is the path itself, which has no escapes.
-
-    Args:
-        page: an absolute path.
-        system: as `sys.platform` calls it.
     """
     return str(page) if system == "win32" else page.resolve().as_uri()
 

@@ -49,12 +49,7 @@ def half_facts(half: HalfTimeline, ticks: int) -> dict[str, Any]:
 
 
 class EventFacts:
-    """Turns events of a timeline into what the page has of them.
-
-    Args:
-        scenario: whose rules fired.
-        names: what teams are called, by the seats that they had in the first half.
-    """
+    """Converts events of a timeline to the data of the page; names are by the seats of the first half."""
 
     def __init__(self, scenario: Scenario, names: Mapping[str, str]) -> None:
         self._rules = scenario.rules

@@ -93,12 +93,7 @@ def rounded_poses(judged: Array, heights: Array, uprights: Array, unit_m: float)
 
 
 def put_at_start(poses: Array, placements: Iterable[Placement]) -> None:
-    """Put what was placed before tick 1 where it is shown in frame 0: beyond the edge if it was taken off.
-
-    Args:
-        poses: by entity x and y in m, yaw in rad; written to.
-        placements: of tick 0.
-    """
+    """Move what was placed at tick 0 to where frame 0 shows it: beyond the edge if it was taken off."""
     for placement in placements:
         off = (math.inf, 0.0, 0.0)
         poses[placement.entity] = off if placement.parked else (placement.x_m, placement.y_m, placement.yaw_rad)

@@ -72,10 +72,6 @@ PREMIERE_PAGE = PageKind(PREMIERE_SCRIPTS, ("style.css", "live.css", "premiere.c
 def write_replay(folder: Path, run: RunRecord | None = None) -> Path:
     """Write ``replay.html`` of a run: finished, still going on, or killed. Returns its path.
 
-    Args:
-        folder: of the record.
-        run: what `read_run` returned for it, if it was read already.
-
     Raises:
         RecordError: there is nothing in the folder that could be shown.
     """
@@ -225,8 +221,8 @@ def page_text(
     Args:
         facts: the data of the viewer, JSON-able.
         blocks: packed poses by half.
-        more: other packed blocks by the id under which the viewer looks for them.
-        kind: what the page does; a live page asks only the server it came from for the rest of the match.
+        more: other packed blocks by id.
+        kind: replay, live or premiere.
     """
     viewer = files("rcj_challenges.views.replay") / "viewer"
     style = "".join((viewer / name).read_text("utf-8") for name in kind.styles)

@@ -111,7 +111,7 @@ def columns_of(robot: SensedRobot) -> list[Column]:
 
 
 def speeds(ticks: Array, angles: Array) -> Array:
-    """Return how fast wheels turned from the observation before to each one, in rad/s; NaN for the first.
+    """Return how fast wheels turned since the observation before, in rad/s; NaN for the first.
 
     Args:
         ticks: ``[N]``, of the observations.
@@ -125,12 +125,7 @@ def speeds(ticks: Array, angles: Array) -> Array:
 
 
 def whole_numbers(units: float | Array, numbers: Array) -> Array:
-    """Return numbers as whole numbers of their unit, int64; `NAN`, `INFINITE`, `MINUS_INFINITE` stand for what is none.
-
-    Args:
-        units: one, or one for each column.
-        numbers: ``[N]`` or ``[N, columns]``.
-    """
+    """Return numbers, ``[N]`` or ``[N, columns]``, as multiples of their unit; `NAN` stands for what is none."""
     with np.errstate(invalid="ignore", over="ignore"):
         whole: Array = np.clip(np.rint(numbers / units), -_LARGEST, _LARGEST).astype(np.int64)
     if not np.isfinite(numbers).all():

@@ -77,13 +77,7 @@ def to_html(sheet: Sheet) -> str:
 
 
 def to_markdown(sheet: Sheet, picture: str | None) -> str:
-    """Return a sheet as Markdown.
-
-    Args:
-        sheet: the sheet.
-        picture: what stands for the drawing, such as a link to a file; None: itself as inline SVG, which most sites
-            that show Markdown leave out.
-    """
+    """Return a sheet as Markdown, with a text in place of the drawing; None: inline SVG, which most sites leave out."""
     from markupsafe import Markup  # noqa: PLC0415 - only a command that renders a sheet needs it
 
     shown = "\n".join(filter(str.strip, sheet.picture.svg().splitlines())) if picture is None else picture

@@ -37,8 +37,8 @@ class Phrasebook:
     Args:
         scenario: the scenario; its references have been checked.
         roster: its roster.
-        rule: the rule that is described, which decides what ``each`` and ``other`` are; None: none.
-        set_draws: what `set_from_the_start` finds, if that is known.
+        rule: decides what ``each`` and ``other`` are; None: no rule is described.
+        set_draws: the result of `set_from_the_start`, to compute it once.
     """
 
     def __init__(
@@ -104,12 +104,7 @@ class Phrasebook:
         return Subject(f"{'any' if (of == 'any') != negate else 'none'} of {several}")
 
     def point(self, at: Any, measured_from: Any = None) -> str:
-        """Return a named thing or a point ``(x, y)``; of a group the nearest of it.
-
-        Args:
-            at: the thing, the group or the point.
-            measured_from: the names from which the distance is measured; nothing is measured to itself.
-        """
+        """Return a named thing or a point ``(x, y)``; of a group the nearest, but nothing is measured from itself."""
         if not isinstance(at, str):
             return f"({at[0] + 0.0:g}, {at[1] + 0.0:g})"  # adding 0 makes no -0
         if not self._several(at):

@@ -27,10 +27,6 @@ NO_CALLS = frozenset({"MATCH_START", "MATCH_FINISH", "KICKOFF", PROGRAM_FAULT, P
 def run_stats(folder: Path, run: RunRecord | None = None) -> Stats:
     """Return the sums of one run: finished, going on, killed or damaged.
 
-    Args:
-        folder: of the record.
-        run: what `read_run` returned for it, if it was read already.
-
     Raises:
         RecordError: there is nothing in the folder that could be counted.
     """

@@ -51,13 +51,7 @@ def contacts_of(half: HalfTrack, robots: int, ball: int) -> Contacts:
 def owners(contacts: Contacts, seats: Sequence[str | None], ticks: int, put_at: Sequence[int]) -> Array:
     """Return ``[T]``: the robot that was the last to have touched the ball when a tick was over, -1: none.
 
-    Where robots of two seats touch it in one sub-step, it stays with who had it. Being put elsewhere takes it away.
-
-    Args:
-        contacts: of the ball.
-        seats: of each robot.
-        ticks: of the half.
-        put_at: ticks after which the ball was put elsewhere.
+    If robots of two seats touch it in one sub-step, it keeps its owner. It loses it when it is put elsewhere.
     """
     found = np.full(ticks, -1)
     lost = sorted(put_at)

@@ -29,11 +29,7 @@ Draw = Callable[[Moment], Image.Image]
 
 
 def parse_size(text: str, *, even: bool) -> tuple[int, int]:
-    """Parse ``1280x720`` or ``720p`` as pixels.
-
-    Args:
-        text: what the user wrote.
-        even: whether width and height must be even, as in an MP4.
+    """Parse ``1280x720`` or ``720p`` as pixels; an MP4 needs an even width and height.
 
     Raises:
         VideoError: it is not a size, or one that is too small, too large or odd.
@@ -56,13 +52,7 @@ def parse_size(text: str, *, even: bool) -> tuple[int, int]:
 
 @contextmanager
 def opened_renderer(footage: Footage, size: tuple[int, int], camera: str, *, fine: bool = False) -> Iterator[Draw]:
-    """Open what draws moments, with scoreboard and captions.
-
-    Args:
-        footage: what is shown.
-        size: of the whole picture, in pixels.
-        camera: its name, such as ``field`` or ``behind:Y1``.
-        fine: whether edges are smooth; takes several times as long.
+    """Open what draws moments of a size, with scoreboard and captions; smooth edges take several times as long.
 
     Raises:
         VideoError: the camera is unknown, or this computer has no OpenGL.
@@ -118,7 +108,7 @@ def write_video(
         footage: what is shown.
         clips: parts of it, in order.
         path: of the file.
-        size: width and height in pixels of what ``draw`` returns.
+        size: of what ``draw`` returns, in pixels.
         fps: frames in a second of video.
         speed: seconds of the match in a second of video.
         progress: called with (frames done, frames in total) after each frame.

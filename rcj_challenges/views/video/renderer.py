@@ -19,13 +19,7 @@ _HIDDEN_M = 1000.0
 
 
 class SceneRenderer:
-    """Draws moments.
-
-    Args:
-        footage: what is shown.
-        size: of the pictures, in pixels.
-        camera: from where.
-        fine: whether edges are smooth; takes several times as long.
+    """Draws moments as pictures of a size in pixels; smooth edges take several times as long.
 
     Raises:
         RuntimeError: there is no OpenGL; importing this module may also raise `ImportError` or `AttributeError`.

@@ -43,13 +43,7 @@ Point = tuple[float, float]
 
 
 def build_scene(footage: Footage, size: tuple[int, int], *, fine: bool) -> Any:
-    """Return the compiled model.
-
-    Args:
-        footage: what is shown.
-        size: of the pictures, in pixels.
-        fine: whether edges are smooth.
-    """
+    """Return the compiled model for pictures of a size in pixels, with smooth edges if they are ``fine``."""
     spec = build_spec(footage.scenario, footage.roster)
     _set_light(spec, size, samples=_SAMPLES if fine else 0)
     _add_box(spec.worldbody, (0, 0, -3 * _FLOOR_M), (60, 60, _FLOOR_M), rgb(PALETTE["outside"]["light"]))
