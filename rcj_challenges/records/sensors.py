@@ -96,10 +96,10 @@ def row_dtype(robot: SensedRobot) -> np.dtype[np.void]:
 class SensorListener(Protocol):
     """Receives a recording while it is made. Calls must return at once: the match waits for them."""
 
-    def sensed(self, robot: int, row: bytes) -> None:
+    def on_row(self, robot: int, row: bytes) -> None:
         """Take a row of `row_dtype` of a robot, by its place in the order of the recording."""
 
-    def printed(self, entry: tuple[int, int, str]) -> None:
+    def on_output(self, entry: tuple[int, int, str]) -> None:
         """Take what a program printed, as it is recorded: robot, tick of the observation before, text."""
 
 
@@ -180,7 +180,7 @@ class SensorWriter:
             if self._rows[robot].is_sensed:
                 row = self._rows[robot].record_action(motors)
                 for listener in self._listeners:
-                    listener.sensed(robot, row)
+                    listener.on_row(robot, row)
             self.record_output(robot, printed)
 
     def record_output(self, robot: int, text: str) -> None:
@@ -195,7 +195,7 @@ class SensorWriter:
             entry = (robot, rows.tick, text)
             self._output.append(entry)
             for listener in self._listeners:
-                listener.printed(entry)
+                listener.on_output(entry)
 
     def close(self) -> None:
         """Write what is left and close the file. Can be called again."""

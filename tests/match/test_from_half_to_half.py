@@ -4,7 +4,7 @@ import pytest
 
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.scenario.load import load_text
-from rcj_challenges.views.live.telling import live_facts
+from rcj_challenges.views.live.encoder import live_facts
 from tests.judging_again import judged_again, reflog_of
 from tests.match.playing import Run
 

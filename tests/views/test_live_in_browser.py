@@ -29,27 +29,6 @@ def test_a_spectator_sees_the_match_go_on_while_it_is_played_and_finds_no_wheel(
     assert page.evaluate("sessionStorage.length") == 0
 
 
-@pytest.mark.nightly
-def test_who_comes_late_gets_all_from_the_beginning_and_can_look_back(
-    made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
-) -> None:
-    played = made_up_match(speed=4.0)
-    played.show.pace.step(600)
-    played.start()
-    page = watch(played.show.address, script=NO_WEBGL)
-    until(page, "replay.recording.last === 600")
-    until(page, "replay.place === 600")
-    page.click("#filters >> text=GOAL")
-    page.locator("a.moment", has_text="GOAL").first.click()
-    assert page.evaluate("[replay.half, replay.tick]") == [1, 400]
-    until(page, "document.getElementById('live').ariaPressed === 'false'")
-    played.show.pace.resume()
-    until(page, "replay.recording.last > 640")
-    assert page.evaluate("replay.tick") == 400  # the match goes on, the picture stays
-    page.click("#live")
-    until(page, "replay.place > 640 && document.getElementById('live').ariaPressed === 'true'")
-
-
 def test_it_ends_as_a_replay_that_has_everything(
     made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
 ) -> None:
@@ -129,19 +108,6 @@ def test_who_has_the_token_pauses_steps_and_sets_the_speed_on_a_phone_too(
     page.click("#match-pause")
     until(page, "replay.recording.over")
     assert page.locator(".match-controls").is_hidden()
-
-
-@pytest.mark.nightly
-def test_a_reload_can_still_steer_and_a_wrong_token_resigns(
-    made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]
-) -> None:
-    played = made_up_match(speed=1.0).start()
-    page = watch(played.show.steering_address, script=NO_WEBGL)
-    page.reload()
-    page.wait_for_selector("body.ready")
-    page.click("#match-pause")
-    until(page, "replay.liveClient.pace.paused")
-    assert played.show.pace.state["paused"]
 
 
 def test_a_lost_connection_is_found_again(made_up_match: Callable[..., MadeUpMatch], watch: Callable[..., Any]) -> None:

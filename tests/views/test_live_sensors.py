@@ -173,7 +173,7 @@ def test_what_is_read_of_a_moment_comes_after_the_moment(tmp_path: Path) -> None
 
 def test_half_of_a_surrogate_pair_does_not_break_the_feed() -> None:
     senses = HalfSensorFeed(HalfInfo(1, 1, 10, 1, 0, {}, {}, {}, {}), SENSED)
-    senses.printed((0, 3, "\ud800 \x00 \u2028\n"))
+    senses.on_output((0, 3, "\ud800 \x00 \u2028\n"))
     feed = Feed()
     feed.append(senses.announcement + senses.messages())
     assert Received(feed).lines == [[1, "B1", 3, "\ud800 \x00 \u2028\n"]]

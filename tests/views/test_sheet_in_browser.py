@@ -44,24 +44,6 @@ def test_on_a_phone_text_stays_on_the_screen_and_wide_tables_are_scrolled_alone(
     assert end == pytest.approx(PHONE["width"] - 16, abs=2)
 
 
-def test_on_a_phone_a_long_name_breaks_rather_than_leaving_the_screen(
-    watch: Callable[..., Any], tmp_path: Path
-) -> None:
-    name = "the_robot_that_was_longest_in_the_zone_of_the_other_robot_won"
-    file = tmp_path / "long.yaml"
-    file.write_text(
-        f"schema_version: 1\nid: long\ntitle: {name}\nextends: soccersim_v2\n"
-        f"description: {name} plays.\nrules:\n  {name}:\n    triggers: [{{trigger: half_started}}]\n"
-        f"    actions: [{{action: emit, event: {name.upper()}}}]\n    says: '{name} begins.'\n",
-        encoding="utf-8",
-    )
-    loaded = load(str(file))
-    page_file = tmp_path / "long.html"
-    page_file.write_text(sheet_html(loaded.scenario, loaded.roster), encoding="utf-8")
-    page = watch(page_file.as_uri(), ready="table", viewport=PHONE)
-    assert page.evaluate("document.documentElement.scrollWidth") <= PHONE["width"]
-
-
 def test_on_a_phone_the_field_fills_the_screen_and_its_legend_is_below(sheet_of: Callable[..., Any]) -> None:
     page = sheet_of("match", PHONE)
     field, legend = (

@@ -7,7 +7,6 @@ import pytest
 
 from rcj_challenges.core.play import Placement, RefereeOutput
 from rcj_challenges.core.timing import TICK_S
-from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.trajectory import Trajectory
 from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.views.video.footage import Footage
@@ -46,21 +45,3 @@ def test_placements_at_kick_off_hold_from_the_first_picture_on(tmp_path):
     assert np.isnan(start[0]).all()
     assert np.isnan(half.poses_at(0.004)[0]).all()
     assert np.isnan(half.smoothed(0, 0.0, 0.01)).all()
-
-
-def test_truncated_trajectory_is_shown_as_far_as_it_goes(tmp_path):
-    cut = write_made_up_run(tmp_path, ticks=450)
-    path = cut / "trajectory.chunks"
-    path.write_bytes(path.read_bytes()[: path.stat().st_size * 7 // 10])
-    footage = Footage.open(cut)
-    assert footage.halves[0].ticks == 450
-    assert 0 < footage.halves[1].ticks < 450
-    assert len(footage.warnings) == 1
-
-
-@pytest.mark.parametrize("file", ["scenario.json", "result.json"])
-def test_run_without_scenario_or_result_cannot_be_shown(tmp_path, file):
-    folder = write_made_up_run(tmp_path, ticks=40, halves=1)
-    (folder / file).write_text("{", "utf-8")
-    with pytest.raises(RecordError):
-        Footage.open(folder)

@@ -199,7 +199,6 @@ def _gates(paper: Paper, scenario: Scenario) -> Section:
 
 
 def _obstacles(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) -> Section:
-    paper.leaders_here()
     entries: list[Entry] = []
     for name, obstacle in scenario.obstacles.items():
         pose = poses.get(name, start_pose(scenario, name))

@@ -75,7 +75,6 @@ class Paper:
         self._elements: list[str] = []
         self._markers: list[_Marker] = []
         self._bodies: list[tuple[Point, float]] = []
-        self._leaders_at = 0
         self._numbers = 0
 
     def px(self, point: Point) -> Point:
@@ -117,10 +116,6 @@ class Paper:
     def keep_free(self, centre: Point, radius_m: float) -> None:
         """Let no marker cover a robot or a ball."""
         self._bodies.append((self.px(centre), radius_m * self.scale))
-
-    def leaders_here(self) -> None:
-        """Draw the lines from markers to their places below everything that is drawn from here on."""
-        self._leaders_at = len(self._elements)
 
     def new_number(self) -> str:
         """Return the next number for markers."""
@@ -165,7 +160,7 @@ class Paper:
             _marker(x, y, marker.number, marker.colour, marker.name)
             for marker, ((x, y), _) in zip(self._markers, placed, strict=True)
         ]
-        return self._elements[: self._leaders_at] + leaders + self._elements[self._leaders_at :] + markers
+        return self._elements + leaders + markers
 
     def _is_free(self, at: Point, half_px: float, placed: Sequence[tuple[Point, float]]) -> bool:
         x, y = at

@@ -23,7 +23,7 @@ _GROUP_BITS, _MAX_GROUPS = 7, 5
 class HalfSensorFeed:
     """The sensor recording of one half while it is made; a `rcj_challenges.records.sensors.SensorListener`.
 
-    `sensed` and `printed`, which the match calls, only store bytes; `messages` does the work in another thread.
+    `on_row` and `on_output`, which the match calls, only store bytes; `messages` does the work in another thread.
     """
 
     def __init__(self, half: HalfInfo, robots: Sequence[SensedRobot]) -> None:
@@ -41,11 +41,11 @@ class HalfSensorFeed:
         facts = {"robots": [{**robot_facts(robot), "rows": 0} for robot in self._robots]}
         return json_message({"say": "sensors", "half": self._half, "facts": facts})
 
-    def sensed(self, robot: int, row: bytes) -> None:
+    def on_row(self, robot: int, row: bytes) -> None:
         """Store a row."""
         self._rows[robot].append(row)
 
-    def printed(self, entry: tuple[int, int, str]) -> None:
+    def on_output(self, entry: tuple[int, int, str]) -> None:
         """Store what was printed."""
         self._printed.append(entry)
 
