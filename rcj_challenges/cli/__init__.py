@@ -43,28 +43,28 @@ class CommandInterruptedError(BaseException):
 
 def main() -> None:
     """Run the command line and exit with its code."""
-    heard: list[int] = []
+    handled: list[int] = []
     try:
-        code = _exit_code(heard)
+        code = _exit_code(handled)
         if code == INTERRUPTED:
-            _ignore_signals(heard)
+            _ignore_signals(handled)
         sys.exit(code)
     finally:
         # At its end the interpreter would look through all objects for garbage, 80 ms, just before it gives all back.
         gc.freeze()
 
 
-def _exit_code(heard: list[int]) -> int:
+def _exit_code(handled: list[int]) -> int:
     """Run the command line; return its exit code.
 
     Args:
-        heard: receives the signals that are handled from now on.
+        handled: receives the signals that are handled from now on.
     """
     begun: list[str] = []
     interrupted_at_s: list[float] = []
     code: object = OK
     try:
-        heard += _install_signal_handlers(interrupted_at_s)
+        handled += _install_signal_handlers(interrupted_at_s)
         from rcj_challenges.cli.stdio import (
             detect_closed_pipes,
             discard_output,
@@ -89,7 +89,7 @@ def _exit_code(heard: list[int]) -> int:
     except (Exception, KeyboardInterrupt, CommandInterruptedError) as error:  # noqa: BLE001 - the last line of defence
         just_now = any(time.monotonic() - at_s <= _SAME_SIGNAL_S for at_s in interrupted_at_s)
         return _report_error(error, begun=bool(begun), interrupted=just_now)
-    if code == INTERRUPTED and not begun:  # the library heard it while it read the options
+    if code == INTERRUPTED and not begun:  # the library caught it while it read the options
         return _report_error(KeyboardInterrupt(), begun=False)
     return _status(code)
 
@@ -108,17 +108,9 @@ def _report_error(error: BaseException, *, begun: bool, interrupted: bool = Fals
             their own of it, behind which nothing else can be seen.
     """
     from rcj_challenges.cli.crash_report import write_crash_report
-    from rcj_challenges.cli.stdio import discard_output, is_output_error, output_error
+    from rcj_challenges.cli.stdio import as_host_error, discard_output, is_output_error
     from rcj_challenges.core.diagnostics import render_error
-    from rcj_challenges.core.errors import (
-        HostError,
-        RcjError,
-        format_error,
-        interruption_behind,
-        is_held,
-        is_no_room,
-        is_of_the_host,
-    )
+    from rcj_challenges.core.errors import RcjError, interruption_behind
 
     error = _as_missing_package(error)
     if isinstance(error, RcjError) and error.exit_code != OUR_FAULT:
@@ -126,20 +118,14 @@ def _report_error(error: BaseException, *, begun: bool, interrupted: bool = Fals
         return error.exit_code
     interruption = interruption_behind(error)
     if interruption is not None:
-        said = str(interruption) if begun else "nothing had begun"
-        _print_error(f"interrupted: {said}" if said else "interrupted")
+        reason = str(interruption) if begun else "nothing had begun"
+        _print_error(f"interrupted: {reason}" if reason else "interrupted")
         return INTERRUPTED
-    if is_output_error(error):
-        trouble = output_error(error)
-        discard_output(sys.stdout)  # else the interpreter reports it again
-        _print_error(render_error(trouble))
-        return WRONG_INPUT
-    if is_of_the_host(error) or isinstance(error, PermissionError):
-        where = f": {error.filename}" if isinstance(error, OSError) and error.filename else ""
-        remedy = "close the program that may have it open" if isinstance(error, OSError) and is_held(error) else ""
-        code = "disk-full" if is_no_room(error) else "host-error"
-        remedy = "free some space there and run the command again" if is_no_room(error) else remedy
-        _print_error(render_error(HostError(f"{format_error(error)}{where}", remedy, code=code)))
+    host_error = as_host_error(error)
+    if host_error is not None:
+        if is_output_error(error):
+            discard_output(sys.stdout)  # else the interpreter reports it again
+        _print_error(render_error(host_error))
         return WRONG_INPUT
     usage = _usage_error(error)
     if usage is None and interrupted:
@@ -162,16 +148,15 @@ def _as_missing_package(error: BaseException) -> BaseException:
 
 
 def _install_signal_handlers(interrupted_at_s: list[float]) -> list[int]:
-    """Let what ends a service or a closed terminal end a command as Ctrl-C does: with its record closed.
+    """Handle the signals that end a service or a closed terminal like Ctrl-C: the record is closed.
 
-    Such signals often come twice: a closed terminal tells its shell, and the shell its commands. The second does not
-    disturb what the first began; a second interruption counts only after a second.
+    Such signals often come twice: from a closed terminal and from its shell. A second one within a second is ignored.
 
     Args:
         interrupted_at_s: takes the times of the interruptions.
 
     Returns:
-        The signals that we hear from now on.
+        The signals that are handled from now on.
     """
     import signal
 
@@ -181,21 +166,21 @@ def _install_signal_handlers(interrupted_at_s: list[float]) -> list[int]:
             interrupted_at_s.append(now_s)
             raise KeyboardInterrupt
 
-    heard = []
+    handled = []
     for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK"):  # the last one is Ctrl-Break on Windows
         number = getattr(signal, name, None)
         # Under nohup the command should go on.
         if number is not None and signal.getsignal(number) in (signal.SIG_DFL, signal.default_int_handler):
             signal.signal(number, interrupt)
-            heard.append(number)
-    return heard
+            handled.append(number)
+    return handled
 
 
-def _ignore_signals(heard: list[int]) -> None:
-    """Let no second signal change the exit code: while it ends, the interpreter would take it as a sudden death."""
+def _ignore_signals(handled: list[int]) -> None:
+    """Ignore further signals while the interpreter ends: they would change the exit code."""
     import signal
 
-    for number in heard:
+    for number in handled:
         signal.signal(number, signal.SIG_IGN)
 
 
@@ -210,9 +195,9 @@ def _speed_up_start() -> None:
 
 
 def _with_one_command(app: Typer, asked: list[str], begun: list[str]) -> Typer:
-    """Return the app with the command asked for alone: to read the options of all of them takes 20 ms.
+    """Return the app with the requested command alone: to read the options of all of them takes 20 ms.
 
-    If it is none of the commands, the app is returned as it is: it knows what to say.
+    If there is no such command, the app is returned unchanged.
 
     Args:
         app: with all commands, some of them in groups.
@@ -255,7 +240,7 @@ def _without_options(work: Callable[..., Any]) -> Callable[[], None]:
 
 
 def _interruptible(work: Callable[..., Any], begin: Callable[[], object]) -> Callable[..., Any]:
-    """Return a command's work so that an interruption passes the library of the command line as what it is."""
+    """Wrap a command so that an interruption passes the library of the command line unchanged."""
     import functools
 
     @functools.wraps(work)

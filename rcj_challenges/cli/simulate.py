@@ -29,8 +29,6 @@ if TYPE_CHECKING:
 
 _OF_RECORDS = ("folder", "inputs", "states", "digest")
 _MAX_SEEDS = 100_000
-_MAX_DIGITS = 100
-"""Of a seed: many more than anybody types; Python reads numbers of some thousand."""
 
 
 class SeedsError(RcjError):
@@ -85,8 +83,8 @@ def simulate(options: SimulateOptions) -> int:
     wrong = [outcome for outcome in failed if outcome.wrong_input]
     if wrong and len(failed) == len(outcomes):
         if options.json:
-            _report(outcomes, rank, options)  # who reads it by a program finds there why
-        raise RcjError(wrong[0].complaint)  # one clear message once more
+            _report(outcomes, rank, options)
+        raise RcjError(wrong[0].complaint)
     _report(outcomes, rank, options)
     return (WRONG_INPUT if len(wrong) == len(failed) else OUR_FAULT) if failed else OK
 
@@ -106,7 +104,7 @@ def _prepared(options: SimulateOptions) -> tuple[Loaded, list[Job], dict[int, Ou
     refuse_devices(out=options.out)
     seeds = parse_seeds(options.seeds)
     loaded = load(options.scenario, options.overrides)
-    # One clear message instead of one for each seed.
+    # Errors of teams are reported once here, not for each seed.
     programs = {}
     for seat, team in open_teams(loaded, options.teams).items():
         programs[seat] = team.digest
@@ -121,9 +119,9 @@ def _prepared(options: SimulateOptions) -> tuple[Loaded, list[Job], dict[int, Ou
 
 
 def _known(jobs: Sequence[Job], loaded: Loaded, programs: Mapping[str, str], out: Path) -> dict[int, Outcome]:
-    """Return the outcomes of jobs of which a complete record is there, by seed.
+    """Return the outcomes of jobs that have a complete record, by seed.
 
-    What was played with other versions, or was decided by a time limit, is played again.
+    Matches that were played with other versions, or decided by a time limit, are played again.
     """
     from rcj_challenges.match.batch import Outcome
     from rcj_challenges.records.digest import inputs_digest
@@ -156,14 +154,13 @@ def parse_seeds(text: str) -> list[int]:
     seeds: list[int] = []
     for part in text.split(","):
         first, dots, last = part.strip().partition("..")
-        if not first.isdecimal() or (dots and not last.isdecimal()):
-            raise SeedsError(f"--seeds {sanitize(text)}: not seeds", "write 1..10, 3 or 1,4,7..9")
-        if max(len(first), len(last)) > _MAX_DIGITS:
-            raise SeedsError(f"--seeds {sanitize(text)}: a seed has at most {_MAX_DIGITS} digits")
-        end = int(last) if dots else int(first)
-        if not 0 <= end - int(first) < _MAX_SEEDS:
+        try:
+            begin, end = int(first), int(last if dots else first)
+        except ValueError as error:
+            raise SeedsError(f"--seeds {sanitize(text)}: not seeds", "write 1..10, 3 or 1,4,7..9") from error
+        if not 0 <= begin <= end < begin + _MAX_SEEDS:
             raise SeedsError(f"--seeds {sanitize(text)}: {sanitize(part)} is empty or more than {_MAX_SEEDS} seeds")
-        seeds += range(int(first), end + 1)
+        seeds += range(begin, end + 1)
     return seeds
 
 
@@ -235,18 +232,13 @@ def _time_spread(times_s: Sequence[float], is_finished: Sequence[bool]) -> dict[
     unfinished = len(times_s) - len(finished_s)
     spread = _spread([*finished_s, *[math.inf] * unfinished])
     spread["mean"] = round(statistics.fmean(finished_s), 3) if finished_s else math.inf
-    return {name: value if math.isfinite(value) else None for name, value in spread.items()} | {
-        "unfinished": unfinished
-    }
+    known = {name: value if math.isfinite(value) else None for name, value in spread.items()}
+    return {**known, "unfinished": unfinished}
 
 
 def _spread(scores: Sequence[float]) -> dict[str, float]:
-    return {
-        "least": min(scores),
-        "median": statistics.median(scores),
-        "mean": round(statistics.fmean(scores), 3),
-        "most": max(scores),
-    }
+    mean = round(statistics.fmean(scores), 3)
+    return {"least": min(scores), "median": statistics.median(scores), "mean": mean, "most": max(scores)}
 
 
 class _Progress:
@@ -276,30 +268,30 @@ def _report(outcomes: Sequence[Outcome], rank: Sequence[Criterion], options: Sim
     from rcj_challenges.views.console import console_for
     from rcj_challenges.views.scoreboard import decided_by_score_alone
 
-    told = summary(outcomes)
+    report = summary(outcomes)
     if not decided_by_score_alone(rank):
-        told["ranking"] = rank_summary(rank, outcomes)
+        report["ranking"] = rank_summary(rank, outcomes)
     if options.json:
-        print_json(told)
+        print_json(report)
         return
     console = console_for()
-    console.print(_score_table(told))
-    if "ranking" in told:
-        console.print(_rank_table(told["ranking"], rank))
+    console.print(_score_table(report))
+    if "ranking" in report:
+        console.print(_rank_table(report["ranking"], rank))
     for head in ("events", "faults"):
-        counts = ", ".join(f"{name} {count}" for name, count in told[head].items()) or "none"
+        counts = ", ".join(f"{name} {count}" for name, count in report[head].items()) or "none"
         console.print(f"{head}: {counts}", markup=False, highlight=False)
-    for failure in told["failed"]:
+    for failure in report["failed"]:
         console.print(f"seed {failure['seed']}: {failure['message']}", markup=False, highlight=False)
 
 
-def _score_table(told: dict[str, Any]) -> Table:
+def _score_table(report: dict[str, Any]) -> Table:
     from rich.table import Table
 
     from rcj_challenges.core.measures import number_words
 
-    table = Table("entrant", "least", "median", "mean", "most", title=counted(told["played"], "match", "matches"))
-    for entrant, spread in told["spread"].items():
+    table = Table("entrant", "least", "median", "mean", "most", title=counted(report["played"], "match", "matches"))
+    for entrant, spread in report["spread"].items():
         table.add_row(entrant, *map(number_words, spread.values()))
     return table
 

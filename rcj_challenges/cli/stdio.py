@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from _typeshed import ReadableBuffer
     from rich.console import Console
 
-from rcj_challenges.core.errors import HostError, format_error, is_no_room, room_help
+from rcj_challenges.core.errors import HostError, format_error, is_held, is_no_room, is_of_the_host, room_help
 from rcj_challenges.core.letters import READABLE
 from rcj_challenges.core.sanitize import sanitize
 
@@ -58,6 +58,20 @@ def print_progress(console: Console, line: str) -> None:
         print_lines(console, line)
 
 
+def as_host_error(error: BaseException) -> HostError | None:
+    """Return an error about this computer with its file and what to do; None if it is about something else."""
+    if isinstance(error, HostError):
+        return error
+    if is_output_error(error):
+        return output_error(error)
+    if not (is_of_the_host(error) or isinstance(error, PermissionError)):
+        return None
+    file = f"{sanitize(error.filename)}: " if isinstance(error, OSError) and error.filename else ""
+    held = isinstance(error, OSError) and is_held(error)
+    help_ = "close the program that may have it open" if held else room_help(error)
+    return HostError(f"{file}{format_error(error)}", help_, code="disk-full" if is_no_room(error) else "")
+
+
 def output_error(error: OSError) -> HostError:
     """Return an error of our output with the name of the file that it goes to (on Linux)."""
     where = ""
@@ -69,7 +83,7 @@ def output_error(error: OSError) -> HostError:
 
 
 def is_output_error(error: BaseException) -> TypeGuard[OSError]:
-    """Return whether an error, one without a file's name, is that of our output, a file on a disk that is full."""
+    """Return whether an error without a file's name comes from our output, a file on a disk that is full."""
     if not isinstance(error, OSError) or error.filename is not None or not is_no_room(error):
         return False
     with contextlib.suppress(OSError, ValueError, AttributeError):  # Windows has no such call
@@ -110,22 +124,16 @@ def replace_unencodable() -> None:
 
 
 def detect_closed_pipes() -> None:
-    """Raise a broken pipe for output without a reader also on Windows, which reports it otherwise."""
+    """Raise a broken pipe for output without a reader also on Windows, which reports another error."""
     for name in ("stdout", "stderr"):
         stream = getattr(sys, name)
         with contextlib.suppress(OSError, AttributeError):
             if stat.S_ISFIFO(os.fstat(stream.fileno()).st_mode):
-                setattr(sys, name, _to_reader(stream))
-
-
-def _to_reader(stream: io.TextIOWrapper) -> io.TextIOWrapper:
-    return io.TextIOWrapper(
-        io.BufferedWriter(_ToReader(stream.fileno())),
-        encoding=stream.encoding,
-        errors=stream.errors,
-        line_buffering=stream.line_buffering,
-        write_through=stream.write_through,
-    )
+                buffer = io.BufferedWriter(_ToReader(stream.fileno()))
+                wrapped = io.TextIOWrapper(
+                    buffer, stream.encoding, stream.errors, None, stream.line_buffering, stream.write_through
+                )
+                setattr(sys, name, wrapped)
 
 
 class _ToReader(io.RawIOBase):

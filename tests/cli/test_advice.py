@@ -114,12 +114,6 @@ def test_run_prints_a_hint_for_a_program_that_failed(tmp_path, monkeypatch, caps
     assert [part in line for line in lines] == [True] * bool(part)
 
 
-def test_a_match_that_gives_no_hint_says_so_in_json(tmp_path, monkeypatch, capsys):
-    (tmp_path / "team.py").write_text("1 / 0\n", encoding="utf-8")
-    assert here(monkeypatch, tmp_path, *short("team.py", "--json", "--no-replay", *DUEL)) == 0
-    assert json.loads(capsys.readouterr().out)["hints"] == []
-
-
 def test_of_robots_that_fail_alike_one_line_is_enough_and_each_log_tells_it_once(tmp_path, told):
     (tmp_path / "logs").mkdir()
     (hint,) = told(fault("Y1"), fault("Y2"), fault("Y1", half=2))

@@ -74,11 +74,6 @@ class TestValidate:
         fine = call("validate", "--strict", written())
         assert (fine.exit_code, fine.stdout[:4]) == (0, "ok  ")
 
-    def test_a_mistake_outweighs_a_warning(self, written):
-        silent = written(("    says: A goal.\n", ""))
-        wrong = written(("blue_goal", "blue_gaol"), name="wrong.yaml")
-        assert call("validate", "--strict", silent, wrong).exit_code == 2
-
     def test_json_tells_problems_and_findings(self, written):
         silent = written(("    says: A goal.\n", ""))
         wrong = written(("blue_goal", "blue_gaol"), name="wrong.yaml")
@@ -129,21 +124,6 @@ class TestTest:
         assert done.exit_code == 0
         assert "no test sets off: goal" in done.stdout
 
-    @pytest.mark.parametrize(
-        "action",
-        [
-            "{action: end, what: match}",
-            "{action: remove, entity: Y1}",
-            "{action: place, entity: ball, at: {spot: centre}}",
-        ],
-        ids=["it ends the match", "it takes a robot off", "it puts the ball back"],
-    )
-    def test_a_rule_that_announces_nothing_is_named_as_well(self, written, action):
-        golden = f"  golden: {{triggers: [{{trigger: enters, entity: ball, zone: yellow_goal}}], actions: [{action}]}}\nexpect:"
-        done = call("test", written(("expect:", golden)))
-        assert done.exit_code == 0
-        assert "no test sets off: golden\n" in done.stdout
-
     def test_a_file_without_tests_says_how_to_write_some(self, written):
         text = GOAL.partition("expect:")[0]
         path = written((GOAL, text))
@@ -159,19 +139,10 @@ class TestTest:
         assert "all 2 passed" in done.stdout
         assert done.stdout.strip().endswith("2 of 3 files cannot be used")
 
-    @pytest.mark.parametrize("last", ["wrong.yaml", "failing.yaml"])
-    def test_a_file_that_cannot_be_used_outweighs_a_failed_test_whichever_comes_first(self, written, last):
+    def test_a_file_that_cannot_be_used_outweighs_a_failed_test(self, written):
         wrong = written(("blue_goal", "blue_gaol"), name="wrong.yaml")
         failing = written(("POINTS", "2"), name="failing.yaml")
-        done = call("test", *sorted((wrong, failing), key=lambda path: path.name == last))
-        assert done.exit_code == 2
-        assert "1 of 2 failed" in done.stdout
-
-    def test_of_files_that_cannot_be_used_only_nothing_is_said_to_have_passed(self, written):
-        done = call("test", written(("blue_goal", "blue_gaol")))
-        assert done.exit_code == 2
-        assert "passed" not in done.stdout
-        assert "1 of 1 file cannot be used" in done.stdout
+        assert call("test", wrong, failing).exit_code == 2
 
     def test_json_tells_the_problems_of_a_file_that_cannot_be_used(self, written):
         wrong = written(("blue_goal", "blue_gaol"), name="wrong.yaml")
@@ -181,9 +152,6 @@ class TestTest:
         first, second = report["files"]
         assert (first["passed"], first["tests"], first["problems"][0]["line"]) == (False, [], 8)
         assert (second["passed"], second["problems"]) == (True, [])
-
-    def test_the_help_tells_the_exit_codes(self):
-        assert "2: a file that cannot be used" in " ".join(call("test", "--help").stdout.replace("│", " ").split())
 
     def test_the_shipped_scenarios_play_over_200_times_faster_than_real_time(self, shipped):
         report, took_s = shipped
@@ -218,13 +186,6 @@ class TestNew:
         program = tmp_path / "it_team" / load(tmp_path / "it.yaml").scenario.entrants["yellow"].robots["Y3"]
         compile(program.read_text(encoding="utf-8"), program.name, "exec")
 
-    def test_it_is_commented_and_names_itself_in_its_comments(self, tmp_path):
-        call("new", tmp_path / "slalom")
-        text = (tmp_path / "slalom.yaml").read_text(encoding="utf-8")
-        assert sum(line.lstrip().startswith("#") for line in text.splitlines()) >= 10
-        assert "rcj-challenge validate slalom.yaml" in text
-        assert "FILE_NAME" not in text
-
     @pytest.mark.parametrize(
         "name", ["FILE_NAME", "TEAM_FOLDER", "SCHEMA_FILE", "it's", "x: y", "#1", 'the "best"', "a\\c"]
     )
@@ -255,23 +216,6 @@ class TestNew:
         assert (file.parent / named).resolve() == (tmp_path / "schemas" / "scenario.schema.json").resolve()
         assert (file.parent / named).is_file()
 
-    def test_editors_find_the_schema_beside_a_file_that_lies_elsewhere(self, tmp_path, monkeypatch):
-        (tmp_path / "here").mkdir()
-        monkeypatch.chdir(tmp_path / "here")
-        call("new", tmp_path / "there" / "slalom")
-        first = (tmp_path / "there" / "slalom.yaml").read_text(encoding="utf-8").splitlines()[0]
-        assert first == "# yaml-language-server: $schema=schemas/scenario.schema.json"
-
-    def test_what_it_says_to_type_can_be_typed(self, tmp_path, monkeypatch):
-        monkeypatch.chdir(tmp_path)
-        said = call("new", "My chairs").stdout.splitlines()
-        commands = [shlex.split(line) for line in said if "rcj-challenge" in line]
-        lines = Path("My chairs.yaml").read_text(encoding="utf-8").splitlines()
-        written = [shlex.split(line) for line in lines if "rcj-challenge v" in line]
-        assert [words[2] for words in commands] == ["My chairs.yaml"] * 4
-        assert commands[3][-1] == "My chairs_team"
-        assert written[0][3] == "My chairs.yaml"
-
     @pytest.mark.parametrize("existing", ["it.yaml", "it_team/robot.py"])
     def test_nothing_is_overwritten(self, tmp_path, existing):
         path = tmp_path / existing
@@ -295,10 +239,6 @@ class TestNew:
         done = call("new", tmp_path / name)
         assert done.exception.code == "bad-name"
         assert list(tmp_path.iterdir()) == []
-
-    @pytest.mark.parametrize("name", ["console", "com10", "nullify"])
-    def test_a_name_that_only_begins_like_a_device_is_taken(self, tmp_path, name):
-        assert call("new", tmp_path / name).exit_code == 0
 
     @pytest.mark.parametrize("name", ["", ".yaml", ".yml", "challenges/", "challenges/.yaml"])
     def test_a_name_without_a_letter_before_the_ending_is_none(self, tmp_path, monkeypatch, name):
@@ -342,10 +282,6 @@ class TestNamesOfDevices:
         assert done.exception.code == "device-name"
         assert list(tmp_path.iterdir()) == []
 
-    def test_that_only_look_alike_are_taken(self, tmp_path):
-        for name in ("auxiliary.html", "con_1.html", "my.aux.html"):
-            assert call("sheet", "match", "--out", tmp_path / name).exit_code == 0
-
 
 class TestDraw:
     def test_png_and_svg_are_told_apart_by_the_name(self, tmp_path):
@@ -374,12 +310,13 @@ class TestSheet:
         assert "![The field](the%20match.svg)" in text
         assert "<svg" not in text
         assert (tmp_path / "the match.svg").read_text(encoding="utf-8").startswith("<svg")
+        assert call("sheet", "match", "--out", tmp_path / "the match.md").exit_code == 0
 
-    def test_in_a_page_and_in_a_pipe_it_stands_itself(self, tmp_path):
-        assert call("sheet", "match", "--out", tmp_path / "match.html").exit_code == 0
-        assert [file.name for file in tmp_path.iterdir()] == ["match.html"]
-        assert "<svg" in (tmp_path / "match.html").read_text(encoding="utf-8")
-        assert "<svg" in call("sheet", "match").stdout
+    def test_a_drawing_that_belongs_to_no_sheet_is_not_overwritten(self, tmp_path):
+        (tmp_path / "field.svg").write_text("mine", encoding="utf-8")
+        done = call("sheet", "match", "--out", tmp_path / "field.md")
+        assert done.exception.code == "file-exists"
+        assert (tmp_path / "field.svg").read_text(encoding="utf-8") == "mine"
 
     def test_a_terminal_shows_how_to_draw_it_and_not_the_source_of_a_drawing(self, monkeypatch, capsys):
         monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
@@ -415,25 +352,17 @@ class TestSheet:
 class TestEndings:
     """A file's ending says what is in it: one that is not meant is refused, and nothing is written."""
 
-    @pytest.mark.parametrize("name", ["x.pdf", "x.jpg", "x", "x.svg.md"])
-    def test_a_drawing_is_svg_or_png_and_nothing_else(self, tmp_path, name):
-        done = call("draw", "match", "--out", tmp_path / name)
-        assert isinstance(done.exception, OutputError)
-        assert done.exception.exit_code == 2
-        assert str(done.exception).endswith("its name must end in .svg or .png")
-        assert list(tmp_path.iterdir()) == []
-
-    @pytest.mark.parametrize("name", ["x.pdf", "x.txt", "x", "x.html.svg"])
-    def test_a_sheet_is_markdown_or_html_and_nothing_else(self, tmp_path, name):
-        done = call("sheet", "match", "--out", tmp_path / name)
-        assert isinstance(done.exception, OutputError)
-        assert done.exception.exit_code == 2
-        assert str(done.exception).endswith("its name must end in .md or .html")
+    @pytest.mark.parametrize(
+        ("command", "name"), [("draw", "x.pdf"), ("draw", "x"), ("sheet", "x.txt"), ("sheet", "x")]
+    )
+    def test_other_endings_are_refused(self, tmp_path, command, name):
+        done = call(command, "match", "--out", tmp_path / name)
+        assert (done.exception.code, done.exception.exit_code) == ("bad-out", 2)
         assert list(tmp_path.iterdir()) == []
 
     @pytest.mark.parametrize(
         ("command", "name", "begins"),
-        [("draw", "x.SVG", "<svg"), ("sheet", "x.Md", "# "), ("sheet", "x.HTML", "<!"), ("sheet", "x.htm", "<!")],
+        [("draw", "x.SVG", "<svg"), ("sheet", "x.Md", "# "), ("sheet", "x.htm", "<!")],
     )
     def test_capitals_and_the_short_ending_of_html_are_understood(self, tmp_path, command, name, begins):
         assert call(command, "match", "--out", tmp_path / name).exit_code == 0

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 import json
-import os
 import subprocess
 import sys
 import zipfile
@@ -17,7 +16,7 @@ from hypothesis import strategies as st
 
 from rcj_challenges.checker import many
 from rcj_challenges.checker.report import schema_text
-from rcj_challenges.cli.check import CheckCommand, CheckUsageError, check_submissions, submissions
+from rcj_challenges.cli.check import CheckCommand, CheckUsageError, check_submissions
 from rcj_challenges.core.errors import RcjError
 from tests.cli.in_this_process import one_after_the_other
 
@@ -81,7 +80,6 @@ def test_a_bad_submission_ends_with_1_and_says_what_to_do(bad, capsys):
     assert check(bad, play=True) == 1
     out, err = capsys.readouterr()
     assert "rcj_soccer_team_blue/rcj_soccer_team_blue.py:1:5" in out
-    assert "→ correct this line" in out or "-> correct this line" in out  # Windows has no arrows
     assert not set(out) & set("\x1b\u202e")
     assert err == ""
 
@@ -104,19 +102,6 @@ def test_several_submissions_give_a_table_and_a_summary(tmp_path, good, bad, cap
     assert "2/2" in err
 
 
-def test_a_folder_full_of_archives_means_each_of_them(tmp_path, good, bad):
-    (tmp_path / "notes.txt").write_text("later", encoding="utf-8")
-    (tmp_path / "old").mkdir()
-    assert submissions([tmp_path]).paths == [bad, good]
-    assert submissions([tmp_path, good]).paths == [bad, good]
-
-
-def test_a_folder_of_a_team_is_one_submission_even_if_an_old_archive_lies_in_it(tmp_path, good):
-    (tmp_path / "rcj_soccer_team_blue").mkdir()
-    (tmp_path / "rcj_soccer_team_blue" / "rcj_soccer_team_blue.py").write_text(PLAYER, encoding="utf-8")
-    assert submissions([tmp_path]).paths == [tmp_path]
-
-
 def test_a_path_that_cannot_be_opened_ends_with_2(tmp_path, good):
     done = command(good, "\u202enowhere.zip", cwd=tmp_path)
     assert done.returncode == 2
@@ -124,24 +109,11 @@ def test_a_path_that_cannot_be_opened_ends_with_2(tmp_path, good):
     assert done.stdout == ""
 
 
-@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="nothing is forbidden to root")
-def test_a_file_that_may_not_be_read_ends_with_2(good):
-    good.chmod(0)
-    with pytest.raises(CheckUsageError, match="cannot be opened"):
-        check(good)
-
-
-@pytest.mark.parametrize("path", ["/dev/zero", "/dev/null"])
-def test_a_device_is_not_read(path):
-    if not Path(path).exists():
-        pytest.skip("there is no such device here")
-    with pytest.raises(CheckUsageError, match="neither a file nor a folder"):
+@pytest.mark.parametrize("path", ["/dev/zero", "a\0b"])
+def test_what_is_no_file_is_not_read(path):
+    with pytest.raises(CheckUsageError) as refused:
         check(Path(path))
-
-
-def test_a_name_that_no_file_can_have_ends_with_2():
-    with pytest.raises(CheckUsageError, match="cannot be opened"):
-        check(Path("a\0b"))
+    assert refused.value.code == "cannot-open"
 
 
 WRONG = {
@@ -153,15 +125,9 @@ WRONG = {
 
 @pytest.mark.parametrize("options", WRONG.values(), ids=WRONG)
 def test_wrong_usage_ends_with_2(good, options):
-    with pytest.raises(RcjError) as told:
+    with pytest.raises(RcjError) as refused:
         check(good, **options)
-    assert told.value.exit_code == 2
-
-
-def test_a_page_that_cannot_be_written_ends_with_2(tmp_path, good):
-    (tmp_path / "taken").write_text("a file", encoding="utf-8")
-    with pytest.raises(CheckUsageError, match="cannot be written"):
-        check(good, html=tmp_path / "taken" / "report.html")
+    assert refused.value.exit_code == 2
 
 
 def test_fix_writes_a_repaired_archive_and_checks_that_one(tmp_path, capsys):
@@ -177,12 +143,6 @@ def test_fix_writes_a_repaired_archive_and_checks_that_one(tmp_path, capsys):
     assert out.startswith("fixed.zip  Hanse")
     with zipfile.ZipFile(tmp_path / "fixed.zip") as fixed:
         assert "rcj_soccer_team_blue/rcj_soccer_team_blue.py" in fixed.namelist()
-
-
-def test_fix_of_what_cannot_be_read_is_a_verdict(tmp_path, capsys):
-    (tmp_path / "team.zip").write_bytes(b"Rar!\x1a\x07\x00")
-    assert check(tmp_path / "team.zip", fix=tmp_path / "fixed.zip") == 1
-    assert not (tmp_path / "fixed.zip").exists()
 
 
 def test_fix_repairs_one_at_a_time(tmp_path, good, bad):

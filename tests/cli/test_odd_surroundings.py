@@ -54,27 +54,6 @@ def test_a_match_is_played_where_no_stream_is_open(tmp_path: Path, match: list[s
 
 
 @POSIX
-@pytest.mark.parametrize(
-    ("arguments", "code"),
-    [
-        pytest.param(["validate", "match", "--json"], 0, id="in order", marks=pytest.mark.nightly),
-        pytest.param(["validate", "no_such.yaml", "--json"], 2, id="wrong", marks=pytest.mark.nightly),
-        pytest.param(["sheet", "match"], 0, id="a sheet"),
-    ],
-)
-def test_who_reads_only_the_beginning_changes_no_exit_code(tmp_path: Path, arguments: list[str], code: int) -> None:
-    done = in_shell('"$@" | true; exit ${PIPESTATUS[0]}', [*COMMAND, *arguments], tmp_path)
-    assert (done.returncode, done.stderr) == (code, "")
-
-
-@pytest.mark.nightly
-@POSIX
-def test_a_match_counts_as_played_when_nobody_reads_its_result(tmp_path: Path, match: list[str]) -> None:
-    done = in_shell('"$@" | true; exit ${PIPESTATUS[0]}', [*match, "--json", "--no-replay"], tmp_path)
-    assert (done.returncode, done.stderr) == (0, "")
-
-
-@POSIX
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a file that is always full")
 def test_wrong_input_is_wrong_input_also_where_it_cannot_be_told(tmp_path: Path) -> None:
     assert in_shell('exec "$@" 2>/dev/full', [*COMMAND, "run", "no_such_scenario"], tmp_path).returncode == 2
@@ -121,13 +100,3 @@ def test_a_fault_of_ours_is_reported_whatever_letters_the_command_line_has(tmp_p
     (report,) = tmp_path.glob("rcj-challenge-report-*.txt")
     assert "Traceback" in report.read_text("utf-8")
     assert b"Traceback" not in done.stderr
-
-
-@POSIX
-@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a file that is always full")
-def test_an_output_that_is_full_is_told_as_such_and_the_record_is_whole(tmp_path: Path, match: list[str]) -> None:
-    done = in_shell('exec "$@" >/dev/full', [*match, "--no-replay", "--json"], tmp_path)
-    assert done.returncode == 2
-    assert done.stderr.startswith("error[cannot-write-output]: ")
-    assert "its record is whole: runs" in done.stderr
-    assert read_result(the_record(tmp_path)).complete

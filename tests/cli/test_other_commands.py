@@ -83,26 +83,6 @@ def test_a_browser_is_given_a_page_as_its_system_finds_it_also_in_a_folder_with_
     assert address_of(page, "darwin") == address_of(page, "linux") == page.as_uri()
 
 
-def test_the_shipped_schema_is_fresh(capsys):
-    assert run("schema", "--check") == 0
-
-
-def test_the_schema_can_be_written_elsewhere(tmp_path):
-    assert run("schema", "--out", tmp_path / "s.json") == 0
-    assert "rules" in json.loads((tmp_path / "s.json").read_text("utf-8"))["properties"]
-
-
-@pytest.mark.parametrize(("command", "name"), [("draw", "field.svg"), ("sheet", "rules.html"), ("sheet", "rules.md")])
-def test_pictures_and_sheets_are_written_where_asked(tmp_path, command, name):
-    assert run(command, "match", "--out", tmp_path / name) == 0
-    assert "blue_goal" in (tmp_path / name).read_text("utf-8").replace(" ", "_")
-
-
-def test_a_place_that_cannot_be_written_is_told(tmp_path):
-    with pytest.raises(RcjError, match="cannot be written"):
-        run("draw", "match", "--out", tmp_path / "no" / "such" / "folder.svg")
-
-
 def test_simulate_plays_every_seed_and_tells_the_spread(tmp_path, capsys):
     team = tmp_path / "team.py"
     team.write_text("from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n", "utf-8")
@@ -121,11 +101,6 @@ def test_simulate_plays_every_seed_and_tells_the_spread(tmp_path, capsys):
     for entry in told["records"]:
         result = json.loads((Path(entry["folder"]) / "result.json").read_text("utf-8"))
         assert all(result[key] == entry[key] for key in ("seed", "inputs", "states", "digest"))
-
-
-def test_simulate_tells_wrong_input_once(tmp_path):
-    with pytest.raises(RcjError, match="nowhere"):
-        run("simulate", "match", "--seeds", "1", "--team", "blue=nowhere", "--out", tmp_path / "runs", "--quiet")
 
 
 def test_simulate_isolates_programs_as_run_does(tmp_path, capsys, monkeypatch):
@@ -178,14 +153,6 @@ def test_no_room_for_lines_of_progress_ends_no_matches(monkeypatch, capsys):
     monkeypatch.setattr(batch, "play_many", lambda _, __, on_done: [on_done(one) or one for one in outcomes])
     assert run("simulate", "match", "--seeds", "1..2") == 0
     assert "2 matches" in capsys.readouterr().out
-
-
-def test_why_no_seed_could_be_played_is_in_the_json_too(monkeypatch, capsys):
-    monkeypatch.setattr(batch, "play_many", lambda *_: [outcome(1), outcome(2)])
-    with pytest.raises(RcjError, match="No space left"):
-        run("simulate", "match", "--seeds", "1..2", "--json")
-    told = json.loads(capsys.readouterr().out)
-    assert (told["played"], [one["seed"] for one in told["failed"]]) == (0, [1, 2])
 
 
 def test_a_folder_that_is_closed_to_us_hides_no_other_record(runs, capsys, monkeypatch):

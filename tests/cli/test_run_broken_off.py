@@ -37,44 +37,24 @@ def test_an_interruption_that_an_import_makes_an_error_of_is_one(tmp_path, monke
 @pytest.mark.parametrize(
     "moment",
     [
-        "rcj_challenges.match.observers.Observer.finished",
-        "rcj_challenges.cli.advice.advice_on",
-        "rcj_challenges.views.replay.write_replay",
-    ],
-)
-def test_an_interruption_after_the_last_tick_says_that_the_match_was_played_and_where_it_is(
-    tmp_path, monkeypatch, capsys, team, moment
-):
-    def interrupt(*_, **__):
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(moment, interrupt)
-    assert here(monkeypatch, tmp_path, *short(team, "--quiet", *DUEL)) == 130
-    told = capsys.readouterr().out
-    (folder,) = (tmp_path / "runs").iterdir()
-    assert "interrupted after half 1 of 1: " in told
-    assert f"record: {folder.relative_to(tmp_path)}\n" in told
-    assert f"watch:  rcj-challenge view {folder.relative_to(tmp_path)}\n" in told
-    assert read_result(folder).complete
-
-
-@pytest.mark.parametrize(
-    "moment",
-    [
         "rcj_challenges.match.stage.build_stage",
         "rcj_challenges.match.observers.Observer.finished",
         "rcj_challenges.cli.advice.advice_on",
         "rcj_challenges.views.replay.write_replay",
     ],
 )
-def test_the_result_of_a_match_that_is_broken_off_is_printed_as_json_once(tmp_path, monkeypatch, capsys, team, moment):
+def test_result_of_an_interrupted_match_is_printed_once(tmp_path, monkeypatch, capsys, team, moment):
     def interrupt(*_, **__):
         raise KeyboardInterrupt
 
     monkeypatch.setattr(moment, interrupt)
     assert here(monkeypatch, tmp_path, *short(team, "--json", *DUEL)) == 130
-    told = json.loads(capsys.readouterr().out)
+    printed, lines = capsys.readouterr()
+    told = json.loads(printed)
     (folder,) = (tmp_path / "runs").iterdir()
+    is_played = moment != "rcj_challenges.match.stage.build_stage"
+    assert ("interrupted after half 1 of 1: " in lines) is is_played
+    assert f"record: {folder.relative_to(tmp_path)}\n" in lines
     result = json.loads((folder / "result.json").read_text("utf-8"))
     assert told == {**result, "hints": [], "folder": str(folder.relative_to(tmp_path))}
-    assert result["complete"] is (moment != "rcj_challenges.match.stage.build_stage")
+    assert result["complete"] is is_played

@@ -70,15 +70,6 @@ def test_a_record_that_somebody_deletes_meanwhile_is_no_fault_of_ours(tmp_path: 
     assert not list(tmp_path.glob("rcj-challenge-report-*"))
 
 
-@pytest.mark.parametrize("name", ["a file", "a file/runs"])
-def test_a_file_is_no_folder(tmp_path: Path, duel: list[str], name: str, command) -> None:
-    (tmp_path / "a file").write_text("", encoding="utf-8")
-    code, _, complaint = command("run", *duel, "--duration=1", "--out", name)
-    assert code == 2
-    assert complaint.startswith("error[cannot-write-record]")
-    assert f"{Path(name)}: a file is not a folder\n" in complaint
-
-
 def test_many_matches_are_not_begun_where_none_can_be_recorded(tmp_path: Path, duel: list[str], command) -> None:
     (tmp_path / "a file").write_text("", encoding="utf-8")
     code, told, complaint = command("simulate", *duel, "--seeds=1..500", "--out", "a file", "--json")
