@@ -161,7 +161,8 @@ def _find(entry: PurePosixPath, files: Files, seats: Sequence[Entrant], *, is_on
         if is_library and (len(entry.parts) == 1 or rank < _CLEAR):
             rank = 0
         elif not rank:
-            rank = int(is_only_one and b"controller" in own_imports and path.name not in asked_names)
+            is_program = b"controller" in own_imports or like_an_entry(path)
+            rank = int(is_only_one and is_program and path.name not in asked_names)
         if rank and path not in asked and files[path].strip(BLANK):
             ranks.setdefault(rank, []).append(path)
     best = ranks[max(ranks)] if ranks else []

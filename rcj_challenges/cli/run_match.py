@@ -209,7 +209,10 @@ def _report(
         if trouble is not None:
             raise output_error(trouble)
     except (OSError, HostError) as error:
-        found = as_host_error(error)
+        if trouble is not None and isinstance(error, OSError) and error.filename is None:
+            found: HostError | None = output_error(error)
+        else:
+            found = as_host_error(error)
         if found is None or isinstance(error, BrokenPipeError):
             raise
         whole = f"the match was played to its end, and its record is whole: {sanitize(outcome.folder)}"

@@ -68,7 +68,7 @@ def test_the_newest_record_is_judged_by_its_own_rules_and_the_same_comes_out(jud
     assert "recorded: Hanse 0 : 1 Alster\n" in told
     assert "judged:   Hanse 0 : 1 Alster\n" in told
     assert "events as recorded" in told
-    assert "Poses stay" not in told
+    assert "Poses remain" not in told
 
 
 def test_with_a_changed_rule_it_says_both_scores_and_what_differs(judge):
@@ -76,7 +76,7 @@ def test_with_a_changed_rule_it_says_both_scores_and_what_differs(judge):
     assert code == 0
     assert "judged:   Hanse 0 : 2 Alster\n" in told
     assert "GOAL: score_yellow 1 -> 2\n" in told
-    assert "Poses stay those of the record" in told
+    assert "Poses remain those of the record" in told
 
 
 def test_another_scenario_judges_and_its_params_can_be_set(judge, records):
