@@ -20,7 +20,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from rcj_challenges.controllers.crew import Crew, CrewPlan
+from rcj_challenges.controllers.program_pool import PoolPlan, ProgramPool
 from rcj_challenges.controllers.team import open_team
 from rcj_challenges.core.play import Fault
 from rcj_challenges.core.traffic import DeviceSpec, Observation, Packet, RobotSpec
@@ -73,11 +73,11 @@ def crew_rounds(folder: Path, source: str, ticks: int, rounds: int, *, portable:
     costs = []
     with (
         open_team(folder / "robot.py") as team,
-        Crew(CrewPlan(Limits(), 1, 1, folder / "logs", portable=portable)) as crew,
+        ProgramPool(PoolPlan(Limits(), 1, 1, folder / "logs", portable=portable)) as pool,
     ):
         began = time.perf_counter()
-        programs = [crew.add(spec(name), team, team.entry_for(name, "robot.py")) for name in ROBOTS]
-        crew.launch()
+        programs = [pool.add(spec(name), team, team.entry_for(name, "robot.py")) for name in ROBOTS]
+        pool.launch()
         for program in programs:
             program.collect()
         start_s = time.perf_counter() - began

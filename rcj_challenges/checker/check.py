@@ -15,7 +15,6 @@ from rcj_challenges.checker.report import FileReport, MatchReport, first_cause, 
 from rcj_challenges.checker.report_files import copy_page
 from rcj_challenges.checker.sources import check_sources
 from rcj_challenges.checker.submissions import SubmissionName, name_submissions
-from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.controllers.private_folders import PrivateFolders, temporary_folder_error
 from rcj_challenges.controllers.scratch import ensure_room
 from rcj_challenges.controllers.team import Team
@@ -294,7 +293,7 @@ class _Check:
                 folder.mkdir(parents=True, exist_ok=True)
                 target = folder / f"{self._named.slug}-{'-'.join(match.seats)}.html"
                 copy_page(write_replay(match.folder), target)
-                replay = from_disk(str(target))
+                replay = str(target)
             except OSError as error:
                 no_replay = sanitize(f"{error.filename or folder}: {error_hint(error)}", 400)
             except RecordError as error:

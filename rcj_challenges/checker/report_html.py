@@ -21,7 +21,6 @@ from rcj_challenges.checker.report import (
     summary,
     verdict,
 )
-from rcj_challenges.controllers.disk_names import from_disk, on_disk
 from rcj_challenges.core.measures import number_words
 
 
@@ -60,10 +59,10 @@ def _replay_link(match: MatchReport, folder: Path) -> str:
     if not match.replay:
         return ""
     try:
-        way = Path(os.path.relpath(Path(on_disk(match.replay)).resolve(), folder.resolve())).as_posix()
+        way = Path(os.path.relpath(Path(match.replay).resolve(), folder.resolve())).as_posix()
     except ValueError:
         return ""
-    return f"./{quote(from_disk(way))}"
+    return f"./{quote(way)}"
 
 
 def _base64(content: bytes) -> str:

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rcj_challenges.checker.report import LeftOut
-from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.core.sanitize import sanitize
 
 ARCHIVES = frozenset({".zip", ".rar", ".7z", ".tar", ".gz", ".tgz", ".bz2", ".xz"})
@@ -62,13 +61,13 @@ def find_submissions(given: Sequence[Path]) -> Submissions:
         found, others = _in_folder(path) if path.is_dir() else ([path], {})
         paths |= {_place(submission): submission for submission in found if _place(submission) not in paths}
         for other, reason in others.items():
-            beside[_place(other)] = LeftOut(file=sanitize(from_disk(str(other))), reason=reason)
+            beside[_place(other)] = LeftOut(file=sanitize(str(other)), reason=reason)
     return Submissions(list(paths.values()), [other for place, other in beside.items() if place not in paths])
 
 
 def name_submissions(paths: Sequence[Path]) -> list[SubmissionName]:
     """Return the names of the submissions at these paths, in their order."""
-    places = [Path(from_disk(_place(path))) for path in paths]
+    places = [Path(_place(path)) for path in paths]
     tails = [["/".join(place.parts[-length:]) for length in (1, 2)] for place in places]
     counts = Counter(tail for own in tails for tail in set(own))
     names = [

@@ -9,8 +9,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
     from pathlib import Path
 
-    from rcj_challenges.controllers.super_team import SuperTeam
-    from rcj_challenges.controllers.team import Team
+    from rcj_challenges.controllers.team import SuperTeam, Team
     from rcj_challenges.scenario.models.scenario import Scenario
 
 _MAX_LETTERS = 100_000  # of the beginning and of the end of a log

@@ -11,7 +11,6 @@ from pathlib import Path, PurePosixPath
 from typing import Literal, NoReturn
 
 from rcj_challenges.controllers import zipped
-from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.controllers.paths import (
     MAX_PATH_LETTERS,
     composed,
@@ -34,6 +33,7 @@ from rcj_challenges.controllers.submission_limits import (
     MAX_UNPACKED_BYTES,
 )
 from rcj_challenges.controllers.submission_problems import MAX_PATH_SHOWN, Problem, Problems, safe_text
+from rcj_challenges.controllers.zipped import UnreadableError
 from rcj_challenges.core.errors import RcjError
 
 _KINDS = (
@@ -118,7 +118,7 @@ def read_contents(path: Path) -> Contents:
         if path.suffix.casefold() == ".py":
             return _from_program(path)
         return _from_zip(path)
-    except _OvergrownError as error:
+    except UnreadableError as error:
         return _unreadable("folder", error.trouble)
     except (OSError, ValueError, RecursionError) as error:  # the last: folders too deep to be searched
         reason = getattr(error, "strerror", None) or error
@@ -138,20 +138,12 @@ def _from_program(path: Path) -> Contents:
     if path.stat().st_size > MAX_PACKED_BYTES:
         return _unreadable("program", _too_large(path.stat().st_size))
     # ROBOT.PY, as on old copies and memory sticks, is also a program.
-    return Contents("program", {composed(from_disk(path.with_suffix(".py").name)): path.read_bytes()})
+    return Contents("program", {composed(path.with_suffix(".py").name): path.read_bytes()})
 
 
 def _too_large(size: int) -> Problem:
     message = f"{size / 1e6:.1f} MB is more than the {MAX_PACKED_BYTES // 1_000_000} MB allowed"
     return Problem("archive.too_large", "failure", message, "leave out what the programs do not need")
-
-
-class _OvergrownError(Exception):
-    """A submission has too many folders, or too deep ones."""
-
-    def __init__(self, trouble: Problem) -> None:
-        super().__init__(trouble)
-        self.trouble = trouble
 
 
 class _Folders:
@@ -161,20 +153,16 @@ class _Folders:
         self._known: set[PurePosixPath] = set()
 
     def add(self, folder: PurePosixPath) -> None:
-        """Count a folder and those above it.
-
-        Raises:
-            _OvergrownError: it lies too deep, or there are too many.
-        """
+        """Count a folder and those above it; raise `UnreadableError` if it lies too deep, or there are too many."""
         if folder in self._known:
             return
         if len(folder.parts) > MAX_DEPTH:
             message = f"{safe_text(folder)} lies too deep: at most {MAX_DEPTH} folders may lie in one another"
-            raise _OvergrownError(Problem("archive.too_deep", "failure", message, _FEWER_FOLDERS))
+            raise UnreadableError("archive.too_deep", message, _FEWER_FOLDERS)
         self._known.update((folder, *folder.parents))
         if len(self._known) > MAX_FOLDERS:
             message = f"there are more than {MAX_FOLDERS} folders"
-            raise _OvergrownError(Problem("archive.too_many_folders", "failure", message, _FEWER_FOLDERS))
+            raise UnreadableError("archive.too_many_folders", message, _FEWER_FOLDERS)
 
 
 _FEWER_FOLDERS = "leave out what the programs do not need"
@@ -194,7 +182,7 @@ def _from_folder(folder: Path) -> Contents:
     total = 0
     inside = folder.resolve()
     for path in _walk(folder):
-        relative = composed(from_disk(path.relative_to(folder).as_posix()))
+        relative = composed(path.relative_to(folder).as_posix())
         if ignored(relative.parts):
             continue
         leads_out = _leads_out(path, inside)
@@ -212,7 +200,7 @@ def _from_folder(folder: Path) -> Contents:
             message = f"{safe_text(relative)} is there twice, with letters composed and taken apart; one is left out"
             troubles.add(Problem("archive.collision", "warning", message, "delete one", safe_text(relative)))
         files[relative] = path.read_bytes()
-    # Names that only another computer refuses do not matter to somebody who works in this folder.
+    # Names that only another computer refuses do not matter in a folder.
     for trouble in itertools.chain.from_iterable(name_problems(str(path)) for path in files):
         troubles.add(Problem(trouble.code, "warning", trouble.message, trouble.remedy, trouble.where, trouble.repair))
     _report_nested(files, troubles)
@@ -249,7 +237,7 @@ def _walk(folder: Path) -> Iterator[Path]:
 
     Raises:
         OSError: a folder cannot be read.
-        _OvergrownError: there are too many, or they lie too deep.
+        UnreadableError: there are too many, or they lie too deep.
     """
     counted = _Folders()
 
@@ -298,17 +286,12 @@ class _ZipReading:
         self._wasted = 0
 
     def contents(self) -> Contents:
-        """Return what is in the archive."""
         try:
             entries = zipped.read_entries(self._data, self._troubles)
-        except zipped.UnreadableError as error:
-            self._troubles.add(error.trouble)
-            return _unreadable("zip", *self._troubles)
-        self._report_leftovers([entry for entry in entries if ignored(path_of(entry.name).parts)])
-        used = [entry for entry in entries if not ignored(path_of(entry.name).parts)]
-        try:
+            self._report_leftovers([entry for entry in entries if ignored(path_of(entry.name).parts)])
+            used = [entry for entry in entries if not ignored(path_of(entry.name).parts)]
             self._count_folders(used)
-        except _OvergrownError as error:
+        except UnreadableError as error:
             self._troubles.add(error.trouble)
             return _unreadable("zip", *self._troubles)
         used = self._without_records(used)
@@ -323,11 +306,7 @@ class _ZipReading:
         return Contents("zip", files, tuple(self._troubles), self._complete, self._unsafe)
 
     def _count_folders(self, entries: list[zipped.Entry]) -> None:
-        """Refuse archives with too many folders; entries with too long names are refused one by one.
-
-        Raises:
-            _OvergrownError: there are too many, or they lie too deep.
-        """
+        """Refuse archives with too many folders; entries with too long names are refused one by one."""
         folders = _Folders()
         for entry in entries:
             if len(entry.name) <= MAX_PATH_LETTERS:
@@ -350,7 +329,7 @@ class _ZipReading:
         for entry in entries:
             try:
                 self._read(entry)
-            except zipped.UnreadableError as error:
+            except UnreadableError as error:
                 self._complete = False
                 self._troubles.add(error.trouble)
                 self._wasted += min(self._left, _DEFLATE_RATIO * entry.packed)
@@ -389,7 +368,6 @@ class _ZipReading:
         self._take(entry.name, content)
 
     def _take(self, name: str, content: bytes) -> None:
-        """Keep a file under its name, unless that is not allowed."""
         bad = list(name_problems(name))
         for trouble in bad:
             self._troubles.add(trouble)
@@ -464,7 +442,6 @@ class _ZipReading:
 
 
 def _some(entries: list[zipped.Entry]) -> str:
-    """Return the names of the first of them, for a message."""
     names = list(dict.fromkeys(safe_text(entry.name) for entry in entries))
     return ", ".join(names[:_SHOWN_NAMES]) + (", …" if len(names) > _SHOWN_NAMES else "")
 

@@ -25,12 +25,7 @@ _DEEPEST = 4  # bubblewrap, its first process inside, the program
 
 @functools.cache
 def works(python: str, readable: tuple[str, ...]) -> bool:
-    """Return whether bubblewrap is installed and can start Python here: it needs user name spaces, or root.
-
-    Args:
-        python: the interpreter.
-        readable: what programs may read.
-    """
+    """Return whether bubblewrap is installed and can start this Python: it needs user name spaces, or root."""
     if sys.platform != "linux" or shutil.which("bwrap") is None:
         return False
     command = [*prefix(python, readable, None), python, "-s", "-S", "-c", "pass"]
@@ -44,10 +39,7 @@ def works(python: str, readable: tuple[str, ...]) -> bool:
 def prefix(python: str, readable: tuple[str, ...], private: Path | None) -> list[str]:
     """Return the arguments that precede the command of a program.
 
-    Args:
-        python: the interpreter, as the command names it.
-        readable: files and folders that are shown, read-only.
-        private: the folder that it may write to; None: none.
+    Files and folders that are ``readable`` are shown, read-only; a program may write to its ``private`` folder, if any.
     """
     # Of a virtual environment, Python looks for this file next to the folder that it is in.
     shown = [*readable, python, str(Path(python).parent.parent / "pyvenv.cfg")]
@@ -63,23 +55,15 @@ def prefix(python: str, readable: tuple[str, ...], private: Path | None) -> list
 
 
 def held_open_until_exit(fd: int, command: Sequence[str]) -> list[str]:
-    """Return the command of `prefix` so that bubblewrap keeps a file open as long as one of its own processes lives.
-
-    Args:
-        fd: of that file; the program does not get it.
-        command: as `prefix` made it.
-    """
+    """Return a command of `prefix` so that bubblewrap keeps a file open as long as one of its own processes lives."""
     return [command[0], "--sync-fd", str(fd), *command[1:]]
 
 
 def wait_for_exit(fd: int) -> None:
-    """Wait until no process of bubblewrap's lives any more; the program must have ended, and the outermost one as well.
+    """Wait until no process of bubblewrap's lives any more; the program and the outermost one must have ended.
 
     The outermost one does not wait for the first one inside, which lives up to a few hundredths of a second longer on
-    a busy machine.
-
-    Args:
-        fd: read end of the pipe whose write end `held_open_until_exit` was given.
+    a busy machine. ``fd`` reads the pipe whose write end `held_open_until_exit` was given.
     """
     poll = select.poll()
     poll.register(fd, select.POLLIN)

@@ -25,7 +25,7 @@ ENABLED = sys.platform == "linux"
 
 SOON_S = 0.001  # programs sleep through longer ticks, in which another computes or the match waits
 LITTLE = 0.4  # share of a CPU; programs that use less would not be done sooner on the match's CPU (ADR 10)
-UNHURRIED_S = TICK_S / 2  # in longer ticks it does not matter who is on which CPU
+UNHURRIED_S = TICK_S / 2  # in longer ticks it does not matter which program is on which CPU
 _POLL_INTERVAL_TICKS = 64
 _sched_getcpu = getattr(ctypes.CDLL(None), "sched_getcpu", None) if ENABLED else None
 

@@ -8,21 +8,17 @@ from pathlib import Path
 from typing import Any
 
 from rcj_challenges.controllers.assignment import Assignment
-from rcj_challenges.controllers.disk_names import from_disk
 
 PORT = 5678
 """The one that editors suggest."""
 
 
 def program_place(assignment: Assignment, unpacked: Path) -> tuple[Path, Path]:
-    """Return the folder of the team's files and the path of the program.
+    """Return the folder of the team's files, which are unpacked in ``unpacked``, and the path of the program.
 
-    Args:
-        assignment: which program it is. One that is debugged runs where the team has its files, if these are in a
-            folder: breakpoints of an editor are in them.
-        unpacked: where its files were unpacked.
+    A debugged program of a team that is a folder runs in that folder, where an editor has its breakpoints.
     """
-    own = assignment.team.place_on_disk(assignment.entry) if assignment.debug else None
+    own = assignment.team.place_on_disk(assignment.entry) if assignment.is_debugged else None
     return own or (unpacked, unpacked.joinpath(*assignment.entry.split("/")))
 
 
@@ -34,4 +30,4 @@ def debugger_settings() -> dict[str, Any] | None:
     spec = find_spec("debugpy")
     if spec is None or spec.origin is None or os.environ.get("PYTHONBREAKPOINT"):
         return None
-    return {"folder": from_disk(str(Path(spec.origin).parents[1])), "port": PORT}
+    return {"folder": str(Path(spec.origin).parents[1]), "port": PORT}

@@ -14,8 +14,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.controllers import bubblewrap, processes, sight, tasks
-from rcj_challenges.controllers.disk_names import from_disk
+from rcj_challenges.controllers import bubblewrap, processes, tasks, visible_files
 from rcj_challenges.controllers.pupil.controller import _landlock, _seccomp
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.scenario.models.limits import Limits
@@ -72,8 +71,8 @@ def active_layers(sandbox: str, platform: str = sys.platform) -> tuple[str, ...]
         return _ALWAYS
     missing = missing_layers(platform)
     if sandbox == "strict" and missing:
-        told = "; ".join(f"{layer} ({LAYERS[layer]}): {why}" for layer, why in missing.items())
-        message = f"--sandbox strict: layers of isolation are missing here: {told}"
+        lacking = "; ".join(f"{layer} ({LAYERS[layer]}): {why}" for layer, why in missing.items())
+        message = f"--sandbox strict: layers of isolation are missing here: {lacking}"
         raise IsolationError(message, "play with --sandbox auto, or on another computer (docs/isolation.md)")
     layers = tuple(layer for layer in LAYERS if layer not in missing)
     return (*layers, *EXTRA_LAYERS) if platform == "linux" and _has_bubblewrap() else layers
@@ -90,7 +89,7 @@ def missing_layers(platform: str = sys.platform) -> dict[str, str]:
 @functools.cache
 def _missing_on_linux() -> dict[str, str]:
     missing = {}
-    if not sight.can_be_narrow():
+    if not visible_files.can_be_narrow():
         missing["filesystem"] = "Python's own folder holds a home folder, the temporary folder or the current one"
     elif not _landlock.is_available():
         missing["filesystem"] = "this kernel has no Landlock (Linux 5.13 and newer, if it is switched on)"
@@ -101,25 +100,18 @@ def _missing_on_linux() -> dict[str, str]:
 
 
 def _has_bubblewrap() -> bool:
-    return sight.can_be_narrow() and bubblewrap.works(processes.python(), sight.readable())
+    return visible_files.can_be_narrow() and bubblewrap.works(processes.python(), visible_files.readable())
 
 
 def prefix(layers: tuple[str, ...], private: Path) -> list[str]:
-    """Return the arguments that precede the command that starts a program.
-
-    Args:
-        layers: the active ones.
-        private: the program's own folder.
-    """
-    return bubblewrap.prefix(processes.python(), sight.readable(), private) if "bubblewrap" in layers else []
+    """Return the arguments that precede the command that starts a program."""
+    return bubblewrap.prefix(processes.python(), visible_files.readable(), private) if "bubblewrap" in layers else []
 
 
 def set_by_process(layers: tuple[str, ...], *, portable: bool) -> list[str]:
     """Return the layers that the program's process has to set itself.
 
-    Args:
-        layers: the active ones.
-        portable: True where the kernel does not end children with their parent: a thread of theirs watches instead.
+    ``portable``: the kernel does not end children with their parent; a thread of theirs watches instead.
     """
     ours = {"clean_environment", "private_folder"}
     if portable or sys.platform != "linux" or "bubblewrap" in layers:
@@ -130,17 +122,10 @@ def set_by_process(layers: tuple[str, ...], *, portable: bool) -> list[str]:
 
 
 def limit_settings(limits: Limits, layers: tuple[str, ...], private: Path, *, portable: bool) -> dict[str, Any]:
-    """Return the limits as sent to the program's process, sizes in bytes.
-
-    Args:
-        limits: those of the scenario.
-        layers: the active ones.
-        private: the program's own folder.
-        portable: see `set_by_process`.
-    """
+    """Return the limits as sent to the program's process, sizes in bytes; ``portable`` as for `set_by_process`."""
     limited = "resource_limits" in layers
     return {
-        **_file_settings(layers, private),
+        **(_file_settings(private) if "filesystem" in layers else {}),
         "message_bytes": message_bytes(limits),
         "output_bytes": output_bytes(limits),
         "memory_bytes": memory_bytes(limits),
@@ -154,11 +139,9 @@ def limit_settings(limits: Limits, layers: tuple[str, ...], private: Path, *, po
     }
 
 
-def _file_settings(layers: tuple[str, ...], private: Path) -> dict[str, Any]:
-    if "filesystem" not in layers:
-        return {}
-    readable = [from_disk(path) for path in sight.readable()]
-    return {"readable": readable, "writable": list(sight.DEVICES), "private": from_disk(str(private))}
+def _file_settings(private: Path) -> dict[str, Any]:
+    writable = list(visible_files.DEVICES)
+    return {"readable": list(visible_files.readable()), "writable": writable, "private": str(private)}
 
 
 def _user_tasks(limits: Limits) -> int:
@@ -200,13 +183,9 @@ def memory_bytes(limits: Limits) -> int:
 
 
 def environment(folder: Path) -> dict[str, str]:
-    """Return the environment of a program: the same on every machine, apart from the path of its folder.
-
-    Args:
-        folder: its private folder; home and temporary files are there too.
-    """
+    """Return the environment of a program: the same on every machine, apart from the path of its private folder."""
     place = str(folder)
-    told = {
+    variables = {
         "HOME": place,
         "TMPDIR": place,
         # In case the user's number has no name: `getpass.getuser` looks here first.
@@ -230,6 +209,6 @@ def environment(folder: Path) -> dict[str, str]:
     }
     if sys.platform == "win32":
         # Windows needs these to start programs and to find the temporary folder.
-        told |= {"SYSTEMROOT": os.environ.get("SYSTEMROOT", r"C:\Windows"), "TEMP": place, "TMP": place}
-        told |= {"USERPROFILE": place, "USERNAME": "robot", "APPDATA": place}
-    return told
+        variables |= {"SYSTEMROOT": os.environ.get("SYSTEMROOT", r"C:\Windows"), "TEMP": place, "TMP": place}
+        variables |= {"USERPROFILE": place, "USERNAME": "robot", "APPDATA": place}
+    return variables

@@ -10,15 +10,11 @@ import sys
 import tempfile
 from pathlib import Path
 
-from rcj_challenges.controllers.disk_names import from_disk
-
 _DUMP_BEGINS = b"Fatal Python error:"
 _DUMP_OF_WINDOWS = re.compile(
     rb"Windows fatal exception: .*\n(?:\n|(?:  |Thread |Current thread(?:'s)? |Extension modules: ).*\n)*\Z"
 )
 """The interpreter also dumps errors there that a program then catches, so only a dump at the end counts."""
-_ESCAPED = re.compile(r"\\(?:x([0-9a-f]{2})|u([0-9a-f]{4})|U([0-9a-f]{8}))")
-"""How the interpreter writes letters beyond ASCII in a dump."""
 AFTER_ITS_END = "  after its last line: it waited there for its threads to end"
 """Logged for a program whose main thread has ended while others run."""
 _WAITS_FOR_THREADS = re.compile(r'^  File ".*", line [0-9]+ in _wait_for_threads$')
@@ -44,10 +40,10 @@ class ProgramLog:
     """
 
     def __init__(self, path: Path, most_bytes: int, temporary: Path) -> None:
-        """Open it, at its end.
+        """Open it, at its end; its folder is made if it is not there.
 
         Args:
-            path: of the file; its folder is made if it is not there.
+            path: of the file.
             most_bytes: of the program's output that are taken over.
             temporary: an existing folder for the file that the program writes into.
 
@@ -117,11 +113,7 @@ class ProgramLog:
         return self._decoder.decode(chunk)
 
     def take_dump(self, folder: Path) -> str:
-        """Take the interpreter's dump of a dying process from the end; return its lines about files in ``folder``.
-
-        Args:
-            folder: of the program's files; paths are written relative to it.
-        """
+        """Take the interpreter's dump of a dying process from the end; return its lines about files in ``folder``."""
         self.take_over()
         size = self._size_bytes()
         try:
@@ -134,18 +126,18 @@ class ProgramLog:
         if at < 0:
             return ""
         os.ftruncate(self._log_fd, size - len(tail) + at)
-        escaped = from_disk(str(folder)).encode("ascii", "backslashreplace").decode()
+        escaped = str(folder).encode("ascii", "backslashreplace").decode()
         before = f'  File "{escaped}{os.sep}'
         lines = tail[at:].decode("utf-8", "replace").splitlines()
-        told = list[str]()
+        lines_shown = list[str]()
         for thread in _threads_of_dump(lines):
             own = [line.removeprefix(before).partition('"') for line in thread if line.startswith(before)]
-            if own and told:
-                told.append(ANOTHER_THREAD)
-            told += [f'  File "{_file_of_dump(folder, path)}"{_with_letters(place)}\n' for path, _, place in own]
+            if own and lines_shown:
+                lines_shown.append(ANOTHER_THREAD)
+            lines_shown += [f'  File "{path.replace(os.sep, "/")}"{place}\n' for path, _, place in own]
         if any(_WAITS_FOR_THREADS.match(line) for line in lines if not line.startswith(before)):
-            told.append(f"{AFTER_ITS_END}\n")
-        return "".join(told)
+            lines_shown.append(f"{AFTER_ITS_END}\n")
+        return "".join(lines_shown)
 
     def close(self) -> None:
         """Take over what is left, and close it."""
@@ -177,10 +169,9 @@ def _place_of_dump(tail: bytes) -> int:
 
 
 def _threads_of_dump(lines: list[str]) -> list[list[str]]:
-    """Return the lines of each thread of a dump: of the current one first, then of the oldest, which began the program.
+    """Return the lines of each thread: of the current one first, then of the oldest, which began the program.
 
-    A dump begins with the newest thread, wherever the current one is. The current thread is the one that broke the
-    interpreter, or received the match's signal (the oldest one).
+    A dump begins with the newest. The current thread broke the interpreter, or received the match's signal.
     """
     threads, current = [list[str]()], -1
     for line in lines:
@@ -191,21 +182,3 @@ def _threads_of_dump(lines: list[str]) -> list[list[str]]:
         threads[-1].append(line)
     first = [threads.pop(current)] if current > 0 else []
     return first + threads[::-1]
-
-
-def _file_of_dump(folder: Path, path: str) -> str:
-    """Return a path of a dump as the team writes it; on Windows what looks escaped may be the file ``xfa.py``."""
-    meant = _with_letters(path)
-    found = os.path.exists(folder / meant)  # noqa: PTH110 - that of pathlib raises for names that are too long
-    return (meant if found else path).replace(os.sep, "/")
-
-
-def _with_letters(text: str) -> str:
-    """Return a text of a dump with the letters that it escapes, as far as they can be read."""
-    return _ESCAPED.sub(_letter, text)
-
-
-def _letter(escaped: re.Match[str]) -> str:
-    code = int(escaped[escaped.lastindex or 0], 16)
-    letter = chr(code) if code <= sys.maxunicode else ""
-    return letter if letter.isprintable() and not letter.isascii() else escaped[0]

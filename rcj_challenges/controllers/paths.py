@@ -48,11 +48,9 @@ def is_record(folders: Iterable[str], files: Collection[str]) -> bool:
 
 
 def record_folders(files: Iterable[PurePosixPath], empty: Iterable[PurePosixPath]) -> frozenset[PurePosixPath]:
-    """Return the folders below the top that are records of runs, by the files of an archive.
+    """Return the folders below the top that are records of runs.
 
-    Args:
-        files: of the archive.
-        empty: the folders that have an entry of their own: in some of them nothing may be.
+    ``empty`` are the folders that have an entry of their own in the archive: in some of them nothing may be.
     """
     names: dict[PurePosixPath, set[str]] = {}
     folders: dict[PurePosixPath, set[str]] = {}
@@ -93,11 +91,7 @@ def folded(path: PurePosixPath) -> str:
 
 
 def name_problems(name: str) -> Iterator[Problem]:
-    """Return what is wrong with a name in an archive.
-
-    Args:
-        name: as the archive has it.
-    """
+    """Return what is wrong with a name, as an archive has it."""
     shown = safe_text(name)
     path = path_of(name)
     if path.is_absolute() or ".." in path.parts or not path.parts or _DRIVE.match(name):
@@ -169,7 +163,6 @@ def _clean_part(part: str) -> str:
 
 
 def _shortened(path: PurePosixPath) -> PurePosixPath | None:
-    """Return a path whose file name is cut, or at last the file name alone."""
     for candidate in (path, PurePosixPath(path.name)):
         room = MAX_PATH_LETTERS - len(str(candidate.with_name("_"))) + 1 - len(candidate.suffix)
         if room > 0:

@@ -323,13 +323,10 @@ class ThreadedPipes:
 
 
 def open_channel(read_fd: int, write_fd: int, limit_bytes: int, *, portable: bool | None) -> Channel:
-    """Return the best channel for this platform.
+    """Return the best channel for this platform; it owns the file descriptors from now on.
 
-    Args:
-        read_fd: where the other side's frames arrive; the channel owns it from now on.
-        write_fd: where frames go; the channel owns it from now on.
-        limit_bytes: the longest frame that is accepted.
-        portable: True takes the one that works everywhere; None decides by platform.
+    Frames of more than ``limit_bytes`` are refused. ``portable``: True takes the channel that works everywhere; None
+    decides by platform.
     """
     if portable is None:
         portable = sys.platform == "win32" or not hasattr(select, "poll")

@@ -33,12 +33,7 @@ _FLAGS = os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_
 
 
 def temporary_folder_error(error: BaseException, trouble: str = "cannot be used") -> HostError:
-    """Return an error about the temporary folder that says where it is, and what helps.
-
-    Args:
-        error: what the system said.
-        trouble: what is wrong.
-    """
+    """Return an error about the temporary folder that says where it is, and what helps."""
     place = _temporary_folder()
     message = f"the temporary folder{place} {trouble}: {format_error(error)}"
     return HostError(message, f"make room there, or let {_VARIABLE} name another", code="temporary-folder")
@@ -59,7 +54,6 @@ class DiskFullError(DiagnosticError, HostError):
 
 
 def _temporary_folder() -> str:
-    """Return a space and the path of the temporary folder; empty if there is none."""
     try:
         return f" {sanitize(tempfile.gettempdir())}"
     except OSError:  # what the system said names the folders that were tried
@@ -101,36 +95,31 @@ def remove_left_overs_once() -> None:
 
 
 def remove_left_overs(temporary: Path) -> None:
-    """Remove the places of matches that do not live any more. Whatever cannot be removed stays.
-
-    Args:
-        temporary: the folder to look through, not into.
-    """
+    """Remove the places of dead matches from the temporary folder. Whatever cannot be removed stays."""
     with contextlib.suppress(OSError), os.scandir(temporary) as entries:
         for entry in entries:
             if entry.name.startswith(PREFIX):
                 with contextlib.suppress(OSError):
-                    _remove_if_nobodys(entry)
+                    _remove_if_unused(entry)
 
 
-def _remove_if_nobodys(entry: os.DirEntry[str]) -> None:
+def _remove_if_unused(entry: os.DirEntry[str]) -> None:
     mine = sys.platform == "win32" or entry.stat(follow_symlinks=False).st_uid == os.geteuid()
     if not mine or not scratch.is_folder(entry):
         return
     folder = Path(entry.path)
     fd = os.open(folder / LOCK_FILE, _FLAGS, 0o600)
     try:
-        nobodys = try_lock(fd) and _is_in_its_place(fd, folder)
+        is_unused = try_lock(fd) and _is_in_its_place(fd, folder)
     except OSError:  # no locks here: nothing can be proved
-        nobodys = False
-    if nobodys:
+        is_unused = False
+    if is_unused:
         _discard(folder, fd)
     else:
         os.close(fd)
 
 
 def _made() -> tuple[Path, int]:
-    """Return a new folder, and the locked file in it."""
     for _ in range(_ATTEMPTS):
         folder = Path(tempfile.mkdtemp(prefix=PREFIX)).resolve()
         try:

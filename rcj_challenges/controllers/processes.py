@@ -131,14 +131,9 @@ class Process:
                 os.kill(self._innermost_pid(), number)
 
     def nameless_bytes(self, output_fd: int, folder: Path, *, in_memory: bool) -> float:
-        """Return what it holds in files that it has deleted and still uses; 0 if that is unknown.
+        """Return what it holds in files that it has deleted and still uses (`scratch.nameless_bytes`).
 
         Infinite if it has lost its main thread: then the system does not show its open files.
-
-        Args:
-            output_fd: open here: the file of its output.
-            folder: its private one.
-            in_memory: whether files count that are only mapped into its memory.
         """
         if self.has_lost_main_thread():
             return math.inf
@@ -156,8 +151,7 @@ class Process:
     def dump_traceback(self, lifeline_fd: int | None) -> None:
         """Let it write its present traceback to its log and end. It may refuse, so `kill` afterwards.
 
-        Args:
-            lifeline_fd: the parent's end of its lifeline, by which its watch is asked; None: by a signal (POSIX).
+        A signal asks for it (POSIX); or its watch, by ``lifeline_fd``, the parent's end of its lifeline.
         """
         if lifeline_fd is not None:
             with contextlib.suppress(OSError):
@@ -280,7 +274,6 @@ def _popen(
 
 
 def _handles(*fds: int | None) -> list[str]:
-    """Return how the started process names what it inherits: file descriptors, handles on Windows, -1 for none."""
     if sys.platform == "win32":
         return [str(-1 if fd is None else msvcrt.get_osfhandle(fd)) for fd in fds]
     return [str(-1 if fd is None else fd) for fd in fds]
@@ -295,7 +288,7 @@ def python() -> str:
 
 @functools.cache
 def _compile_pupil_side() -> None:
-    """Byte-compile what every program imports, once: programs themselves write no byte code."""
+    """Byte-compile what every program imports: programs themselves write no byte code."""
     for source in sorted((PUPIL_FOLDER / "controller").glob("*.py")):
         compiled = Path(cache_from_source(str(source)))
         with contextlib.suppress(OSError, py_compile.PyCompileError):
@@ -319,19 +312,13 @@ def is_crash(status: int) -> bool:
 
 
 def is_cpu_limit(status: int, cpu_s: float, limit_s: float) -> bool:
-    """Return whether the kernel ended a process for its CPU time: by SIGXCPU, and by SIGKILL if it ignored that.
-
-    Args:
-        status: its exit status.
-        cpu_s: the CPU time that it was last seen to have used.
-        limit_s: what it was allowed.
-    """
-    return told(status).startswith("the signal SIGXCPU") or (
-        told(status) == "the signal SIGKILL" and cpu_s > _NEARLY * limit_s
+    """Return whether the kernel ended a process for its CPU time: by SIGXCPU, and by SIGKILL if it ignored that."""
+    return describe_status(status).startswith("the signal SIGXCPU") or (
+        describe_status(status) == "the signal SIGKILL" and cpu_s > _NEARLY * limit_s
     )
 
 
-def told(status: int) -> str:
+def describe_status(status: int) -> str:
     """Return in words what the exit status of a crash means."""
     if status < 0:
         with contextlib.suppress(ValueError):

@@ -13,14 +13,12 @@ from pathlib import Path
 from typing import Any
 
 from rcj_challenges.controllers import debugging, isolation, processes, scratch
-from rcj_challenges.controllers.assignment import Assignment
+from rcj_challenges.controllers.assignment import Assignment, Sharing
 from rcj_challenges.controllers.cpu_policy import CpuShare
-from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.controllers.log import ProgramLog
 from rcj_challenges.controllers.pipes import ChannelClosedError, FrameTooLongError, open_channel
 from rcj_challenges.controllers.private_folders import DiskFullError
 from rcj_challenges.controllers.protocol import Codec, Ended, ProtocolError, hello_frame, max_frame_bytes, one_line
-from rcj_challenges.controllers.sharing import Sharing
 from rcj_challenges.controllers.time_budget import MEASURED_AFTER_S, TimeBudget, TimeLimits
 from rcj_challenges.controllers.timed_channel import TimedChannel, WaitBudget, wait_together
 from rcj_challenges.core.errors import HostError, RcjError, format_error, is_of_the_host
@@ -64,19 +62,20 @@ class Program:
 
     def __init__(self, assignment: Assignment) -> None:
         self._assignment = assignment
-        self._limits = assignment.limits
+        self._limits = assignment.plan.limits
+        self._is_debugged = assignment.is_debugged
         message_bytes = isolation.message_bytes(self._limits)
         self._codec = Codec(assignment.spec, message_bytes)
         self._frame_limit = max_frame_bytes(message_bytes)
         limits = TimeLimits(self._limits.start_s, self._limits.step_s, self._limits.half_s)
         self.budget = TimeBudget(
-            TimeLimits(math.inf, math.inf, math.inf) if assignment.debug else limits,
+            TimeLimits(math.inf, math.inf, math.inf) if self._is_debugged else limits,
             lambda: None if self._process is None else self._process.times(),
             lambda thread: self._process is not None and self._process.is_runnable(thread),
         )
         self._output_limit = isolation.output_bytes(self._limits) + _OUTPUT_SLACK_BYTES
         self._scratch_limit = isolation.megabytes(self._limits.scratch_mb) + assignment.team.size_bytes()
-        self._portable = processes.NEEDS_LIFELINE if assignment.portable is None else assignment.portable
+        self._portable = processes.NEEDS_LIFELINE if assignment.plan.portable is None else assignment.plan.portable
         self._sharing = Sharing(Path(), math.inf, (), WaitBudget(math.inf))
         self._folder: Path | None = None
         self._log: ProgramLog | None = None
@@ -102,20 +101,16 @@ class Program:
     def launch(self, sharing: Sharing) -> None:
         """Start the process; it runs to its first ``step``, which `collect` waits for.
 
-        Args:
-            sharing: where its private folder is made, and who else has one there.
-
         Raises:
             IsolationError: layers of strict isolation are missing here.
             OSError: the log cannot be written.
             HostError: this computer cannot start one more program.
         """
-        layers = isolation.active_layers(self._assignment.sandbox)
-        if self._assignment.debug:
-            layers = isolation.active_layers("off")
+        plan = self._assignment.plan
+        layers = isolation.active_layers("off" if self._is_debugged else plan.sandbox)
         self._sharing, place = sharing, sharing.place
-        self._log = ProgramLog(self._assignment.log_path, self._output_limit, place)
-        self._append_log(f"--- half {self._assignment.half}: {self._assignment.entry} ---\n")
+        self._log = ProgramLog(plan.logs / f"{self.name}.log", self._output_limit, place)
+        self._append_log(f"--- half {plan.half}: {self._assignment.entry} ---\n")
         try:
             self._start(layers, self._log.fd, place)
         except (OSError, ValueError, RcjError) as error:
@@ -147,10 +142,7 @@ class Program:
         """Wait until the program calls ``step``, or until it reaches a limit of time or fails.
 
         Until the first time it may be charged ``start_s``, then ``step_s`` for each step and ``half_s`` for all of them
-        (`TimeBudget`).
-
-        Args:
-            if_long: called once if it has not called ``step`` after `MEASURED_AFTER_S`.
+        (`TimeBudget`). ``if_long`` is called once if it has not called ``step`` after `MEASURED_AFTER_S`.
 
         Raises:
             HostError: it failed because the temporary folder is full, and no program has filled it; or this computer is
@@ -185,7 +177,6 @@ class Program:
         return self._channel if self._channel is not None and self._channel.is_awaited else None
 
     def _accepted(self, answer: Request | Ended) -> Request | Fault:
-        """Take an answer that has arrived."""
         if self.budget.exceeded is not None:
             return self._too_slow()
         if not self._requests and self._process is not None:
@@ -211,17 +202,12 @@ class Program:
         return answer
 
     def _suspend(self) -> None:
-        """Suspend it until its release."""
-        if self._process is not None and not self._assignment.debug:
+        if self._process is not None and not self._is_debugged:
             self._is_suspended = True
             self._process.suspend()
 
     def overstepped(self, tick: int) -> Fault | None:
-        """Check its limits while the match does not wait for it; end it if it exceeds one.
-
-        Args:
-            tick: of the match, now.
-        """
+        """Check its limits while the match, at ``tick``, does not wait for it; end it if it exceeds one."""
         if self.fault is not None:  # found out when another one had no room
             return self.fault
         self.budget.settle()
@@ -234,7 +220,6 @@ class Program:
         return self._fail(*trespass)
 
     def _broken(self, error: Exception) -> Fault:
-        """Return why the conversation cannot go on."""
         if isinstance(error, ChannelClosedError):
             return self._closed_fault()
         if isinstance(error, FrameTooLongError):
@@ -278,16 +263,12 @@ class Program:
             self._log.close()
 
     def _remove_folder(self) -> None:
-        if self._folder is not None:
-            scratch.remove(self._folder)
-            self._folder = None
+        folder, self._folder = self._folder, None
+        if folder is not None:
+            scratch.remove(folder)
 
     def keep_output(self) -> int:
-        """Put into its log what it has printed until now; otherwise that is done now and then.
-
-        Returns:
-            How many bytes were appended to its log.
-        """
+        """Put into its log what it has printed until now; return how many bytes the log has got in all."""
         if self._log is None:
             return 0
         self._log.take_over()
@@ -307,32 +288,32 @@ class Program:
         self._process, ends = processes.start(
             root,
             isolation.environment(folder),
-            None if assignment.debug else log_fd,
+            None if self._is_debugged else log_fd,
             isolation.memory_bytes(self._limits) if limited else None,
             lifeline=self._portable,
             prefix=isolation.prefix(layers, folder),
         )
         self._lifeline_fd = ends.lifeline_fd
-        channel = open_channel(ends.read_fd, ends.write_fd, self._frame_limit, portable=assignment.portable)
+        channel = open_channel(ends.read_fd, ends.write_fd, self._frame_limit, portable=assignment.plan.portable)
         channel.send(hello_frame(assignment.spec, self._setup(root, layers)))
         self._channel = TimedChannel(channel, self.budget)
 
     def _setup(self, root: Path, layers: tuple[str, ...]) -> dict[str, Any]:
         """Return what the process needs to know beyond the robot."""
-        assignment = self._assignment
-        folder, entry = debugging.program_place(assignment, root)
+        plan = self._assignment.plan
+        folder, entry = debugging.program_place(self._assignment, root)
         return {
-            "half": assignment.half,
-            "seed": stream_seed(assignment.match_seed, f"program/{self.name}/half{assignment.half}"),
+            "half": plan.half,
+            "seed": stream_seed(plan.match_seed, f"program/{self.name}/half{plan.half}"),
             "program": {
-                "root": from_disk(str(folder)),
-                "entry": from_disk(str(entry)),
-                "site": [from_disk(folder) for folder in processes.site_folders()],
+                "root": str(folder),
+                "entry": str(entry),
+                "site": processes.site_folders(),
             },
             "limits": isolation.limit_settings(self._limits, layers, root.parent, portable=self._portable),
             "layers": isolation.set_by_process(layers, portable=self._portable),
-            "debug": assignment.debug,
-            "debugger": debugging.debugger_settings() if assignment.debug else None,
+            "debug": self._is_debugged,
+            "debugger": debugging.debugger_settings() if self._is_debugged else None,
         }
 
     def _wait(self, channel: TimedChannel) -> bytes | None:
@@ -372,13 +353,12 @@ class Program:
         return self._fail(kind, detail, timed=True)
 
     def _closed_fault(self) -> Fault:
-        """Return why the other end is gone."""
         status = None if self._process is None else self._process.exit_status(_FAREWELL_S)
         if status is None:
             return self._fail("protocol", "the program closed its connection to the match")
         if processes.is_crash(status):
             timed = processes.is_cpu_limit(status, self.budget.cpu_s, isolation.processor_s(self._limits))
-            return self._ended("crash", f"the program was ended by {processes.told(status)}", timed=timed)
+            return self._ended("crash", f"the program was ended by {processes.describe_status(status)}", timed=timed)
         return self._ended("exit", f"the program ended itself (exit status {status})")
 
     def _ended(self, kind: str, detail: str, traceback: str = "", *, timed: bool = False) -> Fault:
@@ -418,11 +398,7 @@ class Program:
         return []
 
     def end_if_greedy(self, tick: int) -> bool:
-        """End it if it has written more than its share of the temporary folder, which is full; return whether it has.
-
-        Args:
-            tick: of the match, now.
-        """
+        """End it if it has written more than its share of the full temporary folder; return whether it has."""
         share_bytes = self._sharing.share_bytes
         if self.fault is not None or self._folder is None or not self._has_written_more_than(self._folder, share_bytes):
             return False
@@ -440,13 +416,13 @@ class Program:
     def _prints_too_much(self, times: float = 1.0) -> tuple[str, str] | None:
         """Put into its log what it has printed, and return whether that is too much."""
         self.keep_output()
-        if self._assignment.debug or self._log is None or self._log.output_bytes() <= times * self._output_limit:
+        if self._is_debugged or self._log is None or self._log.output_bytes() <= times * self._output_limit:
             return None
         return "output_flood", f"the program printed more than {self._limits.output_mb:g} MB"
 
     def _holds_too_much(self, times: float, *, closely: bool) -> tuple[str, str] | None:
         """Return whether its folder holds too much, it runs too many threads or has lost its main thread. Slow."""
-        if self._assignment.debug or self._process is None:
+        if self._is_debugged or self._process is None:
             return None
         self._look_at_s = self.budget.waited_s + _SLICE_S
         if self._process.has_lost_main_thread():
@@ -460,7 +436,7 @@ class Program:
         return None
 
     def _writes_too_much(self, times: float = 1.0, *, closely: bool = True) -> tuple[str, str] | None:
-        if self._assignment.debug or self._folder is None:
+        if self._is_debugged or self._folder is None:
             return None
         if not self._has_written_more_than(self._folder, times * self._scratch_limit, closely=closely):
             return None
@@ -469,19 +445,18 @@ class Program:
     def _has_written_more_than(self, folder: Path, limit_bytes: float, *, closely: bool = True) -> bool:
         nameless = 0.0
         if self._process is not None:
-            nameless = self._process.nameless_bytes(self._output_fd(), folder, in_memory=closely)
+            nameless = self._process.nameless_bytes(
+                -1 if self._log is None else self._log.fd, folder, in_memory=closely
+            )
         return scratch.has_more_than(folder, limit_bytes - nameless)
-
-    def _output_fd(self) -> int:
-        return -1 if self._log is None else self._log.fd
 
     def _fail(self, kind: str, detail: str, traceback: str = "", *, timed: bool = False) -> Fault:
         self.kill()
-        self.fault = Fault(self.name, kind, self._tick, self._assignment.half, detail, traceback, timed)
+        self.fault = Fault(self.name, kind, self._tick, self._assignment.plan.half, detail, traceback, timed)
         at = f"tick {self._tick} ({s_from_ticks(self._tick):.3f} s)"
         where = self._log.take_dump(self._folder / _TEAM) if self._log is not None and self._folder is not None else ""
-        told = f"It was here, the innermost call first:\n{where}" if where else traceback
-        self._append_log(f"{told}[{kind}] {self.name} at {at}: {detail}\n")
+        shown = f"It was here, the innermost call first:\n{where}" if where else traceback
+        self._append_log(f"{shown}[{kind}] {self.name} at {at}: {detail}\n")
         self._remove_folder()  # others may need the room
         return self.fault
 

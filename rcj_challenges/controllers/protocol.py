@@ -70,8 +70,8 @@ def max_frame_bytes(message_bytes: int) -> int:
 
 def hello_frame(spec: RobotSpec, setup: dict[str, Any]) -> bytes:
     """Return the first message: the robot, and what its process needs to know, as JSON."""
-    told = {"protocol": PROTOCOL_VERSION, "tick_ms": TICK_MS, "robot": asdict(spec), **setup}
-    body = json.dumps(told, ensure_ascii=False, allow_nan=False).encode()
+    hello = {"protocol": PROTOCOL_VERSION, "tick_ms": TICK_MS, "robot": asdict(spec), **setup}
+    body = json.dumps(hello, ensure_ascii=False, allow_nan=False).encode()
     return LENGTH.pack(1 + len(body)) + bytes((HELLO,)) + body
 
 
@@ -107,11 +107,7 @@ class Codec:
         return form.pack(length, OBSERVATION, tick, flags, self._values, len(packets), *values) + tail
 
     def decode(self, body: bytes, tick: int) -> Request | Ended:
-        """Return what a program's message asks for.
-
-        Args:
-            body: a frame without its length.
-            tick: of the observation that it answers.
+        """Return what a message, a frame without its length, asks for in answer to the observation of ``tick``.
 
         Raises:
             ProtocolError: it is not as the protocol demands.
@@ -137,8 +133,8 @@ class Codec:
         sampling, channels, frequencies, emissions = others
         settings = max(motors, sampling, channels, frequencies)
         if settings > len(self._accepts) or emissions > MAX_EMISSIONS:
-            told = f"{settings} settings and {emissions} packets"
-            raise ProtocolError(f"a request with too many settings or packets in one step: {told}")
+            found = f"{settings} settings and {emissions} packets"
+            raise ProtocolError(f"a request with too many settings or packets in one step: {found}")
         at = _REQUEST.size + motors * _MOTOR.size
         if len(body) < at:
             raise ProtocolError("a request that ends too early")
@@ -202,7 +198,6 @@ class Codec:
         return device, frequency_hz
 
     def _emissions(self, body: bytes, at: int, count: int) -> tuple[tuple[int, int, bytes], ...]:
-        """Return the packets to be sent, which end a request."""
         sent = []
         for _ in range(count):
             begins = at + _EMISSION.size
@@ -221,7 +216,6 @@ class Codec:
         return tuple(sent)
 
     def _must_be(self, device: int, named_in: str, wanted: str) -> None:
-        """Raise if a device may not appear in a list of the request."""
         if named_in not in self._accepts.get(device, ()):
             raise ProtocolError(f"device {device} is not {wanted}")
 
@@ -232,11 +226,7 @@ def _packed(packet: Packet) -> bytes:
 
 
 class _Tail:
-    """The part of a message of variable size, read piece by piece.
-
-    Attributes:
-        at: how much of the message has been taken.
-    """
+    """The part of a message of variable size, read piece by piece; ``at`` tells how much has been taken."""
 
     def __init__(self, body: bytes, at: int) -> None:
         self._body = body

@@ -64,9 +64,7 @@ def has_more_than(folder: Path, limit_bytes: float) -> bool:
 def bytes_below(folder: Path, enough_bytes: float) -> float:
     """Return what all files below a folder take; infinite if something in it cannot be looked at.
 
-    Args:
-        folder: it may change meanwhile.
-        enough_bytes: counting ends where there are more.
+    The folder may change meanwhile. Counting ends where there are more than ``enough_bytes``.
     """
     total = 0
     longest = len(str(folder)) + _LONGEST_PATH
@@ -133,13 +131,13 @@ def _maps_another(pid: int, folder: Path, known: set[int]) -> bool:
     below = os.fsencode(f"{folder}{os.sep}")
     try:
         with open(f"/proc/{pid}/maps", "rb", buffering=0) as file:  # noqa: PTH123 - no path of ours
-            told = file.read()
+            maps = file.read()
     except OSError:
         return False
-    if below not in told:
+    if below not in maps:
         return False
     # Addresses, rights, offset, device, inode, path.
-    mapped = [line.split(maxsplit=5) for line in told.split(b"\n") if line.endswith(_DELETED) and below in line]
+    mapped = [line.split(maxsplit=5) for line in maps.split(b"\n") if line.endswith(_DELETED) and below in line]
     return any(fields[5].startswith(below) and int(fields[4]) not in known for fields in mapped)
 
 
@@ -177,7 +175,6 @@ def remove(folder: Path) -> None:
 
 
 def _brought_up(path: str, place: str) -> str:
-    """Move a folder that is too deep to the top; return where it is."""
     try:
         os.chmod(path, 0o700)  # noqa: PTH101
         os.rename(path, place)  # noqa: PTH104

@@ -8,7 +8,6 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal
 
-from rcj_challenges.controllers.disk_names import from_disk
 from rcj_challenges.core.sanitize import sanitize
 
 Level = Literal["passed", "warning", "failure"]
@@ -77,4 +76,4 @@ def with_help(message: str, remedy: str) -> str:
 
 def safe_text(name: object, longest: int = _MAX_LETTERS) -> str:
     """Return a strange name as one harmless line, shorter than `sanitize` makes it: several stand in one message."""
-    return sanitize(from_disk(str(name)) if isinstance(name, Path) else name, longest)
+    return sanitize(str(name) if isinstance(name, Path) else name, longest)

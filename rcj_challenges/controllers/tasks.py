@@ -12,11 +12,8 @@ from pathlib import Path
 
 from rcj_challenges.controllers.time_budget import ProcessTimes, ThreadTimes
 
-_GRANTS = (
-    ("/sys/fs/cgroup/cpu.max",),
-    ("/sys/fs/cgroup/cpu/cpu.cfs_quota_us", "/sys/fs/cgroup/cpu/cpu.cfs_period_us"),
-)
-"""Where Linux shows a container's share of processor time (µs, and of how many): cgroup versions 2 and 1."""
+_GRANT = Path("/sys/fs/cgroup/cpu.max")
+"""Where Linux shows a container's share of processor time: µs, and of how many (cgroup version 2)."""
 
 _LINKS_OF_A_FOLDER = 2  # itself and its parent; each further one is a folder in it, here a thread
 
@@ -66,8 +63,8 @@ def process_times(pid: int) -> ProcessTimes | None:
         if sys.platform == "linux":
             return ProcessTimes(time.clock_gettime(_processor_clock(pid)), _thread_times(pid))
         if sys.platform != "win32":
-            told = subprocess.run(["ps", "-o", "time=", "-p", str(pid)], capture_output=True, text=True, check=True)
-            return ProcessTimes(seconds_of(told.stdout), None)
+            listed = subprocess.run(["ps", "-o", "time=", "-p", str(pid)], capture_output=True, text=True, check=True)
+            return ProcessTimes(seconds_of(listed.stdout), None)
     except (OSError, ValueError, subprocess.SubprocessError):
         pass
     return None
@@ -135,17 +132,15 @@ def processors() -> int:
     if sys.platform != "linux":
         return 0
     granted = len(os.sched_getaffinity(0))
-    for files in _GRANTS:
-        with contextlib.suppress(OSError, ValueError, ZeroDivisionError):
-            time_us, of_us = map(int, " ".join(Path(file).read_text(encoding="ascii") for file in files).split())
-            if time_us > 0:  # -1: as much as there is; so does the word "max", which is no number
-                granted = min(granted, time_us // of_us)
+    with contextlib.suppress(OSError, ValueError):  # the word "max" stands for as much as there is
+        time_us, of_us = map(int, _GRANT.read_text(encoding="ascii").split())
+        granted = min(granted, time_us // of_us)
     return granted
 
 
-def seconds_of(told: str) -> float:
+def seconds_of(text: str) -> float:
     """Parse a time as ``ps`` prints it, in s: ``2-03:04:05``, ``4:05.06``."""
-    days, _, clock = told.strip().rpartition("-")
+    days, _, clock = text.strip().rpartition("-")
     seconds = 0.0
     for part in clock.split(":"):
         seconds = 60 * seconds + float(part)

@@ -1,4 +1,4 @@
-"""A team's programs, as the match uses them: files, name, entry points."""
+"""A team's programs, as the match uses them: files, name, entry points; and several teams that play as one."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ from types import MappingProxyType
 from typing import Self
 
 from rcj_challenges.controllers.archive import Contents, Files, TeamError, read_contents, refusal
-from rcj_challenges.controllers.disk_names import from_disk, on_disk
 from rcj_challenges.controllers.private_folders import temporary_folder_error
 from rcj_challenges.controllers.submission_problems import MAX_PATH_SHOWN, safe_text
 from rcj_challenges.controllers.team_name import (
@@ -26,7 +25,10 @@ from rcj_challenges.core.errors import format_error, is_of_the_host
 from rcj_challenges.core.likeness import MAX_COMPARED, nearest_name
 from rcj_challenges.scenario.models.robots import Entrant, EntryPoints
 
-__all__ = ["MAX_NAME_LETTERS", "Opening", "Team", "TeamError", "alternatives", "look_into", "open_team", "safe_name"]
+__all__ = [
+    "MAX_NAME_LETTERS", "Opening", "SuperTeam", "Team", "TeamError", "alternatives", "look_into", "open_team",
+    "safe_name",
+]  # fmt: skip
 
 LOGO_FILE = "logo.png"
 
@@ -111,7 +113,7 @@ class Team:
         """
         try:
             for name, content in self._files.items():
-                target = folder.joinpath(on_disk(str(name)))
+                target = folder.joinpath(str(name))
                 target.parent.mkdir(parents=True, exist_ok=True)
                 target.write_bytes(content)
         except (OSError, ValueError) as error:
@@ -121,31 +123,23 @@ class Team:
             raise TeamError(message, code="cannot-write") from error
 
     def ignores_neighbour(self, name: str) -> bool:
-        """Return whether a file or folder lies beside a program that was given alone, and so was not read.
-
-        Args:
-            name: its own, without folders.
-        """
+        """Return whether a file or folder of this name lies, unread, beside a program that was given alone."""
         if not self._single or name in ("", ".", "..") or PurePath(name).name != name:
             return False
         try:
-            return self.source.with_name(on_disk(name)).exists()
+            return self.source.with_name(name).exists()
         except (OSError, ValueError):
             return False
 
     def place_on_disk(self, entry: str) -> tuple[Path, Path] | None:
-        """Return the folder in which the team has its files, and its program there; None if they are in an archive.
-
-        Args:
-            entry: the program's path inside the team's folder.
-        """
+        """Return the folder in which the team has its files, and its program there; None if they are in an archive."""
         source = self.source.absolute()
         if self._single:
             return source.parent, source
         if self._layout is None or not source.is_dir():
             return None
         folder, within = source / self._layout.top, self._layout.within
-        program = folder / on_disk(str(PurePosixPath(entry).relative_to(within) if within else entry))
+        program = folder / str(PurePosixPath(entry).relative_to(within) if within else entry)
         return (folder, program) if program.is_file() else None
 
     def size_bytes(self) -> int:
@@ -169,12 +163,48 @@ class Team:
         return next((entry for entry in wanted if PurePosixPath(entry) in self._files), None)
 
     def _find_entries(self, seats: Iterable[Entrant]) -> None:
-        """Note the program of each robot that has one."""
         for seat in seats:
             for robot, entry_points in seat.robots.items():
                 found = self._first_of(entry_points)
                 if found is not None:
                     self._entries[robot] = found
+
+
+@dataclass(frozen=True)
+class SuperTeam:
+    """Teams that play as one: the first robot of the side is driven by the first team's program, and so on.
+
+    It takes the place of a `Team` in a match. Each robot has the files, the private folder and the log of its own team.
+
+    Attributes:
+        members: a team for each robot of the side, in the order of the scenario.
+    """
+
+    members: tuple[Team, ...]
+
+    @property
+    def name(self) -> str:
+        """The members' names."""
+        return " + ".join(member.name for member in self.members)
+
+    @property
+    def digest(self) -> str:
+        """SHA-256 over the digests of the members, in their order."""
+        return hashlib.sha256("\n".join(member.digest for member in self.members).encode("ascii")).hexdigest()
+
+    @property
+    def files(self) -> Mapping[PurePosixPath, bytes]:
+        """Files that all members share: none, so a SuperTeam has no logo."""
+        return {}
+
+    def driving(self, number: int) -> Team:
+        """Return the team that drives a robot, by its number on its side, from 0."""
+        return self.members[number]
+
+    def close(self) -> None:
+        """Forget the files of all members."""
+        for member in self.members:
+            member.close()
 
 
 @dataclass(frozen=True)
@@ -225,10 +255,6 @@ def open_team(path: str | Path, *seats: Entrant) -> Team:
 def look_into(path: Path, *seats: Entrant) -> Opening:
     """Open a submission as `open_team` does, but report everything instead of stopping at the first problem.
 
-    Args:
-        path: where it is.
-        seats: as for `open_team`.
-
     Raises:
         TeamError: there is nothing at this path that can be opened.
     """
@@ -244,14 +270,8 @@ def called_after(name: str) -> str:
 
 
 def opening_of(path: Path, contents: Contents, *seats: Entrant) -> Opening:
-    """Return what comes of opening contents that have been read already.
-
-    Args:
-        path: where they came from: a team that gives itself no name is called after it.
-        contents: what was read.
-        seats: as for `open_team`.
-    """
-    fallback = called_after(from_disk(path.resolve().name))
+    """Return what comes of opening contents that have been read from a path; a team may be named after it."""
+    fallback = called_after(path.resolve().name)
     layouts = [*without_top_folders(contents.files), *_inside_entry_folder(contents.files, seats)]
     single = str(next(iter(contents.files), "")) if contents.kind == "program" else ""
     for layout in layouts:
@@ -271,7 +291,6 @@ def opening_of(path: Path, contents: Contents, *seats: Entrant) -> Opening:
 
 
 def _lacking(files: Files, seats: Iterable[Entrant], single: str) -> dict[str, tuple[str, ...]]:
-    """Return, by robot, what was looked for in vain."""
     return {
         robot: alternatives(wanted)
         for seat in seats
@@ -383,8 +402,8 @@ def missing_programs(
     python = ([name for name in present if name.endswith(".py")] or present)[:MAX_COMPARED]
     found = ", ".join(map(safe_text, python[:_SHOWN_FILES])) + (", …" if len(python) > _SHOWN_FILES else "")
     message = f"no program for {looked_for}; found: {found or 'nothing'}"
-    meant = [name for name in python if PurePosixPath(name) not in not_meant]
-    nearest = ((near, entry) for entries in wanted for entry in entries if (near := _nearest(entry, meant)))
+    candidates = [name for name in python if PurePosixPath(name) not in not_meant]
+    nearest = ((near, entry) for entries in wanted for entry in entries if (near := _nearest(entry, candidates)))
     for near, entry in nearest if hint else ():
         return f"{message}; did you mean {safe_text(near)} to be {entry}?"
     return message

@@ -49,12 +49,7 @@ class TeamName:
 
 
 def find_team_name(files: Files, fallback: str) -> TeamName:
-    """Return the name that a team gave itself.
-
-    Args:
-        files: its files.
-        fallback: the name of its folder or archive, for a team that gave none.
-    """
+    """Return the name that a team gave itself, or else ``fallback``, the name of its folder or archive."""
     instead = safe_name(fallback) or "team"
     path, troubles = _name_file(files)
     if path is None:
@@ -131,16 +126,14 @@ def _decoded(content: bytes) -> tuple[str, tuple[Problem, ...]]:
     """
     content = content[:_MAX_NAME_FILE_BYTES]
     marked = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
-    encoding = "utf-16" if marked else _unmarked_utf_16(content) or "utf-8-sig"
+    encoding = "utf-16" if marked else "utf-8-sig"
     # What was cut off here, or ends in the middle of a letter of UTF-16, is not held against it.
-    cut = len(content) == _MAX_NAME_FILE_BYTES or encoding.startswith("utf-16")
+    cut = len(content) == _MAX_NAME_FILE_BYTES or marked
     text = codecs.getincrementaldecoder(encoding)("replace").decode(content, final=not cut)
     troubles = []
     if marked:
         message = f"{NAME_FILE} is in UTF-16; the name was read all the same"
         troubles.append(_note("name_utf16", message, repair=True))
-    elif encoding != "utf-8-sig":
-        troubles.append(_assumed("UTF-16"))
     elif "\ufffd" in text and "\ufffd".encode() not in content:
         # Letters beyond ASCII that are whole are those of a text in UTF-8, of which a part is damaged.
         if any(letter > "\x7f" for letter in text.replace("\ufffd", "")):
@@ -148,7 +141,9 @@ def _decoded(content: bytes) -> tuple[str, tuple[Problem, ...]]:
             troubles.append(_warning("name_encoding", message, "save it in UTF-8", repair=False))
         else:
             text = content.decode("cp1252", "replace")
-            troubles.append(_assumed("Windows-1252, the letters of Western Europe"))
+            message = f"{NAME_FILE} is not in UTF-8: it was read as Windows-1252, the letters of Western Europe"
+            remedy = 'open it in an editor and save it in UTF-8 (in Windows\' Notepad: "Save as", Encoding "UTF-8")'
+            troubles.append(_warning("name_encoding", f"{message}, which may be wrong", remedy, repair=False))
     elif content.startswith(codecs.BOM_UTF8):
         message = f"{NAME_FILE} begins with a byte order mark, which is not part of the name"
         troubles.append(_note("name_bom", message, repair=True))
@@ -158,26 +153,7 @@ def _decoded(content: bytes) -> tuple[str, tuple[Problem, ...]]:
     return text, tuple(troubles)
 
 
-def _assumed(encoding: str) -> Problem:
-    """Return the warning that the encoding of a file was guessed."""
-    message = f"{NAME_FILE} is not in UTF-8: it was read as {encoding}, which may be wrong"
-    remedy = 'open it in an editor and save it in UTF-8 (in Windows\' Notepad: "Save as", Encoding "UTF-8")'
-    return _warning("name_encoding", message, remedy, repair=False)
-
-
-def _unmarked_utf_16(content: bytes) -> str:
-    """Return which UTF-16 a text without a mark is in: every second byte of Latin letters is zero. Empty: neither."""
-    for encoding, zeros, letters in (
-        ("utf-16-le", content[1::2], content[::2]),
-        ("utf-16-be", content[::2], content[1::2]),
-    ):
-        if zeros.count(0) * 2 > len(zeros) and not letters.count(0):
-            return encoding
-    return ""
-
-
 def _line_problems(lines: list[str], name: str) -> list[Problem]:
-    """Return what is odd about the name itself; its first line is not empty."""
     line = " ".join(lines[0].split())
     found = []
     if len(lines) > 1:

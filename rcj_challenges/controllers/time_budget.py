@@ -187,7 +187,6 @@ class TimeBudget:
         self._last, self._measured = measured.last, None
 
     def _over(self) -> str | None:
-        """Return the limit that is reached."""
         limits, charge_s = self._limits, 0.0 if self._measured is None else self._measured.charge_s
         if self.exceeded is not None:
             return self.exceeded

@@ -70,10 +70,8 @@ class TimedChannel:
     def look(self, overslept_s: float = 0.0) -> None:
         """Charge the time since the last look, and note an answer or an error: `receive` returns or raises it.
 
-        Without an awaited answer there is nothing to charge, and what was noted before stays.
-
-        Args:
-            overslept_s: for how much longer than it wanted the match has just waited: it was stopped (Ctrl-Z).
+        Without an awaited answer there is nothing to charge, and what was noted before stays. ``overslept_s`` is how
+        much longer than it wanted the match has just waited: it was stopped (Ctrl-Z).
         """
         if not self.is_awaited:
             return
@@ -126,15 +124,10 @@ class WaitBudget:
 
 
 def wait_together(channels: Sequence[TimedChannel], timeout_s: float, wait_budget: WaitBudget) -> None:
-    """Wait until one of several programs answers, and charge all of them.
-
-    Args:
-        channels: those that are awaited.
-        timeout_s: how long at most.
-        wait_budget: the wait is taken from it.
+    """Wait until one of several awaited programs answers, at most ``timeout_s``, and charge all of them.
 
     Raises:
-        HostError: nothing is left of that.
+        HostError: nothing is left of ``wait_budget``.
     """
     began_s = time.perf_counter()
     pipes.wait_for_any([timed.channel for timed in channels], timeout_s)

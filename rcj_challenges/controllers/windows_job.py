@@ -96,10 +96,12 @@ if sys.platform == "win32":
 
         def computed_s(self) -> float:
             """Return the processor time of all that was ever in the job, in s."""
-            told = _BasicAccounting()
-            size = ctypes.sizeof(told)
-            _checked(_kernel.QueryInformationJobObject(self._handle, _BASIC_ACCOUNTING, ctypes.byref(told), size, None))
-            return float(told.TotalUserTime + told.TotalKernelTime) / 1e7
+            accounting = _BasicAccounting()
+            size = ctypes.sizeof(accounting)
+            _checked(
+                _kernel.QueryInformationJobObject(self._handle, _BASIC_ACCOUNTING, ctypes.byref(accounting), size, None)
+            )
+            return float(accounting.TotalUserTime + accounting.TotalKernelTime) / 1e7
 
         def terminate(self) -> None:
             """End all that is in the job. Can be called again."""

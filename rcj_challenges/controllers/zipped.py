@@ -109,11 +109,7 @@ class _Bounds:
 
 
 def read_entries(data: bytes, troubles: Problems) -> list[Entry]:
-    """Return the entries of an archive.
-
-    Args:
-        data: the whole file.
-        troubles: takes what is odd about it as a whole.
+    """Return the entries of an archive, and add what is odd about it as a whole to ``troubles``.
 
     Raises:
         UnreadableError: it is not a ZIP, or its table of contents is damaged.
@@ -130,14 +126,9 @@ def read_entries(data: bytes, troubles: Problems) -> list[Entry]:
 def unpack(data: bytes, entry: Entry, most: int) -> tuple[bytes, str]:
     """Return an entry's content, and how its local header differs from the table of contents.
 
-    Args:
-        data: the whole file.
-        entry: which.
-        most: bytes that may come out of it, whatever the entry says about its size.
-
     Raises:
         UnreadableError: it is damaged.
-        TooMuchError: more comes out of it.
+        TooMuchError: more than ``most`` bytes come out of it, whatever it says about its size.
     """
     start, lie = _content_start(data, entry)
     packed = memoryview(data)[start : start + entry.packed]

@@ -39,10 +39,6 @@ AnyDevice = Annotated[Device, DEVICES]
 
 
 def device_of_class(name: str) -> type[Device]:
-    """Return the first kind of device that programs know as this class; `Device` itself if there is none.
-
-    Args:
-        name: `DeviceSpec.kind`.
-    """
+    """Return the first kind of device that programs know as this class (`DeviceSpec.kind`), or else `Device`."""
     kinds = (kind for kind in DEVICES.words() if issubclass(kind, Device) and name == kind.CLASS)
     return next(kinds, Device)

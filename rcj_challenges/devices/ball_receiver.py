@@ -53,14 +53,7 @@ class BallReceiver:
     """A receiver of the balls' infra-red with its range, its noise and its payload."""
 
     def __init__(self, receiver: Receiver, fitted: Fitted, balls: int, half: HalfInfo) -> None:
-        """Join a receiver and its settings.
-
-        Args:
-            receiver: what delivers to the program.
-            fitted: the ball receiver on its robot.
-            balls: how many there are; the noise has two draws a tick for each.
-            half: for the noise.
-        """
+        """Join a receiver and its settings; its noise has two draws a tick for each of so many balls."""
         device = cast("BallReceiverDevice", fitted.device)
         is_noisy = device.strength_noise > 0 or device.direction_noise_rad > 0
         self.receiver = receiver
@@ -78,14 +71,7 @@ class BallReceiver:
         return self.receiver.period_ticks > 0 and self.receiver.channel in (self._channel, ANY_CHANNEL)
 
     def hear(self, tick: int, ball: int, square_m2: float, direction: Vector) -> None:
-        """Take a ball's packet of a tick.
-
-        Args:
-            tick: now.
-            ball: its index among the balls.
-            square_m2: the square of its distance.
-            direction: to it, in the robot's frame.
-        """
+        """Take the packet of a ball at this squared distance and in this direction of the robot's frame."""
         strength = 1 / square_m2
         if self._noise is not None:
             strength, direction = self._disturbed(self._noise.numbers(tick), ball, strength, direction)
@@ -94,7 +80,6 @@ class BallReceiver:
     def _disturbed(
         self, errors: list[float], ball: int, strength: float, direction: Vector
     ) -> tuple[float, Vector]:  # fmt: skip
-        """Return strength and direction with a tick's errors."""
         error, turn = errors[2 * ball : 2 * ball + 2]
         cos, sin = math.cos(turn * self._direction_noise_rad), math.sin(turn * self._direction_noise_rad)
         x, y, z = direction

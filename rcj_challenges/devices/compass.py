@@ -36,7 +36,7 @@ robots:
     def describe(self, _phrases: Phrases) -> str:
         """Return what it is."""
         noise = noise_words(degrees(self.noise_rad) if self.noise_rad else "")
-        return f"direction of north{order_words(self.frame, ', told as [left, up, ahead]')}{noise}"
+        return f"direction of north{order_words(self.frame, ', given as [left, up, ahead]')}{noise}"
 
 
 class CompassSensor(Sensor):

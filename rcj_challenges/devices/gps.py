@@ -34,7 +34,7 @@ robots:
 
     def describe(self, _phrases: Phrases) -> str:
         """Return what it is."""
-        order = order_words(self.frame, ", told as [y, z, x]")
+        order = order_words(self.frame, ", given as [y, z, x]")
         return f"position of the robot{order}{noise_words(metres(self.noise_m) if self.noise_m else '')}"
 
 

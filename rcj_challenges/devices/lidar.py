@@ -114,14 +114,13 @@ robots:
         """Return what it is."""
         turning = f", turning at {self.frequency_hz:g} Hz" if self.rotating else ""
         noise = noise_words(metres(self.noise_m) if self.noise_m else "")
-        order = order_words(self.frame, ", its points told as [left, up, ahead]")
+        order = order_words(self.frame, ", its points given as [left, up, ahead]")
         return (
             f"lidar, {counted(self.points, 'point')}, {metres(self.min_range_m)} to {metres(self.max_range_m)}"
             f"{turning}{order}{noise}, {metres(self.height_m)} above the floor, {self._sweep()}"
         )
 
     def _sweep(self) -> str:
-        """Return where it looks."""
         if self.points == 1:
             return "straight ahead"  # whatever its field of view is
         return (

@@ -44,13 +44,7 @@ class Motors:
     """The motors of one robot. A wheel that was never commanded stays braked, as the world left it."""
 
     def __init__(self, robot: int, fitted: Sequence[Fitted], wheels: Wheels) -> None:
-        """Find the robot's motors among its devices.
-
-        Args:
-            robot: its index.
-            fitted: its devices.
-            wheels: what they drive.
-        """
+        """Find the motors of a robot, by its index, among its devices."""
         self._robot = robot
         self._wheels = wheels
         self._motors = {

@@ -58,7 +58,7 @@ class Queue:
 
 
 def _ignore(_: Packet) -> None:
-    """Hear nothing."""
+    pass
 
 
 class Receiver:

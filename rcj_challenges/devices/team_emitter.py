@@ -103,13 +103,11 @@ class Emitter:
             self.to_referee.append((self._arrival(data, now), data))
 
     def _has_room(self, data: bytes, packets: int, payload_bytes: int) -> bool:
-        """Return whether a packet can wait behind so many others; else it is lost."""
         if not data or len(data) > self._max_packet_bytes:
             return False
         return not packets or (packets < BACKLOG_PACKETS and payload_bytes + len(data) <= BACKLOG_BYTES)
 
     def _arrival(self, data: bytes, now: int) -> int:
-        """Return the tick at which a packet arrives that is sent at tick ``now``."""
         begin = max(self._free_from, now * self._per_tick)
         self._free_from = begin + len(data) * _BITS_PER_BYTE * _MS_PER_S
         return -(-self._free_from // self._per_tick)

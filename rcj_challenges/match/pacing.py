@@ -6,7 +6,7 @@ import time
 from collections.abc import Collection
 from typing import TYPE_CHECKING
 
-from rcj_challenges.controllers.crew import Crew
+from rcj_challenges.controllers.program_pool import ProgramPool
 from rcj_challenges.core.play import HalfInfo, RefereeOutput, Snapshot
 from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.match.observers import Observer, Progress
@@ -27,7 +27,7 @@ class TickEffects:
         referee: for the scores and the clock.
         record: of the run.
         observer: that is called.
-        crew: whose output is shown.
+        pool: whose output is shown.
         show_output: robots whose output is shown.
         real_time: True: no tick is judged before its time on a clock that starts with the first one.
     """
@@ -39,7 +39,7 @@ class TickEffects:
         referee: Referee,
         record: RecordWriter,
         observer: Observer,
-        crew: Crew,
+        pool: ProgramPool,
         show_output: Collection[str],
         *,
         real_time: bool,
@@ -49,7 +49,7 @@ class TickEffects:
         self._referee = referee
         self._record = record
         self._observer = observer
-        self._shown = [program for name, program in crew.programs.items() if name in show_output]
+        self._shown = [program for name, program in pool.programs.items() if name in show_output]
         self._real_time = real_time
         self._every_ticks = max(1, observer.progress_every_ticks)
         self._began_s = time.perf_counter()

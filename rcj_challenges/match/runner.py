@@ -8,11 +8,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.controllers.crew import Crew, CrewPlan
 from rcj_challenges.controllers.isolation import active_layers
 from rcj_challenges.controllers.program import Program
-from rcj_challenges.controllers.super_team import SuperTeam
-from rcj_challenges.controllers.team import Team
+from rcj_challenges.controllers.program_pool import PoolPlan, ProgramPool
+from rcj_challenges.controllers.team import SuperTeam, Team
 from rcj_challenges.core.errors import format_error, interruption_behind
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.core.timing import ticks_from_s
@@ -182,22 +181,22 @@ class _MatchRunner:
         plan, scenario, roster = self._plan, self._scenario, self._roster
         half = self._half_info(number)
         specs = robot_specs(scenario, roster, fit(scenario, roster))
-        crew_plan = CrewPlan(scenario.limits, half.half, plan.seed, record.logs, sandbox=plan.sandbox, debug=plan.debug)
+        pool_plan = PoolPlan(scenario.limits, half.half, plan.seed, record.logs, sandbox=plan.sandbox, debug=plan.debug)
         recording = SensorRecording(scenario, record, number, specs, sensors=plan.record_sensors)
-        with recording, Crew(crew_plan) as crew:
-            drivers = self._launch(crew, specs, half)
+        with recording, ProgramPool(pool_plan) as pool:
+            drivers = self._launch(pool, specs, half)
             # Not before programs start: loading the physics takes as long as they do.
             stage = load_stage()(scenario, roster, half, recording.wrap(drivers))
             referee, devices = stage.referee, stage.devices
             later_ticks = sum(ticks_from_s(half_s) for half_s in half_lengths_s(scenario.match)[number:])
-            told = (record, self._observer, crew, plan.show_output)
+            told = (record, self._observer, pool, plan.show_output)
             effects = TickEffects(half, later_ticks, referee, *told, real_time=plan.real_time)
             record.begin_half(half)
             self._observer.half_started(half)
             recording.tell(self._observer, half)
             outcome = TickLoop(stage, half, effects.after_tick, self._observer.fault, self._before_tick).play()
             record.end_half(outcome.closing, outcome.ended)
-            crew.finish(
+            pool.finish(
                 {
                     roster.entities[robot]: devices.observe(robot, outcome.ticks, over=True)
                     for robot, driver in drivers.items()
@@ -215,7 +214,7 @@ class _MatchRunner:
             self._start_up_s = time.perf_counter() - self._began
         self._held_up_s += self._observer.before_tick(tick)
 
-    def _launch(self, crew: Crew, specs: Mapping[int, RobotSpec], half: HalfInfo) -> dict[int, Program]:
+    def _launch(self, pool: ProgramPool, specs: Mapping[int, RobotSpec], half: HalfInfo) -> dict[int, Program]:
         """Start the programs of all seats; returns them by robot index."""
         drivers: dict[int, Program] = {}
         for seat, entrant in self._scenario.entrants.items():
@@ -224,8 +223,8 @@ class _MatchRunner:
                 robot = self._roster.index[name]
                 if robot in specs:
                     driving = team.driving(number)
-                    drivers[robot] = crew.add(specs[robot], driving, driving.entry_for(name, entry_points))
-        crew.launch()
+                    drivers[robot] = pool.add(specs[robot], driving, driving.entry_for(name, entry_points))
+        pool.launch()
         return {robot: drivers[robot] for robot in sorted(drivers)}
 
     def _half_info(self, number: int) -> HalfInfo:

@@ -32,14 +32,7 @@ class DeviceManager:
     """
 
     def __init__(self, scenario: Scenario, roster: Roster, world: Ground, half: HalfInfo) -> None:
-        """Fit all robots.
-
-        Args:
-            scenario: kits, robots, entrants.
-            roster: order of robots, balls, obstacles.
-            world: compiled with the `fixed_rays` of its devices.
-            half: number and seed, for the noise of sensors.
-        """
+        """Fit all robots; the world was compiled with the `fixed_rays` of their devices."""
         fitted = fit(scenario, roster)
         robots = driven_robots(scenario, roster)
         self.specs: dict[int, RobotSpec] = robot_specs(scenario, roster, fitted)
@@ -128,14 +121,7 @@ class DeviceManager:
         self._radio.carry_infrared(robot, self._tick, self._poses)
 
     def observe(self, robot: int, tick: int, over: bool = False, soon: bool = False) -> Observation:
-        """Return what a program gets when its step ends at ``tick``; its queue is empty afterwards.
-
-        Args:
-            robot: its index.
-            tick: now.
-            over: whether the match is over for it.
-            soon: whether its next step will end soon.
-        """
+        """Return what a program gets when its step ends at ``tick``; its queue is empty afterwards."""
         return Observation(tick, self._sensors[robot].values.copy(), self._queues[robot].take(), over, soon)
 
     def _set_period(self, robot: int, device: int, period_ticks: int) -> None:
@@ -145,12 +131,10 @@ class DeviceManager:
         self._find_uneven()
 
     def _find_uneven(self) -> None:
-        """Look up which robots' sensors are not the same ones at every tick."""
         self._uneven = [sensors for sensors in self._sensors.values() if not sensors.is_even]
 
 
 def _make_sensors(fitted: Sequence[Fitted], context: SensorContext) -> dict[int, dict[int, Sensor]]:
-    """Return all sensors by robot and index of the device."""
     by_kind: dict[type[Device], list[Fitted]] = {}
     for one in fitted:
         by_kind.setdefault(type(one.device), []).append(one)

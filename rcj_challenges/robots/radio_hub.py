@@ -32,16 +32,7 @@ class RadioHub:
         fitted: Sequence[Fitted],
         queues: dict[int, Queue],
     ) -> None:
-        """Build and connect all emitters and receivers.
-
-        Args:
-            scenario: kits and entrants.
-            roster: order of robots and balls.
-            rays: for lines of sight.
-            half: for noise.
-            fitted: all devices of all robots.
-            queues: where each robot's receivers deliver, by robot.
-        """
+        """Build and connect all emitters and receivers, which deliver into their robots' queues."""
         self._receivers: dict[tuple[int, int], Receiver] = {}
         self._slow: dict[int, list[Receiver]] = {}  # by robot; robots without one are absent
         self._emitters: dict[tuple[int, int], Emitter] = {}
@@ -122,7 +113,6 @@ class RadioHub:
         self._retune()
 
     def _retune(self) -> None:
-        """Look up which receivers listen."""
         self._slow = {}
         for receiver in self._receivers.values():
             if receiver.slow:

@@ -56,13 +56,7 @@ class RefereeRadio:
     """
 
     def __init__(self, kit: Kit, roster: Roster, receivers: list[tuple[Receiver, frozenset[int]]]) -> None:
-        """Connect it.
-
-        Args:
-            kit: the form of its packets, and how often they come.
-            roster: order of robots.
-            receivers: radio receivers of the kit's robots, each with the channels on which its robot's referee speaks.
-        """
+        """Connect the receivers of the kit's robots, each with the channels on which the referee speaks to it."""
         self._kit = kit
         self._roster = roster
         self._receivers = receivers

@@ -21,13 +21,7 @@ class RobotSensors:
     """
 
     def __init__(self, sensors: Mapping[int, Sensor], values: int, pose: RobotPose) -> None:
-        """Fit the sensors of a robot.
-
-        Args:
-            sensors: by index of the device.
-            values: how many numbers its devices have.
-            pose: refreshed every tick.
-        """
+        """Fit the sensors of a robot, by index of the device; its devices have so many ``values``."""
         self.values = [math.nan] * values
         self._sensors = sensors
         self._pose = pose

@@ -17,13 +17,7 @@ class TeamRadio:
     """
 
     def __init__(self, emitters: list[Emitter], receivers: list[Receiver], teams: dict[int, str]) -> None:
-        """Connect them.
-
-        Args:
-            emitters: in the order of robots.
-            receivers: in the order of robots.
-            teams: the entrant that drives each robot, by its index.
-        """
+        """Connect emitters and receivers, in the order of robots; ``teams`` has the entrant that drives each robot."""
         self._links = [
             (
                 emitter,

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from contextlib import ExitStack
 
-from rcj_challenges.controllers.super_team import SuperTeam
-from rcj_challenges.controllers.team import Team, open_team
+from rcj_challenges.controllers.team import SuperTeam, Team, open_team
 from rcj_challenges.match.runner import MatchPlan, PlayedMatch, play_match
 from rcj_challenges.records.folder import replaced
 from rcj_challenges.records.lines import json_line

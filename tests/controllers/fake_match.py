@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import shutil
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from rcj_challenges.controllers.crew import Crew, CrewPlan
 from rcj_challenges.controllers.program import Program
+from rcj_challenges.controllers.program_pool import PoolPlan, ProgramPool
 from rcj_challenges.controllers.team import Team, open_team
 from rcj_challenges.core.play import Fault
 from rcj_challenges.core.traffic import DeviceSpec, Observation, Packet, Request, RobotSpec
@@ -106,7 +105,7 @@ class FakeMatch:
         path.write_text(program, encoding="utf-8")
         return open_team(path)
 
-    def crew(self, **plan: object) -> Crew:
+    def pool(self, **plan: object) -> ProgramPool:
         given = {
             "limits": self.limits,
             "half": 1,
@@ -114,7 +113,7 @@ class FakeMatch:
             "logs": self.folder / "logs",
             "portable": self.portable,
         }
-        return Crew(CrewPlan(**{**given, **plan}))  # type: ignore[arg-type]
+        return ProgramPool(PoolPlan(**{**given, **plan}))  # type: ignore[arg-type]
 
     def play(
         self,
@@ -129,13 +128,13 @@ class FakeMatch:
     ) -> Played:
         team = self.team(program) if isinstance(program, str) else program
         played = Played()
-        with self.crew(**plan) as crew:
-            driver = crew.add(spec, team, team.entry_for(spec.name, entry))
-            crew.launch()
+        with self.pool(**plan) as pool:
+            driver = pool.add(spec, team, team.entry_for(spec.name, entry))
+            pool.launch()
             last = play_on(driver, played, ticks, air)
             if finish and played.fault is None:
-                crew.finish({spec.name: Observation(last, values_at(last), [], over=True)})
-            crew.close()
+                pool.finish({spec.name: Observation(last, values_at(last), [], over=True)})
+            pool.close()
             played.log = driver.new_output()
         return played
 
@@ -163,10 +162,34 @@ def play_on(driver: Program, played: Played, ticks: int, air: Air = lambda _: ()
     return ticks
 
 
-def copy_of(program: str, folder: Path, name: str) -> Path:
-    """Copy a program of ``tests/programs`` under another name."""
-    folder.mkdir(parents=True, exist_ok=True)
-    return Path(shutil.copy(PROGRAMS / f"{program}.py", folder / name))
+_EACH = """
+from controller import Robot
+robot = Robot()
+for name, lines in {snippets!r}.items():
+    print("---", name, flush=True)
+    exec(compile(lines, name, "exec"), {{"robot": robot, "__name__": "__main__"}})
+while robot.step(32) != -1:
+    pass
+"""
+
+
+def said_by_each(
+    folder: Path, snippets: Mapping[str, str], ticks: int = 20, air: Air = lambda _: ()
+) -> dict[str, list[str]]:
+    """Run snippets one after the other in one program, each with names of its own and the ``robot``.
+
+    Returns:
+        What each has printed, by its name.
+    """
+    played = FakeMatch(folder).play(_EACH.format(snippets=dict(snippets)), ticks, air)
+    assert played.fault is None, played.log
+    said: dict[str, list[str]] = {}
+    for line in played.said:
+        if line.startswith("--- "):
+            said[line[4:]] = lines = []
+        else:
+            lines.append(line)
+    return said
 
 
 def fault_of(match: FakeMatch, program: str, ticks: int = 30) -> Fault:

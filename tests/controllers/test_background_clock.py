@@ -91,15 +91,6 @@ def test_a_wait_with_a_limit_takes_about_as_long_where_the_thread_that_steps_is_
     assert clock.missed_ticks() == 0
 
 
-def test_who_looks_while_the_one_that_steps_looks_as_well_sees_it_go_on_after_a_while(clock: Clock) -> None:
-    """It asks again and again whether the other is done: it is not stuck, and waits all the same."""
-    thread = threading.Thread(target=look_until, args=(clock, 0.005), daemon=True)
-    thread.start()
-    end_s = time.perf_counter() + 60
-    while thread.is_alive():
-        assert time.perf_counter() < end_s
-
-
 def test_inside_a_step_no_real_time_counts(clock: Clock) -> None:
     """Other programs may take as long as they like to start: the same tick follows."""
     clock.beside.ahead_ns()  # somebody waits
@@ -207,15 +198,6 @@ worker.join()
 robot.step(32)
 """
     assert match.play(program, 2).said == ["True", "True"]
-
-
-@pytest.mark.usefixtures("real_time_goes_on_by_looking")
-def test_a_wait_of_the_thread_that_steps_catches_up_with_the_clock_of_the_others(clock: Clock) -> None:
-    run_beside(lambda: look_until(clock, 0.01))
-    ahead_s = clock.beside.ahead_ns() / 1e9
-    clock.pass_time(1.0)
-    assert 0 < ahead_s < 1.0
-    assert clock.others_s() == pytest.approx(TICK_S + 1.0, abs=1e-3)
 
 
 def test_who_plans_until_ten_ms_have_passed_goes_round_some_hundred_times(clock: Clock) -> None:

@@ -95,19 +95,6 @@ except RuntimeError as error:
     assert [r.missed_ticks for _, r in played.requests] == [0, 0, 0]
 
 
-def test_another_thread_really_waits_and_takes_no_time_of_the_program(match: FakeMatch) -> None:
-    program = """
-import threading
-done = threading.Event()
-thread = threading.Thread(target=lambda: (done.wait(0.05), print("waited")))
-thread.start()
-thread.join()
-"""
-    played = match.play(ROBOT + program + STEPS, 3)
-    assert played.said == ["waited"]
-    assert [r.missed_ticks for _, r in played.requests] == [0, 0, 0]
-
-
 def test_tasks_of_asyncio_take_turns_while_the_robot_drives(match: FakeMatch) -> None:
     program = """
 import asyncio
@@ -195,11 +182,6 @@ def test_short_waits_beside_a_thread_that_waits_itself_do_not_use_up_the_half(tm
     played = FakeMatch(tmp_path, half_s=5).play(ROBOT + program, 700)
     assert played.fault is None
     assert [r.missed_ticks for _, r in played.requests] == [0] * 700
-
-
-def test_a_short_wait_goes_on_while_another_thread_computes(match: FakeMatch) -> None:
-    program = BESIDE + "work.put(100_000)\nprint(answers.get(timeout=0.031))\n"
-    assert match.play(ROBOT + program + STEPS, 3).said == ["4999950000"]
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="there a short wait is simply waited for")

@@ -370,10 +370,10 @@ while robot.step(32) != -1:
     pass
 """
     match = FakeMatch(tmp_path)
-    with match.crew() as crew:
+    with match.pool() as pool:
         team = match.team(program)
-        drivers = [crew.add(robot_spec(name), team, "robot.py") for name in ("Y1", "Y2")]
-        crew.launch()
+        drivers = [pool.add(robot_spec(name), team, "robot.py") for name in ("Y1", "Y2")]
+        pool.launch()
         assert all(isinstance(driver.collect(), Request) for driver in drivers)
         for driver in drivers:
             driver.release(Observation(1, values_at(1), []))

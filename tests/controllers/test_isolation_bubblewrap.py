@@ -16,11 +16,11 @@ from attempts import BASE, only, outcomes
 from fake_match import SPEC, FakeMatch, Played, play_on, values_at
 from test_program_endings import exists, gone_within
 
-from rcj_challenges.controllers import bubblewrap, isolation, processes, sight
+from rcj_challenges.controllers import bubblewrap, isolation, processes, visible_files
 from rcj_challenges.controllers.private_folders import PREFIX
 from rcj_challenges.core.traffic import Observation
 
-installed = sys.platform == "linux" and bubblewrap.works(processes.python(), sight.readable())
+installed = sys.platform == "linux" and bubblewrap.works(processes.python(), visible_files.readable())
 needs_bubblewrap = pytest.mark.skipif(not installed, reason="bubblewrap is not installed, or may not make name spaces")
 needs_linux = pytest.mark.skipif(sys.platform != "linux", reason="a program of Linux")
 
@@ -119,9 +119,9 @@ def test_a_hang_is_told_with_its_place(tmp_path: Path) -> None:
 @needs_bubblewrap
 def test_nothing_of_it_is_left_when_the_match_has_ended_the_program(tmp_path: Path) -> None:
     match = FakeMatch(tmp_path)
-    with only("bubblewrap"), match.crew() as crew:
-        program = crew.add(SPEC, match.team(f"{IN_PLAY}while True:\n    pass\n"), "robot.py")
-        crew.launch()
+    with only("bubblewrap"), match.pool() as pool:
+        program = pool.add(SPEC, match.team(f"{IN_PLAY}while True:\n    pass\n"), "robot.py")
+        pool.launch()
         play_on(program, Played(), 1)
         assert program._process is not None
         outer = program._process.pid
@@ -137,9 +137,9 @@ def test_nothing_of_it_is_left_when_the_match_has_ended_the_program(tmp_path: Pa
 @pytest.mark.parametrize("by_itself", [True, False], ids=["by itself", "by the match"])
 def test_when_a_program_has_ended_bubblewraps_own_processes_have_as_well(tmp_path: Path, by_itself: bool) -> None:
     match = FakeMatch(tmp_path)
-    with only("bubblewrap"), match.crew() as crew:
-        program = crew.add(SPEC, match.team(IN_PLAY), "robot.py")
-        crew.launch()
+    with only("bubblewrap"), match.pool() as pool:
+        program = pool.add(SPEC, match.team(IN_PLAY), "robot.py")
+        pool.launch()
         play_on(program, Played(), 0)
         assert program._process is not None
         outer = program._process.pid
@@ -187,8 +187,3 @@ def test_auto_goes_without_a_bubblewrap_that_does_not_work(
     began = time.perf_counter()
     assert "bubblewrap" not in isolation.active_layers("auto")
     assert time.perf_counter() - began < 40  # it would sleep for 60
-
-
-@needs_linux
-def test_processes_without_children_are_their_own_innermost() -> None:
-    assert bubblewrap.innermost(2**22 + 1) == 2**22 + 1

@@ -11,7 +11,6 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from fake_match import FakeMatch
 
 from rcj_challenges.controllers import scratch
 
@@ -75,17 +74,6 @@ def test_a_deleted_folder_that_is_open_counts_by_the_blocks_of_the_names_that_we
 
 
 @posix
-def test_what_a_link_points_to_does_not_count(tmp_path: Path) -> None:
-    outside = tmp_path / "outside"
-    outside.mkdir()
-    (outside / "large").write_bytes(bytes(100_000))
-    inside = tmp_path / "inside"
-    inside.mkdir()
-    (inside / "link").symlink_to(outside)
-    assert not scratch.has_more_than(inside, 2 * scratch._ENTRY_BYTES)
-
-
-@posix
 def test_folders_nested_too_deep_to_be_measured_are_more_than_any_limit_allows(tmp_path: Path) -> None:
     inner = tmp_path / "inner"
     inner.mkdir()
@@ -133,25 +121,3 @@ def test_whoever_fills_a_disk_has_written_more_than_a_share(monkeypatch: pytest.
     # It is full when less than a megabyte is left: of four that wrote alike each has more than this then.
     assert share_bytes(41_000_000) == 9_000_000
     assert share_bytes(1_500_000) == math.inf, "full before anybody wrote"
-
-
-@posix
-def test_a_program_that_nests_folders_without_end_is_ended_and_leaves_nothing(tmp_path: Path) -> None:
-    program = """
-import os
-from controller import Robot
-robot = Robot()
-for _ in range(1500):
-    os.mkdir("deeper")
-    os.chdir("deeper")
-print(os.environ["HOME"], flush=True)
-while True:
-    pass
-"""
-    played = FakeMatch(tmp_path, scratch_mb=20).play(program, 2)
-    assert played.fault is not None
-    assert (played.fault.kind, played.fault.detail) == (
-        "output_flood",
-        "the program wrote more than 20 MB into its folder",
-    )
-    assert not Path(played.said[0]).exists()

@@ -178,29 +178,3 @@ def test_where_the_interpreter_broke_is_taken_from_the_end_of_the_log(
     left = (tmp_path / "Y1.log").read_text(encoding="utf-8")
     assert told == ('  File "robot.py", line 4 in drive\n' if is_end else "")
     assert left == ("said before\n" if is_end else f"said before\n{dump}")
-
-
-@pytest.mark.parametrize(
-    ("dumped", "told"),
-    [
-        (r"xfa.py", "xfa.py"),
-        (r"gr\xfcn.py", "grün.py"),
-        (r"nobody\xfcs.py", None),  # no file is called so
-        (r"\U0001f642.py", "🙂.py"),
-        (r"\x1b[2J.py", None),
-        (r"\Uffffffff.py", None),
-    ],
-)
-def test_letters_that_a_dump_escapes_are_told_where_a_file_has_them(
-    tmp_path: Path, dumped: str, told: str | None
-) -> None:
-    for name in ("xfa.py", "grün.py", "🙂.py"):
-        (tmp_path / name).write_text("", encoding="utf-8")
-    log = ProgramLog(tmp_path / "Y1.log", 100_000, tmp_path)
-    os.write(
-        log.fd, f'Fatal Python error: x\n  File "{escaped(tmp_path)}{os.sep}{dumped}", line 4 in f\\xfc\n'.encode()
-    )
-    said = log.take_dump(tmp_path)
-    log.close()
-    shown = dumped.replace(os.sep, "/") if told is None else told
-    assert said == f'  File "{shown}", line 4 in fü\n'

@@ -27,9 +27,9 @@ from pathlib import Path
 sys.path[:0] = [sys.argv[2], sys.argv[3]]
 from fake_match import SPEC, FakeMatch, Played, play_on
 match = FakeMatch(Path(sys.argv[1]))
-with match.crew() as crew:
-    program = crew.add(SPEC, match.team("from controller import Robot\\nrobot = Robot()\\nwhile robot.step(32) != -1: pass\\n"), "robot.py")
-    crew.launch()
+with match.pool() as pool:
+    program = pool.add(SPEC, match.team("from controller import Robot\\nrobot = Robot()\\nwhile robot.step(32) != -1: pass\\n"), "robot.py")
+    pool.launch()
     play_on(program, Played(), 1)
     print("plays", flush=True)
     sys.stdin.read()
@@ -65,9 +65,9 @@ def match_elsewhere(temporary: Path, folder: Path) -> Iterator[subprocess.Popen[
 def play(folder: Path) -> None:
     """Play a match in this process, from the launch of its program to its end."""
     match = FakeMatch(folder)
-    with match.crew() as crew:
-        program = crew.add(SPEC, match.team("patterns/prints_on_every_tick"), "prints_on_every_tick.py")
-        crew.launch()
+    with match.pool() as pool:
+        program = pool.add(SPEC, match.team("patterns/prints_on_every_tick"), "prints_on_every_tick.py")
+        pool.launch()
         play_on(program, Played(), 1)
 
 

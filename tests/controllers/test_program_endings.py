@@ -1,4 +1,4 @@
-"""No program outlives its match, however the match ends; and what a crew leaves behind: logs, nothing else."""
+"""No program outlives its match, however the match ends; and what a pool leaves behind: logs, nothing else."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ import pytest
 from fake_match import PROGRAMS, SPEC, FakeMatch, Played, play_on, robot_spec, values_at
 
 from rcj_challenges.controllers import isolation
-from rcj_challenges.controllers.crew import Crew, CrewPlan
+from rcj_challenges.controllers.program_pool import PoolPlan, ProgramPool
 from rcj_challenges.core.traffic import Observation, Request
 from rcj_challenges.scenario.models.limits import Limits
 
@@ -51,9 +51,9 @@ from fake_match import FakeMatch, robot_spec
 match = FakeMatch(Path({folder!r}), portable={portable!r})
 team = match.team({program!r})
 try:
-    with match.crew() as crew:
-        programs = [crew.add(robot_spec(name), team, team.entry_for(name, "robot.py")) for name in ("Y1", "Y2")]
-        crew.launch()
+    with match.pool() as pool:
+        programs = [pool.add(robot_spec(name), team, team.entry_for(name, "robot.py")) for name in ("Y1", "Y2")]
+        pool.launch()
         programs[0].collect()
         print(*(program._process.pid for program in programs), flush=True)
         if {hangs!r}:
@@ -112,10 +112,10 @@ def test_ctrl_c_in_the_middle_of_a_hang_ends_the_match_and_its_programs(tmp_path
 @posix
 def test_what_a_program_started_ends_with_it(tmp_path: Path) -> None:
     match = FakeMatch(tmp_path, step_s=0.4)
-    with match.crew(sandbox="off") as crew:  # elsewhere it could start nothing
+    with match.pool(sandbox="off") as pool:  # elsewhere it could start nothing
         team = match.team("faults/starts_others")
-        program = crew.add(SPEC, team, "starts_others.py")
-        crew.launch()
+        program = pool.add(SPEC, team, "starts_others.py")
+        pool.launch()
         play_on(program, Played(), 2)
         pid = int(program.new_output().splitlines()[-1])
         assert exists(pid)
@@ -127,14 +127,14 @@ def test_a_program_that_does_not_stop_after_the_match_is_ended_after_a_second(tm
     endless = (
         "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\nwhile True:\n    pass\n"
     )
-    with match.crew() as crew:
+    with match.pool() as pool:
         team = match.team(endless)
-        programs = [crew.add(robot_spec(name), team, "robot.py") for name in ("Y1", "Y2", "Y3")]
-        crew.launch()
+        programs = [pool.add(robot_spec(name), team, "robot.py") for name in ("Y1", "Y2", "Y3")]
+        pool.launch()
         for program in programs:
             assert isinstance(program.collect(), Request)
         began = time.perf_counter()
-        crew.finish({program.name: Observation(1, values_at(1), [], over=True) for program in programs})
+        pool.finish({program.name: Observation(1, values_at(1), [], over=True) for program in programs})
         assert time.perf_counter() - began < 30  # they would go on for ever
         assert all(program.has_ended() for program in programs)
         assert all(program.fault is None for program in programs)
@@ -159,12 +159,12 @@ print("done")
 """
     match = FakeMatch(tmp_path)
     team = match.team(program)
-    with match.crew(sandbox="off") as crew:  # elsewhere it could not take its permissions away
-        driver = crew.add(SPEC, team, "robot.py")
-        crew.launch()
+    with match.pool(sandbox="off") as pool:  # elsewhere it could not take its permissions away
+        driver = pool.add(SPEC, team, "robot.py")
+        pool.launch()
         play_on(driver, Played(), 3)
         assert len(list(scratch.iterdir())) == 1
-        crew.finish({"Y1": Observation(3, values_at(3), [], over=True)})
+        pool.finish({"Y1": Observation(3, values_at(3), [], over=True)})
     assert list(scratch.iterdir()) == []
     log = (tmp_path / "logs" / "Y1.log").read_text(encoding="utf-8")
     assert log == "--- half 1: robot.py ---\ndone\n"
@@ -185,9 +185,9 @@ def test_the_second_half_is_appended_to_the_log_of_the_first(match: FakeMatch) -
 
 def test_output_can_be_followed_while_it_is_written(match: FakeMatch) -> None:
     team = match.team("patterns/prints_on_every_tick")
-    with match.crew() as crew:
-        program = crew.add(SPEC, team, "prints_on_every_tick.py")
-        crew.launch()
+    with match.pool() as pool:
+        program = pool.add(SPEC, team, "prints_on_every_tick.py")
+        pool.launch()
         program.collect()
         assert program.new_output() == "--- half 1: prints_on_every_tick.py ---\n"
         for tick in (1, 2):
@@ -222,17 +222,11 @@ def test_isolation_tells_which_layers_are_active() -> None:
     assert set(isolation.active_layers("auto", "darwin")) == always | {"resource_limits"}
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="its paths lie on drives")
-def test_isolation_on_linux_tells_which_layers_are_active() -> None:
-    assert {"resource_limits", "no_new_privileges"} <= set(isolation.active_layers("auto", "linux"))
-    assert set(isolation.active_layers("auto", "linux")) <= set(isolation.LAYERS) | set(isolation.EXTRA_LAYERS)
-
-
 def test_strict_isolation_is_refused_where_a_layer_is_missing(tmp_path: Path) -> None:
     with pytest.raises(isolation.IsolationError, match=r"no_new_privileges .*; .*network"):
         isolation.active_layers("strict", "darwin")
     with pytest.raises(isolation.IsolationError) as raised:
-        Crew(CrewPlan(Limits(), 1, 1, tmp_path, sandbox="on"))
+        ProgramPool(PoolPlan(Limits(), 1, 1, tmp_path, sandbox="on"))
     assert raised.value.code == "unknown-sandbox"
 
 
@@ -310,25 +304,3 @@ print("fault:", played.fault)
         read_until(ours, b"fault: None")
         parent.wait(120)
     os.close(ours)
-
-
-@pytest.mark.parametrize(
-    ("then", "more"), [("", []), ("    raise ValueError\n", ["Error in sys.excepthook: ValueError"])]
-)
-def test_a_programs_own_hook_for_what_nobody_caught_is_called(match: FakeMatch, then: str, more: list[str]) -> None:
-    program = f"""
-import sys
-from controller import Robot
-def hook(kind, error, trace):
-    print("HOOK", kind.__name__, error, trace.tb_lineno, trace.tb_next)
-{then}
-sys.excepthook = hook
-Robot().step(32)
-raise KeyError("boom")
-"""
-    played = match.play(program, 3)
-    assert played.fault is not None
-    assert (played.fault.kind, played.fault.tick) == ("crash", 1)
-    assert played.fault.detail.startswith("KeyError: 'boom' (robot.py, line")
-    line = played.fault.detail.rstrip(")").rpartition(" ")[2]
-    assert played.said[: 1 + len(more)] == [f"HOOK KeyError 'boom' {line} None", *more]

@@ -110,12 +110,12 @@ while robot.step(32) != -1:
 
 @pytest.mark.usefixtures("_full")
 def test_who_has_filled_the_temporary_folder_pays_and_the_match_goes_on(match: FakeMatch) -> None:
-    with match.crew() as crew:
+    with match.pool() as pool:
         programs = {}
         for name, program in (("Y1", WRITES_MUCH), ("B1", FINDS_NO_ROOM)):
             team = match.team(program)
-            programs[name] = crew.add(robot_spec(name), team, team.entry_for(name, "robot.py"))
-        crew.launch()
+            programs[name] = pool.add(robot_spec(name), team, team.entry_for(name, "robot.py"))
+        pool.launch()
         greedy, poor = programs.values()
         assert isinstance(greedy.collect(), Request)
         poor.collect()
@@ -130,7 +130,7 @@ def test_who_has_filled_the_temporary_folder_pays_and_the_match_goes_on(match: F
             "output_flood",
             "the program wrote more than its share, 0.1 MB, until the temporary folder was full",
         )
-        assert not any(path.is_dir() for path in crew._folders.place.iterdir()), "the room is there again"
+        assert not any(path.is_dir() for path in pool._folders.place.iterdir()), "the room is there again"
 
 
 def test_who_only_says_that_there_is_no_room_has_crashed(match: FakeMatch) -> None:

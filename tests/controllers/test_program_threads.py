@@ -94,14 +94,6 @@ def test_while_a_thread_prepares_to_drive_the_main_one_may_sleep_and_misses_noth
     assert [(tick, r.missed_ticks) for tick, r in played.requests] == [(tick, 0) for tick in range(20)]
 
 
-def test_what_sleeps_without_threads_before_its_first_step_misses_the_beginning(match: FakeMatch) -> None:
-    program = (
-        "import time\nfrom controller import Robot\nrobot = Robot()\ntime.sleep(0.2)\nrobot.step(32)\nrobot.step(32)\n"
-    )
-    played = match.play(program, 9)
-    assert [(tick, r.missed_ticks) for tick, r in played.requests] == [(0, 6), (7, 0)]
-
-
 def test_a_pool_of_threads_that_nobody_shuts_down_does_not_keep_a_program_from_its_end(match: FakeMatch) -> None:
     program = """
 from concurrent.futures import ThreadPoolExecutor
@@ -233,24 +225,6 @@ robot.step(32)
     assert match.play(program, 2).said == ["[1, 2, 3] 32", "[1, 2]"]
 
 
-def test_steps_of_several_threads_that_come_one_after_the_other_are_those_of_one_program(match: FakeMatch) -> None:
-    program = """
-import threading
-from controller import Robot
-robot = Robot()
-for _ in range(5):
-    thread = threading.Thread(target=robot.step, args=(32,))
-    thread.start()
-    thread.join()
-    print(robot.getTime())
-while robot.step(32) != -1:
-    pass
-"""
-    played = match.play(program, ticks=6)
-    assert played.fault is None
-    assert played.said == ["0.032", "0.064", "0.096", "0.128", "0.16"]
-
-
 def test_threads_that_step_together_take_turns(either_match: FakeMatch) -> None:
     """As in the original, where one waits for the step of the other."""
     program = """
@@ -282,104 +256,3 @@ print(sum(stepped), set(together))
     assert played.fault is None
     assert [tick for tick, _ in played.requests] == list(range(60))
     assert played.said == ["59 {1}"]
-
-
-def test_a_step_in_two_parts_is_that_of_the_thread_that_began_it(match: FakeMatch) -> None:
-    """Another thread that waited for its turn meanwhile must not take it: what was sent would be sent twice."""
-    program = """
-import threading
-from controller import Robot, _connection
-robot = Robot()
-emitter = robot.getDevice("team emitter")
-connection = _connection.connected()
-robot.step(32)
-emitter.send(b"once")
-robot.stepBegin(32)
-failed = []
-def step():
-    try:
-        robot.step(32)
-    except RuntimeError as error:
-        failed.append(str(error))
-real = connection.exchange
-def exchange(duration_ms):
-    connection.exchange = real
-    other = threading.Thread(target=step)
-    other.start()
-    other.join(0.2)
-    return real(duration_ms)
-connection.exchange = exchange
-robot.stepEnd()
-while robot.step(32) != -1:
-    pass
-"""
-    played = match.play(program, ticks=8)
-    assert played.fault is None
-    assert [data for _, request in played.requests for _, _, data in request.emissions] == [b"once"]
-
-
-def test_a_step_in_two_parts_begins_when_that_of_another_thread_is_over(match: FakeMatch) -> None:
-    program = """
-import threading
-from controller import Robot, _connection
-robot = Robot()
-wire = _connection.connected()._wire
-robot.step(32)
-real, begun = wire.exchange, []
-def exchange(frame):
-    wire.exchange = real
-    begun.append(threading.Thread(target=robot.stepBegin, args=(32,)))
-    begun[0].start()
-    begun[0].join(0.2)
-    return real(frame)
-wire.exchange = exchange
-robot.step(32)
-begun[0].join()
-robot.stepEnd()
-while robot.step(32) != -1:
-    pass
-"""
-    played = match.play(program, ticks=5)
-    assert played.fault is None
-    assert [tick for tick, _ in played.requests] == list(range(5))
-
-
-def test_the_last_of_two_threads_that_set_a_motor_counts_wherever_one_comes_between(match: FakeMatch) -> None:
-    """Else the motor would go on as one of them had set it, while the program believes that it does as the other."""
-    program = """
-import sys, threading
-from controller import Robot
-robot = Robot()
-left = robot.getDevice("left wheel motor")
-left.setPosition(float("inf"))
-def in_a_thread(work):
-    thread = threading.Thread(target=work)
-    thread.start()
-    thread.join()
-for line in range(40):
-    left.setVelocity(0)
-    robot.step(32)
-    passed = 0
-    def interrupted(frame, event, _):
-        global passed
-        if event == "line":
-            passed += 1
-            if passed == line:
-                in_a_thread(lambda: left.setVelocity(-5))
-        return interrupted
-    def set_it():
-        sys.settrace(interrupted)
-        left.setVelocity(5)
-        sys.settrace(None)
-    in_a_thread(set_it)
-    print(left.getVelocity(), passed)
-    robot.step(32)
-while robot.step(32) != -1:
-    pass
-"""
-    played = match.play(program, ticks=81)
-    assert played.fault is None
-    sent = {tick: request.motors[-1].velocity_radps for tick, request in played.requests if request.motors}
-    believed, lines = zip(*(map(float, said.split()) for said in played.said), strict=True)
-    assert 10 < max(lines) < 40  # it was interrupted in each of its lines
-    assert tuple(sent[2 * line + 1] for line in range(40)) == believed

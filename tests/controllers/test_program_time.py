@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from fake_match import FakeMatch, robot_spec, values_at
 
-from rcj_challenges.controllers import crew, isolation
+from rcj_challenges.controllers import isolation, program_pool
 from rcj_challenges.controllers.program import Program
 from rcj_challenges.core.errors import HostError
 from rcj_challenges.core.play import Fault
@@ -60,7 +60,7 @@ def test_a_program_that_has_answered_pays_nothing_while_the_match_waits_for_anot
 ) -> None:
     match = FakeMatch(tmp_path, portable=portable)
     programs: dict[str, Program] = {}
-    with match.crew() as pool:
+    with match.pool() as pool:
         for name, wait in (("Y1", "sleep(0.3)"), ("Y2", "sleep(0.02)")):
             team = match.team(f"{SLEEPS}{ROBOT}{wait}\n{STEPS}")
             programs[name] = pool.add(robot_spec(name), team, team.entry_for(name, "robot.py"))
@@ -83,7 +83,7 @@ def test_a_program_that_computes_much_beside_its_steps_is_suspended_between_them
     monkeypatch.setattr("rcj_challenges.controllers.program.BACKGROUND_S", 0.2)
     thread = "threading.Thread(target=compute, args=(10**6,), daemon=True).start()\n"
     match, used_s = FakeMatch(tmp_path), list[float]()
-    with match.crew() as pool:
+    with match.pool() as pool:
         team = match.team(f"import threading\n{COMPUTES}{ROBOT}{thread}{STEPS}")
         driver = pool.add(robot_spec(), team, team.entry_for("Y1", "robot.py"))
         pool.launch()
@@ -113,17 +113,10 @@ def test_a_program_that_ignores_the_signal_of_its_cpu_limit_is_killed_and_the_fa
     assert (fault.kind, fault.tick, fault.timed) == ("crash", 1, True)
 
 
-@needs_linux
-def test_a_program_that_kills_itself_has_a_fault_that_is_not_timed(tmp_path: Path) -> None:
-    fault = FakeMatch(tmp_path).play(f"import os, signal\n{ROBOT}os.kill(os.getpid(), signal.SIGKILL)\n", 2).fault
-    assert fault is not None
-    assert (fault.kind, fault.timed) == ("crash", False)
-
-
 def test_a_computer_that_is_too_busy_for_the_match_ends_it_and_blames_no_program(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(crew, "_MAX_HELD_UP", 0.001)  # of 20 s to start and 120 s to play
+    monkeypatch.setattr(program_pool, "_MAX_HELD_UP", 0.001)  # of 20 s to start and 120 s to play
     match = FakeMatch(tmp_path)
     with pytest.raises(HostError) as raised:
         match.play(f"{SLEEPS}{ROBOT}sleep(3)\n{STEPS}", 3)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import errno
 import io
 import os
-import stat
 import sys
 import unicodedata
 import zipfile
@@ -140,18 +139,12 @@ def test_the_programs_own_folder_will_do_whatever_it_is_called(tmp_path: Path) -
     assert (tmp_path / "copy" / "rcj_soccer_team_blue" / "utils.py").read_bytes() == b"u"
 
 
-def test_a_single_file_whose_ending_is_written_in_capitals_is_a_program_too(tmp_path: Path) -> None:
-    (tmp_path / "ROBOT.PY").write_bytes(b"x")
-    team = open_team(tmp_path / "ROBOT.PY", BLUE)
-    assert {team.entry_for(robot) for robot in BLUE.robots} == {"ROBOT.py"}
-    assert team.name == "ROBOT"
-
-
-def test_a_single_file_drives_all_robots(tmp_path: Path) -> None:
-    (tmp_path / "my_bot.py").write_bytes(b"x")
-    team = open_team(tmp_path / "my_bot.py", BLUE, YELLOW)
-    assert {team.entry_for(robot) for robot in (*BLUE.robots, *YELLOW.robots)} == {"my_bot.py"}
-    assert team.name == "my_bot"
+@pytest.mark.parametrize(("given", "entry"), [("my_bot.py", "my_bot.py"), ("ROBOT.PY", "ROBOT.py")])
+def test_a_single_file_drives_all_robots(tmp_path: Path, given: str, entry: str) -> None:
+    (tmp_path / given).write_bytes(b"x")
+    team = open_team(tmp_path / given, BLUE, YELLOW)
+    assert {team.entry_for(robot) for robot in (*BLUE.robots, *YELLOW.robots)} == {entry}
+    assert team.name == given[:-3]
 
 
 def test_what_tools_leave_behind_belongs_to_nobody(tmp_path: Path) -> None:
@@ -220,8 +213,6 @@ def test_one_of_three_programs_missing_is_told_for_that_robot_only(tmp_path: Pat
         ("Größenwahn".encode("cp1252"), "Größenwahn", 1),
         ("„Équipe“ · €5".encode("cp1252"), "„Équipe“ · €5", 1),
         ("Größenwahn".encode("utf-16"), "Größenwahn", 0),
-        ("Größenwahn".encode("utf-16-le"), "Größenwahn", 1),
-        ("Größenwahn ⚽".encode("utf-16-be"), "Größenwahn ⚽", 1),
         ("Größenwahn\r\n".encode("utf-16")[:-1], "Größenwahn", 0),
         ("Gr\udcffßenwahn ⚽".encode("utf-8", "surrogateescape"), "Gr�ßenwahn ⚽", 1),  # UTF-8 with one bad byte
         (b"Team \x8f\x90", "Team ��", 1),  # two of the five that Windows-1252 has not
@@ -301,38 +292,6 @@ def test_what_in_a_folder_may_not_be_read_is_named(
     assert "no files" not in said
 
 
-@pytest.mark.parametrize(
-    ("content", "says"),
-    [
-        (b"Rar!\x1a\x07\x00", "this is a RAR archive, not a ZIP"),
-        (b"7z\xbc\xaf\x27\x1c", "this is a 7-Zip archive"),
-        (b"", "not a ZIP archive"),
-        (b"import this", "not a ZIP archive"),
-    ],
-)
-def test_what_is_no_zip_is_called_what_it_is(tmp_path: Path, content: bytes, says: str) -> None:
-    (tmp_path / "team.zip").write_bytes(content)
-    assert says in refusal(tmp_path / "team.zip")
-
-
-@pytest.mark.parametrize("name", ["../evil.py", "/etc/evil.py", "a/../../evil.py", "C:\\evil.py", "..\\evil.py"])
-def test_a_zip_cannot_write_outside(tmp_path: Path, name: str) -> None:
-    assert "leads out of the archive" in refusal(zip_of(tmp_path / "t.zip", PRESENT | {name: b"x"}))
-
-
-def test_a_zip_with_backslashes_is_understood(tmp_path: Path) -> None:
-    files = {name.replace("/", "\\"): content for name, content in PRESENT.items()}
-    assert open_team(zip_of(tmp_path / "t.zip", files), BLUE).entry_for("B1") == ENTRY
-
-
-def test_links_in_a_zip_are_refused(tmp_path: Path) -> None:
-    with zipfile.ZipFile(tmp_path / "t.zip", "w") as file:
-        link = zipfile.ZipInfo("secret")
-        link.external_attr = (stat.S_IFLNK | 0o777) << 16
-        file.writestr(link, "/etc/passwd")
-    assert "is a link or a device" in refusal(tmp_path / "t.zip")
-
-
 @pytest.mark.skipif(sys.platform == "win32", reason="links need a privilege on Windows")
 def test_links_that_lead_out_of_a_folder_are_refused_and_others_followed(tmp_path: Path) -> None:
     folder = folder_of(tmp_path / "team", PRESENT)
@@ -341,15 +300,6 @@ def test_links_that_lead_out_of_a_folder_are_refused_and_others_followed(tmp_pat
     (tmp_path / "outside.txt").write_bytes(b"secret")
     (folder / "secret.txt").symlink_to(tmp_path / "outside.txt")
     assert "secret.txt is a link that leads out of the folder" in refusal(folder)
-
-
-def test_an_encrypted_zip_is_refused(tmp_path: Path) -> None:
-    path = zip_of(tmp_path / "t.zip", PRESENT)
-    data = bytearray(path.read_bytes())
-    at = data.index(b"PK\x01\x02")
-    data[at + 8] |= 1
-    path.write_bytes(data)
-    assert "is encrypted" in refusal(path)
 
 
 def test_a_zip_bomb_is_stopped_by_what_comes_out_of_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

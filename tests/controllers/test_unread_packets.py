@@ -5,16 +5,12 @@ from __future__ import annotations
 import sys
 import threading
 
-from fake_match import FakeMatch, packet, supervisor_every_tick
+from fake_match import FakeMatch, packet
 
 from rcj_challenges.controllers.processes import PUPIL_FOLDER
 
 sys.path.insert(0, str(PUPIL_FOLDER))  # before the package of the same name that editors read
 from controller import _connection  # type: ignore[import-not-found]  # the program's end, as programs import it
-
-
-def test_packets_that_are_never_popped_stay(match: FakeMatch) -> None:
-    assert match.play("patterns/never_pops", 50, supervisor_every_tick).said == ["49 False"]
 
 
 def test_a_queue_that_is_never_popped_drops_the_oldest_beyond_its_bound(match: FakeMatch) -> None:

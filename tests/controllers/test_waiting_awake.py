@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import sys
 import threading
-import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -16,7 +15,6 @@ from hypothesis import strategies as st
 
 from rcj_challenges.controllers.cpu_policy import DEFAULT_SHARE, CpuShare, current_cpu
 from rcj_challenges.controllers.processes import PUPIL_FOLDER
-from rcj_challenges.controllers.program import Program
 from rcj_challenges.core.play import Fault
 from rcj_challenges.core.traffic import Observation
 
@@ -132,29 +130,6 @@ while robot.step(32) != -1:
 WITH_A_THREAD = "import threading, time\nthreading.Thread(target=time.sleep, args=(100,), daemon=True).start()\n"
 
 
-def told_that_all_is_soon(program: Program, ticks: int) -> list[Fault]:
-    answers = [program.collect()]
-    for tick in range(1, ticks + 1):
-        if tick % 7 == 0:
-            time.sleep(0.002)  # longer than it looks
-        program.release(Observation(tick, values_at(tick), [], soon=True))
-        answers.append(program.collect())
-    return [answer for answer in answers if isinstance(answer, Fault)]
-
-
-@pytest.mark.parametrize("beside", ["", WITH_A_THREAD])
-def test_a_real_program_reads_the_same_as_ever(match: FakeMatch, beside: str) -> None:
-    team, played = match.team(beside + READS_ITS_GPS), Played()
-    with match.crew() as crew:
-        program = crew.add(SPEC, team, team.entry_for("Y1", "robot.py"))
-        crew.launch()
-        assert not told_that_all_is_soon(program, 60)
-        crew.finish({"Y1": Observation(60, values_at(60), [], over=True)})
-        crew.close()
-        played.log = program.new_output()
-    assert played.said == [str(tick) for tick in range(1, 61)]
-
-
 TURNS_ON_LINUX = pytest.mark.skipif(sys.platform != "linux", reason="only Linux has such a way of taking turns")
 
 
@@ -167,9 +142,9 @@ def test_a_program_gives_way_and_takes_its_turn_again(match: FakeMatch, sandbox:
     others = ours - {here} or ours
     # One thread is there before it is told, one begins while it keeps to fewer processors.
     team = match.team(WITH_A_THREAD + READS_ITS_GPS + "    " + WITH_A_THREAD.replace("\n", "\n    "))
-    with match.crew(sandbox=sandbox) as crew:
-        program = crew.add(SPEC, team, team.entry_for("Y1", "robot.py"))
-        crew.launch()
+    with match.pool(sandbox=sandbox) as pool:
+        program = pool.add(SPEC, team, team.entry_for("Y1", "robot.py"))
+        pool.launch()
         program.collect()
         process = program._process
         assert process is not None
@@ -194,7 +169,7 @@ def test_a_program_gives_way_and_takes_its_turn_again(match: FakeMatch, sandbox:
         program.kill()
         program.share_cpus(room)  # who is gone interrupts nobody
         assert program.computed_s() == 0.0
-        crew.close()
+        pool.close()
 
 
 @TURNS_ON_LINUX
@@ -204,15 +179,15 @@ def test_a_program_is_told_all_along_on_how_many_processors_it_may_be(match: Fak
         "import os\nfrom controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n"
         "    print(sorted(os.sched_getaffinity(0)), os.sched_getaffinity(os.getpid()) == os.sched_getaffinity(0))\n"
     )
-    with match.crew() as crew:
-        program = crew.add(SPEC, team, team.entry_for("Y1", "robot.py"))
-        crew.launch()
+    with match.pool() as pool:
+        program = pool.add(SPEC, team, team.entry_for("Y1", "robot.py"))
+        pool.launch()
         program.collect()
         for share in (DEFAULT_SHARE, CpuShare(is_batch=True, leaves_cpu=min(ours)), CpuShare(keeps_to_cpu=max(ours))):
             program.share_cpus(share)
             program.release(Observation(1, values_at(1), []))
             assert not isinstance(program.collect(), Fault)
-        crew.close()
+        pool.close()
         played.log = program.new_output()
     assert played.said == [f"{sorted(ours)} True"] * 3
 
@@ -222,9 +197,9 @@ def test_a_wait_that_turns_out_long_is_told_of_once(
     either_match: FakeMatch, rounds: int, is_long: bool
 ) -> None:  # fmt: skip
     team, told = either_match.team(READS_ITS_GPS + f"    for _ in range({rounds}): pass\n"), []
-    with either_match.crew() as crew:
-        program = crew.add(SPEC, team, team.entry_for("Y1", "robot.py"))
-        crew.launch()
+    with either_match.pool() as pool:
+        program = pool.add(SPEC, team, team.entry_for("Y1", "robot.py"))
+        pool.launch()
         program.collect()
         waits = []
         for tick in range(1, 8):
@@ -232,6 +207,6 @@ def test_a_wait_that_turns_out_long_is_told_of_once(
             program.release(Observation(tick, values_at(tick), []))
             assert not isinstance(program.collect(lambda: told.append("long")), Fault)
             waits.append(len(told))
-        crew.close()
+        pool.close()
     # A busy computer may hold up one that computes nothing, or us while one computes, but hardly always.
     assert max(waits) == 1 if is_long else min(waits) == 0

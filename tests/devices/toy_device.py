@@ -100,11 +100,11 @@ def report(folder: Path) -> dict[str, object]:
 
 def use_controller_with(folder: Path) -> None:
     """Let programs run with a copy of `controller` that has the device's class."""
-    from rcj_challenges.controllers import processes, sight
+    from rcj_challenges.controllers import processes, visible_files
 
     shutil.copytree(processes.PUPIL_FOLDER, folder)
     shutil.copy(Path(__file__).with_name("toy_controller.py"), folder / "controller" / "midline_sensor.py")
-    processes.PUPIL_FOLDER = sight.PUPIL_FOLDER = folder
+    processes.PUPIL_FOLDER = visible_files.PUPIL_FOLDER = folder
 
 
 if __name__ == "__main__":

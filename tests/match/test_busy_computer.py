@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-from rcj_challenges.controllers import crew
+from rcj_challenges.controllers import program_pool
 from rcj_challenges.core.errors import HostError
 from tests.match.programs import AHEAD
 
@@ -66,7 +66,7 @@ def test_a_fault_that_has_nothing_to_do_with_time_is_not_marked(place):
 
 
 def test_a_computer_that_is_too_busy_gives_no_verdict(place, monkeypatch):
-    monkeypatch.setattr(crew, "_MAX_HELD_UP", 0.0005)
+    monkeypatch.setattr(program_pool, "_MAX_HELD_UP", 0.0005)
     with pytest.raises(HostError) as raised:
         place.play("match.half_s=4", yellow=place.team_folder(REALLY_SLEEPS))
     assert (raised.value.code, raised.value.exit_code) == ("host-too-busy", 2)

@@ -4,8 +4,7 @@ import hashlib
 
 import pytest
 
-from rcj_challenges.controllers.super_team import SuperTeam
-from rcj_challenges.controllers.team import open_team
+from rcj_challenges.controllers.team import SuperTeam, open_team
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.scenario.load import load
 from tests.match.playing import Place, Run

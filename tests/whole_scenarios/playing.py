@@ -87,7 +87,7 @@ class _Team:
 class _PuppetRunner(_MatchRunner):
     """A match of which the programs are puppets: no processes, all else is real."""
 
-    def _launch(self, crew: Any, specs: Any, half: Any) -> Any:
+    def _launch(self, pool: Any, specs: Any, half: Any) -> Any:
         drivers = {}
         for entrant in self._scenario.entrants.values():
             for name in entrant.robots:
@@ -96,7 +96,7 @@ class _PuppetRunner(_MatchRunner):
                     chance = random.Random(f"{half.half} {name}")  # noqa: S311 - nothing secret
                     fails_at = chance.choice((10**9, 10**9, 0, 20))
                     drivers[robot] = Puppet(specs[robot], chance, budget=_BUDGET, fails_at=fails_at)
-        crew.finish = _nobody_is_told
+        pool.finish = _nobody_is_told
         return {robot: drivers[robot] for robot in sorted(drivers)}
 
 

@@ -20,67 +20,17 @@ if TYPE_CHECKING:
     from typing import Any
 
 __all__ = [
-    "GPS",
-    "LED",
-    "Accelerometer",
-    "Altimeter",
-    "AnsiCodes",
-    "Brake",
-    "Camera",
-    "CameraRecognitionObject",
-    "Compass",
-    "Connector",
-    "ContactPoint",
-    "Device",
-    "Display",
-    "DistanceSensor",
-    "Emitter",
-    "Field",
-    "Gyro",
-    "ImageRef",
-    "InertialUnit",
-    "Joystick",
-    "Keyboard",
-    "Lidar",
-    "LidarPoint",
-    "LightSensor",
-    "Motion",
-    "Motor",
-    "Mouse",
-    "MouseState",
-    "Node",
-    "Pen",
-    "PositionSensor",
-    "Radar",
-    "RadarTarget",
-    "RangeFinder",
-    "Receiver",
-    "Robot",
-    "Sensor",
-    "Skin",
-    "Speaker",
-    "Supervisor",
-    "TouchSensor",
-    "VacuumGripper",
-    "os",  # up to R2022b `import *` gave these two as well, for the module had imported them
-    "sys",
-]
+    "GPS", "LED", "Accelerometer", "Altimeter", "AnsiCodes", "Brake", "Camera", "CameraRecognitionObject", "Compass",
+    "Connector", "ContactPoint", "Device", "Display", "DistanceSensor", "Emitter", "Field", "Gyro", "ImageRef",
+    "InertialUnit", "Joystick", "Keyboard", "Lidar", "LidarPoint", "LightSensor", "Motion", "Motor", "Mouse",
+    "MouseState", "Node", "Pen", "PositionSensor", "Radar", "RadarTarget", "RangeFinder", "Receiver", "Robot",
+    "Sensor", "Skin", "Speaker", "Supervisor", "TouchSensor", "VacuumGripper",
+    "os", "sys",  # up to R2022b `import *` gave these two as well, for the module had imported them
+]  # fmt: skip
 
-_SELDOM_IMPORTED = {
-    "AnsiCodes": "ansi_codes",
-    "ContactPoint": "node",
-    "Field": "field",
-    "Joystick": "keyboard",
-    "Keyboard": "keyboard",
-    "Lidar": "lidar",
-    "LidarPoint": "lidar",
-    "Mouse": "keyboard",
-    "MouseState": "keyboard",
-    "Node": "node",
-    "Supervisor": "supervisor",
-}
-
-_SECOND_CLASSES = {"camera": "CameraRecognitionObject", "display": "ImageRef", "mouse": "MouseState"}
+_SECOND_CLASSES = {
+    "camera": "CameraRecognitionObject", "display": "ImageRef", "mouse": "MouseState", "node": "ContactPoint",
+}  # fmt: skip
 
 
 class _ClassModules:
@@ -88,18 +38,16 @@ class _ClassModules:
 
     @staticmethod
     def find_spec(name: str, *_more: object) -> Any:
-        """Find the module of a class; the import system calls this after its own finders."""
         package, _, module = name.rpartition(".")
         is_known = package == __name__ and _class_of(module) in __all__
         return type(__spec__)(name, _ClassModules) if is_known else None  # type: ignore[arg-type]
 
     @staticmethod
     def create_module(spec: object) -> None:
-        """Let the import system make the module."""
+        pass
 
     @staticmethod
     def exec_module(module: Any) -> None:
-        """Put the class into its module, and a second one where Webots has two."""
         short = module.__name__.rpartition(".")[2]
         names = [name for name in (_class_of(short), _SECOND_CLASSES.get(short)) if name]
         package = sys.modules[__name__]
@@ -118,7 +66,7 @@ def __getattr__(name: str) -> Any:
     """Read what few programs import, also by ``import *``, when one does: each file costs every program."""
     if name not in __all__:
         raise AttributeError(f"module 'controller' has no attribute {name!r}", name=name, obj=sys.modules[__name__])
-    module = __import__(_SELDOM_IMPORTED.get(name, "_unsupported"), globals(), None, [name], 1)
+    module = __import__("lidar" if name.startswith("Lidar") else "_placeholders", globals(), None, [name], 1)
     globals()[name] = there = getattr(module, name)
     return there
 

@@ -21,8 +21,7 @@ if TYPE_CHECKING:
     from ._hooks import Patch
 
 _RESERVE_BYTES = 4 << 20  # of addresses, never touched; Python 3.14 needs more than 1 MB to report an error
-_MAX_TOLD = 2_000  # letters
-_PYTHONS_HOOK = sys.excepthook
+_MAX_LETTERS = 2_000  # letters
 _SWITCH_S = 0.000_2
 """How long a thread may compute while the stepping thread is ready to run, which happens twice in a step. With Python's
 default of 5 ms, a thread that computes for ever would use up more than a half allows."""
@@ -58,7 +57,7 @@ class Boot:
         """Run the program and tell the match how it ended, unless the match ended it."""
         _connection.connect(self._connection)
         sys.setswitchinterval(_SWITCH_S)
-        _tell_of_same_processors()
+        _freeze_affinity()
         debugger = self._hello.get("debugger")
         if debugger:
             _debugger.wait_for_editor(self._hello["robot"]["name"], **debugger)
@@ -127,9 +126,9 @@ class Boot:
         code = left.code
         if type(code) is str:
             _print_quietly(code)
-            self._ended("exit", f"the program called sys.exit: {code[:_MAX_TOLD]}")
+            self._ended("exit", f"the program called sys.exit: {code[:_MAX_LETTERS]}")
         else:
-            self._ended("exit", f"the program called sys.exit({'' if code is None else _told(code)})")
+            self._ended("exit", f"the program called sys.exit({'' if code is None else _text_of(code)})")
 
     def _ended(self, kind: str, detail: str) -> None:
         if not self._connection.over:
@@ -137,10 +136,8 @@ class Boot:
 
     def _crashed(self, kind: str, error: BaseException) -> None:
         detail, trace = _traceback.describe(error, self._root, self._names)
-        is_told = _told_by_its_hook(error, self._root + os.sep)
         if self._connection.over:
-            if not is_told:
-                _print_quietly(trace or detail)
+            _print_quietly(trace or detail)
         else:
             self._end(kind, detail, trace)
 
@@ -156,7 +153,7 @@ class Boot:
         leave(1)
 
 
-def _tell_of_same_processors() -> None:
+def _freeze_affinity() -> None:
     """Show a program the initial set of processors for ever: the actual one depends on what else runs."""
     real = getattr(os, "sched_getaffinity", None)
     if real is not None:
@@ -171,9 +168,9 @@ def _compiled(source: bytes, entry: str) -> types.CodeType:
         error.filename = error.filename or entry  # Python names none where it finds no text
         raise
     except ValueError as error:  # the same before Python 3.11.4
-        told = SyntaxError(*error.args)
-        told.filename = entry
-        raise told from None
+        named = SyntaxError(*error.args)
+        named.filename = entry
+        raise named from None
 
 
 def _flush_output() -> None:
@@ -204,24 +201,7 @@ def _wait_for_threads() -> None:
                 thread.join()
 
 
-def _told_by_its_hook(error: BaseException, inside: str) -> bool:
-    """Call what the program has put in the place of ``sys.excepthook``, as Python does; return whether there is any."""
-    hook = getattr(sys, "excepthook", _PYTHONS_HOOK)
-    if hook is _PYTHONS_HOOK:
-        return False
-    trace = error.__traceback__
-    while trace is not None and not trace.tb_frame.f_code.co_filename.startswith(inside):
-        trace = trace.tb_next  # it begins with what has started the program
-    try:
-        hook(type(error), error, trace)
-    except BaseException as failed:  # noqa: BLE001 - it may raise anything; the original error is reported anyway
-        _print_quietly(f"Error in sys.excepthook: {type(failed).__name__}")
-    return True
-
-
 class _Uncounted:
-    """Output that goes to a terminal, without a limit."""
-
     printed_bytes = 0
 
 
@@ -241,10 +221,9 @@ def _debugger_quit(left: SystemExit) -> bool:
     return where == ("pdb", "do_quit") and hasattr(sys.modules.get("bdb"), "BdbQuit")
 
 
-def _told(code: object) -> str:
-    """Return the exit value of a program as text, whatever it is."""
+def _text_of(code: object) -> str:
     try:
-        return str(code)[:_MAX_TOLD]
+        return str(code)[:_MAX_LETTERS]
     except BaseException:  # noqa: BLE001 - it may raise anything
         return "…"
 

@@ -148,7 +148,6 @@ class Clock:
             self._wake_sleepers()
 
     def _wake_sleepers(self) -> None:
-        """Wake the threads whose waits are over."""
         reached_s = self.others_s()
         for due_s, alarm in self._sleepers[:]:
             if due_s <= reached_s and alarm.locked():

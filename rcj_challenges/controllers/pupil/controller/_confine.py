@@ -118,12 +118,8 @@ def confine(layers: list[str], settings: dict[str, Any]) -> None:
 def watch(lifeline_fd: int, memory_bytes: int, on_memory: Callable[[], None]) -> None:
     """Watch from a thread, where the kernel does not: end with the parent, report too much memory (macOS).
 
-    Where the parent cannot use a signal (Windows), this thread writes the program's traceback.
-
-    Args:
-        lifeline_fd: read end of a pipe that ends when the parent does; a byte in it asks for a traceback, and the end.
-        memory_bytes: the limit; 0: it is watched elsewhere.
-        on_memory: called when it is exceeded.
+    The pipe of ``lifeline_fd`` ends when the parent does; a byte in it asks for a traceback, and the end.
+    ``memory_bytes`` of 0: memory is limited elsewhere.
     """
     is_too_much = _memory_watch(lifeline_fd, memory_bytes) if memory_bytes else None
 

@@ -49,7 +49,7 @@ with the settings it is within the 64 KiB that a message may have beyond two of 
 
 _PACKET_OVERHEAD = 200
 _TRIMMED_EVERY_BYTES = 1 << 19  # that arrive: of thousands of ticks, if packets are small; counting them takes its time
-_TOLD_TIMES = 10
+_PRINTED_TIMES = 10
 """How often one complaint is printed; then only the 100th, the 1000th: an error in each step of a half occurs 18750
 times, and would hide the program's own output."""
 _MAX_TICKS = 2**31 - 1
@@ -145,7 +145,7 @@ class Connection:
         self._ramps: dict[int, Callable[[int], bool]] = {}
         self._sampling: dict[int, int] = {}
         self._followed: dict[int, Samples] = {}
-        self._followed_anew: dict[int, int] = {}  # periods that are asked for with the next request
+        self._new_periods: dict[int, int] = {}  # periods that are asked for with the next request
         self._channels: dict[int, int] = {}
         self._frequencies: dict[int, float] = {}
         self._emissions: list[Emission] = []
@@ -253,7 +253,6 @@ class Connection:
         return not self.over
 
     def _take_in(self, frame: bytes) -> None:
-        """Take in what came when a step was over."""
         self.previous, self.previous_tick = self.numbers, self.tick
         self.numbers = numbers = self._form.unpack_from(frame)
         _, kind, tick, flags, _, packets = numbers[:HEAD_FIELDS]
@@ -271,7 +270,7 @@ class Connection:
         self._wire.next_is_soon = flags & SOON != 0
         if flags & OVER:
             self.over = True
-            self._tell_of_depth()
+            self._warn_of_depth()
 
     def _report_unknown_attributes(self) -> None:
         """Warn, once for each, of values set to an attribute that a device lacks and that is nearly one of its names.
@@ -291,7 +290,7 @@ class Connection:
                     what = f"{device.name!r} has no attribute {name!r}: to set it does nothing"
                     complain(f"Warning: {what}; did you mean {near[0]!r}?")
 
-    def _tell_of_depth(self) -> None:
+    def _warn_of_depth(self) -> None:
         """Report a function that continues by calling itself: in a rehearsal of some seconds nothing else shows it."""
         depth, frame = 0, sys._getframe()  # noqa: SLF001 - it is documented
         while frame.f_back is not None:
@@ -354,18 +353,17 @@ class Connection:
         sampling, self._sampling = self._sampling, {}
         channels, self._channels = self._channels, {}
         frequencies, self._frequencies = self._frequencies, {}
-        self._followed_anew = {one: period for one, period in sampling.items() if one in self._followed}
+        self._new_periods = {one: period for one, period in sampling.items() if one in self._followed}
         settings = sampling.items(), channels.items(), frequencies.items()
         return request_frame(tick, advance_ticks, missed_ticks, printed, motors.values(), *settings, emissions)
 
     def _set_periods(self, tick: int) -> None:
         """Take note of the periods that a request has asked for, as of the tick in which it acts."""
-        for device, period_ticks in self._followed_anew.items():
+        for device, period_ticks in self._new_periods.items():
             self._followed[device].set_period(period_ticks, tick)
-        self._followed_anew = {}
+        self._new_periods = {}
 
     def _queue(self, frame: bytes, count: int) -> None:
-        """Append the packets of an observation to the queues of their receivers."""
         at, appends, unpack, head_bytes = self._form.size, self._appends, PACKET.unpack_from, PACKET.size
         for _ in range(count):
             device, size, strength, x, y, z = unpack(frame, at)
@@ -422,18 +420,18 @@ def connected() -> Connection:
     return _connection
 
 
-_times_told: dict[str, int] = {}
+_times_printed: dict[str, int] = {}
 
 
 def complain(text: str) -> None:
     """Print a complaint for the program's author on standard error; repetitions are printed now and then."""
-    times = _times_told[text] = _times_told.get(text, 0) + 1
-    if times > _TOLD_TIMES and str(times).strip("0") != "1":
+    times = _times_printed[text] = _times_printed.get(text, 0) + 1
+    if times > _PRINTED_TIMES and str(times).strip("0") != "1":
         return
     print(text, file=sys.stderr)
-    if times == _TOLD_TIMES:
-        print(f"(told {times} times; from now on only the 100th time, the 1000th and so on)", file=sys.stderr)
-    elif times > _TOLD_TIMES:
+    if times == _PRINTED_TIMES:
+        print(f"(printed {times} times; from now on only the 100th time, the 1000th and so on)", file=sys.stderr)
+    elif times > _PRINTED_TIMES:
         print(f"(this is the {times}th time)", file=sys.stderr)
 
 
@@ -446,10 +444,10 @@ def number(given: Any, wanted: str) -> float:
     try:
         math.isnan(given)  # accepts everything that converts to a number, but no text
     except TypeError:
-        raise TypeError(f"{wanted}; {told(given)} was given") from None
+        raise TypeError(f"{wanted}; {format_given(given)} was given") from None
     return given if isinstance(given, int) else float(given)
 
 
-def told(given: object) -> str:
+def format_given(given: object) -> str:
     """Format an argument for a message: ``'32' (str)``."""
     return f"{repr(given)[:60]} ({type(given).__name__})"

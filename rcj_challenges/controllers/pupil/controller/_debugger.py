@@ -15,28 +15,21 @@ if TYPE_CHECKING:
 
 
 def ignore_breakpoints(robot: str) -> None:
-    """Let ``breakpoint()`` do nothing and say so once: several robots may share a program, and one is debugged.
-
-    Args:
-        robot: whose program this is.
-    """
-    told: list[bool] = []
+    """Let ``breakpoint()`` do nothing and say so once: several robots may share a program, and one is debugged."""
+    printed: list[bool] = []
 
     def hook(*_: object, **__: object) -> None:
-        if not told:
-            told.append(True)
+        if not printed:
+            printed.append(True)
             print(f"breakpoint() does nothing here; run with --debug {robot} to stop at it", file=sys.stderr)
 
     sys.breakpointhook = hook
 
 
 def wait_for_editor(robot: str, folder: str, port: int) -> None:
-    """Wait until an editor attaches by the Debug Adapter Protocol, on a port of this computer alone.
+    """Wait until an editor attaches by the Debug Adapter Protocol, on a port of this computer alone, or a free one.
 
-    Args:
-        robot: whose program this is.
-        folder: where debugpy is installed.
-        port: where it listens; if that is taken, a free one is used.
+    debugpy is installed in ``folder``.
     """
     sys.path.append(folder)
     os.environ["PYDEVD_DISABLE_FILE_VALIDATION"] = "1"  # it warns of Python's own files, without breakpoints

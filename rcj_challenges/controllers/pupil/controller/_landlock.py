@@ -57,8 +57,7 @@ def is_available() -> bool:
 def restrict_files(settings: dict[str, Any]) -> None:
     """Allow the files that the parent names, for this thread and all that it starts, for ever.
 
-    Args:
-        settings: ``readable``, ``writable`` (devices, not their folder) and ``private`` (a folder) as paths.
+    The settings ``readable``, ``writable`` (devices, not their folder) and ``private`` (a folder) have paths.
 
     Raises:
         OSError: this kernel cannot.

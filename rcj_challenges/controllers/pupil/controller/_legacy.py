@@ -34,7 +34,6 @@ def _random(module: Any) -> None:
         return sample(self, tuple(population) if isinstance(population, AbstractSet) else population, k, **more)
 
     def drawn_of_range(self: Any, start: Any, stop: Any = None, step: Any = 1) -> Any:
-        """Take 4.0 for 4."""
         return randrange(self, _whole(start), _whole(stop), _whole(step))
 
     def drawn_between(self: Any, a: Any, b: Any) -> Any:

@@ -156,7 +156,6 @@ class _OldModules:
             vars(sys.modules[name])["__getattr__"] = self._behind(name)
 
     def find_spec(self, name: str, _path: Any = None, _target: Any = None) -> Any:
-        """Find a module by its old name; the import system calls this."""
         if name not in _MODULES:
             return None
         spec = self._kind_of_spec(name, self, is_package=name == "numpy.core")
@@ -165,10 +164,9 @@ class _OldModules:
         return spec
 
     def create_module(self, _spec: Any) -> None:
-        """Let the import system make the module."""
+        pass
 
     def exec_module(self, module: Any) -> None:
-        """Fill a module."""
         named = vars(module)["__getattr__"] = self._behind(module.__name__)
         hidden = set(vars(self._numpy)).difference(self._numpy.__all__)
         module.__all__ = [name for name in named("__all__") if name not in hidden]

@@ -89,7 +89,6 @@ def drop_capabilities() -> None:
 
 
 def _permitted() -> int:
-    """Return which of the capabilities 0 to 31 this process may have, as bits."""
     import ctypes
 
     data = ctypes.create_string_buffer(24)

@@ -39,7 +39,7 @@ class Output:
         self.printed_bytes += size
         return min(size, room)
 
-    def told(self, data: bytes | memoryview) -> bytes | memoryview:
+    def with_short_paths(self, data: bytes | memoryview) -> bytes | memoryview:
         """Return what is printed, with short names of folders."""
         text = bytes(data)
         for path, short in self._names:
@@ -66,9 +66,8 @@ class _CountedFile(io.FileIO):
         self._output = output
 
     def write(self, data: Any, /) -> int:
-        """Write as much of ``data`` as the limit allows."""
         given = memoryview(data).cast("B")
-        view = self._output.told(given)
+        view = self._output.with_short_paths(given)
         size = len(view)
         room = self._output.room_for(size)
         if room < size:

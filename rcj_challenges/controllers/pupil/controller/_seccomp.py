@@ -96,12 +96,7 @@ def restrict_calls(settings: dict[str, Any]) -> None:  # noqa: ARG001 - all laye
 
 
 def filter_for(machine: str, pid: int) -> list[Instruction]:
-    """Return the filter for a machine.
-
-    Args:
-        machine: as ``uname`` names it, one of `MACHINES`.
-        pid: of the process that will have it: signals to it stay possible (``abort`` needs one).
-    """
+    """Return the filter for a machine of `MACHINES`. Signals to ``pid``, its own process, stay possible (``abort``)."""
     column, architecture = MACHINES[machine]
     filter_ = [(_LOAD, 0, 0, _MACHINE_AT), (_EQUAL, 1, 0, architecture), _answer(REFUSE), (_LOAD, 0, 0, _NUMBER_AT)]
     for table, answer in ((UNKNOWN, NOT_THERE), (PASSED_OVER, PASS_OVER)):
@@ -188,7 +183,6 @@ def _for_call(number: int | None, judged: list[Instruction]) -> list[Instruction
 
 
 def _ranges(numbers: list[int]) -> list[tuple[int, int]]:
-    """Return ascending numbers as first and last of rows without gap."""
     ranges: list[tuple[int, int]] = []
     for number in numbers:
         if ranges and ranges[-1][1] == number - 1:

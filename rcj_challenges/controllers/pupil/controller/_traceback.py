@@ -18,12 +18,7 @@ _real_name = type.__dict__["__name__"].__get__  # whatever the class's own class
 
 
 def short_names(team_root: str, site_folders: list[str]) -> list[tuple[str, str]]:
-    """Return folders of this computer, which no record may contain, with their replacements; inner ones first.
-
-    Args:
-        team_root: the folder of the program's files; paths are written relative to it.
-        site_folders: where numpy and scipy are.
-    """
+    """Return folders of this computer, which no record may contain, with their replacements; inner ones first."""
     slashed = team_root.replace(os.sep, "/")
     shown = [(team_root + os.sep, ""), (slashed + "/", ""), (team_root, "."), (os.path.dirname(team_root), "~")]
     ours = os.path.dirname(os.path.dirname(__file__))  # where `controller` is; not always installed
@@ -38,32 +33,26 @@ def short_names(team_root: str, site_folders: list[str]) -> list[tuple[str, str]
 
 
 def describe(error: BaseException, team_root: str, names: list[tuple[str, str]]) -> tuple[str, str]:
-    """Return what went wrong in one line, and the traceback of the program's own lines.
-
-    Args:
-        error: what the program did not catch.
-        team_root: the folder of its files.
-        names: of `short_names`.
-    """
+    """Return what went wrong in one line, and the traceback of the program's own lines."""
     try:
-        told = _with_standard_library(_describe, error, team_root + os.sep)
+        report = _with_standard_library(_describe, error, team_root + os.sep)
         for path, short in names:
-            told = told[0].replace(path, short), told[1].replace(path, short)
+            report = report[0].replace(path, short), report[1].replace(path, short)
     except BaseException:  # noqa: BLE001 - a program may break everything that is used here; the fault must be reported
         return _plainly(error, team_root + os.sep), ""
-    return told
+    return report
 
 
 def _plainly(error: BaseException, inside: str) -> str:
     """Format an error with only the interpreter's own means."""
-    told: str = _real_name(type(error))
+    report: str = _real_name(type(error))
     try:
         given = BaseException.args.__get__(error)  # type: ignore[attr-defined]  # whatever its class calls so
         if given and type(given[0]) is str:
-            told += f": {given[0][:1_000]}"
-        return told + _place(error, inside)
+            report += f": {given[0][:1_000]}"
+        return report + _place(error, inside)
     except BaseException:  # noqa: BLE001 - an audit hook of the program's sees even this
-        return told
+        return report
 
 
 def _place(error: BaseException, inside: str) -> str:
@@ -82,22 +71,22 @@ def _describe(error: BaseException, inside: str) -> tuple[str, str]:
 
     if sys.version_info < (3, 12):  # from then on the library does it
         try:
-            _name_what_was_meant(error)
+            _suggest_name(error)
         except BaseException:  # noqa: BLE001, S110 - this calls the program's own methods; the hint is optional
             pass
-    told = traceback.TracebackException(type(error), error, error.__traceback__, compact=True)
-    _keep_own_frames(told, inside)
+    report = traceback.TracebackException(type(error), error, error.__traceback__, compact=True)
+    _keep_own_frames(report, inside)
     where = ""
     if isinstance(error, SyntaxError) and error.filename:
-        told.filename = _slashed(error.filename, inside)
+        report.filename = _slashed(error.filename, inside)
         if error.lineno is None or error.lineno < 1:  # of an encoding that there is not, which stands at the beginning
-            told.lineno = "1"
-        where = f" ({told.filename}, line {told.lineno})"
-    elif told.stack:
-        where = f" ({told.stack[-1].filename}, line {told.stack[-1].lineno})"
-    last = list(told.format_exception_only())[-1].strip()
+            report.lineno = "1"
+        where = f" ({report.filename}, line {report.lineno})"
+    elif report.stack:
+        where = f" ({report.stack[-1].filename}, line {report.stack[-1].lineno})"
+    last = list(report.format_exception_only())[-1].strip()
     summary = f"{type(error).__name__}: {error.msg}" if isinstance(error, SyntaxError) else " ".join(last.split())
-    return summary[:1_000] + where + _on_encoding(error), "".join(told.format())
+    return summary[:1_000] + where + _on_encoding(error), "".join(report.format())
 
 
 def _on_encoding(error: BaseException) -> str:
@@ -109,14 +98,13 @@ def _on_encoding(error: BaseException) -> str:
 
 
 def _slashed(filename: str, inside: str) -> str:
-    """Return the path of a program's file with slashes, on Windows too: ``robot1/tools.py``."""
     return filename.replace(os.sep, "/") if filename.startswith(inside) else filename
 
 
-def _keep_own_frames(told: Any, inside: str) -> None:
+def _keep_own_frames(report: Any, inside: str) -> None:
     """Drop the frames of everything but the program, in the exception and in those it came from."""
     seen = set()
-    todo = [told]
+    todo = [report]
     while todo:
         entry = todo.pop()
         if entry is None or id(entry) in seen:
@@ -128,7 +116,7 @@ def _keep_own_frames(told: Any, inside: str) -> None:
         todo += [entry.__cause__, entry.__context__, *(getattr(entry, "exceptions", None) or ())]
 
 
-def _name_what_was_meant(error: BaseException) -> None:
+def _suggest_name(error: BaseException) -> None:
     """Add what Python itself adds in a terminal: ``Did you mean: 'setVelocity'?``."""
     name = getattr(error, "name", None)
     if not isinstance(error, (AttributeError, NameError)) or not isinstance(name, str):

@@ -212,7 +212,7 @@ def with_missed_ticks(request: bytes, missed_ticks: int) -> bytes:
 
 def fault_frame(kind: str, detail: str, traceback: str = "") -> bytes:
     """Return the last message of a program that ends: why."""
-    told = detail.encode("utf-8", "backslashreplace")[:2_000]
+    text = detail.encode("utf-8", "backslashreplace")[:2_000]
     trace = traceback.encode("utf-8", "backslashreplace")[-20_000:]
-    length = _FAULT.size - 4 + len(told) + len(trace)
-    return _FAULT.pack(length, FAULT, FAULT_KINDS.index(kind), len(told)) + told + trace
+    length = _FAULT.size - 4 + len(text) + len(trace)
+    return _FAULT.pack(length, FAULT, FAULT_KINDS.index(kind), len(text)) + text + trace

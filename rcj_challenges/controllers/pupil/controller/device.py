@@ -53,7 +53,6 @@ class Device:
 
     @classmethod
     def _rcj_made(cls, connection: Connection, spec: dict[str, Any]) -> Device:
-        """Return a new device, as the match describes it."""
         device = cls.__new__(cls)
         device._rcj_set_up(connection, spec)  # noqa: SLF001 - its own class
         return device
@@ -87,7 +86,7 @@ class Device:
 
     def getNodeType(self) -> int:
         """Return its kind, as ``Node`` numbers them: ``Node.GPS``."""
-        from .node import Node  # noqa: PLC0415 - each import costs every program
+        from ._placeholders import Node  # noqa: PLC0415 - each import costs every program
 
         kind: str = self._rcj_spec["kind"]
         return int(getattr(Node, "ROTATIONAL_MOTOR" if kind == "motor" else kind.upper()))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import struct
 
-from ._connection import Connection, Packet, complain, number, told
+from ._connection import Connection, Packet, complain, format_given, number
 from .device import Device, ReadOnly, Sensor
 
 TYPE_CHECKING = False
@@ -31,8 +31,6 @@ class NoPacketError(RuntimeError, AttributeError):
 
 
 class _OfPacket(ReadOnly):
-    """An attribute of the first packet."""
-
     def __get__(self, thing: Any, kind: type | None = None) -> Any:
         try:
             return super().__get__(thing, kind)
@@ -224,7 +222,6 @@ class _NotListening:
 
     @property
     def packets(self) -> deque[Packet]:
-        """No packets."""
         if not self._receiver._rcj_warned:  # noqa: SLF001 - a part of it
             self._receiver._rcj_warn()  # noqa: SLF001
         return deque()
@@ -239,7 +236,7 @@ class Emitter(Device):
         super()._rcj_set_up(connection, spec)
         self._rcj_channel = int(self._rcj_facts.get("channel", -1))
         self._rcj_range = self.getMaxRange()
-        self._rcj_told_of: set[str] = set()
+        self._rcj_warned_about: set[str] = set()
 
     def send(self, message: str | bytes | bytearray | memoryview | Sequence[float], size: int | None = None) -> int:
         """Send bytes, text (as UTF-8) or a list of floats (as doubles) to the robots of its own team.
@@ -258,10 +255,10 @@ class Emitter(Device):
             data = _cut(data, size, self._rcj_name)
         if data and self._rcj_connection.emit(self._rcj_index, self._rcj_channel, data):
             return 1
-        self._rcj_tell_why_not(len(data))
+        self._rcj_warn_why_not(len(data))
         return 0
 
-    def _rcj_tell_why_not(self, size: int) -> None:
+    def _rcj_warn_why_not(self, size: int) -> None:
         """Say why a packet of so many bytes is not sent: each reason once."""
         most = self._rcj_connection.message_bytes
         reason, text = "step", "too much is sent in one step."
@@ -269,8 +266,8 @@ class Emitter(Device):
             reason, text = "empty", "it is empty."
         elif size > most:
             reason, text = "large", f"it has {size} bytes, and at most {most} are allowed."
-        if reason not in self._rcj_told_of:
-            self._rcj_told_of.add(reason)
+        if reason not in self._rcj_warned_about:
+            self._rcj_warned_about.add(reason)
             complain(f"Warning: {self._rcj_name!r}: the packet is dropped: {text}")
 
     def getChannel(self) -> int:
@@ -304,11 +301,6 @@ class Emitter(Device):
 
 
 def _packed(message: Any, emitter: str) -> bytes:
-    """Return the bytes of a packet.
-
-    Raises:
-        TypeError: nothing that can be sent; the text names the emitter and what was found.
-    """
     if isinstance(message, str):
         return message.encode()
     if isinstance(message, (bytes, bytearray, memoryview)):
@@ -326,16 +318,11 @@ def _packed(message: Any, emitter: str) -> bytes:
 
 
 def _cut(data: bytes, size: Any, emitter: str) -> bytes:
-    """Return as many bytes of a packet as are asked for.
-
-    Raises:
-        TypeError: this is no whole number.
-    """
     try:
         return data[:size]
     except TypeError:
         text = "send takes one message, and then how many of its bytes to send"
-        raise TypeError(f"{emitter!r}: {text}; {told(size)} was given as this number.") from None
+        raise TypeError(f"{emitter!r}: {text}; {format_given(size)} was given as this number.") from None
 
 
 def _tuned(spec: dict[str, Any], current: int, given: float) -> int:

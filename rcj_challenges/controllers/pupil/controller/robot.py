@@ -49,7 +49,7 @@ class Robot:
     created: Robot | None = None
 
     _rcj_connection: Connection
-    _rcj_told_of: set[str]
+    _rcj_warned_about: set[str]
     _rcj_inputs: dict[str, Any]
     _rcj_custom_data: str
     _rcj_battery_period_ms: int
@@ -58,7 +58,7 @@ class Robot:
         """Make a robot that complains until ``__init__``, which a class of a team's own may forget, has run."""
         robot = super().__new__(cls)
         robot._rcj_connection = _NotBegun(cls.__name__)  # type: ignore[assignment] # until it is begun
-        robot._rcj_told_of = set()
+        robot._rcj_warned_about = set()
         robot._rcj_inputs = {}
         robot._rcj_custom_data = ""
         robot._rcj_battery_period_ms = 0
@@ -149,12 +149,11 @@ class Robot:
         return len(self._rcj_connection.devices)
 
     def _rcj_devices(self) -> dict[str, Device]:
-        """Return all devices by name."""
         return dict(self._rcj_connection.devices)
 
     def getType(self) -> int:
         """Return its kind, as ``Node`` numbers them: ``Node.ROBOT``."""
-        from .node import Node  # noqa: PLC0415 - each import costs every program
+        from ._placeholders import Node  # noqa: PLC0415 - each import costs every program
 
         return Node.ROBOT
 
@@ -238,14 +237,14 @@ class Robot:
 
     def _rcj_input(self, kind: str) -> Any:
         if kind not in self._rcj_inputs:
-            from . import keyboard  # noqa: PLC0415 - each import costs every program
+            from . import _placeholders  # noqa: PLC0415 - each import costs every program
 
-            self._rcj_inputs[kind] = getattr(keyboard, kind)()
+            self._rcj_inputs[kind] = getattr(_placeholders, kind)()
         return self._rcj_inputs[kind]
 
     def _rcj_legacy(self, kind: str, name: str) -> Any:
-        if kind not in self._rcj_told_of:
-            self._rcj_told_of.add(kind)
+        if kind not in self._rcj_warned_about:
+            self._rcj_warned_about.add(kind)
             complain(f"DEPRECATION: Robot.get{kind} is deprecated, please use Robot.getDevice instead.")
         return device_of(self._rcj_connection, name, "Motor" if kind == "Servo" else kind)
 
@@ -288,19 +287,8 @@ def _getter_of_old(kind: str) -> Callable[[Robot, str], Any]:
 
 
 for _kind in (
-    *(
-        "Accelerometer",
-        "Altimeter",
-        "Brake",
-        "Camera",
-        "Compass",
-        "Connector",
-        "Display",
-        "DistanceSensor",
-        "Emitter",
-        "GPS",
-    ),
-    *("Gyro", "InertialUnit", "LED", "Lidar", "LightSensor", "Motor", "Pen", "PositionSensor", "Radar"),
+    *("Accelerometer", "Altimeter", "Brake", "Camera", "Compass", "Connector", "Display", "DistanceSensor", "Emitter"),
+    *("GPS", "Gyro", "InertialUnit", "LED", "Lidar", "LightSensor", "Motor", "Pen", "PositionSensor", "Radar"),
     *("RangeFinder", "Receiver", "Servo", "Skin", "Speaker", "TouchSensor", "VacuumGripper"),
 ):
     setattr(Robot, f"get{_kind}", _getter_of_old(_kind))

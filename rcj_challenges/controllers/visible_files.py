@@ -55,12 +55,7 @@ def can_be_narrow() -> bool:
 
 
 def is_too_wide(path: str, protected: tuple[str, ...]) -> bool:
-    """Return whether a folder is, or holds, one of those that must stay hidden.
-
-    Args:
-        path: the folder, absolute and without symbolic links.
-        protected: absolute paths without symbolic links.
-    """
+    """Return whether a folder is, or holds, one of those that must stay hidden; all without symbolic links."""
     return any(os.path.commonpath([path, place]) == path for place in protected)
 
 
