@@ -92,15 +92,6 @@ def test_a_rotating_head_refreshes_115_2_degrees_a_tick() -> None:
     assert 0.0 not in scan(bench)
 
 
-def test_cells_not_yet_swept_are_zero_and_the_list_is_complete_from_the_first_step_on() -> None:
-    bench = lidar_bench()
-    bench.place("Y3", 0, 0, 0)
-    cells = scan(bench)
-    assert len(cells) == 360
-    assert set(cells[116:]) == {0.0}
-    assert cells[0] == pytest.approx(0.65, abs=1e-6)
-
-
 def test_a_rotating_head_shows_each_direction_as_it_was_when_it_passed() -> None:
     bench = lidar_bench()
     bench.place("Y3", 0, 0, 0)
@@ -137,12 +128,6 @@ def test_a_faster_head_sweeps_more() -> None:
     bench.enable("Y3", "lidar", period=0)
     bench.enable("Y3", "lidar")
     assert sum(cell != 0.0 for cell in scan(bench)) == 288  # 25 Hz, the highest
-
-
-def test_the_idealized_scanner_is_complete_at_once() -> None:
-    bench = lidar_bench(rotating=False)
-    bench.place("Y3", 0, 0, 0)
-    assert 0.0 not in scan(bench)
 
 
 def test_a_part_of_a_turn_runs_from_its_left_edge_to_its_right_edge() -> None:
@@ -182,13 +167,6 @@ def test_the_noise_has_the_spread_that_the_scenario_says() -> None:
     exact = scan_without_turning(0, 0)
     errors = [noisy - true for _ in range(5) for noisy, true in zip(scan(bench), exact, strict=True)]
     assert math.sqrt(sum(error * error for error in errors) / len(errors)) == pytest.approx(0.01, rel=0.1)
-
-
-def test_low_walls_of_2021_are_seen_for_the_plane_is_lower() -> None:
-    bench = lidar_bench(rotating=False)
-    assert bench.scenario.field.wall_height_m == 0.05
-    bench.place("Y3", 0, 0, 0)
-    assert scan(bench)[0] == pytest.approx(0.65, abs=1e-6)
 
 
 def test_a_slow_head_with_few_cells_passes_none_of_them_in_most_ticks() -> None:

@@ -25,12 +25,6 @@ def bench() -> Bench:
     return bench
 
 
-def test_the_compass_shows_the_worlds_y_axis_in_the_robots_frame(bench: Bench) -> None:
-    bench.place("Y1", 0, 0, 2)
-    bench.sense()
-    assert bench.read("Y1", "compass") == pytest.approx([math.sin(2), math.cos(2), 0], abs=1e-12)
-
-
 @given(st.floats(-0.6, 0.6), st.floats(-0.7, 0.7), st.floats(-math.pi, math.pi))
 def test_gps_and_compass_together_give_the_pose(x: float, y: float, yaw: float) -> None:
     bench = _shared()

@@ -62,14 +62,6 @@ def test_observation_k_tells_the_phase_after_the_actions_of_tick_k_minus_1() -> 
     assert told(bench) == [b"\x00"]
 
 
-def test_a_pause_of_94_ticks_is_told_94_times() -> None:
-    bench = Bench()
-    bench.enable("Y1", RECEIVER)
-    for tick in range(1, 200):
-        bench.sense(WAITING if 50 <= tick < 144 else BLANK)
-    assert sum(told(bench).count(flag) for flag in (b"\x01",)) == 94
-
-
 def test_the_first_packet_tells_of_tick_0() -> None:
     bench = Bench()
     bench.devices.begin(WAITING)
@@ -140,13 +132,6 @@ def test_all_robots_are_told_also_those_taken_off_the_field() -> None:
     bench.place("B1", 0, 0)  # Y3 stays parked
     bench.sense()
     assert told(bench, "B1") == told(bench, "Y3") == [b"\x00"]
-
-
-def test_unread_packets_stay_until_the_program_looks() -> None:
-    bench = Bench()
-    bench.enable("Y1", RECEIVER)
-    bench.sense(ticks=1000)
-    assert len(told(bench)) == 1000
 
 
 # --- 2021 -------------------------------------------------------------------------------------------------------------

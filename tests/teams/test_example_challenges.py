@@ -50,3 +50,10 @@ def test_both_teams_know_where_it_is_hot(play):
     result = play("hot_spot", "--duration", "10", "--halves", "1", "--set", "hot_for_s=5", "--set", "camping_s=5")
     assert result["faults"] == []
     assert set(result["score"]) == {"blue", "yellow"}
+
+
+def test_the_keeper_stops_more_than_it_lets_in(play):
+    team = str(ROOT / "examples" / "teams" / "keeper")
+    result = play("keeper", "--yellow", team, "--set", "shots=8")
+    assert result["faults"] == []
+    assert 5 <= result["score"]["yellow"] <= 16
