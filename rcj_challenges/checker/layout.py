@@ -93,7 +93,7 @@ def _folder_findings(opening: Opening) -> list[Finding]:
 def _missing(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) -> list[Finding]:
     files = opening.contents.files
     plan = plan_moves(files, seats) if not others else None
-    message = missing_programs(files, opening.missing, hint=plan is None, not_meant=all_entries(seats))
+    message = missing_programs(files, opening.missing, hint=plan is None, others=all_entries(seats))
     if plan is not None:
         remedy = "; ".join(filter(None, (", ".join(map(str, plan.moves)), plan.caution)))
         return [Finding("layout.misnamed", "failure", message, remedy, safe_text(plan.moves[0].old), not plan.caution)]

@@ -108,7 +108,7 @@ def read_contents(path: Path) -> Contents:
             return _from_folder(path)
         if not path.exists():
             # There "my team\\" --blue … is read as one name: the backslash makes the quotation mark a letter.
-            swallowed = "leave away the backslash at its end" if os.sep == "\\" and '"' in str(path) else ""
+            swallowed = "remove the backslash at its end" if os.sep == "\\" and '"' in str(path) else ""
             message = f"{safe_text(path, MAX_PATH_SHOWN)}: there is no such file or folder"
             raise TeamError(message, swallowed, code="no-such-team")
         if not path.is_file():
@@ -420,7 +420,7 @@ class _ZipReading:
     def _report_guessed(self, entries: list[zipped.Entry]) -> None:
         if not entries:
             return
-        message = f"the archive does not tell in which encoding names are; they may be read wrongly: {_some(entries)}"
+        message = f"the archive does not say how its names are encoded; they may be read wrongly: {_some(entries)}"
         remedy = "use plain letters (a to z) in names of files and folders, also where programs import or open them"
         self._troubles.add(Problem("archive.name_guessed", "warning", message, remedy))
 

@@ -131,7 +131,7 @@ def _letter_problems(path: PurePosixPath, shown: str) -> Iterator[tuple[str, str
         if is_device_of_windows(part):
             yield "archive.name_reserved", f"'{shown}' is the name of a device on Windows"
         if part != part.rstrip(". "):
-            yield "archive.name_ending", f"'{shown}' ends in a dot or a space, which Windows leaves away"
+            yield "archive.name_ending", f"'{shown}' ends in a dot or a space, which Windows removes"
 
 
 def clean(name: str) -> PurePosixPath | None:

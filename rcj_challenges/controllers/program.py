@@ -224,7 +224,7 @@ class Program:
             return self._closed_fault()
         if isinstance(error, FrameTooLongError):
             return self._fail("protocol", f"the program sent a message of {error.args[0]} bytes")
-        return self._fail("protocol", f"the program sent what is no message: {error}")
+        return self._fail("protocol", f"the program sent an invalid message: {error}")
 
     def finish(self, observation: Observation) -> None:
         """Tell the program that the match is over: its ``step`` returns -1, then it may clean up until `close`."""
@@ -426,7 +426,7 @@ class Program:
             return None
         self._look_at_s = self.budget.waited_s + _SLICE_S
         if self._process.has_lost_main_thread():
-            return "exit", "the program's main thread ended while other threads ran on"
+            return "exit", "the program's main thread ended while other threads kept running"
         written = self._writes_too_much(times, closely=closely)
         if written is not None:
             return written

@@ -129,7 +129,7 @@ class Codec:
         except StructError:
             raise ProtocolError(f"a request of {counted(len(body), 'byte')}") from None
         if advance < 1:
-            raise ProtocolError("a request to advance by no tick")
+            raise ProtocolError("a request to advance by 0 ticks")
         sampling, channels, frequencies, emissions = others
         settings = max(motors, sampling, channels, frequencies)
         if settings > len(self._accepts) or emissions > MAX_EMISSIONS:
@@ -257,7 +257,7 @@ def _other_than_request(body: bytes, tick: int) -> Ended:
     except StructError:
         raise ProtocolError(f"a farewell of {counted(len(body), 'byte')}") from None
     if kind >= len(FAULT_KINDS) or _FAULT.size + size > len(body):
-        raise ProtocolError("a farewell that is none")
+        raise ProtocolError("an invalid farewell")
     detail = body[_FAULT.size : _FAULT.size + size][:_MAX_TRACEBACK].decode("utf-8", "replace")
     trace = body[_FAULT.size + size :][-_MAX_TRACEBACK:].decode("utf-8", "replace")
     return Ended(FAULT_KINDS[kind], one_line(detail), _without_addresses(_printable(trace, keep="\n\t")))

@@ -383,7 +383,7 @@ def missing_programs(
     missing: Mapping[str, tuple[str, ...]],
     *,
     hint: bool = True,
-    not_meant: Collection[PurePosixPath] = (),
+    others: Collection[PurePosixPath] = (),
 ) -> str:
     """Return a message: missing programs, what was looked for, what is there and, as a hint, the nearest name.
 
@@ -391,7 +391,7 @@ def missing_programs(
         files: of the submission.
         missing: by robot, what was looked for in vain.
         hint: whether to say what comes nearest.
-        not_meant: files that are none of those that are missing: others import them, or robots have them.
+        others: files that are none of those that are missing: others import them, or robots have them.
     """
     wanted = list(dict.fromkeys(missing.values()))
     looked_for = "; ".join(
@@ -402,7 +402,7 @@ def missing_programs(
     python = ([name for name in present if name.endswith(".py")] or present)[:MAX_COMPARED]
     found = ", ".join(map(safe_text, python[:_SHOWN_FILES])) + (", …" if len(python) > _SHOWN_FILES else "")
     message = f"no program for {looked_for}; found: {found or 'nothing'}"
-    candidates = [name for name in python if PurePosixPath(name) not in not_meant]
+    candidates = [name for name in python if PurePosixPath(name) not in others]
     nearest = ((near, entry) for entries in wanted for entry in entries if (near := _nearest(entry, candidates)))
     for near, entry in nearest if hint else ():
         return f"{message}; did you mean {safe_text(near)} to be {entry}?"

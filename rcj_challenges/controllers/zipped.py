@@ -325,9 +325,9 @@ def _content_start(data: bytes, entry: Entry) -> tuple[int, str]:
     shown = safe_text(entry.name)
     raw_name = data[at + _LOCAL.size : at + _LOCAL.size + name_size]
     if raw_name != entry.raw_name or method != entry.method or (flags ^ entry.flags) & _ENCRYPTED:
-        message = f"'{shown}' is called or packed otherwise in the table of contents than where it stands"
+        message = f"'{shown}' has another name or method in the table of contents than in its own header"
         raise UnreadableError("archive.deceptive", message, where=shown)
     said = ((crc, entry.crc), (packed, entry.packed), (size, entry.size))
     if not flags & _SIZES_FOLLOW and any(here not in (there, _ALL_ONES_32) for here, there in said):
-        return start, f"'{shown}' has another size or checksum in the table of contents than where it stands"
+        return start, f"'{shown}' has another size or checksum in the table of contents than in its own header"
     return start, ""

@@ -73,13 +73,13 @@ def look_until(clock: Clock, seconds: float) -> int:
     return looked
 
 
-def test_who_looks_at_the_clock_while_the_one_that_steps_waits_for_it_sees_it_go_on(clock: Clock) -> None:
+def test_clock_goes_on_for_a_thread_that_the_stepping_thread_waits_for(clock: Clock) -> None:
     # Not only after the standstill that real time needs to count.
     assert quickest_beside(lambda: look_until(clock, 0.005), 0.09) < 0.09
     assert clock.missed_ticks() == 0
 
 
-def test_who_sleeps_while_the_one_that_steps_waits_for_it_sleeps_about_as_long_in_real_time(clock: Clock) -> None:
+def test_thread_that_the_stepping_thread_waits_for_sleeps_in_real_time(clock: Clock) -> None:
     assert 0.02 <= quickest_beside(lambda: clock.sleep(0.02), 0.1) < 0.1
     assert clock.missed_ticks() == 0
 
@@ -113,7 +113,7 @@ def test_what_the_clock_is_ahead_is_taken_back_and_it_never_runs_back(clock: Clo
     assert shown[-1] < 11 * TICK_S + 0.03
 
 
-def test_while_somebody_computes_nobody_counts_as_stuck(clock: Clock, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_no_thread_counts_as_stuck_while_another_computes(clock: Clock, monkeypatch: pytest.MonkeyPatch) -> None:
     """Who polls does not run ahead, for less than the while after which real time counts."""
     monkeypatch.setattr(_background_clock, "real_process_time", time.perf_counter)
     monkeypatch.setattr(_background_clock, "_IS_TOLD_FINELY", True)
@@ -200,5 +200,5 @@ robot.step(32)
     assert match.play(program, 2).said == ["True", "True"]
 
 
-def test_who_plans_until_ten_ms_have_passed_goes_round_some_hundred_times(clock: Clock) -> None:
+def test_loop_that_plans_for_ten_ms_runs_some_hundred_times(clock: Clock) -> None:
     assert 250 < look_until(clock, 0.01) < 350

@@ -55,7 +55,7 @@ def test_a_program_that_waits_in_vain_misses_ticks_as_one_that_sleeps(match: Fak
     assert "True" not in played.said
 
 
-def test_nobody_really_waits_where_no_other_thread_could_end_it(match: FakeMatch) -> None:
+def test_a_wait_that_no_other_thread_could_end_takes_no_real_time(match: FakeMatch) -> None:
     """An hour is far longer than a step may take."""
     waits = [wait.format(s=3600) + "\nrobot.step(32)\n" for wait in WAITS.values()]
     played = match.play(ROBOT + "".join(waits) + STEPS, len(WAITS) * (AN_HOUR + 1) + 4)
@@ -219,7 +219,9 @@ class TestAShortWait:
 
         return bool(_blocking_calls._for_others(look, None, 0.031)), seen.looks
 
-    def test_goes_on_while_others_have_the_processor_where_no_system_tells_who_would_run(self, monkeypatch) -> None:
+    def test_goes_on_while_others_have_the_processor_where_the_system_does_not_list_runnable_threads(
+        self, monkeypatch
+    ) -> None:
         """Each look takes 0.2 s in which this program computed for 0.001 s."""
         assert self.waited(monkeypatch, lambda _: None, 0.2, 0.001, comes_at=10) == (True, 10)
         came, looks = self.waited(monkeypatch, lambda _: None, 0.2, 0.001)
@@ -257,7 +259,7 @@ thread.join(30)
     assert [r.missed_ticks for _, r in played.requests][:4] == [0, 0, 10, 0]
 
 
-def test_modules_that_are_built_into_the_interpreter_are_changed_as_well() -> None:
+def test_modules_that_are_built_into_the_interpreter_are_patched_too() -> None:
     """Which these are differs: in some distributions of Python, `select` is one."""
     seen = []
     spec = AfterImport({"_tokenize": seen.append}, "/nowhere").find_spec("_tokenize")

@@ -328,7 +328,7 @@ def test_a_program_plays_the_same_with_isolation_and_without(tmp_path: Path, pro
 
 
 @needs_linux
-def test_threads_are_bound_as_well_that_run_when_the_parent_is_watched(tmp_path: Path) -> None:
+def test_layers_bind_the_thread_that_watches_the_parent_too(tmp_path: Path) -> None:
     """With ``portable`` a thread watches the parent; it starts after the layers are in place."""
     program = """
 import os

@@ -108,7 +108,7 @@ def test_a_program_plays_and_ends_the_same_with_bubblewrap_and_without(tmp_path:
 
 
 @needs_bubblewrap
-def test_a_hang_is_told_with_its_place(tmp_path: Path) -> None:
+def test_a_hang_is_reported_with_its_place(tmp_path: Path) -> None:
     with only("resource_limits", "no_new_privileges", "filesystem", "system_calls", "bubblewrap"):
         played = FakeMatch(tmp_path, step_s=0.5).play(f"{IN_PLAY}while True:\n    pass\n", 3)
     assert played.fault is not None
@@ -135,7 +135,7 @@ def test_nothing_of_it_is_left_when_the_match_has_ended_the_program(tmp_path: Pa
 
 @needs_bubblewrap
 @pytest.mark.parametrize("by_itself", [True, False], ids=["by itself", "by the match"])
-def test_when_a_program_has_ended_bubblewraps_own_processes_have_as_well(tmp_path: Path, by_itself: bool) -> None:
+def test_bubblewraps_own_processes_end_with_the_program(tmp_path: Path, by_itself: bool) -> None:
     match = FakeMatch(tmp_path)
     with only("bubblewrap"), match.pool() as pool:
         program = pool.add(SPEC, match.team(IN_PLAY), "robot.py")

@@ -97,7 +97,7 @@ def test_a_warning_shows_the_line_that_it_is_about(tmp_path: Path) -> None:
 HELPER = 'import warnings\ndef warn():\n    warnings.warn("mind")\n'
 
 
-def test_a_program_is_told_the_whole_path_of_its_files(tmp_path: Path) -> None:
+def test_a_program_sees_the_whole_path_of_its_files(tmp_path: Path) -> None:
     program = "import os\nassert os.path.isabs(__file__) and os.path.exists(os.getcwd())\nprint(len(__file__) > 30)\n"
     assert printed(tmp_path, program) == "True"
 

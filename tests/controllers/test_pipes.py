@@ -76,7 +76,7 @@ def test_frames_come_one_by_one_in_order(line: Line) -> None:
 
 
 @pytest.mark.parametrize("timeout_s", [0.0, -1.0, 0.05])
-def test_nothing_is_told_when_the_time_is_over(line: Line, timeout_s: float) -> None:
+def test_receive_returns_none_when_the_time_is_over(line: Line, timeout_s: float) -> None:
     began = time.perf_counter()
     assert line.channel.receive(timeout_s) is None
     assert time.perf_counter() - began >= timeout_s - 0.005
@@ -156,11 +156,11 @@ class TestOneThatAnswersAtOnce:
             tried.append(bool(looks))
         assert [at for at, looked in enumerate(tried) if looked] == [0, 17, 34, 51]
 
-    def test_nobody_is_waited_for_who_was_given_no_time(self, line: Line, looks: list[int]) -> None:
+    def test_receive_without_time_does_not_wait(self, line: Line, looks: list[int]) -> None:
         assert line.channel.receive(0.0) is None
         assert looks == []
 
-    def test_one_that_is_gone_is_told(self, line: Line) -> None:
+    def test_a_side_that_is_gone_raises_an_error(self, line: Line) -> None:
         line.hangs_up()
         with pytest.raises(ChannelClosedError):
             line.channel.receive_soon()

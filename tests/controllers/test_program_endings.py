@@ -216,7 +216,7 @@ while robot.step(32) != -1:
     assert [(len(data), data[0]) for data in played.sent()] == [(900_000, 1), (900_000, 2), (900_000, 3)]
 
 
-def test_isolation_tells_which_layers_are_active() -> None:
+def test_layers_that_are_always_active() -> None:
     always = {"clean_environment", "private_folder", "ends_with_parent"}
     assert set(isolation.active_layers("off")) == always
     assert set(isolation.active_layers("auto", "darwin")) == always | {"resource_limits"}

@@ -90,7 +90,7 @@ def test_a_fault_has_its_kind_tick_and_reason(match: FakeMatch, reason: str) -> 
     assert re.fullmatch(detail, fault.detail)
 
 
-def test_a_crash_is_told_with_the_programs_own_traceback(either_match: FakeMatch) -> None:
+def test_a_crash_is_reported_with_the_programs_own_traceback(either_match: FakeMatch) -> None:
     fault = fault_of(either_match, "faults/crashes_in_play")
     detail = "ZeroDivisionError: division by zero (crashes_in_play.py, line 5)"
     assert fault == Fault("Y1", "crash", 3, 1, detail, fault.traceback)
@@ -105,7 +105,7 @@ def test_a_crash_is_told_with_the_programs_own_traceback(either_match: FakeMatch
 
 @pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le", "cp1252"])
 @pytest.mark.parametrize("name", ["robot", "tools"])
-def test_a_file_that_is_no_utf_8_is_told_with_what_to_do(match: FakeMatch, encoding: str, name: str) -> None:
+def test_a_file_that_is_not_utf_8_is_reported_with_what_to_do(match: FakeMatch, encoding: str, name: str) -> None:
     """Editors on Windows save in such ways; Python speaks of "null bytes", and names no file."""
     (match.folder / "robot.py").write_text("import controller\nimport tools\n", encoding="utf-8")
     (match.folder / f"{name}.py").write_bytes("from controller import Robot\nprint('Müller')\n".encode(encoding))
@@ -115,7 +115,7 @@ def test_a_file_that_is_no_utf_8_is_told_with_what_to_do(match: FakeMatch, encod
     assert fault.detail.endswith("; save the file as UTF-8 text in your editor")
 
 
-def test_the_traceback_of_a_chained_error_tells_both_and_nothing_of_this_project(match: FakeMatch) -> None:
+def test_the_traceback_of_a_chained_error_has_both_errors_and_nothing_of_this_project(match: FakeMatch) -> None:
     program = f"{STEPPED}try:\n    robot.getDevice('team receiver').getData()\nexcept RuntimeError as error:\n"
     fault = fault_of(match, f"{program}    raise ValueError(f'{{object()}}') from error\n")
     assert fault.detail == "ValueError: <object object at 0x…> (robot.py, line 9)"
@@ -124,7 +124,7 @@ def test_the_traceback_of_a_chained_error_tells_both_and_nothing_of_this_project
     assert str(match.folder) not in fault.traceback
 
 
-def test_where_a_program_broke_the_interpreter_is_told_as_each_system_does_it(match: FakeMatch) -> None:
+def test_the_place_where_a_program_broke_the_interpreter_is_in_its_log(match: FakeMatch) -> None:
     """Windows has no signals: there the interpreter says "Windows fatal exception: access violation"."""
     program = "import faulthandler\nfrom controller import Robot\nRobot().step(32)\nfaulthandler._read_null()\n"
     played = match.play(program, 5)
@@ -145,7 +145,7 @@ def test_where_a_program_broke_the_interpreter_is_told_as_each_system_does_it(ma
         pytest.param(
             "talks_garbage",
             "protocol",
-            "the program sent what is no message: a message of unknown type 104",
+            "the program sent an invalid message: a message of unknown type 104",
             marks=posix,
         ),
     ],
@@ -188,7 +188,7 @@ def test_a_program_that_failed_stays_dead_and_says_the_same_again(match: FakeMat
         assert program.has_ended()
 
 
-def test_a_program_of_a_folder_is_told_by_its_path_in_the_folder(match: FakeMatch, tmp_path: Path) -> None:
+def test_a_fault_names_a_file_by_its_path_in_the_teams_folder(match: FakeMatch, tmp_path: Path) -> None:
     (tmp_path / "t" / "robot1").mkdir(parents=True)
     (tmp_path / "t" / "robot1" / "robot1.py").write_text("import tools\n", encoding="utf-8")
     (tmp_path / "t" / "robot1" / "tools.py").write_text("open('missing.txt')\n", encoding="utf-8")
@@ -200,7 +200,7 @@ def test_a_program_of_a_folder_is_told_by_its_path_in_the_folder(match: FakeMatc
 
 
 @pytest.mark.parametrize("name", ["token", "traceback", "difflib"])
-def test_a_crash_is_told_whatever_the_team_called_its_files(match: FakeMatch, tmp_path: Path, name: str) -> None:
+def test_a_crash_is_reported_whatever_the_team_called_its_files(match: FakeMatch, tmp_path: Path, name: str) -> None:
     (tmp_path / "t").mkdir()
     (tmp_path / "t" / f"{name}.py").write_text("SPEED = 5\n", encoding="utf-8")
     program = (

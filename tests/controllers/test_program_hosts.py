@@ -51,7 +51,7 @@ def test_what_this_computer_lacks_is_no_fault_of_a_program(
 
 
 @pytest.mark.parametrize("code", [14, 39, 1450, 1455])
-def test_what_this_computer_lacks_is_told_by_windows_in_numbers_of_its_own(
+def test_windows_reports_what_this_computer_lacks_in_numbers_of_its_own(
     match: FakeMatch, monkeypatch: pytest.MonkeyPatch, code: int
 ) -> None:
     """Such as 1455, "the paging file is too small": their ``errno`` is only EINVAL."""
@@ -109,7 +109,7 @@ while robot.step(32) != -1:
 
 
 @pytest.mark.usefixtures("_full")
-def test_who_has_filled_the_temporary_folder_pays_and_the_match_goes_on(match: FakeMatch) -> None:
+def test_the_program_that_filled_the_temporary_folder_is_ended_and_the_match_goes_on(match: FakeMatch) -> None:
     with match.pool() as pool:
         programs = {}
         for name, program in (("Y1", WRITES_MUCH), ("B1", FINDS_NO_ROOM)):
@@ -133,5 +133,5 @@ def test_who_has_filled_the_temporary_folder_pays_and_the_match_goes_on(match: F
         assert not any(path.is_dir() for path in pool._folders.place.iterdir()), "the room is there again"
 
 
-def test_who_only_says_that_there_is_no_room_has_crashed(match: FakeMatch) -> None:
+def test_a_program_that_only_claims_that_there_is_no_room_has_crashed(match: FakeMatch) -> None:
     assert fault_of(match, FINDS_NO_ROOM).kind == "crash"

@@ -42,7 +42,7 @@ def test_a_program_that_hangs_is_stopped_at_the_limit_and_its_log_shows_where(tm
 
 
 @pytest.mark.parametrize("asked", ["by a signal", "by its watch"])
-def test_where_it_hangs_is_told_before_where_its_other_threads_are(
+def test_the_place_of_a_hang_is_listed_before_those_of_other_threads(
     asked: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     by_watch = asked == "by its watch" or sys.platform == "win32"
@@ -60,7 +60,7 @@ def test_where_it_hangs_is_told_before_where_its_other_threads_are(
         "turn()\n",
         encoding="utf-8",
     )
-    played = FakeMatch(tmp_path, portable=by_watch, start_s=1.5).play(open_team(tmp_path / "t"))
+    played = FakeMatch(tmp_path, portable=by_watch, start_s=0.7).play(open_team(tmp_path / "t"))
     where = played.log.split("It was here, the innermost call first:\n")[1].splitlines()
     assert where[:6] == [
         '  File "robot.py", line 7 in turn',
@@ -80,9 +80,7 @@ def test_a_program_that_is_slow_on_every_step_is_stopped_by_the_sum(tmp_path: Pa
 
 
 @posix
-def test_while_the_match_itself_stands_still_nobodys_time_runs_out(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_no_time_runs_out_while_the_match_itself_stands_still(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Ctrl-Z, and ``fg`` after an hour: each program is charged what one step may take, and no more."""
     stood_s, bodies = [0.0], list[bytes | None]()
     clock = SimpleNamespace(perf_counter=lambda: time.perf_counter() + stood_s[0])
@@ -209,7 +207,7 @@ def test_how_a_program_ended_does_not_depend_on_how_many_of_its_threads_have_end
     assert fault_of(FakeMatch(tmp_path, processes=7), "x = 1\nraise RuntimeError('no room')\n", 3).kind == "crash"
 
 
-def test_who_writes_fast_is_stopped_before_its_folder_is_looked_through_again(
+def test_a_program_that_writes_fast_is_stopped_before_its_folder_is_looked_through_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("rcj_challenges.controllers.program._SLICE_S", 1e-6)

@@ -35,7 +35,7 @@ def test_a_program_reads_what_its_robot_senses_and_drives(either_match: FakeMatc
     assert set(played.requests[0][1].sampling) == wanted
 
 
-def test_a_function_that_goes_on_by_calling_itself_is_told_before_python_ends_it(match: FakeMatch) -> None:
+def test_a_function_that_calls_itself_to_continue_gets_a_warning_before_python_ends_it(match: FakeMatch) -> None:
     program = """
 from controller import Robot
 import sys
@@ -151,7 +151,7 @@ def test_imports_work_by_name_and_only_what_robots_lack_is_refused_on_use(match:
     played = match.play("patterns/imports_a_lot", 2)
     assert played.fault is None
     assert played.said == [
-        "5.0 2.0 controllers 1",
+        "5.0 controllers 1",
         "NotImplementedError there is no Camera on these robots",
         "Error: only one Robot can be made: this second Supervisor is the same robot.",
         "Error: only one Robot can be made: this second Robot is the same robot.",
@@ -307,7 +307,7 @@ robot.step(32)
 
 
 @pytest.mark.parametrize("again", ["importlib.reload(controller)", "del sys.modules['controller']; import controller"])
-def test_the_module_may_be_loaded_anew(match: FakeMatch, again: str) -> None:
+def test_the_module_may_be_loaded_again(match: FakeMatch, again: str) -> None:
     """Also where the team has a file of that name: it never counts."""
     program = f"""
 import importlib, sys

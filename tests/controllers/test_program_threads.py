@@ -94,7 +94,7 @@ def test_while_a_thread_prepares_to_drive_the_main_one_may_sleep_and_misses_noth
     assert [(tick, r.missed_ticks) for tick, r in played.requests] == [(tick, 0) for tick in range(20)]
 
 
-def test_a_pool_of_threads_that_nobody_shuts_down_does_not_keep_a_program_from_its_end(match: FakeMatch) -> None:
+def test_a_pool_of_threads_that_is_not_shut_down_does_not_keep_a_program_from_its_end(match: FakeMatch) -> None:
     program = """
 from concurrent.futures import ThreadPoolExecutor
 from controller import Robot

@@ -147,7 +147,7 @@ def test_a_single_file_drives_all_robots(tmp_path: Path, given: str, entry: str)
     assert team.name == given[:-3]
 
 
-def test_what_tools_leave_behind_belongs_to_nobody(tmp_path: Path) -> None:
+def test_what_tools_leave_behind_is_ignored(tmp_path: Path) -> None:
     junk = {
         ".git/config": b"g",
         "rcj_soccer_team_blue/__pycache__/utils.cpython-311.pyc": b"p",
@@ -170,7 +170,7 @@ def test_any_change_of_a_name_or_a_byte_changes_the_digest(tmp_path: Path) -> No
     assert len(digests) == 4
 
 
-def test_a_missing_program_is_told_with_what_was_looked_for_what_is_there_and_the_nearest(tmp_path: Path) -> None:
+def test_a_missing_program_is_reported_with_what_was_looked_for_what_is_there_and_the_nearest(tmp_path: Path) -> None:
     with pytest.raises(TeamError) as caught:
         open_team(folder_of(tmp_path, {"rcj_soccer_team_blue/rcj_soccer_team_bleu.py": b"x"}), BLUE)
     told = str(caught.value)
@@ -180,7 +180,7 @@ def test_a_missing_program_is_told_with_what_was_looked_for_what_is_there_and_th
     assert "\n" not in told
 
 
-def test_a_program_of_another_number_was_not_meant() -> None:
+def test_a_program_of_another_number_is_not_suggested() -> None:
     """Whoever forgot the program itself has three others left, and none of them is another one misspelled."""
     missing = {"B1": ("rcj_soccer_team_blue/rcj_soccer_team_blue.py", "robot1/robot1.py", "robot.py")}
     files = {PurePosixPath(f"rcj_soccer_team_blue/robot{number}.py"): b"1" for number in (2, 3)}
@@ -191,7 +191,7 @@ def test_a_program_of_another_number_was_not_meant() -> None:
     )
 
 
-def test_one_of_three_programs_missing_is_told_for_that_robot_only(tmp_path: Path) -> None:
+def test_one_of_three_programs_missing_is_reported_for_that_robot_only(tmp_path: Path) -> None:
     files = {name: content for name, content in OF_2021.items() if name != "robot2/robot2.py"}
     with pytest.raises(TeamError, match=r"no program for B2: looked for") as caught:
         open_team(folder_of(tmp_path, files), BLUE)
@@ -261,7 +261,7 @@ def test_nothing_at_the_path_is_said_plainly(tmp_path: Path, monkeypatch: pytest
     assert refusal(tmp_path / "nothing").endswith("nothing: there is no such file or folder")
     with monkeypatch.context() as windows:
         windows.setattr(os, "sep", "\\")
-        assert refusal(tmp_path / 'my team" --blue x').endswith("file or folder; leave away the backslash at its end")
+        assert refusal(tmp_path / 'my team" --blue x').endswith("file or folder; remove the backslash at its end")
     (tmp_path / "empty").mkdir()
     assert "there are no files in it" in refusal(tmp_path / "empty")
 
@@ -350,7 +350,7 @@ def test_letters_that_a_mac_takes_apart_are_put_together(tmp_path: Path, packed:
 
 
 @pytest.mark.skipif(sys.platform == "darwin", reason="there both names are one file")
-def test_of_two_files_that_only_a_mac_takes_for_one_the_composed_one_is_read_and_the_other_told(tmp_path: Path) -> None:
+def test_of_two_files_that_are_one_on_a_mac_the_composed_one_is_read_and_the_other_reported(tmp_path: Path) -> None:
     apart, whole = (unicodedata.normalize(form, "größe.py") for form in ("NFD", "NFC"))
     folder = folder_of(tmp_path / "team", {"robot.py": b"x = 1", apart: b"x = 2", whole: b"x = 3"})
     contents = archive.read_contents(folder)

@@ -169,7 +169,7 @@ def test_a_wait_for_a_processor_that_is_not_over_counts_as_ready() -> None:
     assert machine.budget.exceeded is None
 
 
-def test_time_in_which_the_match_itself_stood_still_is_charged_to_nobody() -> None:
+def test_time_in_which_the_match_itself_stood_still_is_not_charged() -> None:
     machine = Machine()
     machine.budget.look(machine.now_s)
     machine.passes(3600.0, {MAIN: 0.5})

@@ -173,7 +173,7 @@ def test_a_program_gives_way_and_takes_its_turn_again(match: FakeMatch, sandbox:
 
 
 @TURNS_ON_LINUX
-def test_a_program_is_told_all_along_on_how_many_processors_it_may_be(match: FakeMatch) -> None:
+def test_a_program_sees_the_same_set_of_processors_all_along(match: FakeMatch) -> None:
     ours, played = os.sched_getaffinity(0), Played()
     team = match.team(
         "import os\nfrom controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n"
@@ -193,7 +193,7 @@ def test_a_program_is_told_all_along_on_how_many_processors_it_may_be(match: Fak
 
 
 @pytest.mark.parametrize(("rounds", "is_long"), [(0, False), (2_000_000, True)])
-def test_a_wait_that_turns_out_long_is_told_of_once(
+def test_a_wait_that_turns_out_long_is_reported_once(
     either_match: FakeMatch, rounds: int, is_long: bool
 ) -> None:  # fmt: skip
     team, told = either_match.team(READS_ITS_GPS + f"    for _ in range({rounds}): pass\n"), []

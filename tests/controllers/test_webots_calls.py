@@ -55,7 +55,7 @@ NOT_MADE = "Striker.__init__ has to call super().__init__() first: until then it
 SECOND = "Error: only one Robot can be made: this second {} is the same robot."
 SEND = "TypeError: 'team emitter': send takes bytes, a str or a list of numbers; {}. json.dumps makes a str of other data, struct.pack bytes."
 DROPPED = "Warning: 'team emitter': the packet is dropped: {}"
-NO_DEVICE = "AttributeError: this {} is no device of the robot, as the warning above says"
+NO_DEVICE = "AttributeError: this {} is not a device of the robot (see the warning above)"
 NOT_ENABLED = "RuntimeError: 'ball receiver': {} was called but the receiver is not enabled: call enable(32) before the first step."
 EMPTY = "RuntimeError: 'ball receiver': getData was called with an empty queue; ask getQueueLength() first."
 NAN = "Error: 'right wheel motor': setVelocity(NaN) is refused."
@@ -331,7 +331,7 @@ for device in (emitter, receiver):
             line
             for device in ("team emitter", "team receiver")
             for line in (
-                f"Error: '{device}': channel -2 is none: it is -1 or more; it stays on 3.",
+                f"Error: '{device}': channel -2 does not exist (the lowest is -1); it stays on 3.",
                 "3",
                 f"Error: '{device}': channel 2 is not for this team; it stays on 3.",
                 "3",

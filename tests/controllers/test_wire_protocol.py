@@ -131,7 +131,7 @@ def told_to(connection: _connection.Connection) -> list[float]:
 
 
 @given(observations)
-def test_a_program_is_told_exactly_what_was_observed(observation: Observation) -> None:
+def test_a_program_receives_exactly_what_was_observed(observation: Observation) -> None:
     frame = CODEC.encode(observation)
     body_of(frame)
     connection, _ = pupil(frame)
@@ -186,12 +186,12 @@ def test_packets_beyond_what_a_step_may_send_are_dropped() -> None:
 
 
 @given(ticks, requests)
-def test_the_match_is_told_exactly_what_a_program_asks_for(tick: int, request: Request) -> None:
+def test_the_match_receives_exactly_what_a_program_asks_for(tick: int, request: Request) -> None:
     assert CODEC.decode(body_of(sent_by_pupil(tick, request)), tick) == request
 
 
 @given(st.sampled_from(_wire.FAULT_KINDS), st.text(st.characters(min_codepoint=33, max_codepoint=126), max_size=40))
-def test_the_match_is_told_exactly_how_a_program_ended(kind: str, detail: str) -> None:
+def test_the_match_receives_exactly_how_a_program_ended(kind: str, detail: str) -> None:
     body = body_of(_wire.fault_frame(kind, detail, "line 1\n  line 2\n"))
     if "0x" not in detail:
         assert CODEC.decode(body, 0) == Ended(kind, detail, "line 1\n  line 2\n")
@@ -236,7 +236,7 @@ def test_a_request_that_is_cut_or_followed_by_more_is_refused(request: Request, 
 @pytest.mark.parametrize(
     ("request_", "says"),
     [
-        (GOOD._replace(advance_ticks=0), "a request to advance by no tick"),
+        (GOOD._replace(advance_ticks=0), "a request to advance by 0 ticks"),
         (GOOD._replace(motors=(MotorCommand(0, math.nan, 0.0),)), "device 0: a velocity of nan rad/s"),
         (GOOD._replace(motors=(MotorCommand(0, math.inf, 0.0),)), "device 0: a velocity of inf rad/s"),
         (GOOD._replace(motors=(MotorCommand(1, -10.1, 0.0),)), "device 1: a velocity of -10.1 rad/s"),
@@ -337,7 +337,7 @@ def test_the_document_of_the_protocol_names_every_form() -> None:
 
 
 @pytest.mark.parametrize("soon", [False, True])
-def test_a_program_is_told_whether_its_next_step_ends_soon(soon: bool) -> None:
+def test_a_program_knows_whether_its_next_step_ends_soon(soon: bool) -> None:
     connection, wire = pupil(CODEC.encode(Observation(1, [0.0] * SPEC.values, [], soon=soon)))
     connection.exchange(32)
     assert (wire.next_is_soon, connection.over) == (soon, False)

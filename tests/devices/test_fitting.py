@@ -80,7 +80,7 @@ def test_a_robot_can_have_a_device_more_another_one_and_one_fewer() -> None:
     assert spec.devices[names.index("ball receiver")].facts["range"] == 1.0
 
 
-def test_idle_robots_and_robots_of_nobody_have_no_program() -> None:
+def test_idle_robots_and_robots_without_entrant_have_no_program() -> None:
     change = {"robots": {"B1": {"idle": True}}, "entrants": {"blue": {"robots": {"B2": None}}}}
     bench = Bench(change=change)
     assert [spec.name for spec in bench.devices.specs.values()] == ["B3", "Y1", "Y2", "Y3"]
@@ -88,7 +88,7 @@ def test_idle_robots_and_robots_of_nobody_have_no_program() -> None:
     bench.sense(ticks=2)
 
 
-def test_what_a_program_is_told_can_be_sent_as_json() -> None:
+def test_specs_of_robots_can_be_sent_as_json() -> None:
     change = {"robots": {"Y3": {"devices": {"lidar": {"device": "lidar"}}}}}
     for spec in Bench(change=change).devices.specs.values():
         assert json.loads(json.dumps(asdict(spec), allow_nan=False))["name"] == spec.name

@@ -151,7 +151,7 @@ def test_a_parked_robot_is_not_seen_and_sees_nothing() -> None:
     assert scan(bench)[0] == pytest.approx(0.65, abs=1e-6)
 
 
-def test_a_scanner_that_was_disabled_begins_anew() -> None:
+def test_a_scanner_that_was_disabled_starts_again_at_the_front() -> None:
     bench = lidar_bench()
     bench.place("Y3", 0, 0, 0)
     scan(bench, 4)

@@ -33,7 +33,7 @@ def test_there_is_one_packet_a_tick_of_one_byte() -> None:
     assert struct.unpack("?", b"\x00") == (False,)
 
 
-def test_who_switches_off_or_tunes_away_hears_the_referee_no_more() -> None:
+def test_a_receiver_that_is_disabled_or_tuned_away_does_not_hear_the_referee() -> None:
     bench = Bench()
     for robot in ("Y1", "Y2", "Y3"):
         bench.enable(robot, RECEIVER)
@@ -51,7 +51,7 @@ def test_who_switches_off_or_tunes_away_hears_the_referee_no_more() -> None:
     assert told(bench) == [b"\x00"] * 3
 
 
-def test_observation_k_tells_the_phase_after_the_actions_of_tick_k_minus_1() -> None:
+def test_observation_k_has_the_phase_after_the_actions_of_tick_k_minus_1() -> None:
     bench = Bench()
     bench.enable("Y1", RECEIVER)
     bench.sense(WAITING)  # the goal's own tick
@@ -62,7 +62,7 @@ def test_observation_k_tells_the_phase_after_the_actions_of_tick_k_minus_1() -> 
     assert told(bench) == [b"\x00"]
 
 
-def test_the_first_packet_tells_of_tick_0() -> None:
+def test_the_first_packet_is_about_tick_0() -> None:
     bench = Bench()
     bench.devices.begin(WAITING)
     bench.enable("Y1", RECEIVER)
@@ -104,7 +104,7 @@ def test_what_is_for_some_robots_only_stands_in_their_object_alone() -> None:
     ]  # fmt: skip
 
 
-def test_who_is_told_nothing_hears_no_object() -> None:
+def test_an_empty_broadcast_is_not_sent() -> None:
     bench = Bench()
     for name in ("Y1", "Y2"):
         bench.enable(name, RECEIVER)
@@ -115,7 +115,7 @@ def test_who_is_told_nothing_hears_no_object() -> None:
     assert told(bench, "Y2") == [b"\x00"] * 3
 
 
-def test_who_switches_on_later_hears_what_is_for_it_alone() -> None:
+def test_a_receiver_that_is_enabled_later_hears_its_private_broadcast() -> None:
     bench = Bench()
     secret = RefereeOutput(broadcast={}, private_broadcasts={bench.roster.index["Y1"]: {"way": "left"}})
     bench.enable("Y2", RECEIVER)
@@ -125,7 +125,7 @@ def test_who_switches_on_later_hears_what_is_for_it_alone() -> None:
     assert told(bench, "Y1") == [b"\x00", b'{"way": "left"}']
 
 
-def test_all_robots_are_told_also_those_taken_off_the_field() -> None:
+def test_robots_off_the_field_hear_the_referee_too() -> None:
     bench = Bench()
     for name in ("B1", "Y3"):
         bench.enable(name, RECEIVER)
@@ -207,7 +207,7 @@ def test_a_2021_packet_is_one_control_step_old() -> None:
     assert seen == [[], [pytest.approx(0.02)], [pytest.approx(0.04)], [pytest.approx(0.06)]]
 
 
-def test_the_flag_of_2021_tells_of_the_same_tick_as_the_positions() -> None:
+def test_the_flag_of_2021_is_of_the_same_tick_as_the_positions() -> None:
     bench = Bench("soccersim_2021", kit_2021(packet_lists=[]))
     bench.enable("Y1", "receiver", period=2)
     bench.sense(ticks=3)

@@ -63,7 +63,7 @@ def test_of_each_robot_it_hears_one_message_a_tick_in_the_order_sent(bench: Benc
     assert [told(bench) for _ in range(3)] == [{"B2": "1", "Y3": "3"}, {"B2": "2"}, {}]
 
 
-def test_who_is_taken_off_the_field_or_silenced_is_not_heard(bench: Bench) -> None:
+def test_a_robot_that_is_off_the_field_or_silenced_is_not_heard(bench: Bench) -> None:
     bench.send("Y1", b"a", b"b", channel=1)
     bench.send("Y2", b"a", b"b", channel=1)
     assert told(bench) == {"Y1": "a", "Y2": "a"}

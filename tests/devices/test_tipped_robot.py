@@ -111,7 +111,7 @@ def test_a_robot_on_its_side_has_the_frame_of_its_body(tipping: Tipping) -> None
 
 
 @pytest.mark.parametrize("way", [1, -1])
-def test_the_third_part_of_the_compass_tells_that_it_lies_on_its_side(tipping: Tipping, way: int) -> None:
+def test_the_third_part_of_the_compass_shows_that_it_lies_on_its_side(tipping: Tipping, way: int) -> None:
     tipping.sense(0.05, about((1, 0, 0), way * math.pi / 2))
     assert abs(tipping.read("compass")[2]) >= 0.5
     assert tipping.read("compass") == pytest.approx([0, 0, -way], abs=1e-9)

@@ -99,7 +99,7 @@ def test_program_in_a_match_gets_the_implementation_and_warnings_about_slips(tmp
     text = log.read_text(encoding="utf-8")
     assert "implementation" in text
     assert (
-        text.count("'left wheel motor' has no attribute 'velocty': to set it does nothing; did you mean 'velocity'?")
+        text.count("'left wheel motor' has no attribute 'velocty': setting it does nothing; did you mean 'velocity'?")
         == 1
     )
     assert "my_own_note" not in text

@@ -41,7 +41,7 @@ def skipped(entry: Entry) -> object:
 
 
 @pytest.mark.parametrize("batch", [*cases(HERE), *map(skipped, NOT_HERE)], ids=names)
-def test_a_hostile_program_costs_its_own_robot_and_nobody_else_anything(
+def test_a_hostile_program_costs_its_own_robot_and_nothing_else(
     batch: tuple[Entry, ...], tmp_path: Path
 ) -> None:
     assert_held(batch, tmp_path)
@@ -62,7 +62,7 @@ def test_the_layers_of_the_kernel_hold_without_bubblewrap(
 
 @pytest.mark.nightly
 @pytest.mark.parametrize("batch", batches(entry for entry in HERE if entry.about in BESIDE_THE_SYSTEM), ids=names)
-def test_the_match_holds_them_as_well_where_pipes_cannot_be_polled(
+def test_hostile_programs_are_held_where_pipes_cannot_be_polled(
     batch: tuple[Entry, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(pipes, "select", SimpleNamespace())

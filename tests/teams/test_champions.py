@@ -95,7 +95,7 @@ def test_a_passer_knows_where_and_when_it_meets_the_ball(champion):
     assert touch.meeting((0.0, 0.0), (0.0, 0.2), (0.1, -0.1), math.pi / 2, 0.06) is None
 
 
-def test_the_lidar_tells_the_formation_by_the_faces_that_it_sees(champion):
+def test_the_formation_is_found_by_the_faces_that_the_lidar_sees(champion):
     obstacles = champion("precision_lidar/score_goal", "obstacles")
     for formation in obstacles.FORMATIONS:
         faces = [(x + dx, y - 0.0375) for x, y in formation for dx in (-0.03, -0.01, 0.01, 0.03)]

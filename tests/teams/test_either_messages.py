@@ -14,8 +14,8 @@ SAMPLES = Path(__file__).resolve().parents[2] / "examples" / "teams"
 
 
 def played(out: Path, blue: str, yellow: str, *overrides: str) -> tuple[list[object], bytes]:
-    """Play 6 s; return the faults, and every pose of the match."""
-    loaded = load("match", ["match.half_s=6", "match.halves=1", *overrides])
+    """Play 3 s; return the faults, and every pose of the match."""
+    loaded = load("match", ["match.half_s=3", "match.halves=1", *overrides])
     seats = tuple(loaded.scenario.entrants.values())
     teams = {"blue": open_team(SAMPLES / blue, *seats), "yellow": open_team(SAMPLES / yellow, *seats)}
     match = play_match(MatchPlan(loaded, teams, {}, seed=3, out=out))

@@ -61,7 +61,7 @@ def idle_team(tmp_path) -> Path:
     ("blue", "yellow"), [("ball_chaser", "all_sensors"), ("roles_and_radio", "ball_chaser")], ids=lambda name: name
 )
 def test_sample_teams_play_both_colours_without_a_fault(play_teams, blue, yellow):
-    played = play_teams(SAMPLES / blue, SAMPLES / yellow, half_s=6)
+    played = play_teams(SAMPLES / blue, SAMPLES / yellow, half_s=4)
     assert played.result["complete"]
     assert played.result["faults"] == []
     # Sample teams print nothing: what stands in a log would be a warning.
@@ -69,7 +69,7 @@ def test_sample_teams_play_both_colours_without_a_fault(play_teams, blue, yellow
 
 
 def test_programs_of_2022_and_2023_play_together(play_teams):
-    played = play_teams(STYLES / "style_2022", STYLES / "style_2023", half_s=8)
+    played = play_teams(STYLES / "style_2022", STYLES / "style_2023", half_s=5)
     assert played.result["faults"] == []
     log = played.log("B2")
     assert "Größenwahn" in played.result["entrants"]["blue"]["name"]
@@ -139,7 +139,7 @@ def test_the_default_match_is_a_game(play_teams, seed):
 
 @pytest.mark.nightly
 @pytest.mark.parametrize("name", ["ball_chaser", "roles_and_radio", "all_sensors"])
-def test_a_sample_team_that_nobody_hinders_scores_for_itself_only(play_teams, idle_team, name):
+def test_a_sample_team_without_opponents_scores_for_itself_only(play_teams, idle_team, name):
     played = play_teams(SAMPLES / name, idle_team, half_s=120)
     assert played.result["score"]["blue"] >= 2
     assert played.result["score"]["yellow"] == 0

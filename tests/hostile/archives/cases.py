@@ -159,7 +159,7 @@ SEEN: dict[str, Case] = {
         "identity.name_file", "warning", "is in a folder", repair=True,
     ),
     "name_file_is_a_document": Case(
-        lambda: named(b"{\\rtf1 Robo Cats}", "team_name.rtf"), "identity.name_document", "warning", "no plain text"
+        lambda: named(b"{\\rtf1 Robo Cats}", "team_name.rtf"), "identity.name_document", "warning", "not plain text"
     ),
     "name_file_of_no_bytes": Case(lambda: named(b""), "identity.name_empty", "warning", "is empty"),
     "name_empty": Case(lambda: named(b" \r\n"), "identity.name_empty", "warning", "is empty"),
@@ -318,7 +318,7 @@ HOSTILE: dict[str, Case] = {
         lambda: member_with(local_size=1), "archive.headers", "warning", "another size or checksum", repair=True
     ),
     "another_name_in_the_local_header": Case(
-        lambda: member_with(local_name=b"evil.exe"), "archive.deceptive", says="called or packed otherwise"
+        lambda: member_with(local_name=b"evil.exe"), "archive.deceptive", says="another name or method"
     ),
     "another_method_in_the_local_header": Case(lambda: member_with(local_method=STORED), "archive.deceptive"),
     "bytes_after_the_archive": Case(
@@ -374,7 +374,7 @@ HOSTILE: dict[str, Case] = {
         lambda: member_with(name=b"caf\xe9.txt", flags=0x800), "archive.name_encoding", says="UTF-8", repair=True
     ),
     "name_in_an_encoding_that_is_not_told": Case(
-        lambda: member_with(name="設定/ボール.txt".encode("cp932")), "archive.name_guessed", "warning", "does not tell"
+        lambda: member_with(name="設定/ボール.txt".encode("cp932")), "archive.name_guessed", "warning", "does not say how"
     ),
     "name_reserved_on_windows": Case(
         lambda: member_with(name="notes/aux.txt"), "archive.name_reserved", says="device on Windows", repair=True

@@ -3,7 +3,7 @@
 #: holds = "any violation of the protocol ends it"
 #: tick = 10
 #: ends = "protocol at 10"
-#: cause = "a farewell that is none"
+#: cause = "an invalid farewell"
 #: variant = true
 
 import struct

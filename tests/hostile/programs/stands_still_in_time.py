@@ -3,7 +3,7 @@
 #: holds = "a step lasts at least one tick"
 #: tick = 10
 #: ends = "protocol at 10"
-#: cause = "advance by no tick"
+#: cause = "advance by 0 ticks"
 #: variant = true
 
 

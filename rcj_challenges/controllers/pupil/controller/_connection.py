@@ -287,7 +287,7 @@ class Connection:
                 near = get_close_matches(name, known, 1, 0.8)
                 if near and name not in self._reported:
                     self._reported.add(name)
-                    what = f"{device.name!r} has no attribute {name!r}: to set it does nothing"
+                    what = f"{device.name!r} has no attribute {name!r}: setting it does nothing"
                     complain(f"Warning: {what}; did you mean {near[0]!r}?")
 
     def _warn_of_depth(self) -> None:
@@ -299,7 +299,7 @@ class Connection:
         if depth > _MAX_DEPTH and depth * _REHEARSALS > limit:
             ends_s = self.time_s() * limit / depth
             complain(
-                f"Warning: step was called {depth} calls deep: a function that steps goes on by calling itself. At "
+                f"Warning: step was called {depth} calls deep: a function calls itself to continue. At "
                 f"{limit} Python ends the program, after about {ends_s:.0f} s; write a while loop."
             )
 

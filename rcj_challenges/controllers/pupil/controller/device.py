@@ -116,7 +116,7 @@ def device_of(connection: Connection, name: str, kind: str) -> Any:
 
 
 def _of_no_device(self: object, _attribute: str) -> Any:
-    error = AttributeError(f"this {type(self).__name__} is no device of the robot, as the warning above says")
+    error = AttributeError(f"this {type(self).__name__} is not a device of the robot (see the warning above)")
     error.name = None  # else Python puts it in, and names that sound like it are proposed
     raise error
 

@@ -332,6 +332,6 @@ def _tuned(spec: dict[str, Any], current: int, given: float) -> int:
         complain(f"Error: {spec['name']!r}: channel {asked} is not for this team; it stays on {current}.")
         return current
     if asked < Receiver.CHANNEL_BROADCAST:
-        complain(f"Error: {spec['name']!r}: channel {asked} is none: it is -1 or more; it stays on {current}.")
+        complain(f"Error: {spec['name']!r}: channel {asked} does not exist (the lowest is -1); it stays on {current}.")
         return current
     return min(asked, 2**31 - 1)
