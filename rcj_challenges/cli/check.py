@@ -5,9 +5,8 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
 
@@ -33,8 +32,7 @@ class CheckUsageError(RcjError):
     CODE = "bad-option"
 
 
-@dataclass(frozen=True)
-class CheckCommand:
+class CheckCommand(NamedTuple):
     """The options of ``check``, as given."""
 
     paths: list[Path]

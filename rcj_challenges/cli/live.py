@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from rcj_challenges.cli.help import Command
 from rcj_challenges.cli.stdio import print_lines
@@ -42,8 +41,7 @@ def with_port(arguments: list[str]) -> list[str]:
     return found
 
 
-@dataclass(frozen=True)
-class LiveOptions:
+class LiveOptions(NamedTuple):
     """How a match is shown while it is played.
 
     Attributes:

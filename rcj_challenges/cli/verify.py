@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
@@ -67,6 +66,8 @@ def verify_runs(
     Raises:
         RcjError: a record cannot be used, or its programs cannot be found.
     """
+    import tempfile
+
     from rcj_challenges.tournament.executor import LocalExecutor
     from rcj_challenges.tournament.jobs import Workplace
     from rcj_challenges.tournament.verify import verify_all

@@ -6,7 +6,6 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -63,6 +62,8 @@ def video(
     quiet: Quiet = False,
 ) -> None:
     """Make an MP4 of a record, with scoreboard and captions."""
+    from fractions import Fraction
+
     from rcj_challenges.cli.output_paths import refuse_devices
     from rcj_challenges.views.video.errors import VideoError, require_packages
 

@@ -11,9 +11,10 @@ things. Both orders are fixed once by `rcj_challenges.scenario.roster.Roster`.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from rcj_challenges.core.changes import Change
+if TYPE_CHECKING:
+    from rcj_challenges.core.changes import Change
 
 Pose2 = tuple[float, float, float]
 """x in m, y in m, yaw in rad."""

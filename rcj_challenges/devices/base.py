@@ -231,12 +231,12 @@ class Device(Word):
     """
 
     KEY = "device"
-    CLASS: ClassVar[str] = ""
+    CLASS: ClassVar = ""
     ACCEPTS: ClassVar[frozenset[str]] = frozenset()
-    WIDTH: ClassVar[int] = 0
-    RESOLUTION: ClassVar[float] = 1e-3
-    MAX_SHOWN: ClassVar[int] = 1_000_000
-    SHOWS_SPEED: ClassVar[bool] = False
+    WIDTH: ClassVar = 0
+    RESOLUTION: ClassVar = 1e-3
+    MAX_SHOWN: ClassVar = 1_000_000
+    SHOWS_SPEED: ClassVar = False
     PAGE_FACTS: ClassVar[tuple[str, ...]] = ()
 
     @property

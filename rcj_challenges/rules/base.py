@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import Annotated, Any, ClassVar, Union, get_args
 
 from pydantic import Discriminator, Field, GetCoreSchemaHandler, Tag
-from pydantic_core import CoreSchema
+from pydantic_core import CoreSchema, core_schema
 
 from rcj_challenges.rules.binder import Binder, Scope
 from rcj_challenges.rules.fields import Name, Names, Point, Strict, described
@@ -39,10 +39,11 @@ class Word(Strict):
         ASKS_WHERE: whether it asks where something is.
     """
 
-    KEY: ClassVar[str]
-    EXAMPLE: ClassVar[str] = ""
-    SENTENCE: ClassVar[str] = ""
-    ASKS_WHERE: ClassVar[bool] = False
+    # ClassVar alone: pydantic would evaluate ClassVar[str] again for each word.
+    KEY: ClassVar = ""
+    EXAMPLE: ClassVar = ""
+    SENTENCE: ClassVar = ""
+    ASKS_WHERE: ClassVar = False
 
     @classmethod
     def name(cls) -> str:
@@ -90,7 +91,14 @@ class Vocabulary:
 
     def __get_pydantic_core_schema__(self, _source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         """Return the schema of the union."""
-        return handler.generate_schema(self.shape)
+        return core_schema.tagged_union_schema(self._choices(handler), self._discriminator())
+
+    def _discriminator(self) -> Any:
+        return self.key
+
+    def _choices(self, _handler: GetCoreSchemaHandler) -> dict[Any, CoreSchema]:
+        """Return the schemas by word: the validator of a word is built when a file first has that word."""
+        return {word.name(): core_schema.no_info_plain_validator_function(word.model_validate) for word in self.words()}
 
 
 class FormVocabulary(Vocabulary):
@@ -123,6 +131,17 @@ class FormVocabulary(Vocabulary):
         members = tuple(Annotated[shape, Tag(tag)] for tag, shape in shapes.items())
         return Annotated[Union[members], Discriminator(self.tag_of)]  # noqa: UP007 - built at run time
 
+    def _discriminator(self) -> Any:
+        return self.tag_of
+
+    def _choices(self, handler: GetCoreSchemaHandler) -> dict[Any, CoreSchema]:
+        """Return the schemas by word and by tag of the plain values."""
+        plain, rest = (
+            {tag: handler.generate_schema(shape) for tag, shape in shapes.items()}
+            for shapes in (self._plain, self._rest)
+        )
+        return {**plain, **super()._choices(handler), **rest}
+
     def tag_of(self, value: Any) -> str | None:
         """Return the word to which a value belongs, or the tag of a plain value; None: neither."""
         if isinstance(value, Word):
@@ -143,10 +162,10 @@ class Trigger(Word):
     """
 
     KEY = "trigger"
-    ABOUT: ClassVar[str] = "entity"
-    MEASURED: ClassVar[str] = ""
-    LIMIT: ClassVar[str] = ""
-    REASON: ClassVar[str] = ""
+    ABOUT: ClassVar = "entity"
+    MEASURED: ClassVar = ""
+    LIMIT: ClassVar = ""
+    REASON: ClassVar = ""
 
     def bind(self, to: Binder) -> None:
         """Bind a rule to this trigger: to a tracker, or to the clock's events."""
@@ -178,7 +197,7 @@ class Condition(Word):
     """
 
     KEY = "condition"
-    ABOUT: ClassVar[str] = ""
+    ABOUT: ClassVar = ""
 
     negate: bool = described(False, "True: the opposite must hold")
 
@@ -292,7 +311,7 @@ class ValueWord(FormWord):
         UNIT: of what unit it is, if of any.
     """
 
-    UNIT: ClassVar[str] = ""
+    UNIT: ClassVar = ""
 
     def now(self, to: Scope) -> Callable[[], Any]:
         """Return what reads the value, of one that is the same whichever rule fires."""

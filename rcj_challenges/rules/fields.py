@@ -4,6 +4,7 @@ No module of this package says ``from __future__ import annotations``: pydantic 
 annotations again at every start, which is a seventh of the time that ``validate`` takes.
 """
 
+import copy
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import (
@@ -12,9 +13,10 @@ from pydantic import (
     BeforeValidator,
     ConfigDict,
     Field,
+    GetCoreSchemaHandler,
     StringConstraints,
 )
-from pydantic_core import PydanticCustomError, PydanticKnownError
+from pydantic_core import CoreSchema, PydanticCustomError, PydanticKnownError
 
 from rcj_challenges.core.colours import hex_colour
 from rcj_challenges.core.timing import TICK_S
@@ -29,7 +31,8 @@ class Strict(BaseModel):
 
     either: ClassVar[tuple[str, ...]] = ()
 
-    # Deferred: the whole file's validator is built once, not one more for each of its parts.
+    # Deferred: a validator is built for the whole file, and for each word that it has. Defaults that are models are
+    # made by `model_construct`, which needs none.
     model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False, defer_build=True)
 
 
@@ -38,10 +41,22 @@ def described(default: Any, text: str, **bounds: Any) -> Any:
     return Field(default, description=text, **bounds)
 
 
+class BuiltOnce:
+    """Marks a type that many fields have, so that pydantic works out its schema once; there is no model in it."""
+
+    _schema: CoreSchema | None = None
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        """Return a copy of the marked type's schema: pydantic adds to it what a field says besides."""
+        self._schema = self._schema or handler(source)
+        return copy.copy(self._schema)
+
+
 Name = Annotated[
     str,
     StringConstraints(pattern=r"^[A-Za-z_][A-Za-z0-9_]*$", max_length=64),
     Field(description="a name: letters, digits and _, not beginning with a digit"),
+    BuiltOnce(),
 ]
 EventName = Annotated[
     str,
@@ -88,6 +103,7 @@ Yes = Annotated[Literal[True], BeforeValidator(_no_number)]
 Point = Annotated[
     tuple[float, float],
     Field(strict=False, description="[x, y] in m; x along the short side, y along the long side, origin in the centre"),
+    BuiltOnce(),
 ]
 Positive = Annotated[float, Field(gt=0)]
 NotNegative = Annotated[float, Field(ge=0)]
@@ -104,4 +120,5 @@ Names = Annotated[
         union_mode="left_to_right",
         description="a name, or a list of names; a group's name stands for its members",
     ),
+    BuiltOnce(),
 ]

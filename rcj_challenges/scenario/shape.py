@@ -6,10 +6,11 @@ by side says of every value which fields, names or words may stand there.
 
 from __future__ import annotations
 
+import inspect
 import types
 from collections.abc import Callable
 from functools import cache, wraps
-from typing import Annotated, Any, Literal, NamedTuple, TypeVar, Union, get_args, get_origin, get_type_hints
+from typing import Annotated, Any, Literal, NamedTuple, TypeVar, Union, get_args, get_origin
 
 from pydantic import BaseModel, Discriminator, Tag
 from pydantic.fields import FieldInfo
@@ -96,7 +97,9 @@ def is_model(shape: Shape) -> bool:
 @cache
 def fields(model: type[BaseModel]) -> dict[str, Shape]:
     """Return the shapes of a model's fields by the key that the file uses."""
-    hints = get_type_hints(model, include_extras=True)
+    hints: dict[str, Shape] = {}
+    for base in reversed(model.__mro__):  # `typing.get_type_hints` would look for names in texts, and there are none
+        hints |= inspect.get_annotations(base)
     return {info.alias or name: _without_reference(hints[name]) for name, info in model.model_fields.items()}
 
 

@@ -227,13 +227,13 @@ class Tournament(Strict):
         "match", "what is played: a file, relative to this one, or the name of a shipped scenario"
     )
     set: Settings = described({}, "settings of the scenario: path -> value, as with --set: {match.half_s: 300}")
-    points: Points = described(Points(), "points for a match")
+    points: Points = described(Points.model_construct(), "points for a match")
     tie_breaks: Annotated[tuple[TieBreak, ...], Field(strict=False, min_length=1)] = described(
         ("points", "goal_difference", "goals", "head_to_head"),
         "how a table is ranked, first criterion first. head_to_head: a table of the matches between the teams "
         "that are level. Teams that remain level share their place, unless the last criterion is lot",
     )
-    drawn: DrawnMatches = described(DrawnMatches(), "what decides a knock-out tie that is level")
+    drawn: DrawnMatches = described(DrawnMatches.model_construct(), "what decides a knock-out tie that is level")
     withdrawn: Literal["annulled"] | LostBy = described(
         "annulled",
         "what happens if a team withdraws during the tournament. annulled: in an unfinished round robin none "

@@ -44,7 +44,7 @@ class Kit(Strict):
     looks_along: Literal["+x", "-x"] = described(
         "+x", "the end that is shown as the front in pictures and views; yaw, devices and rules always use +x"
     )
-    chassis: Chassis = described(Chassis(), "the body")
+    chassis: Chassis = described(Chassis.model_construct(), "the body")
     devices: dict[DeviceName, AnyDevice] = described({}, "devices by the name that programs pass to getDevice")
 
 

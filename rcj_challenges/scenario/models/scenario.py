@@ -135,7 +135,10 @@ class Result(Strict):
     """How entrants are ranked, first criterion first."""
 
     rank: tuple[RankByScore | RankByTime | RankByCounter, ...] = Field(
-        (RankByScore(score="descending"),), strict=False, min_length=1, description="criteria; a later one breaks ties"
+        (RankByScore.model_construct(score="descending"),),
+        strict=False,
+        min_length=1,
+        description="criteria; a later one breaks ties",
     )
 
 
@@ -227,7 +230,7 @@ class Expectation(Strict):
         "places of spots that are set at random: spot -> [x, y] in m for the first time, or a list for the "
         "first few times; after that they are random (to compare a spot at the end, use poses)",
     )
-    given: Given = described(Given(), "score, counters and flags when the half begins")
+    given: Given = described(Given.model_construct(), "score, counters and flags when the half begins")
     keyframes: tuple[Keyframe, ...] = Field(..., strict=False, min_length=1, description="the script, in order of time")
     lasts_s: DurationS = described(..., "how long the test lasts, in s")
     events: tuple[ExpectedEvent, ...] | None = Field(
@@ -300,8 +303,8 @@ class Scenario(Strict):
     params: dict[Name, Scalar] = described(
         {}, "named values: use {param: NAME} anywhere, or {param: NAME, times: -1, plus: 0.1} to compute with it"
     )
-    match: Match = described(Match(), "halves and their length")
-    field: FieldModel = described(FieldModel(), "the field, its walls and goals")
+    match: Match = described(Match.model_construct(), "halves and their length")
+    field: FieldModel = described(FieldModel.model_construct(), "the field, its walls and goals")
     # Bounds far above any challenge: every pair of bodies is looked at, here and in the physics.
     balls: dict[Name, Ball] = described({}, "balls by name", max_length=64)
     obstacles: dict[Name, Obstacle] = described({}, "obstacles by name", max_length=256)
@@ -324,8 +327,8 @@ class Scenario(Strict):
     first_phase: Annotated[Name, PHASE] = described("play", "the phase in which a half begins")
     rules: dict[Name, Rule] = described({}, "the rules, in the order in which they are judged")
     broadcast: Broadcast | None = described(None, "what programs receive in addition to the official packet")
-    result: Result = described(Result(), "how entrants are ranked")
-    limits: Limits = described(Limits(), "how much time, memory and disk space a program may use")
+    result: Result = described(Result.model_construct(), "how entrants are ranked")
+    limits: Limits = described(Limits.model_construct(), "how much time, memory and disk space a program may use")
     expect: dict[Name, Expectation] = described(
         {}, "tests of the rules, each named after what must happen; 'inherited: null' removes those of the base"
     )
