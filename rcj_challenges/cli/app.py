@@ -74,7 +74,7 @@ def validate(
     strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 if there is a warning; for CI.")] = False,
     json_: Json = False,
 ) -> None:
-    """Check scenario and tournament files; each mistake is named with file, line and column, doubts as a warning."""
+    """Check scenario and tournament files; report mistakes and warnings with file, line and column."""
     from rcj_challenges.cli.validate import validate_files
 
     raise typer.Exit(validate_files(files, set_ or [], strict=strict, as_json=json_))
@@ -93,8 +93,8 @@ def play_tests(
 ) -> None:
     """Play the tests written in scenario files (expect:), without physics and without programs.
 
-    Every file is played, also after one that cannot be used. Exit status 0: all as expected; 1: a test failed;
-    2: a file that cannot be used, whatever came out of the others.
+    All files are played, even after one that cannot be used. Exit status 0: all as expected; 1: a test failed;
+    2: a file cannot be used, whatever the result of the others.
     """
     from rcj_challenges.cli.expect import run_tests
 
@@ -104,7 +104,7 @@ def play_tests(
 @app.command(cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge explain each-never-named")
 def explain(
     code: Annotated[
-        str | None, typer.Argument(metavar="CODE", help="A code, as in warning[each-never-named]; left out: all.")
+        str | None, typer.Argument(metavar="CODE", help="A code, as in warning[each-never-named]; default: all.")
     ] = None,
 ) -> None:
     """Explain the code of an error or a warning."""
@@ -130,7 +130,7 @@ def new(
         typer.Option(
             "--from",
             metavar="PRESET",
-            help="Field and robots of a challenge: soccersim_v2 (if left out), soccersim_2021 or empty_field.",
+            help="Field and robots of a challenge: soccersim_v2 (default), soccersim_2021 or empty_field.",
         ),
     ] = None,
 ) -> None:
@@ -152,7 +152,7 @@ def new(
 def schema(
     out: Annotated[
         Path | None,
-        typer.Option("--out", metavar="FILE", help="Where to write it; left out: schemas/scenario.schema.json."),
+        typer.Option("--out", metavar="FILE", help="Where to write it; default: schemas/scenario.schema.json."),
     ] = None,
     tournament: Annotated[bool, typer.Option("--tournament", help="The schema of tournament files instead.")] = False,
     check: Annotated[bool, typer.Option("--check", help="Write nothing; exit 1 if a shipped one is stale.")] = False,
@@ -167,7 +167,7 @@ def schema(
 def draw(
     scenario: ScenarioName,
     out: Annotated[
-        Path | None, typer.Option("--out", "-o", metavar="FILE", help=".svg or .png; left out: SVG to standard output.")
+        Path | None, typer.Option("--out", "-o", metavar="FILE", help=".svg or .png; default: SVG to standard output.")
     ] = None,
     set_: Overrides = None,
 ) -> None:
@@ -186,7 +186,7 @@ def sheet(
             "--out",
             "-o",
             metavar="FILE",
-            help=".html, or .md with an .svg beside it; left out: Markdown to the terminal.",
+            help=".html, or .md with an .svg beside it; default: Markdown to the terminal.",
         ),
     ] = None,
     set_: Overrides = None,
@@ -230,7 +230,7 @@ def simulate(
 
 @app.command(cls=Command, rich_help_panel=PLAY, epilog="rcj-challenge teams")
 def teams() -> None:
-    """List the sample teams, which play by their bare names: --blue ball_chaser."""
+    """List the sample teams, which can be used by name: --blue ball_chaser."""
     from rcj_challenges.cli.teams import list_teams
 
     raise typer.Exit(list_teams())

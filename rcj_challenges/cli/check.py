@@ -70,7 +70,7 @@ def _check(
             "-s",
             metavar="SCENARIO",
             autocompletion=complete_scenarios,
-            help="What they are for: a file, or a shipped one's name.",
+            help="The scenario to check for: a file, or the name of a shipped one.",
         ),
     ] = "match",
     set_: Overrides = None,
@@ -93,10 +93,10 @@ def _check(
     ] = None,
     sandbox: Sandbox = "auto",
 ) -> None:
-    """Say whether submissions will play in the tournament, and what to do if not: opens, starts and plays them.
+    """Check whether submissions will play in the tournament, by playing a short match, and explain what to do if not.
 
     Exit status 0: all will play; 1: some will not; 2: wrong usage, a path that cannot be opened or written, or
-    some could not be checked on this computer; 3: some could not be checked, by a fault of this project.
+    some could not be checked on this computer; 3: some could not be checked because of a bug in this project.
     """
     command = CheckCommand(
         paths, scenario, set_ or [], sandbox, jobs, fix, html, json_, replay, show_output=show_output, play=play

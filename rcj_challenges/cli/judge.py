@@ -87,17 +87,17 @@ def _judge(
             "--scenario",
             metavar="SCENARIO",
             autocompletion=complete_scenarios,
-            help="Judge by the rules of this one; left out: by their own.",
+            help="Judge by the rules of this scenario; default: their own.",
         ),
     ] = None,
     set_: Overrides = None,
     out: RunsFolder = Path("runs"),
     json_: Json = False,
 ) -> None:
-    """Judge recorded matches again, by their own rules or by changed ones, and say what comes out differently.
+    """Judge recorded matches again, by their own rules or by changed ones, and report differences.
 
-    The poses stay those of the record; no program runs. Exit status 0: judged; 1: by its own rules another verdict
-    comes out than was recorded; 2: a record or a scenario that cannot be used.
+    The poses stay those of the record; no program runs. Exit status 0: judged; 1: a record's own rules give a different
+    verdict than recorded; 2: a record or a scenario cannot be used.
     """
     raise typer.Exit(judge(JudgeOptions(runs or [None], out, scenario, set_ or [], json_)))
 

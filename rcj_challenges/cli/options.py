@@ -23,14 +23,14 @@ Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Print no progress.")
 AtOnce = Annotated[int | None, typer.Option("--at-once", metavar="N", min=1, help="Matches at a time; default: cores.")]
 Runs = Annotated[
     list[Path] | None,
-    typer.Argument(metavar="RUN...", help="Records' folders, or how their names begin; left out: the newest."),
+    typer.Argument(metavar="RUN...", help="Folders of records, or beginnings of their names; default: the newest."),
 ]
 Run = Annotated[
     Path | None,
-    typer.Argument(metavar="RUN", help="A record's folder or the beginning of its name; left out: the newest."),
+    typer.Argument(metavar="RUN", help="A record's folder or the beginning of its name; default: the newest."),
 ]
 RunsFolder = Annotated[Path, typer.Option("--runs", "--out", metavar="DIR", help="Where the records are.")]
-OutFolder = Annotated[Path, typer.Option("--out", metavar="DIR", help="Where the records' folders are made.")]
+OutFolder = Annotated[Path, typer.Option("--out", metavar="DIR", help="Where the folders of the records are created.")]
 Teams = Annotated[
     list[str] | None,
     typer.Option(

@@ -44,7 +44,7 @@ def run(
     team_name: Annotated[
         list[str] | None, typer.Option("--team-name", metavar="ENTRANT=NAME", help="Overrides team_name.txt.")
     ] = None,
-    seed: Annotated[int, typer.Option("--seed", metavar="N", min=0, help="Seed of all that chance decides.")] = 1,
+    seed: Annotated[int, typer.Option("--seed", metavar="N", min=0, help="Seed of all random choices.")] = 1,
     duration: Duration = None,
     halves: Halves = None,
     set_: Overrides = None,
@@ -65,7 +65,8 @@ def run(
         typer.Option(
             "--debug",
             metavar="ROBOT",
-            help="Stop at breakpoints of its program, without limits: in VS Code with the extra [debug], else here.",
+            help="Stop at breakpoints of its program, without limits: in VS Code with the extra [debug], otherwise "
+            "here.",
         ),
     ] = None,
     sandbox: Sandbox = "auto",
@@ -73,7 +74,7 @@ def run(
     record: Annotated[
         Literal["sensors"] | None,
         typer.Option(
-            "--record", metavar="sensors", help="Also record what programs saw, set and printed: up to 15 MB a half."
+            "--record", metavar="sensors", help="Also record what programs saw, set and printed: up to 15 MB per half."
         ),
     ] = None,
     live: Annotated[
@@ -81,11 +82,13 @@ def run(
         typer.Option("--live", metavar="[PORT]", min=0, max=65535, help="Show it in the browser while it is played."),
     ] = None,
     speed: Annotated[
-        str | None, typer.Option("--speed", metavar="X|max", help="With --live: times real time; left out: 1.")
+        str | None, typer.Option("--speed", metavar="X|max", help="With --live: how many times real time; default: 1.")
     ] = None,
     live_for: Annotated[
         float | None,
-        typer.Option("--live-for", metavar="S", min=0, help="With --live: serve so long after the match."),
+        typer.Option(
+            "--live-for", metavar="S", min=0, help="With --live: serve the page for this many seconds after the match."
+        ),
     ] = None,
     open_: Annotated[
         bool, typer.Option("--open", help="Open the page in the browser: after the match, with --live before it.")

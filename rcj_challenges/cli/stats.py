@@ -47,7 +47,9 @@ def _stats(
     runs: Runs = None,
     out: RunsFolder = Path("runs"),
     json_: Json = False,
-    explain: Annotated[bool, typer.Option("--explain", help="Say below the table how each figure is defined.")] = False,
+    explain: Annotated[
+        bool, typer.Option("--explain", help="Explain below the table how each figure is defined.")
+    ] = False,
 ) -> None:
     """Possession, distance, speeds, shots, faults and referee calls; several runs are added up by team."""
     raise typer.Exit(show_stats(runs or [None], out, as_json=json_, explain=explain))

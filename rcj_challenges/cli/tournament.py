@@ -28,7 +28,7 @@ tournament_app = typer.Typer(
 File = Annotated[str, typer.Argument(metavar="FILE", help="A tournament file, or the name of a shipped one: cup.")]
 Data = Annotated[
     Path | None,
-    typer.Option("--data", metavar="DIR", help="Folder of its data; left out: NAME_data in the current folder."),
+    typer.Option("--data", metavar="DIR", help="Folder of its data; default: NAME_data in the current folder."),
 ]
 _AtOnce = Annotated[
     int | None, typer.Option("--at-once", metavar="N", min=1, help="Matches at a time; default: cores.")
@@ -37,7 +37,7 @@ _Sandbox = Annotated[
     str, typer.Option("--sandbox", metavar="auto|strict|off", help="How programs are isolated (docs/isolation.md).")
 ]
 _Json = Annotated[bool, typer.Option("--json", help="Print it as JSON and nothing else.")]
-_Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Print the last lines only.")]
+_Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Print only the last lines.")]
 _Cascade = Annotated[
     bool, typer.Option("--cascade", help="Play again what depends on a change, also in stages that have begun.")
 ]
@@ -66,7 +66,7 @@ def opened(file: str, data: Path | None, *, writing: bool = False) -> Iterator[O
 
 @tournament_app.command(cls=Command, epilog="rcj-challenge tournament plan cup")
 def plan(file: File, data: Data = None, json_: _Json = False) -> None:
-    """Print all fixtures that are known, how many matches there will be, and what they will take here."""
+    """List the known fixtures, the number of matches, and the time and disk space that they need here."""
     from rcj_challenges.cli.tournament_plan import print_plan
 
     with opened(file, data) as tournament:
@@ -81,7 +81,7 @@ def run(
     sandbox: _Sandbox = "auto",
     accept: Annotated[
         list[str] | None,
-        typer.Option("--accept", metavar="TEAM", help="Let a team play that fails the check. Repeatable."),
+        typer.Option("--accept", metavar="TEAM", help="Let a team play although it fails the check. Repeatable."),
     ] = None,
     cascade: _Cascade = False,
     cluster: Annotated[
@@ -93,10 +93,10 @@ def run(
     ] = False,
     quiet: _Quiet = False,
 ) -> None:
-    """Check all submissions, then play what is not played yet. Interrupted, it goes on where it was.
+    """Check all submissions, then play what has not been played yet. After an interruption, run it again to continue.
 
-    Exit status 0: all is played; 1: a submission fails the check; 2: wrong input, or this computer cannot go on;
-    3: a match could not be played by a fault of this project.
+    Exit status 0: everything is played; 1: a submission fails the check; 2: wrong input, or this computer cannot
+    continue; 3: a match could not be played because of a bug in this project.
     """
     from rcj_challenges.cli.tournament_run import RunOptions, run_tournament
 
@@ -107,7 +107,7 @@ def run(
 
 @tournament_app.command(cls=Command, epilog="rcj-challenge tournament status cup")
 def status(file: File, data: Data = None, json_: _Json = False) -> None:
-    """Say how far it is: matches by stage, what is doubtful, and what could not be played."""
+    """Show the progress: matches by stage, doubtful ones, and those that could not be played."""
     from rcj_challenges.cli.tournament_results import print_status
 
     with opened(file, data) as tournament:
@@ -136,13 +136,15 @@ def publish(
     data: Data = None,
     premiere: Annotated[
         list[str] | None,
-        typer.Option("--premiere", metavar="STAGE", help="Its matches have a premiere when released. Repeatable."),
+        typer.Option(
+            "--premiere", metavar="STAGE", help="The matches of this stage have a premiere when released. Repeatable."
+        ),
     ] = None,
     url: Annotated[
         str, typer.Option("--url", metavar="URL", help="Where the site will be, for the feed and the calendar.")
     ] = "",
 ) -> None:
-    """Write the site with all results that are released by now, and a private folder for each team."""
+    """Write the site with all results released so far, and a private folder for each team."""
     from rcj_challenges.cli.publish import publish_tournament
     from rcj_challenges.records.folder import utc_now
 
@@ -160,7 +162,7 @@ def decide(
     ] = None,
     reason: Annotated[str, typer.Option("--reason", metavar="TEXT", help="Why; it is published.")] = "",
     forfeit: Annotated[str | None, typer.Option("--forfeit", metavar="TEAM", help="This team loses the match.")] = None,
-    replay: Annotated[bool, typer.Option("--replay", help="The match is played again, with another seed.")] = False,
+    replay: Annotated[bool, typer.Option("--replay", help="The match is played again with a different seed.")] = False,
     score: Annotated[
         str | None, typer.Option("--score", metavar="A:B", help="The score is corrected: sides as plan prints them.")
     ] = None,
@@ -170,7 +172,7 @@ def decide(
     cascade: _Cascade = False,
     data: Data = None,
 ) -> None:
-    """Record a referee's ruling on a match, or that a team leaves; it is shown as such for ever."""
+    """Record a referee's ruling on a match, or the withdrawal of a team; it is always shown as a ruling."""
     from rcj_challenges.cli.tournament_decide import record_decision
 
     with opened(file, data, writing=True) as tournament:
@@ -185,10 +187,10 @@ def decide(
 def verify(
     file: File,
     matches: Annotated[
-        list[str] | None, typer.Argument(metavar="[MATCH...]", help="Which matches; left out: all.")
+        list[str] | None, typer.Argument(metavar="[MATCH...]", help="Which matches; default: all.")
     ] = None,
     sample: Annotated[
-        int | None, typer.Option("--sample", metavar="N", min=1, help="Only so many, drawn at random.")
+        int | None, typer.Option("--sample", metavar="N", min=1, help="Only this many, drawn at random.")
     ] = None,
     data: Data = None,
     at_once: _AtOnce = None,
@@ -209,15 +211,15 @@ def rerun(
     file: File,
     matches: Annotated[
         list[str] | None,
-        typer.Argument(metavar="[MATCH...]", help="Which matches, as plan prints them; left out: all."),
+        typer.Argument(metavar="[MATCH...]", help="Which matches, as plan prints them; default: all."),
     ] = None,
     records: Annotated[
-        Literal["full", "replay", "result"], typer.Option("--records", help="What is kept of the records now.")
+        Literal["full", "replay", "result"], typer.Option("--records", help="What to keep of the records now.")
     ] = "full",
     data: Data = None,
     at_once: _AtOnce = None,
 ) -> None:
-    """Play matches again to get the parts of their records that were dropped; the results stay as they are."""
+    """Play matches again to recreate parts of their records that were not kept; the results stay the same."""
     from rcj_challenges.cli.tournament_verify import rerun_matches
 
     with opened(file, data, writing=True) as tournament:
@@ -234,7 +236,7 @@ def judge(
     data: Data = None,
     json_: _Json = False,
 ) -> None:
-    """Say what changed rules would have made of the matches that were played; no program runs."""
+    """Show how played matches would have ended under changed rules; no program runs."""
     from rcj_challenges.cli.tournament_judge import judge_tournament
 
     with opened(file, data) as tournament:

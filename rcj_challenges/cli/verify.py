@@ -36,7 +36,9 @@ def _verify(
     team: Annotated[
         list[str] | None,
         typer.Option(
-            "--team", metavar="PATH", help="What played: a submission, a folder of ZIPs, or a sample team. Repeatable."
+            "--team",
+            metavar="PATH",
+            help="The programs that played: a submission, a folder of ZIPs, or a sample team. Repeatable.",
         ),
     ] = None,
     out: RunsFolder = Path("runs"),
@@ -44,7 +46,7 @@ def _verify(
     sandbox: Sandbox = "auto",
     json_: Json = False,
 ) -> None:
-    """Play recorded matches again and compare their digests; the sample teams need not be given.
+    """Play recorded matches again and compare their digests; sample teams need not be given.
 
     Exit status 0: none differs; 1: one differs; 2: a record or its programs cannot be used; 3: one could not be
     played.

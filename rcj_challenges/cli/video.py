@@ -42,7 +42,7 @@ def register(app: typer.Typer) -> None:
 def video(
     run: Run = None,
     out: Annotated[
-        Path | None, typer.Option("--out", "-o", metavar="FILE", help=".mp4; left out: video.mp4 in the record.")
+        Path | None, typer.Option("--out", "-o", metavar="FILE", help=".mp4; default: video.mp4 in the record.")
     ] = None,
     from_: Annotated[
         str | None, typer.Option("--from", metavar="TIME", help="Where it begins: 113.9 or 1:53.9.")
@@ -50,7 +50,7 @@ def video(
     to: Annotated[str | None, typer.Option("--to", metavar="TIME", help="Where it ends.")] = None,
     half: _Half = None,
     size: _Size = "1280x720",
-    fps: Annotated[float, typer.Option("--fps", metavar="N", help="Pictures in a second of video.")] = 30.0,
+    fps: Annotated[float, typer.Option("--fps", metavar="N", help="Pictures per second of video.")] = 30.0,
     camera: _Camera = "field",
     speed: Annotated[
         float, typer.Option("--speed", metavar="X", help="4: four times as fast; 0.25: slow motion.")
@@ -104,7 +104,7 @@ def snapshot(
     at: Annotated[str, typer.Option("--at", metavar="TIME", help="Which moment: 113.9 or 1:53.9.")],
     run: Run = None,
     out: Annotated[
-        Path | None, typer.Option("--out", "-o", metavar="FILE", help=".png; left out: into the record.")
+        Path | None, typer.Option("--out", "-o", metavar="FILE", help=".png; default: in the record.")
     ] = None,
     half: _Half = None,
     size: _Size = "1280x720",
