@@ -238,9 +238,14 @@ class Condition(Word):
 
 
 class Action(Word):
-    """What a rule does when it fires."""
+    """What a rule does when it fires.
+
+    Attributes:
+        IS_BOOKKEEPING: whether it changes nothing on the field, in the score or in the course.
+    """
 
     KEY = "action"
+    IS_BOOKKEEPING: ClassVar[bool] = False
 
     def compile(self, to: Binder) -> Act:
         """Return what carries out the action when its rule fires."""

@@ -27,9 +27,11 @@ class Strict(BaseModel):
 
     Attributes:
         either: keys of which exactly one must be given; what a file gives takes the place of what its base gave.
+        NOTES: what holds for all rules that use it, in sentences for the rule sheet.
     """
 
     either: ClassVar[tuple[str, ...]] = ()
+    NOTES: ClassVar[tuple[str, ...]] = ()
 
     # Deferred: a validator is built for the whole file, and for each word that it has. Defaults that are models are
     # made by `model_construct`, which needs none.

@@ -12,6 +12,20 @@ _MOST = 1e15  # what neither a score nor a counter exceeds
 USUALLY_FREE_M = 0.08
 """A spot is free if no centre is nearer than this, in m, unless the scenario says otherwise."""
 
+# Notes of several words.
+FREE_SPOT_NOTE = (
+    "A spot is free when the centre of no robot and of no ball is nearer to it than the given distance, by default "
+    "8 cm. A robot or ball that is put there counts too where it is now, and needs room."
+)
+LAST_TOUCH_NOTE = (
+    "The last to touch something is the robot that touched it last since a rule put it where it is. If there is none, "
+    "points for its team are not given."
+)
+WAITING_NOTE = (
+    "What a rule puts somewhere waits until there is room, in a phase in which that rule counts; until then it stays "
+    "where it is, or off the field."
+)
+
 
 @dataclass(frozen=True)
 class Subject:

@@ -37,6 +37,7 @@ class Count(Action):
         None, "with `by`: the counter does not rise above this; a value that is already higher stays unchanged"
     )
 
+    IS_BOOKKEEPING = True
     EXAMPLE = """
 counters: {rounds: {}}
 rules:

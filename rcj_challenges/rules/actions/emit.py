@@ -14,6 +14,7 @@ class Emit(Action):
     event: EventName = described(..., "its name")
     payload: dict[Name, Value] = described({}, "data of the event: literals, {counter: NAME} or any other value")
 
+    IS_BOOKKEEPING = True
     EXAMPLE = """
 rules:
   goal:

@@ -26,6 +26,12 @@ class Hold(Action):
         "later end counts",
     )
 
+    NOTES = (
+        (
+            "A robot that is held still stands with braked wheels, whatever its program does, until its time is over "
+            "or it is let go. Only from then on it must move."
+        ),
+    )
     EXAMPLE = """
 counters: {penalty_s: {initial: 4}}
 rules:

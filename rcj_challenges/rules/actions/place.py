@@ -6,7 +6,7 @@ from rcj_challenges.rules.base import Act, Action, Binder, Phrases
 from rcj_challenges.rules.facing import Facing
 from rcj_challenges.rules.fields import Name, Names, described
 from rcj_challenges.rules.mirror import Mirror
-from rcj_challenges.rules.phrasing import quoted
+from rcj_challenges.rules.phrasing import WAITING_NOTE, quoted
 from rcj_challenges.rules.placement import Attempts, ClearanceM, NoiseM, Roll, WithoutRoom, placement_words
 from rcj_challenges.rules.places import At
 from rcj_challenges.rules.refs import ENTITIES, SectionRef
@@ -32,6 +32,7 @@ class Place(Action):
     on_failure: WithoutRoom = "retry"
     kick: Roll = None
 
+    NOTES = (WAITING_NOTE,)
     EXAMPLE = """
 rules:
   put_back:

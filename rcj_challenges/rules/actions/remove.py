@@ -6,6 +6,7 @@ from rcj_challenges.rules.actions.place import Place
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.facing import Facing
 from rcj_challenges.rules.fields import Names, described
+from rcj_challenges.rules.phrasing import WAITING_NOTE
 from rcj_challenges.rules.placement import looks_words, put_words
 from rcj_challenges.rules.places import At
 from rcj_challenges.rules.refs import ENTITIES
@@ -26,6 +27,13 @@ class Remove(Action):
     back_at: At = described("start", "where it comes back to")
     facing: Facing = described("start", "which way it faces when it comes back")
 
+    NOTES = (
+        WAITING_NOTE,
+        (
+            "What is off the field is in no zone and does not move, nothing is measured to it, and “all” are all that "
+            "are on the field. It is back as soon as its time is over or a rule puts it somewhere."
+        ),
+    )
     EXAMPLE = """
 rules:
   penalty:

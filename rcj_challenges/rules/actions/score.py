@@ -7,7 +7,7 @@ from rcj_challenges.core.amounts import round_score
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.bounds import bounds_words, change_bound, subtracted_parts
 from rcj_challenges.rules.fields import Name, Strict, described
-from rcj_challenges.rules.phrasing import counted, plain
+from rcj_challenges.rules.phrasing import LAST_TOUCH_NOTE, counted, plain
 from rcj_challenges.rules.refs import THING, SectionRef
 from rcj_challenges.rules.values import Points, amount_words, compile_points
 
@@ -16,6 +16,8 @@ _RECEIVER = SectionRef("entrant", ("entrants",), words=frozenset({"each", "other
 
 class LastToucher(Strict):
     """The entrant of the robot that was the last to touch something since it was placed."""
+
+    NOTES = (LAST_TOUCH_NOTE,)
 
     last_touch: Annotated[Name, THING] = described(..., "what was touched: an entity, a fixed obstacle, or each")
 

@@ -17,6 +17,7 @@ class SequenceAction(Action):
     )
     do: Literal["reset"] = described("reset", "reset: back to before the first step, or on it if the entity is there")
 
+    IS_BOOKKEEPING = True
     EXAMPLE = """
 zones:
   west: {shape: rect, x_max_m: -0.3}

@@ -18,6 +18,7 @@ class SetFlag(Action):
     )
     to: bool = described(True, "the new value")
 
+    IS_BOOKKEEPING = True
     EXAMPLE = """
 flags: {armed: {}, side: {}}
 rules:

@@ -14,6 +14,7 @@ class SetPhase(Action):
     action: Literal["set_phase"]
     phase: Annotated[Name, PHASE] = described(..., "the phase")
 
+    NOTES = ("A rule that begins the phase that is already on restarts it, with all of its time.",)
     EXAMPLE = """
 phases:
   second_task: {}

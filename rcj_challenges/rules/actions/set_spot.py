@@ -38,6 +38,7 @@ class SetSpot(Action):
     )
     mirror: Mirror | None = described(None, "sets it to the mirror image of that place")
 
+    IS_BOOKKEEPING = True
     EXAMPLE = """
 spots:
   # Its place in every half until a rule sets it.

@@ -4,6 +4,7 @@ from typing import Annotated, Literal
 
 from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
 from rcj_challenges.rules.fields import Name, Names, described
+from rcj_challenges.rules.phrasing import LAST_TOUCH_NOTE
 from rcj_challenges.rules.refs import ROBOTS, THING
 
 
@@ -15,6 +16,7 @@ class LastTouch(Condition):
     by: Annotated[Names, ROBOTS] = described(..., "a robot, each, or a group (any member)")
 
     ABOUT = "entity"
+    NOTES = (LAST_TOUCH_NOTE,)
     EXAMPLE = """
 rules:
   own_goal:

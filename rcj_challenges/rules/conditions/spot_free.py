@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
 from rcj_challenges.rules.fields import Name, Names, NotNegative, Point, described
-from rcj_challenges.rules.phrasing import USUALLY_FREE_M, within_words
+from rcj_challenges.rules.phrasing import FREE_SPOT_NOTE, USUALLY_FREE_M, within_words
 from rcj_challenges.rules.quantifier import Quantifier, quantified
 from rcj_challenges.rules.refs import SPOTS
 
@@ -19,6 +19,7 @@ class SpotFree(Condition):
         USUALLY_FREE_M, "the spot is free if no centre of a robot or ball is within this distance, in m"
     )
 
+    NOTES = (FREE_SPOT_NOTE,)
     EXAMPLE = """
 rules:
   room:

@@ -6,7 +6,7 @@ from pydantic import Field
 
 from rcj_challenges.rules.base import Phrases, PlaceResolver, PlaceWord, Scope
 from rcj_challenges.rules.fields import Name, Names, NotNegative, Point, described
-from rcj_challenges.rules.phrasing import USUALLY_FREE_M
+from rcj_challenges.rules.phrasing import FREE_SPOT_NOTE, USUALLY_FREE_M
 from rcj_challenges.rules.places.free_spots import CLEARANCE_DESCRIPTION, compile_free_spot, describe_free_spot
 from rcj_challenges.rules.refs import ANCHOR, SPOTS
 
@@ -24,6 +24,7 @@ class FurthestFree(PlaceWord):
     clearance_m: NotNegative = described(USUALLY_FREE_M, CLEARANCE_DESCRIPTION)
 
     KEY = "furthest_free"
+    NOTES = (FREE_SPOT_NOTE,)
     EXAMPLE = """
 rules:
   put_back:

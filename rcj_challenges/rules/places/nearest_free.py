@@ -4,7 +4,7 @@ from typing import Annotated
 
 from rcj_challenges.rules.base import Phrases, PlaceResolver, PlaceWord, Scope
 from rcj_challenges.rules.fields import Name, Names, NotNegative, Point, described
-from rcj_challenges.rules.phrasing import USUALLY_FREE_M
+from rcj_challenges.rules.phrasing import FREE_SPOT_NOTE, USUALLY_FREE_M
 from rcj_challenges.rules.places.free_spots import CLEARANCE_DESCRIPTION, compile_free_spot, describe_free_spot
 from rcj_challenges.rules.refs import ANCHOR, SPOTS
 
@@ -20,6 +20,7 @@ class NearestFree(PlaceWord):
     clearance_m: NotNegative = described(USUALLY_FREE_M, CLEARANCE_DESCRIPTION)
 
     KEY = "nearest_free"
+    NOTES = (FREE_SPOT_NOTE,)
     EXAMPLE = """
 rules:
   put_back:

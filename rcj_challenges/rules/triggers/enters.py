@@ -18,6 +18,7 @@ class Enters(Trigger):
     )
 
     ASKS_WHERE = True
+    NOTES = ("Zones that are named together count as one: moving from one straight into the other is not entering.",)
     EXAMPLE = """
 rules:
   goal:

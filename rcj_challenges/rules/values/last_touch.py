@@ -5,6 +5,7 @@ from typing import Annotated
 
 from rcj_challenges.rules.base import Phrases, Scope, ValueWord
 from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.rules.phrasing import LAST_TOUCH_NOTE
 from rcj_challenges.rules.refs import THING
 
 
@@ -14,6 +15,7 @@ class LastTouchValue(ValueWord):
     last_touch: Annotated[Name, THING] = described(..., "what was touched: an entity, a fixed obstacle, or each")
 
     KEY = "last_touch"
+    NOTES = (LAST_TOUCH_NOTE,)
     EXAMPLE = """
 rules:
   goal:

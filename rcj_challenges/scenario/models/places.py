@@ -7,6 +7,7 @@ from pydantic import Field
 from rcj_challenges.rules.facing import Facing
 from rcj_challenges.rules.fields import Colour, Name, Names, Point, Positive, Strict, described
 from rcj_challenges.rules.mirror import Mirror
+from rcj_challenges.rules.phrasing import WAITING_NOTE
 from rcj_challenges.rules.placement import Attempts, ClearanceM, NoiseM, Roll, WithoutRoom
 from rcj_challenges.rules.places import At
 from rcj_challenges.rules.refs import MEMBERS, ONE_ENTITY
@@ -80,6 +81,8 @@ class Spot(Strict):
 
 class Placing(Strict):
     """How one or more entities are placed."""
+
+    NOTES = (WAITING_NOTE,)
 
     entity: Annotated[Names, MEMBERS] = described(
         ..., "what is placed: entities or groups; several are placed one after the other"

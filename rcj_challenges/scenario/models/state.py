@@ -87,6 +87,7 @@ class Sequence(Strict):
     """
 
     either = ("entity", "per")
+    NOTES = ("A sequence is followed in the phases of the rules that name it, and starts again after other phases.",)
 
     entity: Annotated[Name | None, ONE_ENTITY] = described(
         None, "which entity is tracked: one robot, ball or movable obstacle"

@@ -7,9 +7,8 @@ from typing import NamedTuple
 
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.rules.phrasing import degrees
-from rcj_challenges.scenario.models.field import Box as BoxObstacle
-from rcj_challenges.scenario.models.field import Cylinder
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.outlines import extent, obstacle_outline
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.set_spots import spots_set_at_start, spots_set_by_rules
 from rcj_challenges.scenario.start_poses import start_noise_m, start_pose
@@ -205,19 +204,15 @@ def _obstacles(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None])
         if pose is None:
             entries.append(Entry(f"{name}: {_PLACED}"))
             continue
-        style, at = f'fill="{hex_of(obstacle.colour)}" stroke="#212529"', pose[:2]
-        if isinstance(obstacle, Cylinder):
-            reach_m = obstacle.radius_m
-            paper.circle(at, reach_m, style, name)
-        elif isinstance(obstacle, BoxObstacle):
-            reach_m = max(obstacle.size_m) / 2
-            paper.polygon(turned(box(*obstacle.size_m), at, pose[2]), style, name)
-        else:
-            (x1, y1), (x2, y2) = obstacle.from_m, obstacle.to_m
-            at, reach_m = ((x1 + x2) / 2, (y1 + y2) / 2), math.dist((x1, y1), (x2, y2)) / 2
-            shape = box(2 * reach_m, obstacle.thickness_m)
-            paper.polygon(turned(shape, at, math.atan2(y2 - y1, x2 - x1)), style, name)
-        number, reach_px = paper.new_number(), reach_m * paper.scale
+        style, parts = f'fill="{hex_of(obstacle.colour)}" stroke="#212529"', obstacle_outline(obstacle).at(pose)
+        for part in parts:
+            if len(part.points) == 1:
+                paper.circle(part.points[0], part.radius_m, style, name)
+            else:
+                paper.polygon(part.points, style, name)
+        west, east, south, north = extent(parts)
+        at, reach_px = ((west + east) / 2, (south + north) / 2), max(east - west, north - south) / 2 * paper.scale
+        number = paper.new_number()
         beside_px = reach_px + _BESIDE_PX if reach_px < MARKER_PX else 0.0  # it would hide a small one
         paper.mark(at, number, name, BLACK, offset_px=(0.0, -beside_px))
         entries.append(Entry(f"{name}: {point_words(at)}", number, BLACK))

@@ -5,57 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from rcj_challenges.core.timing import TICK_MS
-from rcj_challenges.rules.actions.count import Count
-from rcj_challenges.rules.actions.draw import DrawAction
-from rcj_challenges.rules.actions.emit import Emit
-from rcj_challenges.rules.actions.hold import Hold
-from rcj_challenges.rules.actions.place import Place
-from rcj_challenges.rules.actions.remove import Remove
-from rcj_challenges.rules.actions.score import LastToucher
-from rcj_challenges.rules.actions.sequence import SequenceAction
-from rcj_challenges.rules.actions.set_flag import SetFlag
-from rcj_challenges.rules.actions.set_phase import SetPhase
-from rcj_challenges.rules.actions.set_spot import SetSpot
-from rcj_challenges.rules.actions.timer import TimerAction
-from rcj_challenges.rules.actions.toggle_flag import ToggleFlag
 from rcj_challenges.rules.base import Word
-from rcj_challenges.rules.conditions.last_touch import LastTouch
-from rcj_challenges.rules.conditions.spot_free import SpotFree
-from rcj_challenges.rules.phrasing import USUALLY_FREE_M, listed, metres, quoted, seconds, times
-from rcj_challenges.rules.places.furthest_free import FurthestFree
-from rcj_challenges.rules.places.nearest_free import NearestFree
-from rcj_challenges.rules.triggers.enters import Enters
-from rcj_challenges.rules.values.last_touch import LastTouchValue
-from rcj_challenges.scenario.models.places import Placing
+from rcj_challenges.rules.phrasing import listed, quoted, seconds, times
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import Sequence
 from rcj_challenges.scenario.walk import walk
 from rcj_challenges.views.sheet.document import Block, Items
 from rcj_challenges.views.sheet.phrasebook import Phrasebook
-
-_BOOKKEEPING = (Count, DrawAction, Emit, SequenceAction, SetFlag, SetSpot, TimerAction, ToggleFlag)
-"""Actions that change nothing on the field, in the score or in the course."""
-
-_NOTES: dict[str, tuple[type, ...]] = {
-    "A sequence is followed in the phases of the rules that name it, and starts again after other phases.": (Sequence,),
-    "Zones that are named together count as one: moving from one straight into the other is not entering.": (Enters,),
-    "The last to touch something is the robot that touched it last since a rule put it where it is. If there is none, "
-    "points for its team are not given.": (LastTouch, LastToucher, LastTouchValue),
-    "A spot is free when the centre of no robot and of no ball is nearer to it than the given distance, by default "
-    f"{metres(USUALLY_FREE_M)}. A robot or ball that is put there counts too where it is now, and needs room.": (
-        SpotFree,
-        NearestFree,
-        FurthestFree,
-    ),
-    "What a rule puts somewhere waits until there is room, in a phase in which that rule counts; until then it stays "
-    "where it is, or off the field.": (Place, Placing, Remove),
-    "What is off the field is in no zone and does not move, nothing is measured to it, and “all” are all that are on "
-    "the field. It is back as soon as its time is over or a rule puts it somewhere.": (Remove,),
-    "A robot that is held still stands with braked wheels, whatever its program does, until its time is over or it is "
-    "let go. Only from then on it must move.": (Hold,),
-    "A rule that begins the phase that is already on restarts it, with all of its time.": (SetPhase,),
-}
-"""What holds for all rules that use one of some words."""
 
 
 def rules_on_sheet(scenario: Scenario) -> dict[str, Rule]:
@@ -67,7 +23,7 @@ def rules_on_sheet(scenario: Scenario) -> dict[str, Rule]:
     return {
         name: rule
         for name, rule in rules
-        if rule.sheet and (rule.says or not all(isinstance(action, _BOOKKEEPING) for action in rule.actions))
+        if rule.sheet and (rule.says or not all(action.IS_BOOKKEEPING for action in rule.actions))
     }
 
 
@@ -123,7 +79,7 @@ def _general(scenario: Scenario, rules: Mapping[str, Rule]) -> Iterator[str]:
             "A robot, a ball or an obstacle is where its centre is: that counts for zones and gates, and distances are "
             "measured from it."
         )
-    yield from (note for note, kinds in _NOTES.items() if any(isinstance(model, kinds) for model in models))
+    yield from dict.fromkeys(note for model in models for note in model.NOTES)
 
 
 def _exclusive_words(rules: Mapping[str, Rule]) -> Iterator[str]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -81,11 +80,10 @@ def write_snapshot(draw: Draw, moment: Moment, path: Path) -> None:
     Raises:
         VideoError: it cannot be written.
     """
-    png = io.BytesIO()
-    draw(moment).save(png, "PNG")
+    picture = draw(moment)
     try:
         with replaced(path) as file:
-            file.write(png.getvalue())
+            picture.save(file, "PNG")
     except OSError as error:
         raise cannot_write(path, error) from error
 
