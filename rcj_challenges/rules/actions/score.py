@@ -62,7 +62,7 @@ rules:
     # Takes 50 points away, or all if there are fewer.
     actions: [{action: score, entrant: yellow, points: -50, keeps_at_least: 0}]
 expect:
-  one_and_twice_ten_and_five_but_24_at_most:
+  the_sum_is_limited_to_24:
     keyframes: [{at_s: 1, place: {ball: [0, 0.8]}}]
     lasts_s: 2
     score: {yellow: 25, blue: -1}

@@ -35,7 +35,7 @@ rules:
             - {condition: distance, entity: ball, to: Y3, at_most: 0.2}
     actions: [{action: emit, event: PARKED}]
 expect:
-  it_comes_2_s_after_the_second_of_them_holds:
+  it_fires_2_s_after_both_hold:
     keyframes: [{at_s: 1, place: {Y3: [0, 0], ball: [0.5, 0]}}, {at_s: 2, place: {ball: [0.1, 0]}}]
     lasts_s: 5
     events: [{event: PARKED, at_s: 4, tolerance_s: 0.1}]

@@ -31,7 +31,7 @@ rules:
           - {condition: last_touch, entity: ball, by: Y3}
     actions: [{action: score, entrant: yellow}]
 expect:
-  a_slow_one_of_y3_counts_and_one_of_y1_does_not:
+  a_slow_goal_by_y3_counts_but_not_one_by_y1:
     keyframes:
       - {at_s: 1, place: {ball: [0, 0.7]}, touch: [[Y1, ball]]}
       - {at_s: 2, move: {ball: [0, 0.8]}}

@@ -41,7 +41,7 @@ rules:
     conditions: [{condition: sequence_at, sequence: across, step: west, of: {at_least: 2}}]
     actions: [{action: score, entrant: yellow}]
 expect:
-  with_one_on_its_way_a_touch_is_worth_nothing:
+  with_only_one_on_its_way_a_touch_gives_nothing:
     keyframes:
       - {at_s: 1, place: {Y1: [-0.5, 0]}}
       - {at_s: 2, touch: [[Y1, ball]]}

@@ -33,7 +33,7 @@ rules:
     triggers: [{trigger: crosses, entity: Y1, gate: first_gate, direction: forward}]
     actions: [{action: emit, event: THROUGH}]
 expect:
-  only_the_way_forward_counts:
+  only_crossing_forward_counts:
     keyframes:
       - {at_s: 1, place: {Y1: [0, 0.1]}}
       - {at_s: 2, move: {Y1: [0, 0.3]}}

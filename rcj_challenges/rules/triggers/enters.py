@@ -25,7 +25,7 @@ rules:
     triggers: [{trigger: enters, entity: ball, zone: [blue_goal, yellow_goal]}]
     actions: [{action: emit, event: GOAL}]
 expect:
-  it_comes_when_the_centre_is_inside:
+  it_fires_when_the_centre_is_inside:
     keyframes:
       - {at_s: 1, place: {ball: [0, 0.6]}}
       - {at_s: 2, move: {ball: [0, 0.8]}}

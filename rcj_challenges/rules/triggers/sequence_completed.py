@@ -36,13 +36,13 @@ rules:
     triggers: [{trigger: sequence_broken, sequence: carry}]
     actions: [{action: emit, event: WRONG_WAY}]
 expect:
-  from_west_over_the_middle_to_the_east:
+  from_west_through_the_middle_to_east:
     keyframes:
       - {at_s: 1, place: {ball: [-0.4, 0]}}
       - {at_s: 3, move: {ball: [0.4, 0]}}
     lasts_s: 4
     events: [{event: CARRIED}]
-  once_it_is_complete_nothing_is_wrong_before_its_first_step:
+  a_complete_sequence_does_not_break_before_its_first_step:
     keyframes:
       - {at_s: 1, place: {ball: [-0.4, 0]}}
       - {at_s: 3, move: {ball: [0.4, 0]}}
@@ -50,7 +50,7 @@ expect:
       - {at_s: 5, place: {ball: [0.4, 0]}}
     lasts_s: 6
     events: [{event: CARRIED}]
-  the_middle_may_not_be_left_out:
+  the_middle_must_not_be_skipped:
     keyframes:
       - {at_s: 1, place: {ball: [-0.4, 0]}}
       - {at_s: 2, place: {ball: [0.4, 0]}}

@@ -29,7 +29,7 @@ rules:
     actions: [{action: count, counter: rounds}]
 counters: {rounds: {}}
 expect:
-  it_comes_after_30_s:
+  it_fires_after_30_s:
     keyframes: [{at_s: 1}]
     lasts_s: 40
     events: [{event: HALF_WAY, at_s: 30}]

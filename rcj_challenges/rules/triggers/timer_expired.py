@@ -32,7 +32,7 @@ rules:
     triggers: [{trigger: timer_expired, timer: patience}]
     actions: [{action: emit, event: NO_ROBOT_CAME}]
 expect:
-  it_comes_5_s_after_the_last_touch:
+  it_fires_5_s_after_the_last_touch:
     keyframes:
       - {at_s: 1, touch: [[Y1, ball]]}
       - {at_s: 3, touch: [[Y2, ball]]}

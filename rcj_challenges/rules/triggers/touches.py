@@ -72,7 +72,7 @@ expect:
       - {at_s: 1, place: {Y1: [0, 0, 0], B1: [0.16, 0, 0], B2: [-0.16, 0, 3.14]}, touch: [[Y1, B1], [Y1, B2]]}
     lasts_s: 2
     counters: {pushed: 1}
-  of_two_that_touch_at_once_one_was_first:
+  of_two_simultaneous_touches_one_is_first:
     keyframes: [{at_s: 1, touch: [[Y1, ball], [B2, ball]]}, {at_s: 2, touch: [[Y1, ball]]}]
     lasts_s: 3
     score: {blue: 1, yellow: 0}
