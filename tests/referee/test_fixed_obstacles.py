@@ -7,7 +7,7 @@ from textwrap import dedent
 
 import pytest
 
-from tests.referee.building import emitting, payload, place, touch
+from tests.referee.building import emitting, payload, payloads, place, touch
 
 POLES = """
 obstacles:
@@ -65,33 +65,20 @@ class TestWhatTheyKeep:
 
 
 @pytest.mark.parametrize(("entity", "other"), [("robots", "each"), ("each", "robots")])
-class TestARuleForEach:
-    def touched(self, stage, entity, other):
-        play = stage(EACH % (entity, other))
-        play.play()
-        for pole in ("p1", "p1", "p2"):
-            touch(play, "Y2", pole, ticks=2)
-        play.play(20)
-        return play
-
-    def test_it_counts_for_the_one_that_was_touched(self, stage, entity, other):
-        play = self.touched(stage, entity, other)
-        assert play.referee.counters["hits"] == {"p1": 1, "p2": 1}
-        assert [event.payload["pole"] for event in play.events_named("HIT")] == ["p1", "p2"]
-
-    def test_the_firing_is_about_it_as_about_one_that_moves(self, stage, entity, other):
-        play = self.touched(stage, entity, other)
-        hits = [firing for firing in play.firings if firing.rule == "hit" and firing.suppressed is None]
-        told = [(firing.entity, firing.place, firing.says) for firing in hits]
-        assert told == [("p1", None, "p1 was touched."), ("p2", None, "p2 was touched.")]
-
-    def test_its_event_is_heard_by_its_own_rule(self, stage, entity, other):
-        play = self.touched(stage, entity, other)
-        assert [event.payload["pole"] for event in play.events_named("HEARD")] == ["p1", "p2"]
-
-    def test_its_timer_says_whose_it_is(self, stage, entity, other):
-        play = self.touched(stage, entity, other)
-        assert [event.payload["pole"] for event in play.events_named("RESTED")] == ["p1", "p2"]
+def test_a_rule_for_each_counts_fires_emits_and_starts_the_timer_of_the_one_touched(stage, entity, other):
+    play = stage(EACH % (entity, other))
+    play.play()
+    for pole in ("p1", "p1", "p2"):
+        touch(play, "Y2", pole, ticks=2)
+    play.play(20)
+    assert play.referee.counters["hits"] == {"p1": 1, "p2": 1}
+    hits = [firing for firing in play.firings if firing.rule == "hit" and firing.suppressed is None]
+    assert [(firing.entity, firing.place, firing.says) for firing in hits] == [
+        ("p1", None, "p1 was touched."),
+        ("p2", None, "p2 was touched."),
+    ]
+    for event in ("HIT", "HEARD", "RESTED"):
+        assert [payload["pole"] for payload in payloads(play, event)] == ["p1", "p2"]
 
 
 class TestWhoTouches:
@@ -118,7 +105,7 @@ rules:
         play.play()
         for robot in ("B1", "Y1"):
             touch(play, robot, "p1", ticks=2)
-        assert [event.payload["a"] for event in play.events_named("WHO")] == ["B1", "Y1"]
+        assert [payload["a"] for payload in payloads(play, "WHO")] == ["B1", "Y1"]
         assert play.referee.scores == {"blue": 1, "yellow": 1}
         play.place("Y1", 0.0, -0.6)  # who is placed has touched it all the same
         play.play(20)

@@ -5,7 +5,7 @@ import pytest
 from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.expect.runner import run_test
 from rcj_challenges.scenario.load import load_text
-from tests.referee.building import touch
+from tests.referee.building import event_ticks, touch
 
 BUMPS = """
 phases: {pause: {}}
@@ -24,23 +24,19 @@ def stay_together(play, first, second, seconds):
         touch(play, first, second)
 
 
-def ticks_of(play, event):
-    return [one.tick for one in play.events_named(event)]
-
-
 class TestTouchThatLasts:
     def test_it_is_heard_when_it_begins_and_at_each_interval_counted_from_there(self, stage):
         play = stage(BUMPS)
         stay_together(play, "Y1", "ball", 2)
         # 0.5 s are 15.6 ticks, and that does not add up.
-        assert ticks_of(play, "BUMP") == [1, 17, 33, 48]
+        assert event_ticks(play, "BUMP") == [1, 17, 33, 48]
 
-    def test_who_lets_go_and_comes_back_begins_anew(self, stage):
+    def test_after_letting_go_it_starts_again(self, stage):
         play = stage(BUMPS)
         stay_together(play, "Y1", "ball", 0.32)
         play.play(20)
         stay_together(play, "Y1", "ball", 0.64)
-        assert ticks_of(play, "BUMP") == [1, 31, 47]
+        assert event_ticks(play, "BUMP") == [1, 31, 47]
 
     def test_each_pair_has_its_own_time(self, stage):
         play = stage(BUMPS)
@@ -49,7 +45,7 @@ class TestTouchThatLasts:
             play.touch("Y1", "ball")
             touch(play, "Y2", "ball")
         # Y1 at 1 and 17, Y2 at 11.
-        assert ticks_of(play, "BUMP") == [1, 11, 17]
+        assert event_ticks(play, "BUMP") == [1, 11, 17]
 
     def test_in_another_phase_it_is_not_heard_and_its_time_begins_anew_after_it(self, stage):
         play = stage("""
@@ -63,7 +59,7 @@ rules:
     actions: [{action: set_phase, phase: pause}]
 """)
         stay_together(play, "Y1", "ball", 3)
-        assert ticks_of(play, "BUMP") == [1, 60, 90]
+        assert event_ticks(play, "BUMP") == [1, 60, 90]
 
 
 class TestTouchInATest:
@@ -105,4 +101,4 @@ rules:
 """)
         play.touch("Y1", "ball", 50)
         play.play(60)
-        assert ticks_of(play, "PUT") == [1]
+        assert event_ticks(play, "PUT") == [1]

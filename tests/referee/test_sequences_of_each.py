@@ -1,8 +1,8 @@
-"""Sequences kept per entity: each of a group makes its own steps in its own time, and all words say whose they mean."""
+"""Sequences kept per entity: each of a group makes its own steps in its own time, and words say whose is meant."""
 
 import pytest
 
-from tests.referee.building import A_LOW, B_LOW, C_LOW, A, B, C, fail, touch, walk
+from tests.referee.building import A_LOW, ASKING, B_LOW, C_LOW, A, B, C, fail, touch, walk
 
 RACE = """
 zones:
@@ -73,7 +73,7 @@ class TestEachMakesItsOwnSteps:
         assert said(play) == [("WRONG", "B1"), ("DONE", "Y1")]
 
     @pytest.mark.parametrize(("more", "done"), [("begins_anew", []), ("goes_on", [("DONE", "Y1")])])
-    def test_who_is_placed_loses_or_keeps_his_own_steps(self, stage, more, done):
+    def test_a_placed_robot_loses_or_keeps_its_own_steps(self, stage, more, done):
         back = (
             "rules: {back: {for_each: robots, triggers: [{trigger: tips_over, entity: each}], "
             "actions: [{action: place, entity: each, at: {point: [0, -0.6]}}]}}"
@@ -96,7 +96,7 @@ rules:
 """
 
 
-class TestTriggerSequenceCompleted:
+class TestTriggersSequenceCompletedAndBroken:
     @pytest.mark.parametrize(
         ("whose", "heard"),
         [
@@ -106,32 +106,19 @@ class TestTriggerSequenceCompleted:
             (", entity: [B1, Y2]", ["B1", "Y2"]),
         ],
     )
-    def test_entity_says_whose_and_left_out_it_is_anybodys(self, stage, whose, heard):
-        play = stage(PLAIN, WHOSE % whose)
+    def test_entity_says_whose_and_left_out_it_is_any(self, stage, whose, heard):
+        completed, broken = stage(PLAIN, WHOSE % whose), stage(BREAKS, (WHOSE % whose).replace("completed", "broken"))
         for robot in ("B1", "Y1", "Y2"):
-            walk(play, robot, A, B, C)
-        assert [who for _, who in said(play)] == heard
+            walk(completed, robot, A, B, C)
+            walk(broken, robot, A, A_LOW, C_LOW, C)
+        for play in (completed, broken):
+            assert [who for _, who in said(play)] == heard
 
-    def test_a_rule_over_zones_or_gates_hears_anybodys(self, stage):
+    def test_a_rule_over_zones_or_gates_hears_those_of_all(self, stage):
         over = "groups: {places: [a, c]}\n" + (WHOSE % "").replace("done:", "done:\n    for_each: places")
         play = stage(PLAIN, over)
         walk(play, "Y1", A, B, C)
         assert said(play) == [("DONE", "Y1"), ("DONE", "Y1")]
-
-
-class TestTriggerSequenceBroken:
-    @pytest.mark.parametrize(("whose", "heard"), [("", ["B1", "Y1"]), (", entity: yellow", ["Y1"])])
-    def test_entity_says_whose_and_left_out_it_is_anybodys(self, stage, whose, heard):
-        play = stage(BREAKS, (WHOSE % whose).replace("completed", "broken"))
-        for robot in ("B1", "Y1"):
-            walk(play, robot, A, A_LOW, C_LOW, C)
-        assert [who for _, who in said(play)] == heard
-
-
-ASKING = """
-rules:
-  asked: {triggers: [{trigger: program_fault, robot: B1}], conditions: [%s], actions: [{action: emit, event: TRUE_NOW}]}
-"""
 
 
 class TestConditionSequenceAt:

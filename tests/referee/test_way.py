@@ -1,68 +1,44 @@
-"""How far something has driven or rolled in the half: asked by conditions, told as a value, counted and paid."""
+"""How far something has driven or rolled in the half: in conditions and as a value, counted and paid."""
 
 import pytest
 
-from tests.referee.building import emitting, payload
+from tests.referee.building import ASKING, at_tick_10, emitting, once, payload, walk
 
 TOLD = emitting("{y1: {way: Y1}, ball: {way: ball}}")
-
-
-def asking(condition: str) -> str:
-    return f"""
-    rules:
-      asked: {{triggers: [{{trigger: program_fault, robot: B1}}], conditions: [{condition}],
-               actions: [{{action: emit, event: TRUE_NOW}}]}}
-    """
-
-
-def drive(play, entity: str, *to: tuple[float, float], ticks: int = 10) -> None:
-    """Let something glide from point to point."""
-    for point in to:
-        play.glide(entity, point, ticks)
-        play.play(ticks)
 
 
 class TestValueWay:
     def test_it_is_the_length_of_the_way_there_and_back(self, stage):
         play = stage(TOLD)
-        drive(play, "Y1", (-0.4, -0.2), (-0.4, -0.5), (-0.1, -0.5))
+        walk(play, "Y1", (-0.4, -0.2), (-0.4, -0.5), (-0.1, -0.5), ticks=10)
         assert payload(play) == {"y1": 0.9, "ball": 0}
 
-    def test_it_is_told_to_the_millimetre(self, stage):
+    def test_it_is_rounded_to_the_millimetre(self, stage):
         play = stage(TOLD)
         play.place("ball", 0.12345, 0.0)
         assert payload(play) == {"y1": 0, "ball": 0.123}
 
     def test_where_a_rule_puts_it_is_no_way_and_takes_none_away(self, stage):
-        put = """
-        rules:
-          put: {triggers: [{trigger: time_reached, at_s: 0.32}],
-                actions: [{action: place, entity: ball, at: {point: [0.5, 0.5]}}]}
-        """
-        play = stage(TOLD, put)
-        drive(play, "ball", (0.3, 0.0))
+        play = stage(TOLD, at_tick_10("{action: place, entity: ball, at: {point: [0.5, 0.5]}}"))
+        walk(play, "ball", (0.3, 0.0), ticks=10)
         assert play.pose("ball")[0] == 0.5
-        drive(play, "ball", (0.5, 0.4))
+        walk(play, "ball", (0.5, 0.4), ticks=10)
         assert payload(play)["ball"] == 0.4
 
     def test_off_the_field_it_stays_what_it_was_and_the_way_back_is_none(self, stage):
-        gone = """
-        rules:
-          gone: {triggers: [{trigger: time_reached, at_s: 0.32}],
-                 actions: [{action: remove, entity: ball, for_s: 0.32, back_at: {point: [-0.5, 0]}}]}
-        """
-        play = stage(TOLD, gone)
-        drive(play, "ball", (0.3, 0.0))
+        gone = "{action: remove, entity: ball, for_s: 0.32, back_at: {point: [-0.5, 0]}}"
+        play = stage(TOLD, at_tick_10(gone))
+        walk(play, "ball", (0.3, 0.0), ticks=10)
         play.play(5)
         assert payload(play)["ball"] == 0.3
         play.play_until(22)
-        drive(play, "ball", (-0.5, 0.1))
+        walk(play, "ball", (-0.5, 0.1), ticks=10)
         assert payload(play)["ball"] == 0.4
 
     def test_each_half_begins_at_0(self, stage):
         assert payload(stage(TOLD, half=2)) == {"y1": 0, "ball": 0}
 
-    def test_nobodys_way_is_added_up_if_nobody_asks(self, stage):
+    def test_no_way_is_added_up_that_no_rule_asks_for(self, stage):
         play = stage(emitting("{y1: {way: Y1}}"))
         assert play.referee._state.ways.keys() == {play.roster.index["Y1"]}
         assert stage().referee._state.ways == {}
@@ -78,16 +54,14 @@ class TestConditionWay:
         ],
     )  # fmt: skip
     def test_it_compares_the_way_of_an_entity(self, stage, ask, compared, holds):
-        play = stage("counters: {budget: {initial: 0.55}}", asking(f"{{condition: way, entity: Y1, {compared}}}"))
-        drive(play, "Y1", (-0.4, -0.2), (-0.4, -0.5))
+        play = stage("counters: {budget: {initial: 0.55}}", ASKING % f"{{condition: way, entity: Y1, {compared}}}")
+        walk(play, "Y1", (-0.4, -0.2), (-0.4, -0.5), ticks=10)
         assert ask(play) is holds
 
-    def test_who_is_off_the_field_has_come_as_far_as_before(self, stage, ask):
-        gone = (
-            "rules: {gone: {triggers: [{trigger: time_reached, at_s: 0.64}], actions: [{action: remove, entity: Y1}]}}"
-        )
-        play = stage(asking("{condition: way, entity: Y1, at_least: 0.2}"), gone)
-        drive(play, "Y1", (-0.4, -0.2))
+    def test_a_robot_off_the_field_has_come_as_far_as_before(self, stage, ask):
+        gone = once(20, "{action: remove, entity: Y1}")
+        play = stage(ASKING % "{condition: way, entity: Y1, at_least: 0.2}", gone)
+        walk(play, "Y1", (-0.4, -0.2), ticks=10)
         play.play_until(25)
         assert ask(play)
 
@@ -101,6 +75,6 @@ class TestConditionWay:
             actions: [{action: emit, event: USED_UP, payload: {who: {word: robot_name}}}]
         """
         play = stage(budget)
-        drive(play, "Y1", (-0.4, -0.2), (-0.4, -0.1), ticks=10)
-        told = [(event.tick, event.payload) for event in play.events_named("USED_UP")]
-        assert told == [(15, {"who": "Y1"})]
+        walk(play, "Y1", (-0.4, -0.2), (-0.4, -0.1), ticks=10)
+        used_up = [(event.tick, event.payload) for event in play.events_named("USED_UP")]
+        assert used_up == [(15, {"who": "Y1"})]
