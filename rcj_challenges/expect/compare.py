@@ -96,17 +96,17 @@ def event_differences(
     """
     pairs = _beside(found, expected)
     moved = {} if _is_flood(found, expected) else _elsewhere(pairs, expected)
-    told_there = set(moved.values())
-    told = [
+    reported_there = set(moved.values())
+    differences = [
         line
         for place, pair in enumerate(pairs)
-        if place not in told_there
+        if place not in reported_there
         for line in (
             [_out_of_order(pairs, place, moved[place])] if place in moved else _differences_of(pair, expected, ignored)
         )
     ]
-    yield from told[:MAX_DIFFERENCES]
-    more = len(told) - MAX_DIFFERENCES
+    yield from differences[:MAX_DIFFERENCES]
+    more = len(differences) - MAX_DIFFERENCES
     if more > 0:
         yield f"and {counted(more, 'more difference')} of events"
 
@@ -185,8 +185,8 @@ def _format_event(event: Event) -> str:
 
 
 def _payload(payload: dict[str, Scalar]) -> str:
-    told = ", ".join(f"{key} {shown(value)}" for key, value in payload.items())
-    return f" ({told})" if told else ""
+    entries = ", ".join(f"{key} {shown(value)}" for key, value in payload.items())
+    return f" ({entries})" if entries else ""
 
 
 # --- which belong together --------------------------------------------------------------------------------------------

@@ -127,15 +127,15 @@ def _already_true(match: ScriptedMatch, fired: Container[str]) -> Iterable[str]:
 def _wanted(differences: Collection[str], match: ScriptedMatch, expected: Expectation) -> Wanted:
     """Return what differs from the expectations, from the lines of differences."""
     # A name has no blank and no colon in it.
-    told = {tuple(one.replace(":", " :").split(" ", 3)[:2]) for one in differences}
+    differing = {tuple(one.replace(":", " :").split(" ", 3)[:2]) for one in differences}
     return Wanted(
         missing=_missing(differences, expected),
         scores=_scores(match, expected),
-        counters={name for name in expected.counters if ("counter", name) in told},
-        flags={name for name in expected.flags if ("flag", name) in told},
-        phase=expected.phase if ("phase", ":") in told else None,
-        over=expected.ended != "none" and ("ended", ":") in told,
-        held=any((name, "held") in told for name in expected.held or ()),
+        counters={name for name in expected.counters if ("counter", name) in differing},
+        flags={name for name in expected.flags if ("flag", name) in differing},
+        phase=expected.phase if ("phase", ":") in differing else None,
+        over=expected.ended != "none" and ("ended", ":") in differing,
+        held=any((name, "held") in differing for name in expected.held or ()),
     )
 
 
@@ -176,12 +176,12 @@ def _course(match: ScriptedMatch, differences: Iterable[str]) -> Iterable[str]:
     if len(match.phases) == 1 or not any(one.startswith("missing:") for one in differences):
         return
     entered = [*match.phases[1 : MAX_PHASES + 1], None]
-    told = [
+    course = [
         phase if after is None else f"{phase} until {s_from_ticks(after[0]):g} s"
         for (_, phase), after in zip(match.phases, entered, strict=False)
     ]
-    more = ", …" if len(match.phases) > len(told) else ""
-    yield f"note: the phase was {', then '.join(told)}{more}"
+    more = ", …" if len(match.phases) > len(course) else ""
+    yield f"note: the phase was {', then '.join(course)}{more}"
 
 
 def _not_drawn(match: ScriptedMatch, expected: Expectation) -> Iterable[str]:
@@ -321,12 +321,12 @@ def _ranking_differences(
         places.setdefault(entry["place"], {})[entry["team"]] = entry["values"]
     found = [set(sharing) for sharing in places.values()]
     if found != [{one} if isinstance(one, str) else set(one) for one in expected]:
-        told = ", then ".join(
+        ranked = ", then ".join(
             " and ".join(f"{seat} ({', '.join(map(number_words, values))})" for seat, values in sharing.items())
             for sharing in places.values()
         )
         wanted = ", then ".join(one if isinstance(one, str) else " and ".join(one) for one in expected)
-        yield f"ranking: expected {wanted}; is {told}"
+        yield f"ranking: expected {wanted}; is {ranked}"
 
 
 def _ended(match: ScriptedMatch) -> str:

@@ -131,10 +131,10 @@ def rejudge(trajectory: Trajectory, scenario: Scenario) -> Judgement:
             break
         info = _info(track.info, scenario, carry_over)
         referee = Referee(scenario, roster, info)
-        half, told, over = _judge_half(track, referee, info)
+        half, judged, over = _judge_half(track, referee, info)
         halves.append(half)
         # As JSON they can be compared with those of a record.
-        events += [json.loads(json_line(event_line(info.half, event))) for event in told]
+        events += [json.loads(json_line(event_line(info.half, event))) for event in judged]
         carry_over.add(info, referee, half.ticks)
     all_there = over or len(halves) == scenario.match.halves
     complete = all_there and all(half.complete for half in halves)
@@ -232,17 +232,17 @@ def _judge_half(track: HalfTrack, referee: Referee, info: HalfInfo) -> tuple[Jud
     """Judge a half; return its judgement, its events, and whether it ends the match."""
     assert track.start is not None  # noqa: S101 - the caller has looked
     output = referee.start(track.start)
-    told = list(events_of(track.start, output))
+    events = list(events_of(track.start, output))
     tick = 0
     for snapshot in track.snapshots():
         if not should_continue(referee, output, tick, info):
             break
         output = referee.judge(snapshot)
-        told += events_of(snapshot, output)
+        events += events_of(snapshot, output)
         tick = snapshot.tick
     if should_continue(referee, output, tick, info):
-        return JudgedHalf(info.half, tick, None, complete=False), told, False
+        return JudgedHalf(info.half, tick, None, complete=False), events, False
     closing = referee.finish()
-    told += closing.events
+    events += closing.events
     ended = closing.ended if closing.ends_match else output.ended
-    return JudgedHalf(info.half, tick, ended, complete=True), told, closing.ends_match
+    return JudgedHalf(info.half, tick, ended, complete=True), events, closing.ends_match

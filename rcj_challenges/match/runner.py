@@ -189,8 +189,9 @@ class _MatchRunner:
             stage = load_stage()(scenario, roster, half, recording.wrap(drivers))
             referee, devices = stage.referee, stage.devices
             later_ticks = sum(ticks_from_s(half_s) for half_s in half_lengths_s(scenario.match)[number:])
-            told = (record, self._observer, pool, plan.show_output)
-            effects = TickEffects(half, later_ticks, referee, *told, real_time=plan.real_time)
+            effects = TickEffects(
+                half, later_ticks, referee, record, self._observer, pool, plan.show_output, real_time=plan.real_time
+            )
             record.begin_half(half)
             self._observer.half_started(half)
             recording.tell(self._observer, half)

@@ -108,10 +108,10 @@ def ball_on_floor(friction: float) -> tuple[Softness, float]:
     A pyramid of friction m yields to its load in proportion to m² (1 + m²). Rigidity makes up for that: the ball
     sinks in by 0.1 mm, so that its centre rests 0.0209 above the floor (reference, section 2).
     """
-    told = friction * math.sqrt(2)
-    load = max(told, _LEAST_FRICTION_MADE_UP_FOR) ** 2
+    mujoco_friction = friction * math.sqrt(2)
+    load = max(mujoco_friction, _LEAST_FRICTION_MADE_UP_FOR) ** 2
     rigidity = 1 / (1 + _FLOOR_YIELDS / (load * (1 + load)))
-    return Softness(restitution=0.0, stiffness_ps2=1 / (2 * SUBSTEP_S) ** 2, rigidity=rigidity), told
+    return Softness(restitution=0.0, stiffness_ps2=1 / (2 * SUBSTEP_S) ** 2, rigidity=rigidity), mujoco_friction
 
 
 def ball_on_solid(restitution: float, rigidity: float = SOLIDS.rigidity) -> Softness:

@@ -4,13 +4,13 @@ import pytest
 
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.scenario.load import load_text
-from tests.referee.building import TAKEN_OFF, emitting, fail, paid, payload, scoring, touch
+from tests.referee.building import TAKEN_OFF, emitting, fail, on_fault, once, paid, payload, scoring, touch
 
 HEAD = "schema_version: 1\nid: small\ntitle: Small\nextends: soccersim_v2\nmatch: {half_s: 60}\n"
 
 
 class TestValueDistance:
-    def test_it_is_told_in_metres_to_the_millimetre(self, stage):
+    def test_it_is_in_metres_to_the_millimetre(self, stage):
         play = stage(emitting("{far: {distance: [Y1, ball]}, back: {distance: [ball, Y1]}}"))
         play.place("Y1", -0.3, -0.4001)
         assert payload(play) == {"far": 0.5, "back": 0.5}
@@ -37,8 +37,7 @@ class TestValueDistance:
         play = stage(
             "counters: {far: {}}",
             scoring("{distance: [Y1, ball]}"),
-            "rules: {kept: {triggers: [{trigger: program_fault, robot: B1}], "
-            "actions: [{action: count, counter: far, to: {distance: [Y1, ball]}}]}}",
+            on_fault("B1", "{action: count, counter: far, to: {distance: [Y1, ball]}}", name="kept"),
         )
         play.place("Y1", 0.0, 0.1234)
         assert paid(play) == 0.123
@@ -61,39 +60,28 @@ class TestValueTimer:
         assert payload(play)["lap"] == 10.016
 
     def test_one_kept_per_robot_is_that_of_the_robot_or_the_longest(self, stage):
-        started = """
-        rules:
-          starts: {triggers: [{trigger: time_reached, at_s: 0.032}],
-                   actions: [{action: timer, timer: own, entity: Y2, do: start}]}
-        """
-        play = stage(
-            self.TIMERS,
-            emitting("{y1: {timer: own, entity: Y1}, y2: {timer: own, entity: Y2}, all: {timer: own}}"),
-            started,
-        )
+        values = "{y1: {timer: own, entity: Y1}, y2: {timer: own, entity: Y2}, all: {timer: own}}"
+        started = once(1, "{action: timer, timer: own, entity: Y2, do: start}")
+        play = stage(self.TIMERS, emitting(values), started)
         play.play_until(50)
         assert payload(play) == {"y1": 0, "y2": 1.6, "all": 1.6}
 
-    def test_as_points_its_whole_seconds_count(self, stage):
-        play = stage(self.TIMERS, scoring("{timer: lap}"))
+    @pytest.mark.parametrize(("fraction", "points"), [("", 2), (", fraction: true", 2.976)])
+    def test_as_points_its_whole_seconds_count_or_its_ticks(self, stage, fraction, points):
+        play = stage(self.TIMERS, scoring(f"{{timer: lap{fraction}}}"))
         play.play_until(92)
-        assert paid(play) == 2
-
-    def test_with_its_fraction_it_counts_to_the_tick(self, stage):
-        play = stage(self.TIMERS, scoring("{timer: lap, fraction: true}"))
-        play.play_until(92)
-        assert paid(play) == 2.976
+        assert paid(play) == points
 
 
 class TestValueLastTouch:
-    def test_it_is_the_name_of_the_last_robot_or_nobody(self, stage):
+    def test_it_is_the_name_of_the_last_robot_or_null(self, stage):
         play = stage(emitting("{who: {last_touch: ball}}"))
         assert payload(play) == {"who": None}
         touch(play, "ball", "Y2")
         touch(play, "ball", "B1", ticks=3)
         assert payload(play) == {"who": "B1"}
 
-    def test_a_broadcast_tells_it_though_no_rule_asks_for_touches(self, stage):
+    def test_a_broadcast_has_it_though_no_rule_asks_for_touches(self, stage):
         play = stage("broadcast: {fields: {who: {last_touch: ball}}}")
         assert play.output.broadcast == {"who": None}
         play.touch("ball", "Y2")
@@ -123,9 +111,9 @@ class TestPointsAndParamsInSentences:
     @pytest.mark.parametrize(("tries", "said"), [(1, "1 point"), (-1, "-1 point"), (2, "2 points"), (0, "0 points"), (0.5, "0.5 points")])  # fmt: skip
     def test_one_point_is_no_points(self, tries, said):
         assert self.said(f"[{{action: score, entrant: yellow, points: {tries}}}]", "{points} points.") == f"{said}."
-        # The distance is 0.5 m: what is reckoned when the rule fires is said alike.
-        reckoned = f"[{{action: score, entrant: yellow, points: [{tries}, -0.5, {{distance: [Y1, [0, 0]]}}]}}]"
-        assert self.said(reckoned, "A goal; {points} points!") == f"A goal; {said}!"
+        # The distance is 0.5 m: what is computed when the rule fires is said alike.
+        computed = f"[{{action: score, entrant: yellow, points: [{tries}, -0.5, {{distance: [Y1, [0, 0]]}}]}}]"
+        assert self.said(computed, "A goal; {points} points!") == f"A goal; {said}!"
         assert self.said("[{action: score, entrant: yellow}]", "{goal} points.", f"{{goal: {tries}}}") == f"{said}."
 
     def test_a_param_stands_by_its_name(self):

@@ -31,7 +31,7 @@ def caught(play):
 
 class TestTag:
     @pytest.mark.parametrize("runner", ["Y2", "B1", "B2"])
-    def test_whom_the_catcher_touches_is_the_catcher_now(self, stage, runner):
+    def test_the_robot_that_the_catcher_touches_is_the_catcher_now(self, stage, runner):
         play = stage(TAG)
         play.play()
         touch(play, runner, "Y1")
@@ -87,15 +87,12 @@ class TestSeveralAtOnce:
         assert bumps(play) == [("B1", "Y1"), ("B1", "Y2"), ("B2", "Y1"), ("Y1", "B1"), ("Y1", "B2"), ("Y2", "B1")]
         assert play.referee.counters["bumped"] == {"B1": 2, "B2": 1, "Y1": 2, "Y2": 1}
 
-    def test_a_rest_after_firing_is_one_for_all_whom_it_touches(self, stage):
-        play = self.touched(stage, "cooldown_s: 1")
+    @pytest.mark.parametrize(("extra", "stopped_by"), [("cooldown_s: 1", "cooldown"), ("exclusive: one", "exclusive")])
+    def test_a_cooldown_or_an_exclusive_group_lets_only_the_first_of_them_count(self, stage, extra, stopped_by):
+        play = self.touched(stage, extra)
         assert bumps(play) == [("B1", "Y1"), ("B2", "Y1"), ("Y1", "B1"), ("Y2", "B1")]
         stopped = [(f.entity, f.other, f.suppressed) for f in play.firings if f.suppressed]
-        assert stopped == [("B1", "Y2", "cooldown"), ("Y1", "B2", "cooldown")]
-
-    def test_of_one_exclusive_group_only_the_first_of_them_counts(self, stage):
-        play = self.touched(stage, "exclusive: one")
-        assert bumps(play) == [("B1", "Y1"), ("B2", "Y1"), ("Y1", "B1"), ("Y2", "B1")]
+        assert stopped == [("B1", "Y2", stopped_by), ("Y1", "B2", stopped_by)]
 
     def test_each_of_them_is_one_of_the_times_it_may_fire(self, stage):
         play = self.touched(stage, "max_executions: 1")
@@ -121,7 +118,7 @@ class TestWhatItMayStandFor:
     @pytest.mark.parametrize(
         ("wall", "tells"), [("walls", "Y1 has touched walls."), ("post", "Y1 has touched post."), ("B1", "")]
     )
-    def test_walls_and_fixed_obstacles_are_told_by_name(self, stage, wall, tells):
+    def test_walls_and_fixed_obstacles_are_named(self, stage, wall, tells):
         play = stage("""
         obstacles: {post: {shape: cylinder, radius_m: 0.05, height_m: 0.1, centre_m: [0, 0.3]}}
         rules:
@@ -151,7 +148,7 @@ class TestWhatItMayStandFor:
         touch(play, "Y1", "B2")
         assert bumps(play) == [("Y1", "B1"), ("Y2", "Y2")]
 
-    def test_who_alone_may_touch_needs_no_counter_of_its_own(self, stage):
+    def test_the_only_toucher_needs_no_counter_of_its_own(self, stage):
         play = stage("""
         groups: {runners: [Y2, Y3, B1, B2, B3]}
         counters: {caught: {per: runners}}
@@ -164,7 +161,7 @@ class TestWhatItMayStandFor:
         touch(play, "Y1", "B2")
         assert play.referee.counters["caught"] == {"Y2": 0, "Y3": 0, "B1": 0, "B2": 1, "B3": 0}
 
-    def test_points_go_to_whoever_drives_it(self, stage):
+    def test_points_go_to_the_entrant_that_drives_it(self, stage):
         play = stage("""
         rules:
           pushed:
@@ -180,7 +177,7 @@ class TestWhatItMayStandFor:
         (firing,) = play.play().firings
         assert (firing.entity, firing.other, firing.scored) == ("Y1", "B1", {"blue": -1})
 
-    def test_what_is_measured_of_it_is_told_and_paid(self, stage):
+    def test_what_is_measured_of_it_is_emitted_and_paid(self, stage):
         play = stage("""
         counters: {weight: {per: robots, initial: 3}}
         rules:

@@ -1,4 +1,4 @@
-"""What robots tell the referee by radio: the trigger, the condition, the value, the position."""
+"""Messages from robots to the referee: the trigger, the condition, the value, the position."""
 
 import math
 import struct
@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.core.messages import MAX_LETTERS, matches_text, message_text, number_in, position_in
-from tests.referee.building import emitting, fail, payload
+from tests.referee.building import ASKING, TAKEN_OFF, emitting, paid, payload, scoring
 
 AS_TEXT = str.maketrans("\t\r\n\ufffd", "   \0")
 NUMBERS = st.floats(-10, 10)
@@ -73,7 +73,7 @@ class TestTriggerTells:
         play.play()
         assert play.referee.scores["blue"] == 2
 
-    def test_the_number_told_is_what_was_measured(self, stage):
+    def test_the_number_in_the_message_is_what_was_measured(self, stage):
         emit = "[{action: emit, event: TOLD, payload: {number: {word: measured}, who: {word: robot_name}}}]"
         play = stage(hearing(actions=emit, more="says: '{entity} tells {measured}.',"))
         told(play, "0.25", "hello")
@@ -83,11 +83,8 @@ class TestTriggerTells:
         ]
         assert [firing.says for firing in play.firings] == ["Y1 tells 0.25.", "Y1 tells ."]
 
-    def test_nobody_hears_a_robot_that_is_off_the_field(self, stage):
-        play = stage(
-            "rules: {gone: {triggers: [{trigger: time_reached, at_s: 0.32}], actions: [{action: remove, entity: Y1}]}}",
-            hearing(),
-        )
+    def test_a_robot_off_the_field_is_not_received(self, stage):
+        play = stage(TAKEN_OFF % "Y1", hearing())
         play.play_until(15)
         assert told(play, "a") == 0
         assert told(play, "a", robot="Y2") == 1
@@ -110,26 +107,17 @@ class TestConditionTold:
             ("entity: Y2", [False] * 4),
         ],
     )
-    def test_the_last_message_counts(self, stage, condition, holds):
-        play = stage(
-            f"""
-            rules:
-              asked: {{triggers: [{{trigger: program_fault, robot: B1}}], conditions: [{{condition: told, {condition}}}],
-                       actions: [{{action: score, entrant: yellow}}]}}
-            """
-        )
-        found, before = [], 0
-        for message in (None, "GO", "STOP", "7"):
-            if message is not None:
-                play.tell("Y1", message)
-            fail(play, "B1")
-            found.append(play.referee.scores["yellow"] > before)
-            before = play.referee.scores["yellow"]
+    def test_the_last_message_counts(self, stage, ask, condition, holds):
+        play = stage(ASKING % f"{{condition: told, {condition}}}")
+        found = [ask(play)]
+        for message in ("GO", "STOP", "7"):
+            play.tell("Y1", message)
+            found.append(ask(play))
         assert found == holds
 
 
 class TestValueTold:
-    def test_it_is_told_as_it_was_said_and_null_before(self, stage):
+    def test_it_is_the_text_as_it_was_sent_and_null_before(self, stage):
         play = stage(emitting("{said: {told: Y1}}"))
         assert payload(play) == {"said": None}
         play.tell("Y1", "0.50")
@@ -140,16 +128,12 @@ class TestValueTold:
         [("{told: Y1}", 7), ("[1, {told: Y1, weight: -2}]", -13), ("[1, {told: Y2}]", 1)],
     )
     def test_points_and_counts_take_its_number_and_0_if_it_is_none(self, stage, points, given):
-        rule = (
-            "{triggers: [{trigger: program_fault, robot: B1}], actions: [{action: score, entrant: yellow, points: %s}]}"
-        )
-        play = stage(f"rules: {{r: {rule % points}}}")
+        play = stage(scoring(points))
         play.tell("Y1", "7")
         play.tell("Y2", "seven")
-        fail(play, "B1")
-        assert play.referee.scores["yellow"] == given
+        assert paid(play) == given
 
-    def test_a_spot_is_set_to_the_position_told_and_stays_where_it_is_otherwise(self, stage):
+    def test_a_spot_is_set_to_the_position_received_and_stays_where_it_is_otherwise(self, stage):
         guess = hearing(actions="[{action: set_spot, spot: guess, to: {told: each}}]")
         play = stage("spots: {guess: {x_m: 0, y_m: 0}}", guess)
         told(play, "0.25 -0.5")
@@ -224,7 +208,7 @@ class TestMessages:
         assert position_in(text) is None
 
     @pytest.mark.parametrize(("text", "number"), [("1e9", 1e9), ("-1e9", -1e9), ("1000000001", None), ("1e308", None)])
-    def test_what_nobody_could_reckon_with_is_no_number(self, text, number):
+    def test_what_is_too_large_is_no_number(self, text, number):
         assert number_in(text) == number
 
     @pytest.mark.parametrize(

@@ -32,6 +32,15 @@ rules:
     actions: [{action: emit, event: ALL_PASSED}]
 """
 
+CROSSED = """
+rules:
+  crossed:
+    for_each: posts
+    triggers: [{trigger: crosses, entity: Y1, gate: each}]
+    actions: [{action: emit, event: CROSSED, payload: {gate: {word: each_name}}}]
+    %s
+"""
+
 
 def pass_at(play, x_m, entity="Y1"):
     # Where a hand puts something is a way too: it goes back beside the posts.
@@ -42,7 +51,7 @@ def pass_at(play, x_m, entity="Y1"):
 
 
 class TestGates:
-    def test_each_gate_is_a_rule_of_its_own_and_the_event_is_about_who_crossed_it(self, stage):
+    def test_each_gate_is_a_rule_of_its_own_and_the_event_is_about_the_robot(self, stage):
         play = stage(GATES, PASSED)
         pass_at(play, -0.4)
         pass_at(play, 0.4, "B2")
@@ -71,7 +80,7 @@ class TestGates:
             ("", ", entity: Y1", [""]),
         ],
     )
-    def test_the_event_is_heard_of_the_gate_as_well_as_of_who_crossed_it(self, stage, each, entity, told):
+    def test_the_event_is_heard_of_the_gate_as_well_as_of_the_robot(self, stage, each, entity, told):
         hears = f"""
   hears:
     {each}
@@ -84,7 +93,7 @@ class TestGates:
         assert sorted(event.payload["each"] or "" for event in play.events_named("TOLD")) == told
 
     @pytest.mark.parametrize("heard_of", ["[Y1, west]", "[west, Y1]", "[posts, robots]"])
-    def test_who_hears_the_gate_or_the_robot_is_told_of_the_robot(self, stage, heard_of):
+    def test_a_rule_that_hears_the_gate_or_the_robot_gets_the_robot(self, stage, heard_of):
         play = stage(
             GATES,
             f"""
@@ -106,11 +115,7 @@ rules:
         ("limit", "counted"), [("max_executions: 1", 2), ("cooldown_s: 10", 2), ("priority: 1", 4)]
     )
     def test_limits_count_for_each_gate(self, stage, limit, counted):
-        rules = (
-            "rules: {counted: {for_each: posts, triggers: [{trigger: crosses, entity: Y1, gate: each}], "
-            f"actions: [{{action: emit, event: CROSSED, payload: {{gate: {{word: each_name}}}}}}], {limit}}}}}"
-        )
-        play = stage(GATES, rules)
+        play = stage(GATES, CROSSED % limit)
         for x_m in (-0.4, 0.4, -0.4, 0.4):
             pass_at(play, x_m)
         crossed = [event.payload["gate"] for event in play.events]
@@ -121,9 +126,7 @@ rules:
         play = stage(
             GATES,
             "draws: {next: {values: [west, middle, east]}}",
-            "rules: {passed: {for_each: posts, triggers: [{trigger: crosses, entity: Y1, gate: each}], conditions: "
-            "[{condition: drawn, draw: next, equals: each}], actions: [{action: emit, event: PASSED, "
-            "payload: {gate: {word: each_name}}}]}}",
+            CROSSED % "conditions: [{condition: drawn, draw: next, equals: each}]",
             draws={"next": gate},
         )
         for x_m in (-0.4, 0.0, 0.4):
@@ -132,7 +135,7 @@ rules:
 
 
 class TestZones:
-    def test_each_zone_hears_who_comes_in_and_counts_for_itself(self, stage):
+    def test_each_zone_counts_its_own_visits(self, stage):
         play = stage(
             "groups: {sides: [left, right]}",
             "counters: {visits: {per: sides}}",

@@ -3,7 +3,7 @@
 import pytest
 
 from rcj_challenges.rules.values.word import FACTS, WordValue
-from tests.referee.building import emitting, fail, payload, place
+from tests.referee.building import TAKEN_OFF, at_tick_10, emitting, fail, on_fault, once, payload, place
 
 
 class TestValueCounter:
@@ -20,18 +20,18 @@ class TestValuePositionOf:
     def test_it_is_where_an_entity_is_or_nothing_off_the_field(self, stage):
         play = stage(
             emitting("{a: {position_of: B1}}"),
-            "rules: {gone: {triggers: [{trigger: time_reached, at_s: 0.32}], actions: [{action: remove, entity: B1}]}}",
+            TAKEN_OFF % "B1",
         )
         assert payload(play) == {"a": [0.4, 0.5, pytest.approx(-1.57, abs=1e-6)]}
         play.play_until(15)
         assert payload(play) == {"a": None}
 
-    def test_a_spot_is_told_where_it_is_now_without_a_way_it_looks(self, stage):
+    def test_of_a_spot_it_is_its_present_place_without_a_yaw(self, stage):
         play = stage(
             "spots: {mark: {x_m: 0.5, y_m: -0.1}, target: {x_m: 0, y_m: 0.25}}",
             "broadcast: {fields: {mark: {position_of: mark}, target: {position_of: target}}}",
             emitting("{a: {position_of: mark}, b: {position_of: target}}"),
-            "rules: {moved: {triggers: [{trigger: time_reached, at_s: 0.32}], actions: [{action: set_spot, spot: mark, to: B1}]}}",
+            at_tick_10("{action: set_spot, spot: mark, to: B1}"),
         )
         assert payload(play) == {"a": [0.5, -0.1], "b": [0, 0.25]}
         assert play.output.broadcast == {"mark": [0.5, -0.1], "target": [0, 0.25]}
@@ -93,7 +93,7 @@ class TestValueWord:
         assert play.events[0].payload == {"m": 0.5, "l": 0.25}
         assert play.firings[0].says == "B1 of Blue Moon is 0.5 m away, over 0.25 m; {unknown} {measured"
 
-    def test_the_seed_cannot_be_read_but_told_from_others(self, stage):
+    def test_the_seed_cannot_be_read_but_distinguished_from_others(self, stage):
         values = "{a: {word: seed_id}}"
         one, again, two = (payload(stage(emitting(values), seed=seed))["a"] for seed in (1, 1, 2))
         assert one == again != two
@@ -105,32 +105,23 @@ class TestValueWord:
 
 
 def test_a_name_that_looks_like_a_placeholder_stays_a_name(stage):
-    play = stage(
-        """
-        rules:
-          told:
-            triggers: [{trigger: program_fault}]
-            actions: [{action: score, entrant: blue}]
-            says: "{team} {entity}"
-        """,
-        team_names={"blue": "B", "yellow": "{entity} {limit}"},
-    )
-    fail(play, "Y1")
+    rule = on_fault("Y1", "{action: score, entrant: blue}", more='says: "{team} {entity}",')
+    play = fail(stage(rule, team_names={"blue": "B", "yellow": "{entity} {limit}"}))
     assert play.firings[0].says == "{entity} {limit} Y1"
 
 
 class TestBroadcast:
     FIELDS = "{score: {counter: blue}, phase: {word: phase}, ball: {position_of: ball}}"
 
-    def test_it_tells_the_state_after_the_actions_on_every_tick(self, stage):
+    def test_it_has_the_state_after_the_actions_on_every_tick(self, stage):
         play = stage(
             f"broadcast: {{fields: {self.FIELDS}}}",
-            "rules: {point: {triggers: [{trigger: time_reached, at_s: 0.064}], actions: [{action: score, entrant: blue}]}}",
+            once(2, "{action: score, entrant: blue}"),
         )
         assert play.output.broadcast == {"score": 0, "phase": "play", "ball": [0.0, 0.0, 0.0]}
         assert [play.play().broadcast["score"] for _ in range(3)] == [0, 1, 1]
 
-    def test_some_are_told_what_others_are_not(self, stage):
+    def test_some_robots_get_fields_of_their_own(self, stage):
         play = stage(
             "broadcast: {fields: {}, only: {Y1: {way: {draw: way}}, blue: {way: none, n: {counter: n}}, B2: {way: B2}}}",
             "draws: {way: {values: [left]}}",
@@ -146,11 +137,7 @@ class TestBroadcast:
         assert output.broadcast == {}
 
     def test_what_is_for_some_only_comes_as_rarely(self, stage):
-        play = stage("broadcast: {every_ticks: 3, fields: {}, only: {Y1: {a: 1}}}")
-        assert [bool(play.play().private_broadcasts) for _ in range(6)] == [False, False, True, False, False, True]
-
-    def test_who_is_told_nothing_under_only_is_told_what_all_are(self, stage):
-        # So it stands there where a file that extends this one has taken a key away by null.
-        play = stage("broadcast: {fields: {}, only: {Y1: {}, Y2: {a: 1}}}")
-        assert list(play.play().private_broadcasts.values()) == [{"a": 1}]
-        assert stage("broadcast: {fields: {}, only: {Y1: {}}}").play().private_broadcasts is None
+        # Y2 has nothing of its own, as where a file that extends this one has removed a key by null.
+        play = stage("broadcast: {every_ticks: 3, fields: {}, only: {Y1: {a: 1}, Y2: {}}}")
+        sent = [[*(play.play().private_broadcasts or {}).values()] for _ in range(6)]
+        assert sent == [[], [], [{"a": 1}]] * 2

@@ -46,5 +46,5 @@ expect:
         return act
 
     def describe(self, phrases: Phrases) -> str:
-        told = ", ".join(f"{key}: {value_words(phrases, entry)}" for key, entry in self.payload.items())
-        return f"{self.event} is announced" + (f" ({told})" if told else "")
+        entries = ", ".join(f"{key}: {value_words(phrases, entry)}" for key, entry in self.payload.items())
+        return f"{self.event} is announced" + (f" ({entries})" if entries else "")

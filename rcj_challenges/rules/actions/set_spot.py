@@ -99,8 +99,8 @@ expect:
         """Return what finds the place that the spot is set to; None if there is none at present."""
         match self.to:
             case ToldValue():
-                heard, robot = to.state.heard, to.members(self.to.told)[0]
-                return lambda: position_in(heard.get(robot, ""))
+                messages, robot = to.state.heard, to.members(self.to.told)[0]
+                return lambda: position_in(messages.get(robot, ""))
             case UniformIn() | OnLine():
                 sample, state, stream = self.to.sampler(to), to.state, f"spot/{self.spot}"
                 return lambda: sample(state.stream(stream))

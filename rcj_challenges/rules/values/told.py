@@ -44,8 +44,8 @@ expect:
 
     def now(self, to: Scope) -> Callable[[], str | None]:
         """Return a function that reads the text; None if there was no message yet."""
-        told, robot = to.state.heard, to.members(self.told)[0]
-        return lambda: told.get(robot)
+        messages, robot = to.state.heard, to.members(self.told)[0]
+        return lambda: messages.get(robot)
 
     def number(self, to: Scope) -> Reader:
         """Return what reads the number; 0 if it was none."""
