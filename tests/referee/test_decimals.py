@@ -7,6 +7,7 @@ import json
 import pytest
 
 from rcj_challenges.referee.ranking import Tally, ranking
+from tests.referee.building import acted, at_tick_10, hears, payloads
 
 TENTHS = """
 counters: {third: {}, per_robot: {per: robots}}
@@ -32,51 +33,21 @@ def test_three_times_a_tenth_of_a_point_is_exactly_three_tenths(stage):
 
 
 def test_the_sum_of_a_counter_kept_per_robot_is_that_on_paper(stage):
-    play = stage(
-        """
-counters: {each_one: {per: robots}}
-rules:
-  tenths:
-    triggers: [{trigger: time_reached, at_s: 0.32}]
-    actions:
-      - {action: count, counter: each_one, by: 0.1}
-      - {action: count, counter: each_one, entity: B1, by: -0.1}
-      - {action: emit, event: SUM, payload: {sum: {counter: each_one}}}
-"""
-    )
-    play.play(10)
-    assert play.events[0].payload == {"sum": 0.3}
+    tenths = ("{action: count, counter: own, by: 0.1}", "{action: count, counter: own, entity: B1, by: -0.1}")
+    told = "{action: emit, event: TOLD, payload: {sum: {counter: own}}}"
+    play = acted(stage("counters: {own: {per: robots}}", at_tick_10(*tenths, told)))
+    assert payloads(play) == [{"sum": 0.3}]
 
 
 def test_a_bound_with_more_decimals_than_are_kept_is_met_by_the_counter_that_was_set_to_it(stage):
+    third = "0.3333333333333333"
     play = stage(
-        """
-counters: {n: {}}
-rules:
-  set:
-    triggers: [{trigger: time_reached, at_s: 0.32}]
-    actions: [{action: count, counter: n, to: 0.3333333333333333}]
-  there:
-    triggers: [{trigger: holds, condition: {condition: counter, counter: n, equals: 0.3333333333333333}}]
-    actions: [{action: emit, event: THERE}]
-"""
+        "counters: {n: {}}",
+        at_tick_10(f"{{action: count, counter: n, to: {third}}}"),
+        hears(f"holds, condition: {{condition: counter, counter: n, equals: {third}}}"),
     )
     play.play(12)
-    assert play.names() == ["THERE"]
-
-
-RANKED = "counters: {fouls: {per: robots}}\nresult: {rank: [{score: descending}, {counter: fouls, order: ascending}]}"
-
-
-def test_decimal_counters_of_several_robots_and_halves_are_added_up_as_on_paper(small):
-    scenario = small(RANKED)
-    seats = {"blue": "blue", "yellow": "yellow"}
-    halves = [
-        Tally({"fouls": {"B1": 0.1, "B2": 0.1, "Y1": 0.3, "Y2": 0}}, seats, 60),
-        Tally({"fouls": {"B1": 0.1, "B2": 0, "Y1": 0, "Y2": 0}}, seats, 60),
-    ]
-    places = ranking(scenario, {"blue": 1, "yellow": 1}, halves)
-    assert [(entry["place"], entry["values"]) for entry in places] == [(1, [1, 0.3]), (1, [1, 0.3])]
+    assert play.names() == ["TOLD"]
 
 
 GROWS = """

@@ -39,22 +39,18 @@ class TestATimerThatLastsAsLongAsACounterSays:
         assert ticks(play) == [30]
         assert play.events[0].payload == {"after_s": 0.64}
 
-    def test_one_that_starts_with_the_half_lasts_what_the_counter_is_at_first(self, stage):
-        play = stage(
-            "counters: {long_s: {initial: 0.16}}", "timers: {egg: {lasts_s: {counter: long_s}, starts: true}}", RUN_OUT
-        )
-        assert ticks(play) == [5, 15]
-
-    @pytest.mark.parametrize("initial", [0, -5, 0.01])
-    def test_less_than_a_tick_is_a_tick(self, stage, initial):
-        play = stage(
-            f"counters: {{long_s: {{initial: {initial}}}}}", "timers: {egg: {lasts_s: {counter: long_s}}}", RUN_OUT
-        )
-        assert ticks(play) == [11]
-
-    def test_more_than_a_day_is_a_day(self, stage):
-        play = stage("counters: {long_s: {initial: 1.0e+15}}", "timers: {egg: {lasts_s: {counter: long_s}}}", RUN_OUT)
-        assert ticks(play) == []
+    @pytest.mark.parametrize(
+        ("initial", "starts", "over"),
+        [
+            (0.16, ", starts: true", [5, 15]),  # with the half, and again
+            (0, "", [11]), (-5, "", [11]), (0.01, "", [11]),  # less than a tick is a tick
+            (1.0e15, "", []),
+        ],
+    )  # fmt: skip
+    def test_it_lasts_what_the_counter_is_at_first_but_at_least_a_tick(self, stage, initial, starts, over):
+        counter = f"counters: {{long_s: {{initial: {initial:.2e}}}}}"
+        play = stage(counter, f"timers: {{egg: {{lasts_s: {{counter: long_s}}{starts}}}}}", RUN_OUT)
+        assert ticks(play) == over
 
     def test_of_one_kept_for_each_that_of_the_same_one_counts(self, stage):
         play = stage("""

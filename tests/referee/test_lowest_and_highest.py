@@ -2,9 +2,8 @@
 
 import pytest
 
-from rcj_challenges.core.diagnostics import InFile
-from rcj_challenges.scenario.errors import ScenarioError
-from rcj_challenges.scenario.load import load_text
+from tests.referee.building import EMIT, acted, once
+from tests.scenario.writing import complaints
 
 TOLD = """
 counters: {visits: {per: robots}, limit: {initial: 2}}
@@ -24,7 +23,7 @@ rules:
 
 
 def told(stage, condition: str, visits: dict[str, float], off: str = "") -> list[str]:
-    """Return of whom a condition holds, when the robots have these counters and one of them has been taken off."""
+    """Return the robots for which a condition holds when they have these counters and some are off the field."""
     counts = [f"{{action: count, counter: visits, entity: {robot}, to: {to}}}" for robot, to in visits.items()]
     removed = [f"{{action: remove, entity: {robot}}}" for robot in off.split()]
     play = stage(TOLD % condition, COUNTED % ", ".join([*counts, *removed]))
@@ -52,10 +51,10 @@ class TestTheLowestAndTheHighestOfOthers:
         assert told(stage, condition, {"B1": 4, "B2": 1, "Y1": 1, "Y2": 4}) == who
 
     @pytest.mark.parametrize(("condition", "who"), [(LAST, ["Y1"]), (FIRST, ["B1"])])
-    def test_who_is_off_the_field_neither_counts_nor_is_it(self, stage, condition, who):
+    def test_a_robot_off_the_field_neither_counts_nor_is_it(self, stage, condition, who):
         assert told(stage, condition, VISITS, off="B2 Y2") == who
 
-    def test_where_nobody_else_is_left_nothing_compares(self, stage):
+    def test_where_no_other_is_left_nothing_compares(self, stage):
         assert told(stage, LAST, VISITS, off="B1 B2 Y2") == []
         assert told(stage, FIRST, VISITS, off="B1 B2 Y2") == []
 
@@ -66,19 +65,10 @@ class TestTheLowestAndTheHighestOfOthers:
         assert told(stage, f"{ALONE_LAST}, {on_the_field}", VISITS, off="B2") == ["Y1"]
 
     def test_without_for_each_it_is_that_of_all(self, stage):
-        rule = """
-        counters: {visits: {per: robots}, level: {initial: %s}}
-        rules:
-          low:
-            triggers: [{trigger: time_reached, at_s: 1}]
-            conditions: [{condition: counter, counter: level, at_most: {lowest: visits}}]
-            actions: [{action: emit, event: LOW}]
-          counted: {triggers: [{trigger: half_started}], actions: [{action: count, counter: visits, to: 2}]}
-        """
-        for level, names in ((2, ["LOW"]), (2.5, [])):
-            play = stage(rule % level)
-            play.play(40)
-            assert play.names() == names
+        low = once(10, EMIT, more="conditions: [{condition: counter, counter: level, at_most: {lowest: visits}}],")
+        for level, names in ((2, ["TOLD"]), (2.5, [])):
+            counters = f"counters: {{visits: {{per: robots}}, level: {{initial: {level}}}}}"
+            assert acted(stage(counters, low, COUNTED % "{action: count, counter: visits, to: 2}")).names() == names
 
     def test_places_are_never_off_the_field(self, stage):
         rule = """
@@ -97,21 +87,14 @@ class TestTheLowestAndTheHighestOfOthers:
         assert [event.payload["where"] for event in play.events_named("TOLD")] == ["middle"]
 
     def test_anything_that_is_compared_may_be_compared_with_it(self, stage):
-        # Y1 stands 0.64 m from the ball, all others 0.64 m too: nearer than the limit of another is nobody.
+        # Y1 stands 0.64 m from the ball, all others 0.64 m too: none is nearer than the limit of another.
         near = "{condition: distance, entity: each, to: ball, at_least: {highest: visits}}"
         assert told(stage, near, {"B1": 0.5, "B2": 0.5, "Y1": 0.9, "Y2": 0.5}) == ["Y1"]
 
 
-class TestItsChecks:
-    HEAD = "schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\n"
-
-    def test_a_counter_that_is_kept_once_has_no_others(self):
-        rule = (
-            "counters: {laps: {}}\nrules: {it: {triggers: [{trigger: half_started}], conditions: "
-            "[{condition: counter, counter: laps, at_most: {lowest: laps}}], actions: [{action: end}]}}\n"
-        )
-        with pytest.raises(ScenarioError) as caught:
-            load_text(self.HEAD + rule, file="it.yaml")
-        (problem,) = caught.value.diagnostics
-        assert problem.code == "not-per-entity"
-        assert problem.where == InFile("it.yaml", 6, 118, "rules.it.conditions[0] (counter)")
+def test_a_counter_that_is_kept_once_has_no_others():
+    rule = (
+        "counters: {laps: {}}\nrules: {it: {triggers: [{trigger: half_started}], conditions: "
+        "[{condition: counter, counter: laps, at_most: {lowest: laps}}], actions: [{action: end}]}}\n"
+    )
+    assert complaints(rule) == ["not-per-entity rules.it.conditions[0] (counter)"]

@@ -9,17 +9,12 @@ from hypothesis import strategies as st
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.scenario.roster import Roster
-from tests.referee.building import fail
+from tests.referee.building import fail, on_fault
 
 
 def placing(entity: str, at: str, more: str = "") -> str:
     """Return a rule that puts an entity somewhere whenever Y1's program fails."""
-    return f"""
-    rules:
-      put:
-        triggers: [{{trigger: program_fault, robot: Y1}}]
-        actions: [{{action: place, entity: {entity}, at: {at}{more}}}]
-    """
+    return on_fault("Y1", f"{{action: place, entity: {entity}, at: {at}{more}}}")
 
 
 def put(play: ScriptedMatch, entity: str = "ball") -> tuple[float, float]:
@@ -34,11 +29,12 @@ def many(play: ScriptedMatch, entity: str = "ball", times: int = 60) -> list[tup
 
 
 class TestPlaceStart:
+    B1 = """
+    robots: {B1: {colour: blue, number: 1, kit: v2, start: {x_m: 0.3, y_m: 0.3, yaw_rad: -1.57, noise_m: [0.05, 0]}}}
+    """
+
     def test_it_is_the_own_start_with_its_noise(self, stage):
-        play = stage("""
-        robots:
-          B1: {colour: blue, number: 1, kit: v2, start: {x_m: 0.3, y_m: 0.3, yaw_rad: -1.57, noise_m: [0.05, 0]}}
-        """, placing("[ball, B1]", "start"))  # fmt: skip
+        play = stage(self.B1, placing("[ball, B1]", "start"))
         xs = [x for x, y in many(play, "B1")]
         assert 0.25 <= min(xs) < 0.27
         assert 0.33 < max(xs) <= 0.35
@@ -46,18 +42,13 @@ class TestPlaceStart:
         assert play.pose("ball")[:2] == (0.0, 0.0)
 
     def test_a_start_with_noise_is_scattered_at_tick_0_even_without_a_rule(self, stage):
-        play = stage("""
-        robots:
-          B1: {colour: blue, number: 1, kit: v2, start: {x_m: 0.3, y_m: 0.3, yaw_rad: -1.57, noise_m: [0.05, 0.05]}}
-        """)
-        assert [(tick, placement.entity) for tick, placement in play.placements] == [(0, 0)]
+        assert [(tick, placement.entity) for tick, placement in stage(self.B1).placements] == [(0, 0)]
 
 
-class TestPlaceSpot:
-    def test_a_draw_can_name_the_spot(self, stage):
-        play = stage("draws: {where: {values: [middle_blue, centre]}}", placing("ball", "{spot: where}"),
-                     draws={"where": "middle_blue"})  # fmt: skip
-        assert put(play) == pytest.approx((0.0, 0.2))
+@pytest.mark.parametrize("at", ["{spot: where}", "{choice: [where]}"])
+def test_a_draw_can_name_the_spot(stage, at):
+    draws = "draws: {where: {values: [middle_blue, centre]}}"
+    assert put(stage(draws, placing("ball", at), draws={"where": "middle_blue"})) == pytest.approx((0.0, 0.2))
 
 
 class TestPlaceUniformIn:
@@ -100,23 +91,16 @@ class TestPlaceUniformIn:
         assert 0.2 < sum(in_north) / len(in_north) < 0.36  # 0.0314 of 0.1114 m²
 
 
-class TestPlaceOnLine:
-    def test_it_is_between_both_ends(self, stage):
-        places = many(stage(placing("ball", "{on_line: [[-0.4, 0.1], [0.4, -0.1]]}")))
-        assert all(y == pytest.approx(-x / 4, abs=1e-6) and abs(x) <= 0.4 for x, y in places)
-        assert max(x for x, _ in places) > 0.25
-        assert min(x for x, _ in places) < -0.25
+def test_on_line_is_between_both_ends(stage):
+    places = many(stage(placing("ball", "{on_line: [[-0.4, 0.1], [0.4, -0.1]]}")))
+    assert all(y == pytest.approx(-x / 4, abs=1e-6) and abs(x) <= 0.4 for x, y in places)
+    assert max(x for x, _ in places) > 0.25
+    assert min(x for x, _ in places) < -0.25
 
 
-class TestPlaceChoice:
-    def test_it_is_one_of_them(self, stage):
-        places = many(stage(placing("ball", "{choice: [centre, [0.1, 0.1], middle_yellow]}")))
-        assert {(round(x, 3), round(y, 3)) for x, y in places} == {(0.0, 0.0), (0.1, 0.1), (0.0, -0.2)}
-
-    def test_a_draw_can_decide(self, stage):
-        play = stage("draws: {where: {values: [middle_blue, centre]}}", placing("ball", "{choice: [where]}"),
-                     draws={"where": "middle_blue"})  # fmt: skip
-        assert put(play) == pytest.approx((0.0, 0.2))
+def test_choice_is_one_of_them(stage):
+    places = many(stage(placing("ball", "{choice: [centre, [0.1, 0.1], middle_yellow]}")))
+    assert {(round(x, 3), round(y, 3)) for x, y in places} == {(0.0, 0.0), (0.1, 0.1), (0.0, -0.2)}
 
 
 class TestPlaceNearestFree:
@@ -163,22 +147,23 @@ class TestPlaceFurthestFree:
         assert put(play, "B1") == pytest.approx((0.3, -0.3))
 
 
-class TestPlaceRelativeTo:
-    def test_it_is_beside_an_entity_or_spot(self, stage):
-        play = stage(placing("ball", "{relative_to: B1, offset_m: [0.1, -0.2]}"))
-        assert put(play) == pytest.approx((0.5, 0.3))
-        play = stage(placing("ball", "{relative_to: middle_blue, offset_m: [0.1, 0]}"))
-        assert put(play) == pytest.approx((0.1, 0.2))
-
-    def test_the_offset_can_turn_with_the_entity(self, stage):
-        play = stage(placing("ball", "{relative_to: B1, offset_m: [0.2, 0.1], turns: true}"))
-        play.place("B1", 0.0, 0.2, math.pi / 2)
-        assert put(play) == pytest.approx((-0.1, 0.4))
-
-    def test_mirroring_turns_the_offset_over_beside_an_entity(self, stage):
-        play = stage(placing("ball", "{relative_to: B1, offset_m: [0, -0.2]}", ", mirror: {axis: y}"))
-        play.place("B1", 0.4, 0.2)
-        assert put(play) == pytest.approx((0.4, 0.4))
+@pytest.mark.parametrize(
+    ("at", "pose", "where"),
+    [
+        ("{relative_to: B1, offset_m: [0.1, -0.2]}", (0.4, 0.5), (0.5, 0.3)),
+        ("{relative_to: middle_blue, offset_m: [0.1, 0]}", (0.4, 0.5), (0.1, 0.2)),
+        ("{relative_to: B1, offset_m: [0.2, 0.1], turns: true}", (0.0, 0.2, math.pi / 2), (-0.1, 0.4)),
+        ("{relative_to: B1, offset_m: [0, -0.2]}, mirror: {axis: y}", (0.4, 0.2), (0.4, 0.4)),
+        ("{point: [0.1, 0.2]}, mirror: {axis: x}", (0.4, 0.5), (-0.1, 0.2)),
+        ("{point: [0.1, 0.2]}, mirror: {axis: y}", (0.4, 0.5), (0.1, -0.2)),
+        ("{point: [0.1, 0.2]}, mirror: {axis: both}", (0.4, 0.5), (-0.1, -0.2)),
+        ("{point: [0, 1.2]}", (0.4, 0.5), (0.0, 0.0)),  # outside the field is no place
+    ],
+)
+def test_offsets_and_mirrors(stage, at, pose, where):
+    play = stage(placing("ball", at))
+    play.place("B1", *pose)
+    assert put(play) == pytest.approx(where)
 
 
 class TestFacing:
@@ -204,31 +189,22 @@ class TestFacing:
             "B1": "{entity: B1, at: {point: [0, 0.3]}, facing: {towards: ball}}",
             "ball": "{entity: ball, at: {point: [0, 0]}}",
         }
-        play = stage(f"""
-        placements:
-          shot: [{", ".join(things[name] for name in order.split(", "))}]
-        rules:
-          put:
-            triggers: [{{trigger: program_fault, robot: Y1}}]
-            actions: [{{action: place, layout: shot}}]
-        """)
+        shot = ", ".join(things[name] for name in order.split(", "))
+        play = stage(f"placements: {{shot: [{shot}]}}", on_fault("Y1", "{action: place, layout: shot}"))
         play.place("ball", 0, 0.7)
         put(play)
         assert play.pose("B1") == pytest.approx((0, 0.3, -math.pi / 2), abs=1e-6)
 
-    def test_who_has_no_room_to_turn_looks_where_the_thing_was(self, stage):
-        play = stage("""
+    def test_a_robot_without_room_to_turn_looks_where_the_thing_was(self, stage):
+        shot = """
         placements:
           shot:
             - {entity: B1, at: {point: [0, 0.3]}, facing: {towards: ball}}
             # Turned to the ball's new place, the corner of B1 would be in Y1.
             - {entity: Y1, at: {point: [0.09, 0.3]}, facing: 1.5708}
             - {entity: ball, at: {point: [0.4, -0.1]}}
-        rules:
-          put:
-            triggers: [{trigger: program_fault, robot: Y1}]
-            actions: [{action: place, layout: shot}]
-        """)
+        """
+        play = stage(shot, on_fault("Y1", "{action: place, layout: shot}"))
         play.place("ball", 0.4, 0.3)
         put(play)
         assert play.pose("Y1")[:2] == pytest.approx((0.09, 0.3))
@@ -241,7 +217,7 @@ class TestFacing:
         assert max(yaws) > 2
 
 
-class TestNoiseMirrorClearance:
+class TestNoiseAndClearance:
     def test_noise_is_uniform_within_its_half_widths(self, stage):
         places = many(stage(placing("ball", "{point: [0, 0]}", ", noise_m: [0.1, 0.02]")))
         assert all(abs(x) <= 0.1 and abs(y) <= 0.02 for x, y in places)
@@ -249,10 +225,6 @@ class TestNoiseMirrorClearance:
         assert max(x for x, _ in places) > 0.07
         assert min(y for _, y in places) < -0.014
         assert max(y for _, y in places) > 0.014
-
-    @pytest.mark.parametrize(("axis", "to"), [("x", (-0.1, 0.2)), ("y", (0.1, -0.2)), ("both", (-0.1, -0.2))])
-    def test_a_mirror_turns_the_place_over(self, stage, axis, to):
-        assert put(stage(placing("ball", "{point: [0.1, 0.2]}", f", mirror: {{axis: {axis}}}"))) == pytest.approx(to)
 
     def test_a_random_place_keeps_clear_of_other_bodies(self, stage):
         play = stage(placing("ball", "{on_line: [[-0.4, 0.4], [0.4, 0.4]]}", ", min_clearance_m: 0.1"))
@@ -273,20 +245,13 @@ class TestNoiseMirrorClearance:
         play = stage(round_one, placing("ball", "{point: [0.036, 0.548]}", f", min_clearance_m: {gap_m - 1e-4}"))
         assert (put(play) != (0.0, 0.0)) is put_there
 
-    def test_a_place_outside_the_field_is_none(self, stage):
-        play = stage(placing("ball", "{point: [0, 1.2]}"))
-        assert put(play) == (0.0, 0.0)
-
 
 def test_what_finds_no_room_keeps_its_place_and_others_do_not_get_it(stage):
-    play = stage("""
-    rules:
-      swap:
-        triggers: [{trigger: program_fault, robot: Y1}]
-        actions:
-          - {action: place, entity: B1, at: {point: [-0.4, 0.5]}}
-          - {action: place, entity: B2, at: {point: [0.4, -0.5]}}
-    """)
+    swap = (
+        f"{{action: place, entity: {who}, at: {{point: {to}}}}}"
+        for who, to in (("B1", "[-0.4, 0.5]"), ("B2", "[0.4, -0.5]"))
+    )
+    play = stage(on_fault("Y1", *swap))
     put(play)  # Y2 stands where B2 is to go, so B2 stays, so B1 has no room
     assert play.placements == []
 

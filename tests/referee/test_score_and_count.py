@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.referee.building import acted, at_tick_10, fail, place
+from tests.referee.building import acted, at_tick_10, fail, on_fault, place, rule
 
 
 class TestActionScore:
@@ -42,21 +42,16 @@ class TestActionScore:
     def test_a_time_gives_its_whole_seconds_rounded_down(self, stage, word, points):
         found = []
         for at_s in (0.32, 32, 32.32):
-            rule = (
-                f"rules: {{act: {{triggers: [{{trigger: time_reached, at_s: {at_s}}}], "
-                f"actions: [{{action: score, entrant: blue, points: {{word: {word}}}}}]}}}}"
-            )
-            play = stage(rule, half=2)
+            score = f"{{action: score, entrant: blue, points: {{word: {word}}}}}"
+            play = stage(rule(f"trigger: time_reached, at_s: {at_s}", score), half=2)
             play.play_until(1010)
             found.append(play.referee.scores["blue"])
         assert found == points
         assert all(isinstance(number, int) for number in found)
 
     def test_weighted_words_are_rounded_before_they_are_weighted(self, stage):
-        rule = at_tick_10(
-            "{action: score, entrant: blue, points: [{word: time_left_s, weight: 0.5}, {word: halftime}]}"
-        )
-        assert acted(stage(rule)).referee.scores["blue"] == 30.5
+        score = "{action: score, entrant: blue, points: [{word: time_left_s, weight: 0.5}, {word: halftime}]}"
+        assert acted(stage(at_tick_10(score))).referee.scores["blue"] == 30.5
 
     def test_a_draw_gives_the_number_that_it_decided(self, stage):
         draws = "draws: {bonus: {values: [5, 2.5]}}"
@@ -84,16 +79,9 @@ class TestActionScore:
         assert play.referee.scores == {"blue": 0.5, "yellow": 4}
 
     def test_the_score_of_the_one_concerned_or_of_a_named_entrant(self, stage):
-        rule = """
-        rules:
-          doubles:
-            triggers: [{trigger: program_fault}]
-            actions:
-              - {action: score, entrant: yellow, points: {word: score}}
-              - {action: score, entrant: blue, points: {word: score, of: yellow}}
-        """
-        play = stage(rule, scores={"blue": 1, "yellow": 4})
-        fail(play, "Y1")
+        doubles = ("{action: score, entrant: yellow, points: {word: score}}",
+                   "{action: score, entrant: blue, points: {word: score, of: yellow}}")  # fmt: skip
+        play = fail(stage(on_fault("Y1", *doubles), scores={"blue": 1, "yellow": 4}))
         assert play.referee.scores == {"blue": 9, "yellow": 8}
 
     def test_a_weighted_counter_or_flag_kept_per_entity_is_that_entitys_or_as_one(self, stage):
