@@ -1,4 +1,4 @@
-"""What those who watch a match are told while it is played, and its pace by the clock."""
+"""What observers of a match get while it is played, and its pace by the clock."""
 
 import time
 
@@ -47,7 +47,7 @@ def told(shared_place):
     return observer
 
 
-def test_each_tick_is_told_and_how_far_it_is_every_so_many(told):
+def test_each_tick_is_reported_and_progress_every_so_many(told):
     assert told.ticks == list(range(31))
     assert told.progress == [8, 16, 24]
 
@@ -56,7 +56,7 @@ def test_a_half_begins_before_its_ticks_and_the_match_is_over_after_them(told):
     assert told.ends == [("half", 1, 0), ("is over", 1, 31), ("match", True, 31)]
 
 
-def test_what_programs_print_is_shown_twice_a_second_and_at_the_end_of_whom_it_is_asked(told):
+def test_output_of_the_chosen_programs_is_shown_twice_a_second_and_at_the_end(told):
     ticks = [tick for tick, _, _ in told.said]
     assert set(ticks) <= {0, 16, 30}
     assert ticks[-1] == 30
@@ -77,7 +77,7 @@ def test_by_the_clock_no_tick_is_judged_before_its_time(shared_place):
     assert all(at_s - began[0] >= 0.032 * (tick - 1) - 0.01 for tick, at_s in enumerate(began[1:], start=1))
 
 
-def test_of_a_match_that_is_broken_off_observers_hear_that_it_is_over_and_not_complete(shared_place):
+def test_observers_of_a_broken_off_match_get_an_incomplete_result(shared_place):
     class Interrupting(Noting):
         def after_tick(self, snapshot, verdict):
             super().after_tick(snapshot, verdict)

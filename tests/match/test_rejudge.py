@@ -140,7 +140,7 @@ class TestDifferences:
         (one,) = differences([self.event(5, score=1)], [self.event(5, score=2)])
         assert (one.before, one.after) == ({"score": 1}, {"score": 2})
 
-    def test_equal_events_of_one_tick_are_told_apart_from_the_others_of_it(self):
+    def test_equal_events_of_one_tick_are_distinguished_from_the_others_of_it(self):
         before = [self.event(5, robot="Y1"), self.event(5, robot="Y2")]
         assert differences(before, before[::-1]) == []
         (one,) = differences(before, [self.event(5, robot="Y2"), self.event(5, robot="B1")])

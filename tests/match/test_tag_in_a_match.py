@@ -1,4 +1,4 @@
-"""Tag between programs: the record names who caught whom, and the referee judges the record alone alike."""
+"""Tag between programs: the record names both, and the referee judges the record alone alike."""
 
 import pytest
 
@@ -41,7 +41,7 @@ def run(shared_place):
     return shared_place.play(scenario=TAG, yellow=yellow, blue=shared_place.team_folder(STAND))
 
 
-def test_the_log_names_whom_each_has_touched(run):
+def test_the_log_names_both_that_touched(run):
     firings = [firing for one in read_referee_log(run.folder).ticks for firing in one.firings]
     told = [(firing.entity, firing.other, firing.says) for firing in firings if firing.rule == "caught"]
     assert {("Y1", "B1", "Y1 has come to B1."), ("Y3", "Y2", "Y3 has come to Y2.")} <= set(told)

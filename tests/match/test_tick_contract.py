@@ -102,7 +102,7 @@ def test_a_clock_that_never_goes_on_ends_the_half_with_a_reason(play):
     assert run.result["halves"][0]["ticks"] == 40
 
 
-def test_programs_are_told_the_end_by_minus_one(play, team_folder):
+def test_programs_get_the_end_as_minus_one(play, team_folder):
     says = STAND + "print('the end at', robot.getTime())\n"
     assert "the end at 1.024" in play("match.half_s=1", yellow=team_folder(says)).log("Y1")
 

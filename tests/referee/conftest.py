@@ -44,7 +44,7 @@ rules: {}
 
 @cache
 def _read(text: str) -> dict[str, Any]:
-    """Read a YAML text once: to read the preset and the stage anew takes longer than most of these tests."""
+    """Read a YAML text once: to read the preset and the stage takes longer than most of these tests."""
     return yaml.safe_load(text) or {}
 
 

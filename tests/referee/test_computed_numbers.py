@@ -1,4 +1,4 @@
-"""Numbers that are reckoned when they are needed: how fast a ball is kicked, and how much is counted."""
+"""Numbers that are computed when they are needed: how fast a ball is kicked, and how much is counted."""
 
 import pytest
 
@@ -72,7 +72,7 @@ class TestKicksAsFastAsACounterSays:
             assert placement.vy_mps == pytest.approx(rolls)
 
 
-class TestCountsThatAreReckoned:
+class TestComputedCounts:
     def counted(self, stage, change, more=""):
         play = stage(
             "counters: {sum: {initial: 2}, laps: {initial: 4}}\nflags: {bonus: {initial: true}}\n" + more,

@@ -75,7 +75,7 @@ def test_of_a_group_that_is_off_the_field_as_a_whole_all_is_no_statement(stage, 
     assert ask(play) is holds
 
 
-def test_who_is_off_the_field_is_in_no_zone_and_at_no_distance(stage, ask):
+def test_a_robot_off_the_field_is_in_no_zone_and_at_no_distance(stage, ask):
     for condition in (
         "in_zone, entity: [B1, B2], zone: middle, of: all",
         "distance, entity: B2, to: centre, at_most: 2",

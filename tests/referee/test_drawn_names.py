@@ -33,7 +33,7 @@ def test_the_rule_of_the_drawn_one_fires_and_no_other(stage, catcher):
     assert play.output.broadcast == {"catcher": catcher}
 
 
-def test_whom_the_catcher_touches_is_the_one_from_then_on(stage):
+def test_the_robot_that_the_catcher_touches_is_the_one_from_then_on(stage):
     play = stage(CATCHER, draws={"catcher": "Y1"})
     for pair in (("B1", "B2"), ("Y1", "B1"), ("Y1", "Y2"), ("B1", "Y2")):
         touch(play, *pair, ticks=2)

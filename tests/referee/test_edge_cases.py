@@ -43,7 +43,7 @@ class TestHolds:
 
 
 class TestAPhaseEntered:
-    def test_the_present_one_begins_anew_when_a_rule_enters_it(self, stage):
+    def test_the_present_one_starts_again_when_a_rule_enters_it(self, stage):
         play = stage(
             "phases: {rest: {lasts_s: 0.64}}\nfirst_phase: rest",
             once(10, "{action: set_phase, phase: rest}", more="phases: any,"),
@@ -142,5 +142,5 @@ class TestRemove:
         (", for_s: 3.2", "", []),
         ("", ", for_s: 0.64", [40]),
     ])  # fmt: skip
-    def test_who_is_off_already_comes_back_as_the_later_one_says(self, stage, first, second, back):
+    def test_a_robot_off_already_comes_back_as_the_later_one_says(self, stage, first, second, back):
         assert self.removals(stage, first, second) == back

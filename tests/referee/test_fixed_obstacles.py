@@ -82,7 +82,7 @@ def test_a_rule_for_each_counts_fires_emits_and_starts_the_timer_of_the_one_touc
 
 
 class TestWhoTouches:
-    def test_a_robot_is_told_if_it_is_written_first(self, stage):
+    def test_a_robot_is_named_if_it_is_written_first(self, stage):
         play = stage(EACH % ("robots", "each"))
         play.play()
         touch(play, "Y2", "p1")

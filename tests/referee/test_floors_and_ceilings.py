@@ -4,23 +4,23 @@ from __future__ import annotations
 
 import pytest
 
-STATE = "counters: {n: {initial: 5}, reckoned: {initial: %s}, own: {per: robots}}"
+STATE = "counters: {n: {initial: 5}, computed: {initial: %s}, own: {per: robots}}"
 
 
-def played(stage, action: str, reckoned: float = 0, **facts):
+def played(stage, action: str, computed: float = 0, **facts):
     """Return a play in which a rule has acted twice, at ticks 10 and 20."""
     again = "{trigger: time_reached, at_s: 0.32}, {trigger: time_reached, at_s: 0.64}"
-    play = stage(STATE % reckoned, f"rules: {{act: {{triggers: [{again}], actions: [{action}]}}}}", **facts)
+    play = stage(STATE % computed, f"rules: {{act: {{triggers: [{again}], actions: [{action}]}}}}", **facts)
     play.play(25)
     return play
 
 
 class TestHowMuchIsPaid:
-    LATE = "{action: score, entrant: blue, points: [20, {counter: reckoned, weight: -1}], at_least: 5, at_most: 12}"
+    LATE = "{action: score, entrant: blue, points: [20, {counter: computed, weight: -1}], at_least: 5, at_most: 12}"
 
-    @pytest.mark.parametrize(("reckoned", "points"), [(30, 5), (16, 5), (15, 5), (12.5, 7.5), (8, 12), (0, 12)])
-    def test_it_is_no_less_and_no_more_whatever_was_reckoned(self, stage, reckoned, points):
-        play = played(stage, self.LATE, reckoned)
+    @pytest.mark.parametrize(("computed", "points"), [(30, 5), (16, 5), (15, 5), (12.5, 7.5), (8, 12), (0, 12)])
+    def test_it_is_no_less_and_no_more_whatever_was_computed(self, stage, computed, points):
+        play = played(stage, self.LATE, computed)
         assert [firing.scored for firing in play.firings] == [{"blue": points}] * 2
         assert play.referee.scores["blue"] == 2 * points
 
@@ -34,7 +34,7 @@ class TestHowFarAScoreGoes:
             (5, -3, [-3, -2], 0),
             (0, -3, [0, 0], 0),
             (9, 3, [1, 0], 10),
-            # What lies beyond already stays: nobody gains by losing points, and what comes back counts in full.
+            # What lies beyond already stays: losing points gains nothing, and what comes back counts in full.
             (-4, -3, [0, 0], -4),
             (-4, 3, [3, 3], 2),
             (14, 3, [0, 0], 14),
@@ -60,22 +60,22 @@ class TestHowFarAScoreGoes:
 
 class TestHowMuchIsCounted:
     @pytest.mark.parametrize(
-        ("how", "reckoned", "after"),
+        ("how", "computed", "after"),
         [
-            ("by: {counter: reckoned}, at_least: 2", 1, 9),
-            ("by: {counter: reckoned}, at_most: 2", 7, 9),
-            ("by: {counter: reckoned}, at_least: 2, at_most: 4", 3, 11),
-            ("to: {counter: reckoned}, at_least: 2", 1, 2),
-            ("to: {counter: reckoned}, at_most: 2", 7, 2),
-            ("to: {counter: reckoned}, at_least: 2", 3, 3),
+            ("by: {counter: computed}, at_least: 2", 1, 9),
+            ("by: {counter: computed}, at_most: 2", 7, 9),
+            ("by: {counter: computed}, at_least: 2, at_most: 4", 3, 11),
+            ("to: {counter: computed}, at_least: 2", 1, 2),
+            ("to: {counter: computed}, at_most: 2", 7, 2),
+            ("to: {counter: computed}, at_least: 2", 3, 3),
             ("by: -3, keeps_at_least: 0", 0, 0),
             ("by: 3, keeps_at_most: 7", 0, 7),
             ("by: 3, keeps_at_most: 4", 0, 5),
             ("keeps_at_most: 6", 0, 6),
         ],
     )
-    def test_amounts_and_counters_have_bounds_as_scores_have(self, stage, how, reckoned, after):
-        play = played(stage, f"{{action: count, counter: n, {how}}}", reckoned)
+    def test_amounts_and_counters_have_bounds_as_scores_have(self, stage, how, computed, after):
+        play = played(stage, f"{{action: count, counter: n, {how}}}", computed)
         assert play.referee.counters["n"] == after
 
     def test_each_of_those_that_are_counted_at_once_has_its_own(self, stage):

@@ -32,7 +32,7 @@ class TestKick:
     def test_a_ball_that_is_where_it_is_aimed_at_lies_still(self, stage, towards):
         assert kick(stage(kicking("{point: [0.3, -0.4]}", f"{{towards: {towards}, speed_mps: 0.5}}"))) == (0.0, 0.0)
 
-    def test_a_random_aim_is_drawn_anew_each_time_and_lies_on_its_line(self, stage):
+    def test_a_random_aim_is_drawn_each_time_and_lies_on_its_line(self, stage):
         play = stage(kicking("{point: [0, 0]}", "{towards: {on_line: [[-0.3, 0.6], [0.3, 0.6]]}, speed_mps: 1}"))
         aims = [0.6 * vx / vy for vx, vy in (kick(play) for _ in range(60))]
         assert all(abs(x) <= 0.3 + 1e-6 for x in aims)

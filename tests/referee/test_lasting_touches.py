@@ -47,7 +47,7 @@ class TestTouchThatLasts:
         # Y1 at 1 and 17, Y2 at 11.
         assert event_ticks(play, "BUMP") == [1, 11, 17]
 
-    def test_in_another_phase_it_is_not_heard_and_its_time_begins_anew_after_it(self, stage):
+    def test_in_another_phase_it_is_not_heard_and_its_time_starts_again_after_it(self, stage):
         play = stage("""
 phases: {pause: {lasts_s: 0.64, next: play}}
 rules:

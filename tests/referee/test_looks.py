@@ -50,7 +50,7 @@ class TestConditionLooks:
             play.place("Y1", -0.4, 0.0, 0.0)
             assert not ask(play)
 
-    def test_off_the_field_nobody_looks_or_is_looked_at(self, stage, ask):
+    def test_off_the_field_no_robot_looks_or_is_looked_at(self, stage, ask):
         gone = "  gone: {triggers: [{trigger: program_fault, robot: B2}], actions: [{action: remove, entity: %s}]}\n"
         for off in ("Y1", "ball"):
             play = stage(ASKING % "{condition: looks, entity: Y1, towards: ball}" + gone % off)
@@ -59,7 +59,7 @@ class TestConditionLooks:
             fail(play, "B2")
             assert not ask(play)
 
-    def test_held_for_a_time_it_is_about_the_robot_and_begins_anew_where_that_is_put_elsewhere(self, stage):
+    def test_held_for_a_time_it_is_about_the_robot_and_starts_again_where_that_is_put_elsewhere(self, stage):
         play = stage("""
         rules:
           stares:

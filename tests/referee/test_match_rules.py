@@ -137,7 +137,7 @@ class TestGoal:
         play.play()
         assert play.events[-1].name == "KICKOFF"
 
-    def test_windows_begin_anew_after_the_kickoff(self, match_play):
+    def test_windows_start_again_after_the_kickoff(self, match_play):
         play = match_play()
         play.place("ball", 0.0, 0.8)
         play.play(95 + 313)
@@ -245,7 +245,7 @@ class TestPenaltyArea:
             play.play()
 
     def test_a_robot_that_stays_more_than_15_s_is_put_on_the_furthest_free_spot(self, match_play):
-        play = match_play("robot_progress_s=60")  # so that nobody else takes the spot in the same tick
+        play = match_play("robot_progress_s=60")  # so that no other robot takes the spot in the same tick
         scatter(play)
         play.place("ball", 0.6, 0.6)
         self.stay(play, "B1", 469)
@@ -318,7 +318,7 @@ class TestDamagedRobot:
         keep_moving(play, 1900)
         assert play.placements[before:] == []  # it does not come back a second time
 
-    def test_the_count_begins_anew_with_a_kickoff(self, match_play):
+    def test_the_count_starts_again_with_a_kickoff(self, match_play):
         play = match_play()
         scatter(play)
         self.stuck(play, 3 * 470)

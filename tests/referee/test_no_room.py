@@ -157,7 +157,7 @@ def test_what_waits_looks_a_few_times_a_tick_for_room(stage, monkeypatch, attemp
     assert notes(play) == [f"Y1 waits for room: chance found none in {attempts} attempts"]
 
 
-def test_what_is_asked_for_anew_looks_all_its_attempts_again(stage, monkeypatch):
+def test_what_is_placed_again_makes_all_its_attempts_again(stage, monkeypatch):
     twice = put("uniform_in: strip", ", max_attempts: 30").replace(
         "0.32}", "0.32}, {trigger: time_reached, at_s: 0.384}"
     )

@@ -1,4 +1,4 @@
-"""Who gets points: a named entrant, whoever drives a robot, whoever touched something last. And sequences anew."""
+"""Who gets points: a named entrant, the one that drives a robot, or the last toucher. And sequences that restart."""
 
 import pytest
 
@@ -22,7 +22,7 @@ rules:
 
 class TestWhoGetsPoints:
     @pytest.mark.parametrize(("robot", "scores"), [("Y2", {"blue": 0, "yellow": 2}), ("B1", {"blue": 2, "yellow": 0})])
-    def test_each_is_the_one_who_drives_the_current_robot(self, stage, robot, scores):
+    def test_each_is_the_entrant_of_the_current_robot(self, stage, robot, scores):
         play = stage(PAYS_EACH)
         touch(play, robot, "ball")
         assert play.referee.scores == scores
@@ -41,7 +41,7 @@ class TestWhoGetsPoints:
             ([], {"blue": 0, "yellow": 0}),
         ],
     )
-    def test_last_touch_is_the_one_who_touched_it_last_and_nobody_if_none_did(self, stage, touches, scores):
+    def test_last_touch_is_the_last_toucher_and_none_if_nothing_touched_it(self, stage, touches, scores):
         play = stage(PAYS_LAST, "balls: {ball: {start_m: [0.4, 0]}}")
         for robot in touches:
             touch(play, robot, "ball")
@@ -50,7 +50,7 @@ class TestWhoGetsPoints:
         assert play.referee.scores == scores
         assert len(play.firings) == 1
 
-    def test_who_still_touches_it_when_another_lets_go_is_the_last_one(self, stage):
+    def test_a_robot_that_still_touches_it_when_another_lets_go_is_the_last_one(self, stage):
         play = stage(PAYS_LAST, "balls: {ball: {start_m: [0.4, 0]}}")
         play.touch("Y1", "ball", 9)
         play.play(2)
@@ -59,7 +59,7 @@ class TestWhoGetsPoints:
         play.play(25)
         assert play.referee.scores == {"blue": 0, "yellow": 3}
 
-    def test_a_robot_that_nobody_drives_gets_nothing_for_anybody(self, stage):
+    def test_a_robot_without_an_entrant_gets_no_points(self, stage):
         play = stage(PAYS_LAST, "balls: {ball: {start_m: [0.4, 0]}}\nentrants: {yellow: {robots: {Y1: a.py}}}")
         touch(play, "Y2", "ball")
         play.glide("ball", (0.0, 0.0), 20)
@@ -68,10 +68,10 @@ class TestWhoGetsPoints:
 
 
 class TestActionSequence:
-    ANEW = "  anew: {triggers: [{trigger: program_fault, robot: B1}], actions: [{action: sequence, sequence: way}]}\n"
+    RESTARTS = "  restarts: {triggers: [{trigger: program_fault, robot: B1}], actions: [{action: sequence, sequence: way}]}\n"
 
     def test_it_stands_at_its_first_step_if_the_entity_is_in_it(self, stage):
-        play = stage(SEQUENCE % "cyclic: false" + self.ANEW)
+        play = stage(SEQUENCE % "cyclic: false" + self.RESTARTS)
         walk(play, "ball", A)
         fail(play, "B1")
         walk(play, "ball", B, C)

@@ -114,7 +114,7 @@ def test_as_its_name_says(scenario):
 
 
 @pytest.mark.parametrize(("back_at_s", "called"), [(9.984, True), (10.016, True), (10.048, False)])
-def test_more_than_two_seconds_outside_the_penalty_area_begin_anew(back_at_s, called):
+def test_more_than_two_seconds_outside_the_penalty_area_start_a_new_stay(back_at_s, called):
     test = "{keyframes: [{at_s: 0.096, place: {B1: [0, 0.65]}}, {at_s: 8.032, place: {B1: [0, 0.4]}}, "
     test += f"{{at_s: {back_at_s}, place: {{B1: [0, 0.65]}}}}], lasts_s: 15.8, score: {{blue: 0}}}}"
     trial = run_test(load("match", ["robot_progress_s=60", f"expect.it={test}"]), "it")

@@ -31,7 +31,7 @@ BREAKS = RACE % ("robots", "[a, b, c], wrong_step: break")
 
 
 def said(play):
-    """Return the events, each with whom it is about."""
+    """Return the events, each with its robot."""
     return [(event.name, event.payload["who"]) for event in play.events]
 
 
@@ -45,7 +45,7 @@ class TestEachMakesItsOwnSteps:
         assert said(play) == [("DONE", "Y1")]
         assert play.referee.scores == {"blue": 0, "yellow": 1}
 
-    def test_several_can_be_complete_in_one_tick_and_each_is_told(self, stage):
+    def test_several_can_be_complete_in_one_tick_and_each_is_reported(self, stage):
         play = stage(PLAIN, HEARD)
         for place in (A, B, C):
             for robot in ("Y2", "B1"):
@@ -64,7 +64,7 @@ class TestEachMakesItsOwnSteps:
             play.play()
         assert [event.payload["took"] for event in play.events] == [0.64, 1.28]
 
-    def test_a_wrong_step_breaks_that_of_who_makes_it_only(self, stage):
+    def test_a_wrong_step_breaks_that_of_its_robot_only(self, stage):
         play = stage(BREAKS, HEARD)
         walk(play, "Y1", A, B)
         walk(play, "B1", A, A_LOW, C_LOW, C)
@@ -161,12 +161,12 @@ class TestConditionSequenceAt:
 
 class TestActionSequence:
     @pytest.mark.parametrize(("whose", "done"), [("", []), (", entity: Y1", ["B1"]), (", entity: each", ["Y1"])])
-    def test_entity_says_whose_begins_anew_and_left_out_all_do(self, stage, whose, done):
-        anew = (
-            "rules: {anew: {for_each: blue, triggers: [{trigger: program_fault, robot: each}], "
+    def test_entity_says_whose_starts_again_and_left_out_all_do(self, stage, whose, done):
+        restarts = (
+            "rules: {restarts: {for_each: blue, triggers: [{trigger: program_fault, robot: each}], "
             f"actions: [{{action: sequence, sequence: way{whose}}}]}}}}"
         )
-        play = stage(PLAIN, HEARD, anew)
+        play = stage(PLAIN, HEARD, restarts)
         for robot in ("Y1", "B1"):
             walk(play, robot, A, B, B_LOW)
         fail(play, "B1")

@@ -87,7 +87,7 @@ class TestLine7:
         play.play(20)
         assert (event_ticks(play), event_ticks(play, "STUCK")) == ([], [16])
 
-    def test_7_5_windows_and_stays_begin_anew(self, stage):
+    def test_7_5_windows_and_stays_start_again(self, stage):
         play = stage(
             "rules: {stuck: {triggers: [{trigger: no_progress, entity: ball, distance_m: 0.3, within_s: 0.32}], "
             "actions: [{action: emit, event: STUCK}]}, "

@@ -119,7 +119,7 @@ class TestSequenceWhoseEntityIsPutElsewhere:
     def put(self, play):
         touch(play, "Y1", "ball", ticks=2)
 
-    def test_it_begins_anew_unless_it_shall_go_on(self, stage):
+    def test_it_starts_again_unless_it_goes_on(self, stage):
         for way, done in ((SEQUENCE % "when_placed: begins_anew", []), (self.GOES_ON, ["DONE"])):
             play = stage(way, PUT_BACK % "[-0.2, 0.3]")
             walk(play, "ball", A, B)
@@ -145,7 +145,7 @@ class TestSequenceWhoseEntityIsPutElsewhere:
         walk(play, "ball", B, C)
         assert play.names() == ["DONE", "DONE"]
 
-    def test_after_a_phase_in_which_nobody_hears_of_it_it_begins_anew(self, stage):
+    def test_after_a_phase_in_which_no_rule_hears_it_it_starts_again(self, stage):
         pause = (
             "phases: {play: {}, pause: {lasts_s: 1, next: play}}\n"
             "rules: {fell: {triggers: [{trigger: tips_over, entity: Y1}], actions: [{action: set_phase, phase: pause}]}}"

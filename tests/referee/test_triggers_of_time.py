@@ -120,7 +120,7 @@ class TestTriggerEventOfOne:
             ("", "", [""]),
         ],
     )
-    def test_it_is_heard_of_whom_it_is_about(self, stage, each, entity, told):
+    def test_it_is_heard_by_rules_about_the_same_robot(self, stage, each, entity, told):
         play = stage(
             hears("program_fault, robot: each", "for_each: robots,", "HIT"),
             rule(f"trigger: event, event: HIT{entity}", self.WHO, more=each),

@@ -100,7 +100,7 @@ def test_a_ball_that_rolls_freely_touches_nothing():
     assert not stage.touched_in(1)
 
 
-def test_robot_ball_walls_and_robots_are_told_apart():
+def test_robot_ball_walls_and_robots_are_distinguished():
     stage = Stage()
     stage.put("B1", 0.55, 0.0)
     stage.put("ball", 0.0, -0.7)
@@ -121,7 +121,7 @@ def test_a_goal_is_a_wall():
     assert stage.touched_in(0.5) == {("ball", "walls")}
 
 
-def test_a_touch_between_two_ticks_poses_is_told_with_its_substep():
+def test_a_touch_between_two_ticks_poses_has_its_substep():
     stage = Stage()
     stage.put("ball", 0.6, 0.0)
     stage.roll("ball", 0.8, 0.0)
