@@ -68,7 +68,9 @@ class TestWhoGetsPoints:
 
 
 class TestActionSequence:
-    RESTARTS = "  restarts: {triggers: [{trigger: program_fault, robot: B1}], actions: [{action: sequence, sequence: way}]}\n"
+    RESTARTS = (
+        "  restarts: {triggers: [{trigger: program_fault, robot: B1}], actions: [{action: sequence, sequence: way}]}\n"
+    )
 
     def test_it_stands_at_its_first_step_if_the_entity_is_in_it(self, stage):
         play = stage(SEQUENCE % "cyclic: false" + self.RESTARTS)
