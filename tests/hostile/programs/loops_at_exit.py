@@ -1,6 +1,6 @@
 #: about = "time"
 #: tries = "to hang at its end: exit handlers, threads and __del__ that never return"
-#: holds = "nothing of a program runs after it has reported its end"
+#: holds = "no code of a program runs after it has reported its end"
 #: tick = 10
 #: ends = "exit at 10"
 #: cause = "sys.exit.0."

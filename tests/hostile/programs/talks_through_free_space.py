@@ -1,5 +1,5 @@
 #: about = "processes and system"
-#: tries = "to send bits to another program through the free memory and disk space of the computer"
+#: tries = "to send bits to another program by changing the free memory and disk space of the computer"
 #: holds = "calls and files that show free memory and disk space are refused"
 #: platforms = ["linux"]
 #: layers = ["system_calls", "filesystem"]

@@ -1,5 +1,5 @@
 #: about = "processes and system"
-#: tries = "to send bits to another program through which pages of a shared file are in memory"
+#: tries = "to send bits to another program by choosing which pages of a shared file are in memory"
 #: holds = "calls that show or drop such pages are refused or have no effect"
 #: platforms = ["linux"]
 #: layers = ["system_calls"]
