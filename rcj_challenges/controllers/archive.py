@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
 from typing import Literal, NoReturn
 
-from rcj_challenges.controllers import zipped
+from rcj_challenges.controllers import zip_reader
 from rcj_challenges.controllers.paths import (
     MAX_PATH_LETTERS,
     composed,
@@ -33,7 +33,7 @@ from rcj_challenges.controllers.submission_limits import (
     MAX_UNPACKED_BYTES,
 )
 from rcj_challenges.controllers.submission_problems import MAX_PATH_SHOWN, Problem, Problems, safe_text
-from rcj_challenges.controllers.zipped import UnreadableError
+from rcj_challenges.controllers.zip_reader import UnreadableError
 from rcj_challenges.core.errors import RcjError
 
 _KINDS = (
@@ -287,7 +287,7 @@ class _ZipReading:
 
     def contents(self) -> Contents:
         try:
-            entries = zipped.read_entries(self._data, self._troubles)
+            entries = zip_reader.read_entries(self._data, self._troubles)
             self._report_leftovers([entry for entry in entries if ignored(path_of(entry.name).parts)])
             used = [entry for entry in entries if not ignored(path_of(entry.name).parts)]
             self._count_folders(used)
@@ -305,7 +305,7 @@ class _ZipReading:
         files = dict(sorted(self._files.items()))
         return Contents("zip", files, tuple(self._troubles), self._complete, self._unsafe)
 
-    def _count_folders(self, entries: list[zipped.Entry]) -> None:
+    def _count_folders(self, entries: list[zip_reader.Entry]) -> None:
         """Refuse archives with too many folders; entries with too long names are refused one by one."""
         folders = _Folders()
         for entry in entries:
@@ -316,7 +316,7 @@ class _ZipReading:
     def _refuse(self, code: str, message: str, remedy: str, where: str = "", *, repair: bool = False) -> None:
         self._troubles.add(Problem(code, "failure", message, remedy, where, repair))
 
-    def _read_all(self, entries: list[zipped.Entry]) -> None:
+    def _read_all(self, entries: list[zip_reader.Entry]) -> None:
         if len(entries) > MAX_FILES:
             self._complete = False
             remedy = "pack the folder of the robot programs only"
@@ -335,7 +335,7 @@ class _ZipReading:
                 self._wasted += min(self._left, _DEFLATE_RATIO * entry.packed)
                 if self._wasted > _MAX_WASTED_BYTES:
                     return
-            except zipped.TooMuchError:
+            except zip_reader.TooMuchError:
                 self._complete = False
                 self._report_bomb(safe_text(entry.name))
                 return
@@ -346,7 +346,7 @@ class _ZipReading:
             message += f" and more than {MAX_RATIO} times its size"
         self._refuse("archive.bomb", message, "leave out what the programs do not need", where)
 
-    def _read(self, entry: zipped.Entry) -> None:
+    def _read(self, entry: zip_reader.Entry) -> None:
         shown = safe_text(entry.name)
         if entry.encrypted:
             self._complete = False
@@ -360,7 +360,7 @@ class _ZipReading:
             message = f"'{shown}' is packed in a way that not every program can unpack ({entry.unknown_method})"
             self._refuse("archive.method", message, "pack the folder again, as an ordinary ZIP archive", shown)
             return
-        content, lie = zipped.unpack(self._data, entry, self._left)
+        content, lie = zip_reader.unpack(self._data, entry, self._left)
         self._left -= len(content)
         if lie:
             remedy = "pack the folder again"
@@ -397,14 +397,14 @@ class _ZipReading:
             message = f"{safe_text(path)} lies in a folder that is a file as well"
             self._refuse("archive.collision", message, "rename one", safe_text(path))
 
-    def _report_leftovers(self, entries: list[zipped.Entry]) -> None:
+    def _report_leftovers(self, entries: list[zip_reader.Entry]) -> None:
         if not entries:
             return
         message = f"other programs left behind what is not used: {_some(entries)}"
         remedy = "delete them before packing"
         self._troubles.add(Problem("archive.leftovers", "warning", message, remedy, repair=True))
 
-    def _without_records(self, entries: list[zipped.Entry]) -> list[zipped.Entry]:
+    def _without_records(self, entries: list[zip_reader.Entry]) -> list[zip_reader.Entry]:
         """Leave out records of runs, and report them: they get packed with a team's working folder."""
         short = [entry for entry in entries if len(entry.name) <= MAX_PATH_LETTERS]  # others are refused as they are
         files, folders = ([path_of(entry.name) for entry in short if entry.is_folder is kind] for kind in (False, True))
@@ -417,14 +417,14 @@ class _ZipReading:
         }
         return [entry for entry in entries if entry.name not in of_records]
 
-    def _report_guessed(self, entries: list[zipped.Entry]) -> None:
+    def _report_guessed(self, entries: list[zip_reader.Entry]) -> None:
         if not entries:
             return
         message = f"the archive does not say how its names are encoded; they may be read wrongly: {_some(entries)}"
         remedy = "use plain letters (a to z) in names of files and folders, also where programs import or open them"
         self._troubles.add(Problem("archive.name_guessed", "warning", message, remedy))
 
-    def _report_folders(self, entries: list[zipped.Entry]) -> None:
+    def _report_folders(self, entries: list[zip_reader.Entry]) -> None:
         for entry in entries:
             for trouble in name_problems(entry.name) if path_of(entry.name).parts else ():  # "./" is harmless
                 if trouble.code == "archive.outside":
@@ -441,7 +441,7 @@ class _ZipReading:
             self._troubles.add(Problem("archive.no_folders", "passed", message, repair=True))
 
 
-def _some(entries: list[zipped.Entry]) -> str:
+def _some(entries: list[zip_reader.Entry]) -> str:
     names = list(dict.fromkeys(safe_text(entry.name) for entry in entries))
     return ", ".join(names[:_SHOWN_NAMES]) + (", …" if len(names) > _SHOWN_NAMES else "")
 

@@ -1,7 +1,7 @@
 """Bubblewrap, if installed (Linux): gives a program its own file system, process list and network.
 
-It adds to the layers that a process sets itself (``pupil/controller/_confine.py``): those refuse to open a file, here
-the file has no name; all folders but the program's own are read-only; other processes are invisible.
+It adds to the layers that a process sets itself (``program_side/controller/_confine.py``): those refuse to open a
+file, here the file has no name; all folders but the program's own are read-only; other processes are invisible.
 https://github.com/containers/bubblewrap
 """
 

@@ -17,7 +17,7 @@ import time
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
-from rcj_challenges.controllers import tasks
+from rcj_challenges.controllers import process_stats
 from rcj_challenges.core.timing import TICK_S
 
 ENABLED = sys.platform == "linux"
@@ -51,7 +51,7 @@ class CpuPolicy:
     def __init__(self, computed_s: Callable[[], Mapping[int, float]]) -> None:
         """Begin; ``computed_s`` returns for how long each living program has computed, by robot."""
         self.share = DEFAULT_SHARE
-        self._granted_cpus, self._all_cpus = tasks.processors(), tasks.all_processors()
+        self._granted_cpus, self._all_cpus = process_stats.processors(), process_stats.all_processors()
         self._computed_s_now = computed_s
         self._computed_s: Mapping[int, float] = {}
         self._began_s, self._ticks, self._was_full = -math.inf, 0, False
@@ -79,7 +79,7 @@ class CpuPolicy:
 
     def _poll(self, now_s: float) -> None:
         """Measure whether a CPU is free, and whether one is enough for the programs."""
-        running, was_full = tasks.running(), self._was_full
+        running, was_full = process_stats.running(), self._was_full
         lasted_s, self._polled_s = now_s - self._polled_s, now_s
         ours_s, self._ours_s = self._ours_s, time.thread_time()
         before_s, self._computed_s = self._computed_s, self._computed_s_now()

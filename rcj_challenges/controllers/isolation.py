@@ -2,7 +2,8 @@
 
 The only place that decides about isolation. A layer is either set by the parent when it starts the process (its
 environment, folder, session) or by the process itself before the program's first line
-(``pupil/controller/_confine.py``). Layers that a platform lacks are missing from `active_layers`, and records say so.
+(``program_side/controller/_confine.py``). Layers that a platform lacks are missing from `active_layers`, and records
+say so.
 """
 
 from __future__ import annotations
@@ -14,8 +15,8 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.controllers import bubblewrap, processes, tasks, visible_files
-from rcj_challenges.controllers.pupil.controller import _landlock, _seccomp
+from rcj_challenges.controllers import bubblewrap, process_stats, processes, visible_files
+from rcj_challenges.controllers.program_side.controller import _landlock, _seccomp
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.scenario.models.limits import Limits
 
@@ -146,9 +147,9 @@ def _file_settings(private: Path) -> dict[str, Any]:
 
 def _user_tasks(limits: Limits) -> int:
     """Return how many threads the user may have with this program's; 0: no limit. Root has none."""
-    if sys.platform != "linux" or os.geteuid() == 0 or not tasks.tasks_of_user():
+    if sys.platform != "linux" or os.geteuid() == 0 or not process_stats.tasks_of_user():
         return 0
-    return tasks.tasks_of_user() + _CROWD * limits.processes
+    return process_stats.tasks_of_user() + _CROWD * limits.processes
 
 
 def processor_s(limits: Limits) -> int:

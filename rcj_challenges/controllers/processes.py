@@ -19,7 +19,7 @@ from importlib.util import cache_from_source
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.controllers import addresses, bubblewrap, cpu_policy, scratch, tasks
+from rcj_challenges.controllers import bubblewrap, cpu_policy, memory_addresses, process_stats, scratch
 from rcj_challenges.controllers.cpu_policy import CpuShare
 from rcj_challenges.controllers.time_budget import ProcessTimes
 
@@ -28,7 +28,7 @@ if sys.platform == "win32":
 
     from rcj_challenges.controllers.windows_job import Job, startup_info
 
-PUPIL_FOLDER = Path(__file__).parent / "pupil"
+PROGRAM_SIDE = Path(__file__).parent / "program_side"
 _START = "import sys; sys.path.insert(0, sys.argv[4]); from controller._boot import main; main()"
 _DUMP_S = 1.0
 _STATUS_OF_SIGNALS, _MAX_SIGNALS = 128, 64  # a process that starts others reports an end by signal n as 128 + n
@@ -94,7 +94,7 @@ class Process:
 
     def has_lost_main_thread(self) -> bool:
         """Return whether its main thread has ended and others run on (Linux); waits while the process may be ending."""
-        return tasks.has_lost_main_thread(self._pid_to_look_at()) and self.exit_status(_DUMP_S) is None
+        return process_stats.has_lost_main_thread(self._pid_to_look_at()) and self.exit_status(_DUMP_S) is None
 
     def remember_program(self) -> None:
         """Find the program's process and remember it. Called when the program has sent something, so it exists."""
@@ -102,7 +102,7 @@ class Process:
 
     def threads(self) -> int:
         """Return how many threads it has; 0 if that is unknown."""
-        return tasks.threads_of(self._pid_to_look_at()) if sys.platform == "linux" else 0
+        return process_stats.threads_of(self._pid_to_look_at()) if sys.platform == "linux" else 0
 
     def times(self) -> ProcessTimes | None:
         """Return what the kernel counted for it until now; None if that is unknown."""
@@ -110,11 +110,11 @@ class Process:
             with contextlib.suppress(OSError):
                 return ProcessTimes(self._job.computed_s(), None)
             return None
-        return tasks.process_times(self._pid_to_look_at())
+        return process_stats.process_times(self._pid_to_look_at())
 
     def is_runnable(self, thread: int) -> bool:
         """Return whether one of its threads runs or waits for a processor at this moment (Linux)."""
-        return tasks.is_runnable(self._pid_to_look_at(), thread)
+        return process_stats.is_runnable(self._pid_to_look_at(), thread)
 
     def suspend(self) -> None:
         """Stop all its threads until `resume` (POSIX)."""
@@ -141,7 +141,7 @@ class Process:
 
     def computed_s(self) -> float:
         """Return the CPU time of all its threads; 0 if that is unknown, or only `usage` knows it."""
-        return tasks.computed_s(self._pid_to_look_at())
+        return process_stats.computed_s(self._pid_to_look_at())
 
     def share_cpus(self, share: CpuShare) -> None:
         """Let it share the CPUs with the match like that from now on (Linux)."""
@@ -210,7 +210,7 @@ def start(
     Raises:
         OSError: it cannot be started.
     """
-    _compile_pupil_side()
+    _compile_program_side()
     with contextlib.ExitStack() as undo:
         theirs_read, write_fd = _pipe(undo)
         read_fd, theirs_write = _pipe(undo)
@@ -218,7 +218,7 @@ def start(
         sandbox_fd, theirs_sync = _pipe(undo) if prefix else (None, None)
         inherited = [fd for fd in (theirs_read, theirs_write, theirs_life, theirs_sync) if fd is not None]
         wrapping = prefix if theirs_sync is None else bubblewrap.held_open_until_exit(theirs_sync, prefix)
-        arguments = [*_handles(theirs_read, theirs_write, theirs_life), str(PUPIL_FOLDER)]
+        arguments = [*_handles(theirs_read, theirs_write, theirs_life), str(PROGRAM_SIDE)]
         process = _popen(
             [*wrapping, python(), "-s", "-S", "-P", "-B", "-X", "utf8", "-X", "faulthandler", "-c", _START, *arguments],
             inherited,
@@ -266,7 +266,7 @@ def _popen(
     # A session of its own: Ctrl-C reaches only the match, and all that it starts can be ended together. A program that
     # is debugged stays in ours, where the terminal is.
     own_session = log_fd is not None
-    with addresses.fixed():
+    with memory_addresses.fixed():
         popen = subprocess.Popen(
             command, pass_fds=inherited, start_new_session=own_session, restore_signals=True, **place, **streams
         )
@@ -287,9 +287,9 @@ def python() -> str:
 
 
 @functools.cache
-def _compile_pupil_side() -> None:
+def _compile_program_side() -> None:
     """Byte-compile what every program imports: programs themselves write no byte code."""
-    for source in sorted((PUPIL_FOLDER / "controller").glob("*.py")):
+    for source in sorted((PROGRAM_SIDE / "controller").glob("*.py")):
         compiled = Path(cache_from_source(str(source)))
         with contextlib.suppress(OSError, py_compile.PyCompileError):
             if not compiled.exists() or compiled.stat().st_mtime < source.stat().st_mtime:

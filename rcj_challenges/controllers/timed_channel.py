@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Sequence
 
-from rcj_challenges.controllers import pipes, tasks
+from rcj_challenges.controllers import pipes, process_stats
 from rcj_challenges.controllers.pipes import Channel, ChannelClosedError, FrameTooLongError
 from rcj_challenges.controllers.time_budget import MEASURED_AFTER_S, TimeBudget
 from rcj_challenges.core.errors import HostError
@@ -75,7 +75,7 @@ class TimedChannel:
         """
         if not self.is_awaited:
             return
-        now_s, held_up_s = time.perf_counter(), tasks.held_up_here_s()
+        now_s, held_up_s = time.perf_counter(), process_stats.held_up_here_s()
         # If the match stood still, or had no processor, the answer may have arrived long before.
         lost_s = 0.0 if self._held_up_s is None else max(0.0, overslept_s, held_up_s - self._held_up_s)
         self._held_up_s = held_up_s

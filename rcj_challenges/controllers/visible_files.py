@@ -14,7 +14,7 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from rcj_challenges.controllers.processes import PUPIL_FOLDER, site_folders
+from rcj_challenges.controllers.processes import PROGRAM_SIDE, site_folders
 
 # Folders of shared libraries, as dynamic linkers search them; in the stores of Nix and Guix each library has a folder
 # of its own. None of them is for secrets: all their files are public packages.
@@ -37,7 +37,7 @@ DEVICES = ("/dev/null", "/dev/zero", "/dev/full", "/dev/random", "/dev/urandom")
 def readable() -> tuple[str, ...]:
     """Return files and folders that a program may read, folders with all below them. Some may not exist."""
     protected = _protected()
-    computed = [*standard_library(), *site_folders(), str(Path(sys.base_prefix, "lib")), str(PUPIL_FOLDER)]
+    computed = [*standard_library(), *site_folders(), str(Path(sys.base_prefix, "lib")), str(PROGRAM_SIDE)]
     narrow = [path for path in map(os.path.realpath, computed) if not is_too_wide(path, protected)]
     return tuple(dict.fromkeys([*narrow, os.path.realpath(sys.executable), *_LIBRARIES, *_MORE_LIBRARIES, *_SYSTEM]))
 
@@ -51,7 +51,7 @@ def standard_library() -> list[str]:
 def can_be_narrow() -> bool:
     """Return whether Python's own folders can be shown without exposing anything else."""
     protected = _protected()
-    return not any(is_too_wide(os.path.realpath(path), protected) for path in [*standard_library(), str(PUPIL_FOLDER)])
+    return not any(is_too_wide(os.path.realpath(path), protected) for path in [*standard_library(), str(PROGRAM_SIDE)])
 
 
 def is_too_wide(path: str, protected: tuple[str, ...]) -> bool:

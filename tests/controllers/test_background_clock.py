@@ -16,9 +16,9 @@ from typing import Any
 import pytest
 from fake_match import FakeMatch
 
-from rcj_challenges.controllers.pupil.controller import _background_clock
-from rcj_challenges.controllers.pupil.controller._blocking_calls import BlockingCalls
-from rcj_challenges.controllers.pupil.controller._clock import Clock
+from rcj_challenges.controllers.program_side.controller import _background_clock
+from rcj_challenges.controllers.program_side.controller._blocking_calls import BlockingCalls
+from rcj_challenges.controllers.program_side.controller._clock import Clock
 
 TICK_S = 0.032
 

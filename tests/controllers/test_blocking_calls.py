@@ -11,10 +11,10 @@ from types import SimpleNamespace
 import pytest
 from fake_match import FakeMatch
 
-from rcj_challenges.controllers.pupil.controller import _blocking_calls
-from rcj_challenges.controllers.pupil.controller._blocking_calls import BlockingCalls
-from rcj_challenges.controllers.pupil.controller._clock import Clock
-from rcj_challenges.controllers.pupil.controller._hooks import AfterImport
+from rcj_challenges.controllers.program_side.controller import _blocking_calls
+from rcj_challenges.controllers.program_side.controller._blocking_calls import BlockingCalls
+from rcj_challenges.controllers.program_side.controller._clock import Clock
+from rcj_challenges.controllers.program_side.controller._hooks import AfterImport
 
 ROBOT = "from controller import Robot\nrobot = Robot()\nrobot.step(32)\n"
 STEPS = "\nrobot.step(32)\nrobot.step(32)\n"

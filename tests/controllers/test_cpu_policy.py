@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from rcj_challenges.controllers import cpu_policy, tasks
+from rcj_challenges.controllers import cpu_policy, process_stats
 from rcj_challenges.controllers.cpu_policy import DEFAULT_SHARE, SOON_S, CpuPolicy, CpuShare
 
 AWAKE = 0
@@ -32,9 +32,9 @@ def computer(monkeypatch):
 
     monkeypatch.setattr(cpu_policy, "ENABLED", True)
     monkeypatch.setattr(cpu_policy, "time", SimpleNamespace(perf_counter=clock, thread_time=lambda: told.ours_s))
-    monkeypatch.setattr(tasks, "running", running)
-    monkeypatch.setattr(tasks, "all_processors", lambda: 2)
-    monkeypatch.setattr(tasks, "processors", lambda: 2)
+    monkeypatch.setattr(process_stats, "running", running)
+    monkeypatch.setattr(process_stats, "all_processors", lambda: 2)
+    monkeypatch.setattr(process_stats, "processors", lambda: 2)
     monkeypatch.setattr(cpu_policy, "current_cpu", lambda: told.here)
     told.policy = CpuPolicy(lambda: dict(told.computed_s))
     return told
@@ -94,7 +94,7 @@ def test_programs_that_compute_more_than_the_match_use_all_cpus_while_all_are_bu
 
 
 def test_computer_is_full_only_if_all_its_cpus_are_busy_not_those_granted(computer, monkeypatch):
-    monkeypatch.setattr(tasks, "all_processors", lambda: 64)
+    monkeypatch.setattr(process_stats, "all_processors", lambda: 64)
     computer.running, computer.busy[AWAKE] = 63, 0.1
     of = CpuPolicy(lambda: dict(computer.computed_s))
     assert not any(answers(of, 256))
@@ -169,12 +169,12 @@ def test_switch_leaves_programs_to_the_scheduler(computer, monkeypatch):
     assert computer.policy.share == DEFAULT_SHARE
 
 
-@pytest.mark.skipif(not tasks.processors(), reason="only Linux tells it")
+@pytest.mark.skipif(not process_stats.processors(), reason="only Linux tells it")
 def test_linux_counts_this_thread_as_running():
-    assert tasks.running() >= 1
+    assert process_stats.running() >= 1
 
 
-@pytest.mark.skipif(not tasks.processors(), reason="only Linux tells it")
+@pytest.mark.skipif(not process_stats.processors(), reason="only Linux tells it")
 @pytest.mark.parametrize(
     ("told", "processors"),
     [("max 100000\n", 4), ("250000 100000\n", 2), ("50000 100000\n", 0), ("what is this\n", 4), (None, 4)],
@@ -183,5 +183,5 @@ def test_container_has_the_cpus_that_it_is_granted(monkeypatch, tmp_path, told, 
     monkeypatch.setattr("os.sched_getaffinity", lambda _: set(range(4)))
     if told is not None:
         (tmp_path / "cpu.max").write_text(told, encoding="ascii")
-    monkeypatch.setattr(tasks, "_GRANT", tmp_path / "cpu.max")
-    assert tasks.processors() == processors
+    monkeypatch.setattr(process_stats, "_GRANT", tmp_path / "cpu.max")
+    assert process_stats.processors() == processors

@@ -14,7 +14,7 @@ from attempts import only, outcomes
 from fake_match import FakeMatch, robot_spec, values_at
 
 from rcj_challenges.controllers import isolation
-from rcj_challenges.controllers.pupil.controller import _landlock, _seccomp
+from rcj_challenges.controllers.program_side.controller import _landlock, _seccomp
 from rcj_challenges.core.traffic import Observation, Request
 
 needs_landlock = pytest.mark.skipif(not _landlock.is_available(), reason="this kernel has no Landlock")

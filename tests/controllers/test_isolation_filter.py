@@ -10,8 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.controllers.pupil.controller import _seccomp
-from rcj_challenges.controllers.pupil.controller._syscalls import CALLS, IN_PART, PASSED_OVER, UNKNOWN
+from rcj_challenges.controllers.program_side.controller import _seccomp
+from rcj_challenges.controllers.program_side.controller._syscalls import CALLS, IN_PART, PASSED_OVER, UNKNOWN
 
 PID = 4321
 EPERM = 0x00050000 | errno.EPERM

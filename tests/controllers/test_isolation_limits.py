@@ -14,8 +14,8 @@ import pytest
 from attempts import only, outcomes
 from fake_match import FakeMatch
 
-from rcj_challenges.controllers import isolation, processes, tasks, visible_files
-from rcj_challenges.controllers.pupil.controller import _landlock, _seccomp
+from rcj_challenges.controllers import isolation, process_stats, processes, visible_files
+from rcj_challenges.controllers.program_side.controller import _landlock, _seccomp
 from rcj_challenges.scenario.models.limits import Limits
 
 needs_linux = pytest.mark.skipif(sys.platform != "linux", reason="layers of Linux")
@@ -100,8 +100,8 @@ for _ in range(200):
 @pytest.mark.skipif(sys.platform != "linux" or is_root, reason="root has no limit on threads")
 def test_the_user_keeps_room_for_threads_outside() -> None:
     told = isolation._user_tasks(Limits(processes=10))
-    assert told == tasks.tasks_of_user() + 160
-    assert tasks.tasks_of_user() >= tasks.threads_of(os.getpid()) >= 1
+    assert told == process_stats.tasks_of_user() + 160
+    assert process_stats.tasks_of_user() >= process_stats.threads_of(os.getpid()) >= 1
 
 
 WITHOUT_MAIN_THREAD = """

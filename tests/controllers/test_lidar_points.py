@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from rcj_challenges.controllers.pupil.controller.lidar import Lidar
+from rcj_challenges.controllers.program_side.controller.lidar import Lidar
 from rcj_challenges.robots.fitting import fit
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.roster import Roster

@@ -15,7 +15,7 @@ import pytest
 from fake_match import FakeMatch
 
 from rcj_challenges.controllers.log import ProgramLog
-from rcj_challenges.controllers.pupil.controller import _traceback
+from rcj_challenges.controllers.program_side.controller import _traceback
 from rcj_challenges.controllers.team import open_team
 
 ENTRY = "robot_blue/robot.py"

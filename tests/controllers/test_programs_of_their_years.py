@@ -435,7 +435,7 @@ def test_methods_of_arrays_are_restored_where_python_has_looked_them_up_before()
 import numpy
 before = [getattr(numpy.ndarray, name, None) is None for name in ("ptp", "tostring") * 3]
 del before
-from rcj_challenges.controllers.pupil.controller._legacy_numpy import patch_numpy
+from rcj_challenges.controllers.program_side.controller._legacy_numpy import patch_numpy
 patch_numpy(numpy)
 other_things = [bytearray(72) for _ in range(10_000)]
 print(numpy.array([3, 8]).ptp(), len(numpy.array([0.5, 2.0]).tostring()))

@@ -12,7 +12,7 @@ from contextlib import contextmanager
 
 import pytest
 
-from rcj_challenges.controllers import tasks, time_budget
+from rcj_challenges.controllers import process_stats, time_budget
 from rcj_challenges.controllers.time_budget import ProcessTimes, ThreadTimes, TimeBudget, TimeLimits
 
 MAIN, HELPER = 1, 2
@@ -235,19 +235,19 @@ def on_one_processor() -> Iterator[None]:
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux reports it")
 def test_the_kernel_reports_for_how_long_threads_were_ready() -> None:
     """Two threads in a loop on one processor stand in each other's way."""
-    times = tasks.process_times(os.getpid())
+    times = process_stats.process_times(os.getpid())
     if times is None or times.threads is None:
         pytest.skip("this kernel does not count it")
     held_up_s: list[float] = []
     ready_s: list[float] = []
 
     def compute() -> None:
-        before_s = tasks.held_up_here_s()
+        before_s = process_stats.held_up_here_s()
         end_s = time.monotonic() + 60
-        while tasks.held_up_here_s() - before_s < 0.01 and time.monotonic() < end_s:
+        while process_stats.held_up_here_s() - before_s < 0.01 and time.monotonic() < end_s:
             hashlib.sha256(bytes(100_000))
-        held_up_s.append(tasks.held_up_here_s() - before_s)
-        now = tasks.process_times(os.getpid())
+        held_up_s.append(process_stats.held_up_here_s() - before_s)
+        now = process_stats.process_times(os.getpid())
         ready_s.append(now.threads[threading.get_native_id()].ready_s)
 
     with on_one_processor():
@@ -267,20 +267,20 @@ def test_a_thread_that_sleeps_is_not_runnable() -> None:
     thread.start()
     asleep.wait()
     time.sleep(0.05)
-    runnable = tasks.is_runnable(os.getpid(), thread.native_id)
+    runnable = process_stats.is_runnable(os.getpid(), thread.native_id)
     end.set()
     thread.join()
     assert not runnable
-    assert tasks.is_runnable(os.getpid(), os.getpid())
+    assert process_stats.is_runnable(os.getpid(), os.getpid())
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="there the job object reports it")
 def test_the_system_reports_the_cpu_time_of_a_process() -> None:
-    before = tasks.process_times(os.getpid())
+    before = process_stats.process_times(os.getpid())
     began_s = time.process_time()
     while time.process_time() - began_s < 0.02:
         pass
-    after = tasks.process_times(os.getpid())
+    after = process_stats.process_times(os.getpid())
     assert before is not None
     assert after is not None
     assert after.cpu_s - before.cpu_s >= (0.02 if sys.platform == "linux" else 0.0)
@@ -290,4 +290,4 @@ def test_the_system_reports_the_cpu_time_of_a_process() -> None:
     ("told", "seconds"), [("  0:01.25\n", 1.25), ("00:01:02", 62.0), ("2-03:04:05", 183_845.0), ("90:00.00", 5400.0)]
 )
 def test_times_of_ps_are_read(told: str, seconds: float) -> None:
-    assert tasks.seconds_of(told) == seconds
+    assert process_stats.seconds_of(told) == seconds

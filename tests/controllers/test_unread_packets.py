@@ -7,9 +7,9 @@ import threading
 
 from fake_match import FakeMatch, packet
 
-from rcj_challenges.controllers.processes import PUPIL_FOLDER
+from rcj_challenges.controllers.processes import PROGRAM_SIDE
 
-sys.path.insert(0, str(PUPIL_FOLDER))  # before the package of the same name that editors read
+sys.path.insert(0, str(PROGRAM_SIDE))  # before the package of the same name that editors read
 from controller import _connection  # type: ignore[import-not-found]  # the program's end, as programs import it
 
 

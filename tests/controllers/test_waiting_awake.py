@@ -14,11 +14,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.controllers.cpu_policy import DEFAULT_SHARE, CpuShare, current_cpu
-from rcj_challenges.controllers.processes import PUPIL_FOLDER
+from rcj_challenges.controllers.processes import PROGRAM_SIDE
 from rcj_challenges.core.play import Fault
 from rcj_challenges.core.traffic import Observation
 
-sys.path.insert(0, str(PUPIL_FOLDER))  # before the package of the same name that editors read
+sys.path.insert(0, str(PROGRAM_SIDE))  # before the package of the same name that editors read
 from controller import _wire  # type: ignore[import-not-found]  # the program's end, as programs import it
 
 POSIX = pytest.mark.skipif(sys.platform == "win32", reason="pipes cannot be polled on Windows")

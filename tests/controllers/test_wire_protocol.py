@@ -14,11 +14,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.controllers.pipes import FrameBuffer, FrameTooLongError
-from rcj_challenges.controllers.processes import PUPIL_FOLDER
+from rcj_challenges.controllers.processes import PROGRAM_SIDE
 from rcj_challenges.controllers.protocol import Codec, Ended, ProtocolError, hello_frame
 from rcj_challenges.core.traffic import MotorCommand, Observation, Packet, Request
 
-sys.path.insert(0, str(PUPIL_FOLDER))  # before the package of the same name that editors read
+sys.path.insert(0, str(PROGRAM_SIDE))  # before the package of the same name that editors read
 from controller import _boot, _connection, _wire  # type: ignore[import-not-found]  # the program's end, as programs import it
 
 MESSAGE_BYTES = 4_000
@@ -90,16 +90,18 @@ class StillClock:
         pass
 
 
-def pupil(answer: bytes, request: Request = GOOD, printed_bytes: int = 0) -> tuple[_connection.Connection, LoopedWire]:
+def program_end(
+    answer: bytes, request: Request = GOOD, printed_bytes: int = 0
+) -> tuple[_connection.Connection, LoopedWire]:
     """The program's end, connected to a wire that answers like this."""
     told = json.loads(hello_frame(SPEC, {"limits": {"message_bytes": 10**6}})[5:])
     wire = LoopedWire(answer)
     return _connection.Connection(wire, told, StillClock(request.missed_ticks), SomeOutput(printed_bytes)), wire
 
 
-def sent_by_pupil(tick: int, request: Request) -> bytes:
+def sent_by_program(tick: int, request: Request) -> bytes:
     """What a program sends that asks for all this after the observation of ``tick``."""
-    connection, wire = pupil(CODEC.encode(Observation(0, [0.0] * SPEC.values, [])), request)
+    connection, wire = program_end(CODEC.encode(Observation(0, [0.0] * SPEC.values, [])), request)
     connection.tick = tick
     for motor in request.motors:
         connection.command(motor.device, motor.velocity_radps, motor.position_rad)
@@ -134,7 +136,7 @@ def told_to(connection: _connection.Connection) -> list[float]:
 def test_a_program_receives_exactly_what_was_observed(observation: Observation) -> None:
     frame = CODEC.encode(observation)
     body_of(frame)
-    connection, _ = pupil(frame)
+    connection, _ = program_end(frame)
     assert connection.exchange(32) is not observation.over
     assert (connection.tick, connection.over, told_to(connection)) == (
         observation.tick,
@@ -155,7 +157,7 @@ def test_of_all_settings_of_a_device_in_a_step_the_last_is_sent() -> None:
         channels=((radio, 5), (radio, 3)),
         frequencies=((lidar, 10.0), (lidar, 20.0)),
     )
-    sent = CODEC.decode(body_of(sent_by_pupil(7, asked)), 7)
+    sent = CODEC.decode(body_of(sent_by_program(7, asked)), 7)
     assert sent == Request(1, sampling=((sensor, 2),), channels=((radio, 3),), frequencies=((lidar, 20.0),))
 
 
@@ -173,21 +175,21 @@ def test_a_request_with_more_than_a_robot_can_want_is_refused_before_it_is_read(
 
 @given(st.integers(0, 2**63))
 def test_what_a_program_says_of_how_much_it_printed_changes_nothing_that_it_asks_for(printed_bytes: int) -> None:
-    connection, wire = pupil(CODEC.encode(Observation(0, [0.0] * SPEC.values, [])), printed_bytes=printed_bytes)
+    connection, wire = program_end(CODEC.encode(Observation(0, [0.0] * SPEC.values, [])), printed_bytes=printed_bytes)
     connection.exchange(32)
     assert PRINTED.unpack_from(wire.asked, PRINTED_AT) == (printed_bytes,)
     assert CODEC.decode(body_of(wire.asked), 0) == GOOD
 
 
 def test_packets_beyond_what_a_step_may_send_are_dropped() -> None:
-    connection, _ = pupil(b"")
+    connection, _ = program_end(b"")
     sent = [connection.emit(INDEX["team emitter"], 3, b"x") for _ in range(1_010)]
     assert sent == [True] * 1_000 + [False] * 10
 
 
 @given(ticks, requests)
 def test_the_match_receives_exactly_what_a_program_asks_for(tick: int, request: Request) -> None:
-    assert CODEC.decode(body_of(sent_by_pupil(tick, request)), tick) == request
+    assert CODEC.decode(body_of(sent_by_program(tick, request)), tick) == request
 
 
 @given(st.sampled_from(_wire.FAULT_KINDS), st.text(st.characters(min_codepoint=33, max_codepoint=126), max_size=40))
@@ -211,7 +213,7 @@ def test_no_message_of_arbitrary_bytes_does_more_than_break_the_protocol(body: b
 def test_a_request_with_a_changed_byte_is_refused_or_asks_only_for_what_can_be(
     request: Request, data: st.DataObject
 ) -> None:
-    body = bytearray(body_of(sent_by_pupil(7, request)))
+    body = bytearray(body_of(sent_by_program(7, request)))
     at = data.draw(st.integers(0, len(body) - 1))
     body[at] = data.draw(st.integers(0, 255))
     try:
@@ -227,7 +229,7 @@ def test_a_request_with_a_changed_byte_is_refused_or_asks_only_for_what_can_be(
 
 @given(requests, st.integers(1, 60))
 def test_a_request_that_is_cut_or_followed_by_more_is_refused(request: Request, count: int) -> None:
-    body = body_of(sent_by_pupil(3, request))
+    body = body_of(sent_by_program(3, request))
     for wrong in (body[:-count], body + bytes(count)):
         with pytest.raises(ProtocolError):
             CODEC.decode(wrong, 3)
@@ -254,13 +256,13 @@ def test_a_request_that_is_cut_or_followed_by_more_is_refused(request: Request, 
 )
 def test_what_cannot_be_asked_for_is_refused_with_a_reason(request_: Request, says: str) -> None:
     with pytest.raises(ProtocolError) as caught:
-        CODEC.decode(body_of(sent_by_pupil(0, request_)), 0)
+        CODEC.decode(body_of(sent_by_program(0, request_)), 0)
     assert str(caught.value) == says
 
 
 def test_a_request_that_answers_another_tick_is_refused() -> None:
     with pytest.raises(ProtocolError, match="answers tick 4 at tick 5"):
-        CODEC.decode(body_of(sent_by_pupil(4, GOOD)), 5)
+        CODEC.decode(body_of(sent_by_program(4, GOOD)), 5)
 
 
 def test_what_a_program_says_of_its_end_is_made_harmless() -> None:
@@ -315,7 +317,7 @@ def test_a_program_reads_the_hello_as_json(fact: object) -> None:
 
 def test_the_programs_end_uses_nothing_but_the_standard_library() -> None:
     allowed = sys.stdlib_module_names | {"controller", "debugpy"}  # the last one with --debug only, if installed
-    sources = list((PUPIL_FOLDER / "controller").glob("*.py"))
+    sources = list((PROGRAM_SIDE / "controller").glob("*.py"))
     assert sources
     for source in sources:
         for line in source.read_text(encoding="utf-8").splitlines():
@@ -338,13 +340,13 @@ def test_the_document_of_the_protocol_names_every_form() -> None:
 
 @pytest.mark.parametrize("soon", [False, True])
 def test_a_program_knows_whether_its_next_step_ends_soon(soon: bool) -> None:
-    connection, wire = pupil(CODEC.encode(Observation(1, [0.0] * SPEC.values, [], soon=soon)))
+    connection, wire = program_end(CODEC.encode(Observation(1, [0.0] * SPEC.values, [], soon=soon)))
     connection.exchange(32)
     assert (wire.next_is_soon, connection.over) == (soon, False)
 
 
 def test_at_the_end_nothing_is_soon() -> None:
-    connection, wire = pupil(CODEC.encode(Observation(1, [0.0] * SPEC.values, [], over=True, soon=True)))
+    connection, wire = program_end(CODEC.encode(Observation(1, [0.0] * SPEC.values, [], over=True, soon=True)))
     connection.exchange(32)
     assert (wire.next_is_soon, connection.over) == (False, True)
 

@@ -82,7 +82,7 @@ def report(folder: Path) -> dict[str, object]:
         refused = []
     except ScenarioError as error:
         refused = [one.where.path for one in error.diagnostics]
-    use_controller_with(folder / "pupil")
+    use_controller_with(folder / "program_side")
     place = Place(folder)
     robot = "robots.B1.devices={midline: {device: midline, noise_m: 0.001}}"
     run = place.play(robot, "match.half_s=1", blue=place.team_folder(PROGRAM), record_sensors=True)
@@ -102,9 +102,9 @@ def use_controller_with(folder: Path) -> None:
     """Let programs run with a copy of `controller` that has the device's class."""
     from rcj_challenges.controllers import processes, visible_files
 
-    shutil.copytree(processes.PUPIL_FOLDER, folder)
+    shutil.copytree(processes.PROGRAM_SIDE, folder)
     shutil.copy(Path(__file__).with_name("toy_controller.py"), folder / "controller" / "midline_sensor.py")
-    processes.PUPIL_FOLDER = visible_files.PUPIL_FOLDER = folder
+    processes.PROGRAM_SIDE = visible_files.PROGRAM_SIDE = folder
 
 
 if __name__ == "__main__":

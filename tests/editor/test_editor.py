@@ -14,7 +14,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 MISTAKES = Path(__file__).with_name("ten_mistakes.py")
-IMPLEMENTATION = ROOT / "rcj_challenges" / "controllers" / "pupil"
+IMPLEMENTATION = ROOT / "rcj_challenges" / "controllers" / "program_side"
 CLEAN = {key: value for key, value in os.environ.items() if not key.startswith(("PYTHON", "COV_"))}
 
 
@@ -74,7 +74,7 @@ import controller
 from controller import Robot
 
 robot = Robot()
-print("implementation" if "pupil" in controller.__file__ else controller.__file__)
+print("implementation" if "program_side" in controller.__file__ else controller.__file__)
 gps, left = robot.getDevice("gps"), robot.getDevice("left wheel motor")
 right = robot.getDevice("right wheel motor")
 gps.enable(32)

@@ -8,13 +8,13 @@ from pathlib import Path
 import pytest
 from fake_match import FakeMatch
 
-from rcj_challenges.controllers import addresses
+from rcj_challenges.controllers import memory_addresses
 
 
 def _can_be_fixed() -> bool:
-    with addresses.fixed():
-        present = addresses._personality(addresses._ASK)
-    return present >= 0 and present & addresses._NOT_AT_RANDOM != 0
+    with memory_addresses.fixed():
+        present = memory_addresses._personality(memory_addresses._ASK)
+    return present >= 0 and present & memory_addresses._NOT_AT_RANDOM != 0
 
 
 pytestmark = pytest.mark.skipif(not _can_be_fixed(), reason="this system gives addresses at random only")
@@ -49,20 +49,20 @@ def test_a_set_of_a_programs_own_objects_is_gone_through_in_the_same_order_in_ev
 
 def test_the_match_itself_keeps_its_random_addresses() -> None:
     def present() -> int:
-        return addresses._personality(addresses._ASK)
+        return memory_addresses._personality(memory_addresses._ASK)
 
     before, seen = present(), []
-    with addresses.fixed():
+    with memory_addresses.fixed():
         other = threading.Thread(target=lambda: seen.append(present()))
         seen.append(present())
     other.start()
     other.join()
     assert present() == before
-    assert seen == [before | addresses._NOT_AT_RANDOM, before]
+    assert seen == [before | memory_addresses._NOT_AT_RANDOM, before]
 
 
 def test_where_it_is_refused_programs_start_all_the_same(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(addresses, "_personality", lambda _: -1)
+    monkeypatch.setattr(memory_addresses, "_personality", lambda _: -1)
     (said,) = _said(folder, 1)
     assert said.startswith("[")
     assert not _can_be_fixed()
