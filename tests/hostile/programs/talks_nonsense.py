@@ -3,7 +3,7 @@
 #: holds = "any violation of the protocol ends it"
 #: tick = 10
 #: ends = "protocol at 10"
-#: cause = "no message: a message of unknown type 120"
+#: cause = "an invalid message: a message of unknown type 120"
 
 import os
 import struct
