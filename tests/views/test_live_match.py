@@ -198,18 +198,6 @@ def test_json_stays_the_result_and_nothing_else(tmp_path: Path, team: Path) -> N
     assert "live:   http://127.0.0.1:" in done.stderr
 
 
-def test_a_port_in_use_is_said_before_anything_is_played(tmp_path: Path, team: Path) -> None:
-    with socket.socket() as taken:
-        taken.bind(("127.0.0.1", 0))
-        taken.listen()
-        port = taken.getsockname()[1]
-        done = command(*short(team, "--live", str(port)), cwd=tmp_path)
-    assert done.returncode == 2
-    assert done.stderr.startswith("error[port-taken]: ")
-    assert "Traceback" not in done.stderr
-    assert not (tmp_path / "runs").exists()
-
-
 @pytest.mark.parametrize(
     ("options", "why"),
     [

@@ -42,7 +42,13 @@ def visit(watch: Callable[..., Any], data: Path) -> Callable[..., Any]:
     return open_page
 
 
-@pytest.mark.parametrize(("scheme", "viewport"), [("light", WIDE), ("dark", NARROW)], ids=["on a desk", "on a phone"])
+@pytest.mark.parametrize(
+    ("scheme", "viewport"),
+    [
+        pytest.param("light", WIDE, id="on a desk", marks=pytest.mark.nightly),
+        pytest.param("dark", NARROW, id="on a phone"),
+    ],
+)
 def test_pages_fit_the_screen_and_their_policy_lets_the_style_in(
     scheme: str, viewport: dict[str, int], visit: Callable[..., Any], data: Path
 ) -> None:
@@ -120,6 +126,7 @@ def test_who_comes_late_to_a_premiere_joins_at_the_moment_and_sees_no_later_scor
     assert page.evaluate("replay.place <= replay.recording.last")
 
 
+@pytest.mark.nightly
 def test_two_spectators_see_the_same_moment(premiere: Callable[..., Any]) -> None:
     until_now = "replay.place - (Date.now() - replay.started) / 32"
     pages = [premiere(at_s) for at_s in (10, 10)]
