@@ -6,7 +6,6 @@ import os
 import subprocess
 import sys
 import tempfile
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -96,25 +95,6 @@ def test_what_a_killed_match_left_is_removed_by_the_next_one_and_that_of_a_livin
             remove_left_overs(temporary)
         assert list(temporary.iterdir()) == [lives]
         assert sorted(lives.rglob("*")) == before != []
-
-
-@pytest.mark.nightly
-def test_what_a_killed_check_left_is_removed_too(temporary: Path, tmp_path: Path) -> None:
-    program = tmp_path / "robot.py"
-    program.write_text("while True:\n    pass\n", encoding="utf-8")  # so that the check waits for its first step
-    environment = os.environ | dict.fromkeys(("TMPDIR", "TEMP", "TMP"), str(temporary))
-    command = [sys.executable, "-m", "rcj_challenges", "check", str(program)]
-    with subprocess.Popen(command, env=environment, cwd=ROOT, stdout=subprocess.DEVNULL) as check:
-        until = time.perf_counter() + 30
-        while not list(temporary.glob("*/rcj-*")) and time.perf_counter() < until:
-            time.sleep(0.01)  # until programs have been started in there
-        check.kill()
-        check.wait()
-    assert list(temporary.iterdir())
-    until = time.perf_counter() + 60
-    while list(temporary.iterdir()) and time.perf_counter() < until:  # its programs end with it, in a moment
-        remove_left_overs(temporary)
-    assert list(temporary.iterdir()) == []
 
 
 def test_several_matches_in_one_process_leave_each_other_alone(temporary: Path) -> None:
