@@ -15,39 +15,13 @@ from functools import cache
 
 from tests.hostile.archives import pictures
 from tests.hostile.archives.building import (
-    DEVICE_MODE,
-    ENCRYPTED,
-    LINK_MODE,
-    SIZES_FOLLOW,
-    STORED,
-    Member,
-    deflated,
-    folder,
-    pack,
-    with_folders,
+    DEVICE_MODE, ENCRYPTED, LINK_MODE, SIZES_FOLLOW, STORED, Member, deflated, folder, pack, with_folders,
 )
 from tests.hostile.archives.case import Case
 from tests.hostile.archives.large import LARGE
 from tests.hostile.archives.making import (
-    ENTRY,
-    PROGRAM,
-    UTILS,
-    NAME,
-    SOUND,
-    OF_2021,
-    plain,
-    sound_with,
-    below,
-    without,
-    damaged_table,
-    member_with,
-    named,
-    logo,
-    importing,
-    noise,
-    tar,
-    overlapping,
-    quoted,
+    ENTRY, PROGRAM, UTILS, NAME, SOUND, OF_2021, plain, sound_with, below, without, damaged_table, member_with, named,
+    logo, importing, noise, tar, overlapping, quoted,
 )
 
 

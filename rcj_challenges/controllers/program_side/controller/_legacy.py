@@ -73,13 +73,8 @@ def _dataclasses(module: Any) -> None:
 
 
 def _json(module: Any) -> None:
-    real = module.JSONDecoder.__init__
-
-    def init(self: Any, **more: Any) -> None:
-        more.pop("encoding", None)  # it said nothing since Python 3.1, and was an error from 3.9 on
-        real(self, **more)
-
-    module.JSONDecoder.__init__ = init
+    # It said nothing since Python 3.1, and was an error from 3.9 on.
+    module.JSONDecoder.__init__ = _ignoring("encoding", module.JSONDecoder.__init__)
 
 
 def _asyncio(module: Any) -> None:
@@ -112,24 +107,26 @@ def _asyncio(module: Any) -> None:
             module.set_event_loop(module.new_event_loop())
             return present()
 
-    async def wait(fs: Any, *, loop: Any = None, **named: Any) -> Any:  # noqa: ARG001 - as it was
+    async def wait(fs: Any, **named: Any) -> Any:
         """Wait for coroutines too, not for tasks alone."""
         return await real_wait({module.ensure_future(one) for one in set(fs)}, **named)
 
     vars(module).setdefault("coroutine", coroutine)
     module.get_event_loop, module.wait = get_event_loop, wait
-    for name in ("sleep", "gather", "wait_for", "shield", "as_completed"):
-        setattr(module, name, _without_loop(getattr(module, name)))
+    for name in ("sleep", "gather", "wait", "wait_for", "shield", "as_completed"):
+        setattr(module, name, _ignoring("loop", getattr(module, name)))
     for name in ("Lock", "Event", "Condition", "Semaphore", "BoundedSemaphore", "Queue"):
         kind = getattr(module, name)
-        kind.__init__ = _without_loop(kind.__init__)
+        kind.__init__ = _ignoring("loop", kind.__init__)
 
 
-def _without_loop(real: Callable[..., Any]) -> Callable[..., Any]:
+def _ignoring(name: str, real: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a function that takes an argument of this name too, which has no effect."""
     from functools import wraps
 
     @wraps(real)
-    def function(*given: Any, loop: Any = None, **named: Any) -> Any:  # noqa: ARG001 - as it was
+    def function(*given: Any, **named: Any) -> Any:
+        named.pop(name, None)
         return real(*given, **named)
 
     return function
