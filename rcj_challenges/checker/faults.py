@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from rcj_challenges.checker.advice.devices import device_help, missing_devices
-from rcj_challenges.checker.advice.hints import REMEDIES, hint_for, whereabouts_in
+from rcj_challenges.checker.advice.hints import HELP_BY_FAULT, hint_for, whereabouts_in
 from rcj_challenges.checker.advice.table import Hint
 from rcj_challenges.checker.findings import Finding, StageName
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed
@@ -16,7 +16,7 @@ MissingDevices = dict[tuple[str, str], list[str]]
 """Robots by the name of the device that they lack, and by what they have."""
 
 _MAX_DEVICES = 10
-_OTHER_REMEDY = "see the report below, if there is one, and the program's output (--show-output)"
+_OTHER_HELP = "see the report below, if there is one, and the program's output (--show-output)"
 
 
 def fault_findings(stage: StageName, rehearsal: Rehearsal, match: Rehearsed, side: str = "") -> list[Finding]:
@@ -46,14 +46,14 @@ def _fault_finding(
     places = (whereabouts_in(match.log(robot)) for robot in robots if not traceback)
     whereabouts = next(filter(None, places), "")
     hint = hint_for(rehearsal.loaded.scenario, rehearsal.team, first, match.log(first["robot"]), whereabouts)
-    hint = hint or Hint(kind, REMEDIES.get(kind, _OTHER_REMEDY))
+    hint = hint or Hint(kind, HELP_BY_FAULT.get(kind, _OTHER_HELP))
     when = f"{side}after {s_from_ticks(first['tick']):.1f} s: " if stage == "play" else ""
     report = traceback or whereabouts
     return Finding(
         code=f"{stage}.{kind}",
         level="failure",
         message=f"{when}{sanitize(detail, 300) or kind}",
-        remedy=hint.remedy,
+        help=hint.help,
         where=", ".join(robots),
         details=sanitize_block(report) if report else "",
     )
@@ -81,6 +81,6 @@ def device_findings(stage: StageName, missing: MissingDevices, rehearsal: Rehear
     findings = []
     for (name, has), robots in list(missing.items())[:_MAX_DEVICES]:
         message = f'{side}asks for a device "{sanitize(name)}"; there is none'
-        remedy = device_help(rehearsal.loaded.scenario, rehearsal.team, name, has, names)
-        findings.append(Finding(f"{stage}.no_device", "warning", message, remedy, ", ".join(robots)))
+        help_ = device_help(rehearsal.loaded.scenario, rehearsal.team, name, has, names)
+        findings.append(Finding(f"{stage}.no_device", "warning", message, help_, ", ".join(robots)))
     return findings

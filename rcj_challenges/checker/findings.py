@@ -40,7 +40,7 @@ class Finding:
         Level, _about("severity; unchecked: not about the submission, but the reason why nothing is known")
     ]
     message: Annotated[str, _about("what was found, one line")]
-    remedy: Annotated[str, _about("what to do; empty if there is nothing to do")] = ""
+    help: Annotated[str, _about("what to do; empty if there is nothing to do")] = ""
     where: Annotated[str, _about("the file in the submission, with line and column where known, or the robots")] = ""
     repair: Annotated[bool, _about("whether --fix repairs it")] = False
     details: Annotated[str, _about("more lines, such as a traceback; usually empty")] = ""

@@ -33,7 +33,7 @@ class Logo:
 def finding_of(trouble: Problem) -> Finding:
     """Return a trouble as a finding."""
     return Finding(
-        trouble.code, trouble.level, trouble.message, trouble.remedy, where=trouble.where, repair=trouble.repair
+        trouble.code, trouble.level, trouble.message, trouble.help, where=trouble.where, repair=trouble.repair
     )
 
 
@@ -56,8 +56,8 @@ def find_logo(files: Mapping[PurePosixPath, bytes]) -> Logo:
     taken = path.name.casefold() == LOGO_FILE
     if path != PurePosixPath(LOGO_FILE):
         message = f"the logo is {safe_text(path)}" + ("" if taken else ", which is not shown")
-        remedy = f"call it {LOGO_FILE} and put it beside the programs' folders"
-        findings.append(_warning("logo_file", message, remedy, path))
+        help_ = f"call it {LOGO_FILE} and put it beside the programs' folders"
+        findings.append(_warning("logo_file", message, help_, path))
     data = files[path]
     shown = None
     try:
@@ -70,8 +70,8 @@ def find_logo(files: Mapping[PurePosixPath, bytes]) -> Logo:
     return Logo(path, shown, tuple(findings))
 
 
-def _warning(code: str, message: str, remedy: str, path: PurePosixPath) -> Finding:
-    return Finding(f"identity.{code}", "warning", message, remedy, safe_text(path), repair=True)
+def _warning(code: str, message: str, help_: str, path: PurePosixPath) -> Finding:
+    return Finding(f"identity.{code}", "warning", message, help_, safe_text(path), repair=True)
 
 
 def _logo_file(files: Mapping[PurePosixPath, bytes]) -> PurePosixPath | None:

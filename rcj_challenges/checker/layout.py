@@ -74,8 +74,8 @@ def _folder_findings(opening: Opening) -> list[Finding]:
         return []
     top, found = opening.top, []
 
-    def warn(code: str, message: str, remedy: str, where: str = "") -> None:
-        found.append(Finding(f"layout.{code}", "warning", message, remedy, where, repair=True))
+    def warn(code: str, message: str, help_: str, where: str = "") -> None:
+        found.append(Finding(f"layout.{code}", "warning", message, help_, where, repair=True))
 
     if opening.within is not None and not top.parts:
         message = f"the programs are not in a folder {safe_text(opening.within)}"
@@ -95,15 +95,15 @@ def _missing(opening: Opening, seats: Sequence[Entrant], others: Sequence[str]) 
     plan = plan_moves(files, seats) if not others else None
     message = missing_programs(files, opening.missing, hint=plan is None, others=all_entries(seats))
     if plan is not None:
-        remedy = "; ".join(filter(None, (", ".join(map(str, plan.moves)), plan.caution)))
-        return [Finding("layout.misnamed", "failure", message, remedy, safe_text(plan.moves[0].old), not plan.caution)]
+        help_ = "; ".join(filter(None, (", ".join(map(str, plan.moves)), plan.caution)))
+        return [Finding("layout.misnamed", "failure", message, help_, safe_text(plan.moves[0].old), not plan.caution)]
     nested = [trouble for trouble in opening.contents.troubles if trouble.code == "archive.nested"]
     if nested:
-        remedy = f"pack what is in {nested[0].where}, not the archive itself"
+        help_ = f"pack what is in {nested[0].where}, not the archive itself"
     else:
         elsewhere = f"{suggest_scenarios(others)}; if it is for this scenario, " if others else ""
-        remedy = f"{elsewhere}add or rename the program: {' or '.join(next(iter(opening.missing.values())))}"
-    return [Finding("layout.missing", "failure", message, remedy)]
+        help_ = f"{elsewhere}add or rename the program: {' or '.join(next(iter(opening.missing.values())))}"
+    return [Finding("layout.missing", "failure", message, help_)]
 
 
 def _empty_findings(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]:
@@ -112,8 +112,8 @@ def _empty_findings(opening: Opening, seats: Sequence[Entrant]) -> list[Finding]
         name = safe_text(empty.path)
         if empty.started:
             message = f"{name} is empty, and it is what {', '.join(empty.started)} would be started with"
-            remedy = "delete it" if empty.spare else "put the program into it"
-            found.append(Finding("layout.empty_entry", "failure", message, remedy, name, repair=empty.spare))
+            help_ = "delete it" if empty.spare else "put the program into it"
+            found.append(Finding("layout.empty_entry", "failure", message, help_, name, repair=empty.spare))
         else:
             message = f"{name} is empty, and this scenario does not ask for it"
             found.append(Finding("layout.empty_program", "warning", message, "delete it", name, repair=empty.spare))
@@ -164,8 +164,8 @@ def _never_started(
         return Finding("layout.same_program", "passed", message, where=place)
     started = ", ".join(safe_text(entry) for entry in dict.fromkeys(entries))
     message = f"{place} is never started: robots of either colour are started with {started}"
-    remedy = "put what it does into the program that is started, which can call robot.getName(); else delete it"
-    return Finding("layout.never_started", "warning", message, remedy, place)
+    help_ = "put what it does into the program that is started, which can call robot.getName(); else delete it"
+    return Finding("layout.never_started", "warning", message, help_, place)
 
 
 def _content(files: Mapping[PurePosixPath, bytes], entry: PurePosixPath) -> dict[PurePosixPath, bytes]:

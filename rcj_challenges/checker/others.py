@@ -41,7 +41,7 @@ def others_that_fit(
 
 
 def suggest_scenarios(names: Sequence[str]) -> str:
-    """Return how to check a submission for another scenario, as the beginning of a remedy."""
+    """Return how to check a submission for another scenario, as the beginning of a help text."""
     return f"it looks like one for {' or '.join(names)}: rcj-challenge check … --scenario {names[0]}"
 
 

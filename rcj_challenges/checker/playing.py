@@ -28,8 +28,8 @@ _MAX_COMPLAINTS = 5
 # What the controller module writes into a log, and what to do: errors, and those of its warnings behind which there may
 # be a mistake.
 _COMPLAINTS = tuple(
-    (re.compile(words), remedy)
-    for words, remedy in (
+    (re.compile(words), help_)
+    for words, help_ in (
         (r"Error: (only one Robot can be made: .+)", "make it once, and hand it to what needs it: def run(robot): …"),
         (r"Error: ('[^']+': .+)", "correct this call"),  # each of them begins with the device
         (r"Warning: (.+ is read but not enabled): call enable.+", "call enable(32) before the first step"),
@@ -111,11 +111,11 @@ def _rare_step_findings(match: Rehearsed, absent: Mapping[str, int], side: str) 
         return []
     ticks = ticks_from_s(match.simulated_s)
     message = f"{side}took part in {min(absent.values())} of {ticks} ticks; it slept or waited through the rest"
-    remedy = (
+    help_ = (
         "look for time.sleep, a wait, or a step of many seconds: meanwhile the motors keep their last speeds, and "
         "the robot sees nothing; in a loop call robot.step(32) instead, and compare robot.getTime()"
     )
-    return [Finding("play.absent", "warning", message, remedy, ", ".join(absent))]
+    return [Finding("play.absent", "warning", message, help_, ", ".join(absent))]
 
 
 def _standing(rehearsal: Rehearsal, match: Rehearsed, absent: Collection[str], side: str) -> list[Finding]:
@@ -139,8 +139,8 @@ def _away_from_ball(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[F
     if not _is_about_a_ball(rehearsal.loaded) or any(activity.ball_touches for activity in match.robots.values()):
         return []
     message = f"{side}no robot touched the ball in {match.simulated_s:.0f} s"
-    remedy = "do they find it? Watch the replay (--replay DIR)"
-    return [Finding("play.no_touch", "warning", message, remedy, ", ".join(match.robots))]
+    help_ = "do they find it? Watch the replay (--replay DIR)"
+    return [Finding("play.no_touch", "warning", message, help_, ", ".join(match.robots))]
 
 
 def _is_about_a_ball(loaded: Loaded) -> bool:
@@ -167,8 +167,8 @@ def _slow(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Finding]:
                 f"that is {whole_s:.0f} s in a half; {limits.half_s:g} s are allowed"
             )
             level: Level = "failure" if whole_s > _TOO_SLOW_SHARE * limits.half_s else "warning"
-            remedy = f"do less in each step: {mean_ms:.1f} ms for each tick of 32 ms is the limit in the long run"
-            findings.append(Finding("play.slow", level, message, remedy, robot))
+            help_ = f"do less in each step: {mean_ms:.1f} ms for each tick of 32 ms is the limit in the long run"
+            findings.append(Finding("play.slow", level, message, help_, robot))
         elif wait.slowest_s > _SLOW_SHARE * limits.step_s:
             message = f"{side}the slowest step takes {wait.slowest_s:.1f} s; {limits.step_s:g} s are allowed"
             findings.append(Finding("play.slow_step", "warning", message, "spread long work over many steps", robot))
@@ -198,8 +198,8 @@ def _prints_much(rehearsal: Rehearsal, match: Rehearsed, side: str) -> list[Find
     if most_mb > limit_mb:
         message += ": it would be ended (output_flood)"
     level: Level = "failure" if most_mb > _TOO_MUCH_SHARE * limit_mb else "warning"
-    remedy = "print less: only what changes, or in every 30th step"
-    return [Finding("play.prints_much", level, message, remedy, ", ".join(near_mb))]
+    help_ = "print less: only what changes, or in every 30th step"
+    return [Finding("play.prints_much", level, message, help_, ", ".join(near_mb))]
 
 
 def _threads(match: Rehearsed, side: str) -> list[Finding]:
@@ -210,13 +210,13 @@ def _threads(match: Rehearsed, side: str) -> list[Finding]:
             _, robots = ended.setdefault(found["error"], (found["report"], []))
             if robot not in robots:
                 robots.append(robot)
-    remedy = "correct the line below: the program continues without this thread, whose work is not done"
+    help_ = "correct the line below: the program continues without this thread, whose work is not done"
     return [
         Finding(
             code="play.thread",
             level="warning",
             message=f"{side}a thread of the program ended by an error: {sanitize(error, 300)}",
-            remedy=remedy,
+            help=help_,
             where=", ".join(robots),
             details=sanitize_block(report),
         )
@@ -229,12 +229,12 @@ def _complaints(match: Rehearsed, side: str) -> list[Finding]:
     complaints: dict[tuple[str, str], list[str]] = {}
     for robot in match.robots:
         for line in dict.fromkeys(match.log(robot).splitlines()):
-            found = ((words.fullmatch(line), remedy) for words, remedy in _COMPLAINTS)
-            if complaint := next(((hit[1], remedy) for hit, remedy in found if hit is not None), None):
+            found = ((words.fullmatch(line), help_) for words, help_ in _COMPLAINTS)
+            if complaint := next(((hit[1], help_) for hit, help_ in found if hit is not None), None):
                 complaints.setdefault(complaint, []).append(robot)
     return [
-        Finding("play.complaint", "warning", f"{side}{sanitize(what)}", remedy, ", ".join(robots))
-        for (what, remedy), robots in list(complaints.items())[:_MAX_COMPLAINTS]
+        Finding("play.complaint", "warning", f"{side}{sanitize(what)}", help_, ", ".join(robots))
+        for (what, help_), robots in list(complaints.items())[:_MAX_COMPLAINTS]
     ]
 
 
@@ -259,7 +259,7 @@ def _opponent_failed(match: Rehearsed, side: str) -> list[Finding]:
     detail = sanitize(first["detail"], 120) or first["kind"]
     message = f"{side}programs of the opponent failed ({names}: {robots}; {when}: {detail}): the score says little"
     if OWN_TEAM in match.opponents.values():
-        remedy = "these are your own programs, on the other side"
+        help_ = "these are your own programs, on the other side"
     else:
-        remedy = "that is not your fault: they do not suit this scenario, or what --set changed in it"
-    return [Finding("play.opponent_failed", "passed", message, remedy)]
+        help_ = "that is not your fault: they do not suit this scenario, or what --set changed in it"
+    return [Finding("play.opponent_failed", "passed", message, help_)]

@@ -95,7 +95,7 @@ def repair(path: Path, out: Path, scenario: Scenario) -> Repaired:
         trial.write_bytes(data)
         written = inspect(trial, scenario)
     result.left = [
-        with_help(finding.message, finding.remedy)
+        with_help(finding.message, finding.help)
         for stage in written.stages
         for finding in stage.findings
         if finding.level != "passed"

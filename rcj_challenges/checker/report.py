@@ -267,7 +267,7 @@ def first_cause(stages: Sequence[Stage | StageReport], level: Level) -> str:
     """Return what to fix first and how, in one line; empty if everything is in order."""
     found = (finding for stage in stages for finding in stage.findings)
     first = next((finding for finding in found if finding.level == level != "passed"), None)
-    return "; ".join(filter(None, (format_finding(first), first.remedy))) if first is not None else ""
+    return "; ".join(filter(None, (format_finding(first), first.help))) if first is not None else ""
 
 
 def verdict(file: FileReport) -> str:
@@ -283,7 +283,7 @@ def verdict(file: FileReport) -> str:
     amount = "this" if repairable == len(found) else "part of this"
     fix = f"; --fix OUT.zip repairs {amount}" if repairable else ""
     if failures:
-        first = f" First: {found[0].remedy or found[0].message}"
+        first = f" First: {found[0].help or found[0].message}"
         return f"It cannot play like this: {counted(failures, 'failure')}{warned}{fix}.{first}"
     if any(stage.skipped for stage in file.stages):
         return f"In order as far as it was checked{warned}{fix}."

@@ -111,8 +111,8 @@ def _print_stage(console: Console, stage: StageReport) -> None:
         _indented(
             console, Text(format_finding(finding), style="dim" if finding.level == "passed" else _STYLES[finding.level])
         )
-        if finding.remedy:
-            _indented(console, Text(f"→ {finding.remedy}"))
+        if finding.help:
+            _indented(console, Text(f"→ {finding.help}"))
         for line in finding.details.splitlines():
             _indented(console, Text(f"  {line}", style="dim"))
 

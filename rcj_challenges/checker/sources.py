@@ -196,7 +196,7 @@ class _Walk:
             self._report(file, wanted, "not_on_this_computer", message, help_)
 
     def _missing(self, name: str, parts: list[str]) -> tuple[str, str, str]:
-        """Return code, message and remedy for a module that is nowhere."""
+        """Return code, message and help for a module that is nowhere."""
         quoted = sanitize(name)
         nowhere = f'imports "{quoted}", which is neither part of Python, nor numpy or scipy, nor in the submission'
         self._looked_for += 1
@@ -229,19 +229,19 @@ class _Walk:
             return f"put {folder} beside the program or the program's folder, or do without it"
         return f"put {sanitize(name)}.py beside the program, or do without it"
 
-    def _report(self, file: PurePosixPath, wanted: Import, code: str, message: str, remedy: str) -> None:
+    def _report(self, file: PurePosixPath, wanted: Import, code: str, message: str, help_: str) -> None:
         """Report an import that fails: it ends the program, unless it is caught or never reached."""
         if wanted.risk == "caught":
             message += "; the program has a way out (try … except)"
             self._add(file, wanted, "warning", f"{_OPTIONAL}{code}", message, "make sure that it plays well without")
         elif wanted.risk == "possible":
-            self._add(file, wanted, "warning", f"{_CONDITIONAL}{code}", message + _ONLY_IF_REACHED, remedy)
+            self._add(file, wanted, "warning", f"{_CONDITIONAL}{code}", message + _ONLY_IF_REACHED, help_)
         else:
-            self._add(file, wanted, "failure", code, message, remedy)
+            self._add(file, wanted, "failure", code, message, help_)
 
-    def _add(self, file: PurePosixPath, wanted: Import, level: Level, code: str, message: str, remedy: str) -> None:
+    def _add(self, file: PurePosixPath, wanted: Import, level: Level, code: str, message: str, help_: str) -> None:
         where = f"{sanitize(file)}:{wanted.line}:{wanted.column}"
-        self.findings.append(Finding(f"sources.{code}", level, message, remedy, where))
+        self.findings.append(Finding(f"sources.{code}", level, message, help_, where))
 
 
 def _module_name(path: PurePosixPath) -> str:
@@ -273,14 +273,14 @@ def _unreadable(
     for path, source in sources.items():
         if not source.wrong:
             continue
-        code, message, remedy = describe_error(source, files[path])
+        code, message, help_ = describe_error(source, files[path])
         where = ":".join([sanitize(path), *(str(number) for number in (source.line, source.column) if number)])
         level: Level = "failure" if used.get(path) and code not in _NOT_LOOKED_INTO else "warning"
         if path not in used:
             message += "; no program seems to use this file"
         elif not used[path] and code not in _NOT_LOOKED_INTO:
             message += _RUNNING_SHOWS
-        yield Finding(f"sources.{code}", level, message, remedy, where)
+        yield Finding(f"sources.{code}", level, message, help_, where)
 
 
 def _taken_names(files: Collection[PurePosixPath], entries: set[PurePosixPath]) -> Iterable[Finding]:
@@ -291,8 +291,8 @@ def _taken_names(files: Collection[PurePosixPath], entries: set[PurePosixPath]) 
         file, module = sanitize(path), sanitize(name)
         if is_always_pythons(name):
             message = f'"import {module}" never finds {file}: it always gives the module of Python or of the match'
-            remedy = "give it another name if programs need what is in it; if it is only for your editor, all is well"
-            yield Finding("sources.passed_over", "warning", message, remedy, file)
+            help_ = "give it another name if programs need what is in it; if it is only for your editor, all is well"
+            yield Finding("sources.passed_over", "warning", message, help_, file)
         else:
             message = f'this file hides "{module}", a module of Python or of numpy and scipy, or is hidden by it'
             yield Finding("sources.shadows", "warning", message, "give it another name", file)

@@ -47,11 +47,11 @@ _WITHOUT_MESSAGE = {
     ),
     "unread": ("unread", "not looked into: those before it are too much for Python", _LEAVE_OUT),
 }
-"""Code, message and remedy where reading ended without a message from Python."""
+"""Code, message and help where reading ended without a message from Python."""
 
 
 def describe_error(source: Source, content: bytes) -> tuple[str, str, str]:
-    """Return code, message and remedy of a file that is not valid Python.
+    """Return code, message and help of a file that is not valid Python.
 
     Args:
         source: the reader's answer.
@@ -68,10 +68,10 @@ def describe_error(source: Source, content: bytes) -> tuple[str, str, str]:
         return "encoding", f"the letters of the file cannot be read ({message})", _SAVE_AS_UTF8
     lines = content.splitlines()
     if 0 < source.line <= len(lines) and lines[source.line - 1].startswith(_LEFT_BY_GIT):
-        remedy = "git found two versions here: keep one of them, and delete the lines <<<, === and >>>"
+        help_ = "git found two versions here: keep one of them, and delete the lines <<<, === and >>>"
     else:
         error = f"{source.wrong}: {message}"
         other = f"correct this line or the one before it; {PYTHON} is used here, so newer syntax does not exist yet"
-        remedy = next((text for pattern, text in _SYNTAX_HELP if re.search(pattern, error)), other)
-    code = "too_deep" if remedy == _SMALLER_STEPS else "syntax"
-    return code, f"{PYTHON} cannot read this: {message}", remedy
+        help_ = next((text for pattern, text in _SYNTAX_HELP if re.search(pattern, error)), other)
+    code = "too_deep" if help_ == _SMALLER_STEPS else "syntax"
+    return code, f"{PYTHON} cannot read this: {message}", help_

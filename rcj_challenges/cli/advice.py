@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 _MAX_LETTERS = 100_000  # of the beginning and of the end of a log
 _ONLY_SPECIAL = ("crash", "start", "protocol")
-"""Faults whose general remedy adds nothing to the fault itself."""
+"""Faults whose general help adds nothing to the fault itself."""
 
 
 def advice_on(
@@ -36,7 +36,7 @@ def advice_on(
     faults = [fault for fault in faults if fault["team"] in teams]
     if not faults and not standing:
         return []
-    from rcj_challenges.checker.advice.hints import REMEDIES, hint_for, standing_help, whereabouts_in
+    from rcj_challenges.checker.advice.hints import HELP_BY_FAULT, hint_for, standing_help, whereabouts_in
 
     numbers = {robot: number for seat in scenario.entrants.values() for number, robot in enumerate(seat.robots)}
     seats = {robot: seat for seat, entrant in scenario.entrants.items() for robot in entrant.robots}
@@ -45,14 +45,14 @@ def advice_on(
         team = teams[fault["team"]].driving(numbers[fault["robot"]])
         log = _text(logs, fault["robot"])
         hint = hint_for(scenario, team, fault, log, whereabouts_in(log))
-        general = "" if fault["kind"] in _ONLY_SPECIAL else REMEDIES.get(fault["kind"], "")
-        if remedy := hint.remedy if hint is not None else general:
-            robots.setdefault(remedy, {})[fault["robot"]] = None
+        general = "" if fault["kind"] in _ONLY_SPECIAL else HELP_BY_FAULT.get(fault["kind"], "")
+        if help_ := hint.help if hint is not None else general:
+            robots.setdefault(help_, {})[fault["robot"]] = None
     for robot in standing:
         team = teams[seats[robot]].driving(numbers[robot])
-        remedy = f"it did not move: {standing_help(scenario, team, robot, _text(logs, robot))}"
-        robots.setdefault(remedy, {})[robot] = None
-    hints = [{"robots": list(alike), "remedy": remedy} for remedy, alike in robots.items()]
+        help_ = f"it did not move: {standing_help(scenario, team, robot, _text(logs, robot))}"
+        robots.setdefault(help_, {})[robot] = None
+    hints = [{"robots": list(alike), "help": help_} for help_, alike in robots.items()]
     _write_into_logs(hints, logs)
     return hints
 
@@ -62,7 +62,7 @@ def _write_into_logs(hints: Sequence[Mapping[str, Any]], logs: Path) -> None:
         for robot in hint["robots"]:
             # A full disk is no reason to keep back the result of a match.
             with contextlib.suppress(OSError), (logs / f"{robot}.log").open("a", encoding="utf-8") as log:
-                log.write(f"hint: {hint['remedy']}\n")
+                log.write(f"hint: {hint['help']}\n")
 
 
 def _text(logs: Path, robot: str) -> str:

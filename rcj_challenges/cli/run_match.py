@@ -269,7 +269,7 @@ def _print_outcome(
         print_json({**result, "hints": hints, "folder": str(folder)})
         return
     lines = _score_lines(scenario, result) + _fault_lines(result["faults"])
-    lines += [f"hint for {', '.join(hint['robots'])}: {hint['remedy']}" for hint in hints]
+    lines += [f"hint for {', '.join(hint['robots'])}: {hint['help']}" for hint in hints]
     pace = f"{result['real_time_factor']:.0f} x real time"
     lines += [f"{result['simulated_s']:.0f} s played in {result['wall_s']:.1f} s ({pace})", f"record: {folder}"]
     if replay:

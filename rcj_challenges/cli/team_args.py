@@ -68,7 +68,7 @@ def _opened(path: Path, seats: tuple[Entrant, ...], scenario: Scenario) -> Team:
         found = next(one for one in layout_findings(opening, seats, others) if one.level == "failure")
         copy = "; rcj-challenge check … --fix NEW.zip makes such a copy" if found.repair else ""
         message = f"{safe_text(path, MAX_PATH_SHOWN)}: {found.message}"
-        raise TeamError(message, f"{found.remedy}{copy}", code=found.code) from error
+        raise TeamError(message, f"{found.help}{copy}", code=found.code) from error
 
 
 def _sample_team(loaded: Loaded, seat: str) -> Path:

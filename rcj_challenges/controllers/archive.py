@@ -131,7 +131,7 @@ def refusal(path: Path, reasons: list[Problem]) -> TeamError:
     """Return the error that says why something is not used: the first reason, and how many more there are."""
     more = f" (and {len(reasons) - 1} more)" if len(reasons) > 1 else ""
     first = reasons[0]
-    return TeamError(f"{safe_text(path, MAX_PATH_SHOWN)}: {first.message}{more}", first.remedy, code=first.code)
+    return TeamError(f"{safe_text(path, MAX_PATH_SHOWN)}: {first.message}{more}", first.help, code=first.code)
 
 
 def _from_program(path: Path) -> Contents:
@@ -194,15 +194,15 @@ def _from_folder(folder: Path) -> Contents:
         total += path.stat().st_size
         if total > MAX_UNPACKED_BYTES or len(files) >= MAX_FILES:
             message = f"more than {MAX_FILES} files or {MAX_UNPACKED_BYTES // 1_000_000} MB"
-            remedy = "is this the folder of the robot programs?"
-            return _unreadable("folder", *troubles, Problem("archive.too_many", "failure", message, remedy))
+            help_ = "is this the folder of the robot programs?"
+            return _unreadable("folder", *troubles, Problem("archive.too_many", "failure", message, help_))
         if relative in files:
             message = f"{safe_text(relative)} is there twice, with letters composed and taken apart; one is left out"
             troubles.add(Problem("archive.collision", "warning", message, "delete one", safe_text(relative)))
         files[relative] = path.read_bytes()
     # Names that only another computer refuses do not matter in a folder.
     for trouble in itertools.chain.from_iterable(name_problems(str(path)) for path in files):
-        troubles.add(Problem(trouble.code, "warning", trouble.message, trouble.remedy, trouble.where, trouble.repair))
+        troubles.add(Problem(trouble.code, "warning", trouble.message, trouble.help, trouble.where, trouble.repair))
     _report_nested(files, troubles)
     if not files and not any(trouble.code == "archive.link" for trouble in troubles):
         troubles.add(_no_files())
@@ -224,8 +224,8 @@ def _link(path: PurePosixPath, *, leads_out: bool, is_folder: bool) -> Problem:
     shown = safe_text(path)
     if leads_out:
         message = f"{shown} is a link that leads out of the folder"
-        remedy = f"copy the {'folder' if is_folder else 'file'} instead"
-        return Problem("archive.link", "failure", message, remedy, shown)
+        help_ = f"copy the {'folder' if is_folder else 'file'} instead"
+        return Problem("archive.link", "failure", message, help_, shown)
     message = f"{shown} is a link to a folder: it is left out"
     return Problem("archive.link_inside", "warning", message, "copy the folder, if programs need it there", shown)
 
@@ -260,12 +260,12 @@ def _from_zip(path: Path) -> Contents:
         head = file.read(_HEAD_BYTES)
         data = head + file.read(max(0, MAX_PACKED_BYTES + 1 - len(head)))
     if not data:
-        message, remedy = "the file is empty: this is not a ZIP archive", "pack the folder as a ZIP archive"
-        return _unreadable("zip", Problem("archive.empty", "failure", message, remedy))
+        message, help_ = "the file is empty: this is not a ZIP archive", "pack the folder as a ZIP archive"
+        return _unreadable("zip", Problem("archive.empty", "failure", message, help_))
     for at, magic, kind in _KINDS:
         if head[at:].startswith(magic):
-            message, remedy = f"this is {kind}, not a ZIP", "pack the folder as a ZIP archive"
-            return _unreadable("zip", Problem("archive.other_kind", "failure", message, remedy))
+            message, help_ = f"this is {kind}, not a ZIP", "pack the folder as a ZIP archive"
+            return _unreadable("zip", Problem("archive.other_kind", "failure", message, help_))
     if max(size, len(data)) > MAX_PACKED_BYTES:
         return _unreadable("zip", _too_large(max(size, len(data))))
     return _ZipReading(data).contents()
@@ -313,19 +313,19 @@ class _ZipReading:
                 path = path_of(entry.name)
                 folders.add(path if entry.is_folder else path.parent)
 
-    def _refuse(self, code: str, message: str, remedy: str, where: str = "", *, repair: bool = False) -> None:
-        self._troubles.add(Problem(code, "failure", message, remedy, where, repair))
+    def _refuse(self, code: str, message: str, help_: str, where: str = "", *, repair: bool = False) -> None:
+        self._troubles.add(Problem(code, "failure", message, help_, where, repair))
 
     def _read_all(self, entries: list[zip_reader.Entry]) -> None:
         if len(entries) > MAX_FILES:
             self._complete = False
-            remedy = "pack the folder of the robot programs only"
-            self._refuse("archive.too_many", f"the archive has more than {MAX_FILES} files", remedy)
+            help_ = "pack the folder of the robot programs only"
+            self._refuse("archive.too_many", f"the archive has more than {MAX_FILES} files", help_)
             return
         if any("\\" in entry.name for entry in entries):
             message = "folders and files are separated by backslashes, which few programs understand"
-            remedy = "pack the folder again with another program"
-            self._troubles.add(Problem("archive.backslashes", "warning", message, remedy, repair=True))
+            help_ = "pack the folder again with another program"
+            self._troubles.add(Problem("archive.backslashes", "warning", message, help_, repair=True))
         for entry in entries:
             try:
                 self._read(entry)
@@ -363,8 +363,8 @@ class _ZipReading:
         content, lie = zip_reader.unpack(self._data, entry, self._left)
         self._left -= len(content)
         if lie:
-            remedy = "pack the folder again"
-            self._troubles.add(Problem("archive.headers", "warning", lie, remedy, shown, repair=True))
+            help_ = "pack the folder again"
+            self._troubles.add(Problem("archive.headers", "warning", lie, help_, shown, repair=True))
         self._take(entry.name, content)
 
     def _take(self, name: str, content: bytes) -> None:
@@ -401,8 +401,8 @@ class _ZipReading:
         if not entries:
             return
         message = f"other programs left behind what is not used: {_some(entries)}"
-        remedy = "delete them before packing"
-        self._troubles.add(Problem("archive.leftovers", "warning", message, remedy, repair=True))
+        help_ = "delete them before packing"
+        self._troubles.add(Problem("archive.leftovers", "warning", message, help_, repair=True))
 
     def _without_records(self, entries: list[zip_reader.Entry]) -> list[zip_reader.Entry]:
         """Leave out records of runs, and report them: they get packed with a team's working folder."""
@@ -410,8 +410,8 @@ class _ZipReading:
         files, folders = ([path_of(entry.name) for entry in short if entry.is_folder is kind] for kind in (False, True))
         records = record_folders(files, folders)
         for record in sorted(records):
-            message, remedy = f"{safe_text(record)} is the record of a run: it is not used", "delete it before packing"
-            self._troubles.add(Problem("archive.leftovers", "warning", message, remedy, safe_text(record), repair=True))
+            message, help_ = f"{safe_text(record)} is the record of a run: it is not used", "delete it before packing"
+            self._troubles.add(Problem("archive.leftovers", "warning", message, help_, safe_text(record), repair=True))
         of_records = {
             entry.name for entry in short if not records.isdisjoint([path_of(entry.name), *path_of(entry.name).parents])
         }
@@ -421,8 +421,8 @@ class _ZipReading:
         if not entries:
             return
         message = f"the archive does not say how its names are encoded; they may be read wrongly: {_some(entries)}"
-        remedy = "use plain letters (a to z) in names of files and folders, also where programs import or open them"
-        self._troubles.add(Problem("archive.name_guessed", "warning", message, remedy))
+        help_ = "use plain letters (a to z) in names of files and folders, also where programs import or open them"
+        self._troubles.add(Problem("archive.name_guessed", "warning", message, help_))
 
     def _report_folders(self, entries: list[zip_reader.Entry]) -> None:
         for entry in entries:
@@ -453,5 +453,5 @@ def _report_nested(files: Files, troubles: Problems) -> None:
         if kind and path.suffix.casefold() not in _DATA_ENDINGS:
             shown = safe_text(path)
             message = f"{shown} is {kind} inside the submission, which is not unpacked"
-            remedy = "pack what is in it instead, if the programs need it"
-            troubles.add(Problem("archive.nested", "warning", message, remedy, shown))
+            help_ = "pack what is in it instead, if the programs need it"
+            troubles.add(Problem("archive.nested", "warning", message, help_, shown))

@@ -30,7 +30,7 @@ class Problem:
         level: ``failure``: the submission is not used; ``warning``: it is, but something was guessed or left out;
             ``passed``: worth mentioning, but harmless.
         message: what was found, one line, safe to show.
-        remedy: what to do; empty if there is nothing to do.
+        help: what to do; empty if there is nothing to do.
         where: the file inside the submission; safe to show.
         repair: whether a repair puts it right.
     """
@@ -38,13 +38,13 @@ class Problem:
     code: str
     level: Level
     message: str
-    remedy: str = ""
+    help: str = ""
     where: str = ""
     repair: bool = False
 
     def __str__(self) -> str:
-        """Return message and remedy as one sentence."""
-        return with_help(self.message, self.remedy)
+        """Return message and help as one sentence."""
+        return with_help(self.message, self.help)
 
 
 @dataclass
@@ -66,12 +66,12 @@ class Problems:
             if count > MAX_OF_A_KIND:
                 first = next(trouble for trouble in self._found if trouble.code == code)
                 more = f"and {count - MAX_OF_A_KIND} more of this kind ({code})"
-                yield Problem(code, first.level, more, first.remedy, repair=first.repair)
+                yield Problem(code, first.level, more, first.help, repair=first.repair)
 
 
-def with_help(message: str, remedy: str) -> str:
+def with_help(message: str, help_: str) -> str:
     """Return what was found and what to do as one sentence."""
-    return f"{message}{'' if message.endswith('?') else ':'} {remedy}" if remedy else message
+    return f"{message}{'' if message.endswith('?') else ':'} {help_}" if help_ else message
 
 
 def safe_text(name: object, longest: int = _MAX_LETTERS) -> str:

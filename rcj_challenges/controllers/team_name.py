@@ -80,8 +80,8 @@ def safe_name(text: str) -> str:
     return name if any(letter != _JOINER and unicodedata.category(letter)[0] != "M" for letter in name) else ""
 
 
-def _warning(code: str, message: str, remedy: str, *, repair: bool = True) -> Problem:
-    return Problem(f"identity.{code}", "warning", message, remedy, NAME_FILE, repair)
+def _warning(code: str, message: str, help_: str, *, repair: bool = True) -> Problem:
+    return Problem(f"identity.{code}", "warning", message, help_, NAME_FILE, repair)
 
 
 def _note(code: str, message: str, *, repair: bool = False) -> Problem:
@@ -97,10 +97,10 @@ def _name_file(files: Files) -> tuple[PurePosixPath | None, tuple[Problem, ...]]
             return path, ()
         shown = safe_text(path)
         if path.name == NAME_FILE:
-            message, remedy = f"{NAME_FILE} is in a folder: {shown}", "put it beside the folders of the programs"
+            message, help_ = f"{NAME_FILE} is in a folder: {shown}", "put it beside the folders of the programs"
         else:
-            message, remedy = f"the file with the team's name is called {shown}", f"call it {NAME_FILE}"
-        return path, (Problem("identity.name_file", "warning", message, remedy, shown, repair=True),)
+            message, help_ = f"the file with the team's name is called {shown}", f"call it {NAME_FILE}"
+        return path, (Problem("identity.name_file", "warning", message, help_, shown, repair=True),)
     document = next((path for path in files if path.suffix.casefold() in _DOCUMENT_ENDINGS and _near_stem(path)), None)
     if document is not None:
         message = f"{safe_text(document)} is not plain text: the name is taken from the file's"
@@ -142,8 +142,8 @@ def _decoded(content: bytes) -> tuple[str, tuple[Problem, ...]]:
         else:
             text = content.decode("cp1252", "replace")
             message = f"{NAME_FILE} is not in UTF-8: it was read as Windows-1252, the letters of Western Europe"
-            remedy = 'open it in an editor and save it in UTF-8 (in Windows\' Notepad: "Save as", Encoding "UTF-8")'
-            troubles.append(_warning("name_encoding", f"{message}, which may be wrong", remedy, repair=False))
+            help_ = 'open it in an editor and save it in UTF-8 (in Windows\' Notepad: "Save as", Encoding "UTF-8")'
+            troubles.append(_warning("name_encoding", f"{message}, which may be wrong", help_, repair=False))
     elif content.startswith(codecs.BOM_UTF8):
         message = f"{NAME_FILE} begins with a byte order mark, which is not part of the name"
         troubles.append(_note("name_bom", message, repair=True))

@@ -89,9 +89,9 @@ class Entry:
 class UnreadableError(Exception):
     """An archive, or one entry of it, cannot be read."""
 
-    def __init__(self, code: str, message: str, remedy: str = _PACK_AGAIN, where: str = "") -> None:
+    def __init__(self, code: str, message: str, help_: str = _PACK_AGAIN, where: str = "") -> None:
         super().__init__(message)
-        self.trouble = Problem(code, "failure", message, remedy, where)
+        self.trouble = Problem(code, "failure", message, help_, where)
 
 
 class TooMuchError(Exception):

@@ -30,11 +30,11 @@ def load_stage(load: Callable[[str], Any] = import_module, system: str = sys.pla
         ours = (getattr(error, "name", None) or "").startswith("rcj_challenges")
         if ours or interruption_behind(error) is not None:
             raise
-        raise HostError(f"the physics cannot be loaded: {error}", _remedy(system), code="no-physics") from error
+        raise HostError(f"the physics cannot be loaded: {error}", _help_for(system), code="no-physics") from error
     return builder
 
 
-def _remedy(system: str) -> str:
+def _help_for(system: str) -> str:
     if system == "win32":
         return (
             f"on Windows it mostly lacks Microsoft's Visual C++ runtime: python -m pip install {PACKAGE} brings it, "

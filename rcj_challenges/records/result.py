@@ -101,7 +101,7 @@ class HintResult(_Part):
     """Advice on programs that failed."""
 
     robots: list[str] = _described("names of the robots whose programs it is about")
-    remedy: str = _described("what to do, in the words of `check`")
+    help: str = _described("what to do, in the words of `check`")
 
 
 class Versions(_Part):

@@ -86,20 +86,20 @@ class DeviceManager:
         """Return the messages that have reached the referee by ``tick``, as `Snapshot.heard`."""
         return self._radio.messages_to_referee(tick, self._poses)
 
-    def sense(self, tick: int, verdict_now: RefereeOutput) -> None:
+    def sense(self, tick: int, output: RefereeOutput) -> None:
         """Sense for all robots: `begin_sensing`, then `finish_sensing` for each."""
-        self.begin_sensing(tick, verdict_now)
+        self.begin_sensing(tick, output)
         for robot in self._queues:
             self.finish_sensing(robot)
 
-    def begin_sensing(self, tick: int, verdict_now: RefereeOutput) -> None:
+    def begin_sensing(self, tick: int, output: RefereeOutput) -> None:
         """Begin sensing the world after the placements of ``tick``; deliver radio packets.
 
         This is what has to be done for all robots at once: `finish_sensing` does the rest, robot by robot.
 
         Args:
             tick: counts up by one from call to call, beginning at 1.
-            verdict_now: the output of this tick; programs receive it at the next.
+            output: the output of this tick; programs receive it at the next.
         """
         self._tick = tick
         poses = self._poses
@@ -110,7 +110,7 @@ class DeviceManager:
         for sensors in self._uneven:
             sensors.choose(tick)
         self._radio.carry(tick, poses)
-        self._radio.speak(tick, verdict_now, poses)
+        self._radio.speak(tick, output, poses)
 
     def finish_sensing(self, robot: int) -> None:
         """Read the sensors of one robot, and deliver the balls' infra-red.

@@ -5,12 +5,12 @@ from __future__ import annotations
 from rcj_challenges.devices.team_emitter import TeamEmitterDevice
 from rcj_challenges.rules.conditions.told import Told
 from rcj_challenges.rules.triggers.tells import Tells
-from rcj_challenges.rules.values.told import ToldValue
+from rcj_challenges.rules.values.reported import ReportedValue
 from rcj_challenges.scenario.kit_devices import devices_of
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.walk import walk
 
-_LISTENING = (Tells, Told, ToldValue)
+_LISTENING = (Tells, Told, ReportedValue)
 
 
 def referee_listens(scenario: Scenario) -> bool:

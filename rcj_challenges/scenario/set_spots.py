@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rcj_challenges.rules.actions.set_spot import SetSpot
-from rcj_challenges.rules.values.told import ToldValue
+from rcj_challenges.rules.values.reported import ReportedValue
 from rcj_challenges.scenario.half_start import firing_each_half
 from rcj_challenges.scenario.models.places import Spot
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -29,6 +29,6 @@ def spots_set_at_start(scenario: Scenario) -> tuple[str, ...]:
         for rule in firing_each_half(scenario)
         for action in scenario.rules[rule].actions
         # No robot has sent a position yet when a half starts.
-        if isinstance(action, SetSpot) and not isinstance(action.to, ToldValue)
+        if isinstance(action, SetSpot) and not isinstance(action.to, ReportedValue)
     }
     return tuple(name for name in scenario.spots if name in named)

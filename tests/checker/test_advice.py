@@ -112,7 +112,7 @@ def test_every_help_text_can_be_formatted(advise):
 def test_a_file_that_was_not_found_is_named_with_what_to_write(advise, asked, there, write):
     hint = advise(f"{NO_FILE}{asked!r} ({ENTRY}, line 3)", files=[there])
     assert hint.code == "no_file"
-    assert write in hint.remedy
+    assert write in hint.help
 
 
 @pytest.mark.parametrize("quoted", [r"'\x'", r"'\N{no such letter}'", r"'data/\ud800.txt'", r"'\'"], ids=ascii)
@@ -141,7 +141,7 @@ def device_log(*names):
 def test_the_missing_device_behind_a_none_is_named(advise, detail, log, expected):
     hint = advise(detail, log=log)
     assert hint.code == "no_device"
-    assert hint.remedy.startswith(expected)
+    assert hint.help.startswith(expected)
 
 
 def test_a_none_that_is_no_device_is_not_blamed_on_a_missing_one(advise):
@@ -175,7 +175,7 @@ NO_BYTES = f"TypeError: a bytes-like object is required, not 'str' ({ENTRY}, lin
 def test_a_program_for_other_messages_gets_the_setting_that_it_needs(advise, scenario, detail, setting):
     hint = advise(detail, READS, scenario=scenario)
     assert hint.code == "other_messages"
-    assert setting in hint.remedy
+    assert setting in hint.help
 
 
 @pytest.mark.parametrize(("program", "tick"), [(READS, 400), ("", 2)])
@@ -195,7 +195,7 @@ def test_a_crash_that_comes_late_or_without_the_referees_packets_says_nothing_ab
 def test_a_packet_of_another_size_is_described(advise, scenario, size, part):
     hint = advise(f"struct.error: unpack requires a buffer of {size} bytes", scenario=scenario)
     assert hint.code == "other_packets"
-    assert part in hint.remedy
+    assert part in hint.help
 
 
 # -- programs that end or hang ----------------------------------------------------------------------------------------
@@ -226,7 +226,7 @@ def test_a_program_that_hangs_is_pointed_to_its_line(advise):
     program = BEGIN + "while True:\n    x = 1\n"
     hint = advise("", program, kind="step_timeout", whereabouts=f'It was here:\n  File "{ENTRY}", line 4 in <module>\n')
     assert hint.code == "no_step"
-    assert f"line 4 of {ENTRY} (x = 1)" in hint.remedy
+    assert f"line 4 of {ENTRY} (x = 1)" in hint.help
 
 
 @pytest.mark.parametrize(
@@ -259,7 +259,7 @@ def test_with_several_threads_no_line_is_blamed(advise, whereabouts, expected):
         ),
     ],
 )
-def test_a_check_gives_the_hint_as_the_remedy_of_the_failure(tmp_path, program, finding, part):
+def test_a_check_gives_the_hint_as_the_help_of_the_failure(tmp_path, program, finding, part):
     path = tmp_path / "team.zip"
     with zipfile.ZipFile(path, "w") as archive:
         archive.writestr(ENTRY, program)
@@ -267,4 +267,4 @@ def test_a_check_gives_the_hint_as_the_remedy_of_the_failure(tmp_path, program, 
     report = check_file(path, alone("limits.start_s=10", "limits.step_s=0.5"), CheckOptions(play_s=1.0))
     (failure,) = [one for stage in report.stages for one in stage.findings if one.level == "failure"]
     assert failure.code == finding
-    assert part in failure.remedy
+    assert part in failure.help

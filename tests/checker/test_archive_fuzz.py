@@ -67,7 +67,7 @@ def check_holds(folder: Path, data: bytes, *, mend: bool) -> None:
     assert [stage.name for stage in inspection.stages] == list(STAGES)[:3]
     found = [finding for stage in inspection.stages for finding in stage.findings]
     for finding in found:
-        for text in (finding.message, finding.remedy, finding.where):
+        for text in (finding.message, finding.help, finding.where):
             assert len(text) < 3000
             assert safe_text(text, 3000) == text
     assert safe_text(inspection.display_name) == inspection.display_name

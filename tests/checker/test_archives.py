@@ -50,7 +50,7 @@ def harmless(text: str) -> bool:
 
 
 @pytest.mark.parametrize("name", ALL)
-def test_each_defect_is_named_with_a_remedy_and_a_match_refuses_the_same_archives(tmp_path: Path, name: str) -> None:
+def test_each_defect_is_named_with_help_and_a_match_refuses_the_same_archives(tmp_path: Path, name: str) -> None:
     case = ALL[name]
     inspection = inspected(tmp_path, built(name), case.scenario)
     found = [finding for finding in findings(inspection) if finding.code == case.code]
@@ -58,8 +58,8 @@ def test_each_defect_is_named_with_a_remedy_and_a_match_refuses_the_same_archive
     assert found[0].level == case.level
     assert any(case.says in finding.message for finding in found), [finding.message for finding in found]
     assert all(finding.repair for finding in found) == case.repair
-    assert found[0].remedy or case.level == "passed"
-    assert all(harmless(finding.message + finding.where + finding.remedy) for finding in findings(inspection))
+    assert found[0].help or case.level == "passed"
+    assert all(harmless(finding.message + finding.where + finding.help) for finding in findings(inspection))
     assert all(len(finding.message) < 1000 for finding in findings(inspection))
     assert harmless(inspection.display_name)
     try:
@@ -83,7 +83,7 @@ def test_the_whole_check_names_each_defect_of_real_submissions(tmp_path: Path, c
     assert [finding.level for finding in found] == [case.level] * max(1, len(found))
     assert any(case.says in finding.message for finding in found), [finding.message for finding in found]
     assert {finding.repair for finding in found} == {case.repair}
-    assert all(finding.remedy for finding in found) or case.level == "passed"
+    assert all(finding.help for finding in found) or case.level == "passed"
     assert case.level != "failure" or report.level == "failure"
 
 
@@ -100,7 +100,7 @@ def test_an_archive_without_a_flaw_passes_without_a_word_to_do(tmp_path: Path, b
     inspection = inspected(tmp_path, build())
     assert [stage.name for stage in inspection.stages] == ["archive", "layout", "identity"]
     assert {finding.code for finding in findings(inspection) if finding.level != "passed"} == set()
-    assert not any(finding.remedy for finding in findings(inspection))
+    assert not any(finding.help for finding in findings(inspection))
     assert inspection.team is not None
 
 
@@ -204,7 +204,7 @@ def test_a_name_is_one_line_and_changes_no_files_place(tmp_path: Path, content: 
 def test_what_is_said_of_a_logo_called_otherwise_leads_to_one_that_is_shown(tmp_path: Path) -> None:
     def told_of(name: str, picture: bytes) -> list[tuple[str, str]]:
         found = findings(inspected(tmp_path, plain(SOUND | {name: picture})))
-        return [(finding.message, finding.remedy) for finding in found if "logo" in finding.code]
+        return [(finding.message, finding.help) for finding in found if "logo" in finding.code]
 
     called = "call it logo.png and put it beside the programs' folders"
     assert told_of("Team-Logo.PNG", pictures.png()) == [("the logo is Team-Logo.PNG, which is not shown", called)]
@@ -267,7 +267,7 @@ def test_a_folder_that_is_a_link_out_of_the_submission_is_refused_by_its_name(tm
     (found,) = archive.findings
     assert (found.code, found.level, found.where) == ("archive.link", "failure", "rcj_soccer_team_blue")
     assert found.message == "rcj_soccer_team_blue is a link that leads out of the folder"
-    assert found.remedy == "copy the folder instead"
+    assert found.help == "copy the folder instead"
     with pytest.raises(TeamError, match="rcj_soccer_team_blue is a link that leads out of the folder"):
         open_team(tmp_path / "mine", *scenario().entrants.values())
 

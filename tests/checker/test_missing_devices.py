@@ -48,7 +48,7 @@ def test_device_of_another_challenges_robots_names_that_challenge(tmp_path):
         archive.writestr("team_name.txt", "Hanse")
     report = check_file(tmp_path / "team.zip", load("fast_shooter"), LATE)
     (missing,) = findings(report, "start", "start.no_device")
-    assert "--scenario precision_lidar" in missing.remedy
+    assert "--scenario precision_lidar" in missing.help
 
 
 def test_missing_device_that_is_requested_late_is_a_warning_too(pack):
@@ -57,4 +57,4 @@ def test_missing_device_that_is_requested_late_is_a_warning_too(pack):
     (early,) = findings(report, "start", "start.no_device")
     (late,) = findings(report, "play", "play.no_device")
     assert ('"led"' in early.message, '"left wheel moter"' in late.message) == (True, True)
-    assert (late.level, late.where, late.remedy) == ("warning", "B1", 'did you mean "left wheel motor"?')
+    assert (late.level, late.where, late.help) == ("warning", "B1", 'did you mean "left wheel motor"?')

@@ -34,20 +34,20 @@ def layout(path, scenario=MATCH):
 def test_programs_for_a_shipped_challenge_are_told_which_one_fits_before_any_renaming(submission):
     (found,) = layout(submission("pass_ball_yellow/pass_ball_yellow.py", "pass_ball_blue/pass_ball_blue.py"))
     assert (found.code, found.level) == ("layout.missing", "failure")
-    assert found.remedy.startswith("it looks like one for pass_the_ball: rcj-challenge check ")
-    assert found.remedy.index("--scenario pass_the_ball") < found.remedy.index("add or rename")
+    assert found.help.startswith("it looks like one for pass_the_ball: rcj-challenge check ")
+    assert found.help.index("--scenario pass_the_ball") < found.help.index("add or rename")
 
 
 def test_where_several_fit_all_are_named(submission):
     (found,) = layout(submission("score_goal/score_goal.py"))
-    assert "it looks like one for fast_shooter or precision_lidar: " in found.remedy
-    assert "--scenario fast_shooter" in found.remedy
+    assert "it looks like one for fast_shooter or precision_lidar: " in found.help
+    assert "--scenario fast_shooter" in found.help
 
 
 def test_programs_that_fit_no_shipped_scenario_are_told_only_how_to_be_called(submission):
     (found,) = layout(submission("players/everything.py"))
-    assert "looks like one for" not in found.remedy
-    assert found.remedy.startswith("add or rename the program")
+    assert "looks like one for" not in found.help
+    assert found.help.startswith("add or rename the program")
 
 
 OWN = """\
@@ -63,8 +63,8 @@ entrants:
 
 def test_the_scenario_that_was_asked_for_is_not_proposed_once_more(submission):
     (found,) = layout(submission(BLUE), load_text(OWN))
-    assert "for match:" not in found.remedy
-    assert "for match or" not in found.remedy
+    assert "for match:" not in found.help
+    assert "for match or" not in found.help
 
 
 FOR_2021 = """\
@@ -81,8 +81,8 @@ def test_a_program_of_2021_is_told_the_scenario_of_its_robots_before_what_follow
     paths = [f"robot{number}/robot{number}.py" for number in (1, 2, 3)]
     findings = check_file(submission(*paths, program=FOR_2021), QUICK, CheckOptions()).stages[4].findings
     assert [finding.code for finding in findings] == ["start.no_device", *["start.crash"] * (len(findings) - 1)]
-    assert "--scenario match_2021" in findings[0].remedy
-    assert all('getDevice("receiver")' in crash.remedy for crash in findings[1:])
+    assert "--scenario match_2021" in findings[0].help
+    assert all('getDevice("receiver")' in crash.help for crash in findings[1:])
 
 
 YELLOW = "rcj_soccer_team_yellow/rcj_soccer_team_yellow.py"
@@ -114,7 +114,7 @@ def test_what_differs_beside_the_program_counts_too(submission):
 def test_programs_that_are_started_once_an_empty_one_is_deleted_are_in_use(submission):
     files = {f"robot{number}/robot{number}.py": PROGRAM for number in (1, 2, 3)}
     found = [one for one in layout(submission(**{BLUE: "", **files})) if one.level != "passed"]
-    assert [(one.code, one.remedy) for one in found] == [("layout.empty_entry", "delete it")]
+    assert [(one.code, one.help) for one in found] == [("layout.empty_entry", "delete it")]
 
 
 def test_the_other_layout_beside_the_one_that_is_taken_is_never_started(submission):

@@ -101,7 +101,7 @@ def test_a_program_that_fails_at_its_start_is_told_with_its_traceback_and_is_not
     assert (found.code, found.where) == ("start.crash", "Y1, Y2, Y3")
     assert "IndexError" in found.message
     assert f'File "{ENTRY}", line 10' in found.details
-    assert found.remedy
+    assert found.help
     assert "put right first" in stage(report, "play").skipped
     assert report.matches == []
 
@@ -110,13 +110,13 @@ def test_a_program_that_never_steps_is_told_so(pack):
     slow = alone("limits.start_s=1")
     (found,) = findings(check_file(pack("while True:\n    pass\n"), slow, SHORT), "start", "failure")
     assert (found.code, found.where) == ("start.start_timeout", "B1")
-    assert "robot.step" in found.remedy
+    assert "robot.step" in found.help
 
 
 def test_a_program_that_ends_is_told_to_call_step_in_a_loop(pack):
     (found,) = findings(check_file(pack(BEGIN + "robot.step(32)\n"), ALONE, SHORT), "start", "failure")
     assert found.code == "start.exit"
-    assert "loop" in found.remedy
+    assert "loop" in found.help
 
 
 def test_a_device_that_no_robot_has_is_told_with_the_nearest_name(pack):
@@ -124,7 +124,7 @@ def test_a_device_that_no_robot_has_is_told_with_the_nearest_name(pack):
     (found,) = findings(report, "start", "warning")
     assert found.code == "start.no_device"
     assert "\\x1b[31mreciever" in found.message
-    assert "ball receiver" in found.remedy
+    assert "ball receiver" in found.help
     assert report.level == "warning"
 
 
@@ -187,8 +187,8 @@ def test_a_robot_that_sleeps_the_match_away_is_told_so_and_not_to_look_for_its_m
     told = [finding for finding in findings(report, "play", "warning") if finding.code != "play.no_touch"]
     assert [(finding.code, finding.where) for finding in told] == [("play.absent", "B1")]
     assert "took part in 2 of 94 ticks; it slept or waited through the rest" in told[0].message
-    assert "sleep" in told[0].remedy
-    assert "setPosition" not in told[0].remedy
+    assert "sleep" in told[0].help
+    assert "setPosition" not in told[0].help
 
 
 def complaints(report):
@@ -206,7 +206,7 @@ def test_a_thread_that_ends_by_an_error_is_a_warning_with_its_last_line(pack):
         ("as yellow, a thread of the program ended by an error: ValueError: no ball", "Y1"),
     ]
     assert "in think" in told[0].details
-    assert "goes on without" in told[0].remedy
+    assert "goes on without" in told[0].help
 
 
 def test_calls_that_the_controller_module_refuses_are_warnings(pack):
@@ -219,7 +219,7 @@ def test_calls_that_the_controller_module_refuses_are_warnings(pack):
     told = complaints(check_file(pack(program), ALONE, SHORT))
     about = ("only one Robot", "setVelocity(NaN)", "it is empty", "9000000 bytes", "not enabled")
     assert [part for part in about if not any(part in finding.message for finding in told)] == []
-    assert all(finding.remedy and finding.where == "B1" for finding in told)
+    assert all(finding.help and finding.where == "B1" for finding in told)
 
 
 def test_what_a_program_itself_prints_about_warnings_is_its_own_business(pack):

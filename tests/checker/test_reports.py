@@ -40,9 +40,9 @@ PNG = base64.b64decode(
 EVIL = sanitize("<script>alert(1)</script>\x1b[2J\u202e\"'&</style>--><img src=x onerror=y>[/bold][red]:smile:")
 
 
-def finding(level="failure", message="it broke", remedy="mend it", where="robot.py:3:1", *, repair=False, details=""):
+def finding(level="failure", message="it broke", help_="mend it", where="robot.py:3:1", *, repair=False, details=""):
     return Finding(
-        code="sources.syntax", level=level, message=message, remedy=remedy, where=where, repair=repair, details=details
+        code="sources.syntax", level=level, message=message, help=help_, where=where, repair=repair, details=details
     )
 
 
@@ -159,7 +159,7 @@ def test_the_verdict_says_whether_it_plays_and_what_a_repair_would_mend(findings
     assert verdict(file_report(findings=findings, skipped=skipped)) == expected
 
 
-def test_a_terminal_shows_stages_findings_remedies_and_details():
+def test_a_terminal_shows_stages_findings_help_and_details():
     made = report(
         file_report(
             findings=[finding(details="Traceback\n  line 3")],
@@ -192,7 +192,7 @@ def test_names_of_strangers_do_no_harm_on_a_terminal():
     made = report(
         file_report(
             EVIL,
-            [finding(message=EVIL, remedy=EVIL, where=EVIL)],
+            [finding(message=EVIL, help_=EVIL, where=EVIL)],
             team=EVIL,
             matches=[match_report(output=EVIL, opponent=EVIL)],
         )
@@ -254,7 +254,7 @@ def test_names_of_strangers_do_no_harm_in_the_page(tmp_path):
     made = report(
         file_report(
             EVIL,
-            [finding(message=EVIL, remedy=EVIL, where=EVIL, details=EVIL)],
+            [finding(message=EVIL, help_=EVIL, where=EVIL, details=EVIL)],
             team=EVIL,
             matches=[match_report(output=EVIL, opponent=EVIL)],
             repaired=[EVIL],

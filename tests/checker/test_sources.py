@@ -66,7 +66,7 @@ def test_a_syntax_error_is_told_with_file_line_and_column(check):
     assert (found.code, found.level) == ("sources.syntax", "failure")
     assert found.where == f"{ENTRY}:2:10"
     assert "expected ':'" in found.message
-    assert found.remedy
+    assert found.help
 
 
 WRONG = {
@@ -86,11 +86,11 @@ WRONG = {
 }
 
 
-@pytest.mark.parametrize(("source", "code", "remedy"), WRONG.values(), ids=WRONG)
-def test_a_program_that_is_no_python_fails_with_a_remedy(check, source, code, remedy):
+@pytest.mark.parametrize(("source", "code", "help_"), WRONG.values(), ids=WRONG)
+def test_a_program_that_is_no_python_fails_with_help(check, source, code, help_):
     found = only(check(source))
     assert (found.code, found.level) == (f"sources.{code}", "failure")
-    assert remedy in found.remedy
+    assert help_ in found.help
 
 
 @pytest.mark.parametrize(
@@ -127,9 +127,9 @@ def test_a_module_that_is_nowhere_fails(check):
 
 
 def test_the_nearest_name_is_suggested(check):
-    assert 'did you mean "utils"?' in only(check("import util\n", rcj_soccer_team_blue__utils="")).remedy
+    assert 'did you mean "utils"?' in only(check("import util\n", rcj_soccer_team_blue__utils="")).help
     found = only(check("import robot3\n", rcj_soccer_team_blue__robot2=""))
-    assert found.remedy == "put robot3.py beside the program, or do without it"
+    assert found.help == "put robot3.py beside the program, or do without it"
 
 
 @pytest.mark.parametrize("beside", ["tools.py", "tools/speeds.py"])
@@ -140,7 +140,7 @@ def test_a_module_beside_a_single_program_is_there_and_was_not_given(tmp_path, b
     with open_team(tmp_path / "robot.py", *ENTRANTS) as team:
         found = only(check_sources(team))
     assert (found.code, found.level) == ("sources.missing_module", "failure")
-    assert found.remedy == (
+    assert found.help == (
         f"{beside.partition('/')[0]} lies beside robot.py, but only that one file was given: "
         "give the folder in which both lie"
     )
@@ -149,13 +149,13 @@ def test_a_module_beside_a_single_program_is_there_and_was_not_given(tmp_path, b
 def test_a_module_with_an_ending_that_windows_hides_is_named(check):
     stage = check.paths({ENTRY: "import tools\n", f"{FOLDER}/tools.py.txt": "speed = 3\n"})
     assert only(stage).code == "sources.missing_module"
-    assert only(stage).remedy == f"call {FOLDER}/tools.py.txt tools.py: Windows hides the last ending"
+    assert only(stage).help == f"call {FOLDER}/tools.py.txt tools.py: Windows hides the last ending"
 
 
 def test_capital_and_small_letters_count(check):
     found = only(check("import Utils\n", rcj_soccer_team_blue__utils=""))
     assert found.code == "sources.wrong_case"
-    assert '"utils"' in found.remedy
+    assert '"utils"' in found.help
 
 
 def test_a_module_where_python_does_not_look_is_named(check):
@@ -280,7 +280,7 @@ def test_a_file_that_is_imported_for_certain_as_well_still_fails(check):
 def test_what_git_left_in_a_file_is_told(check, marker):
     (found,) = check(f"x = 1\n{marker}\ny = 2\n").findings
     assert found.code == "sources.syntax"
-    assert "git" in found.remedy
+    assert "git" in found.help
     assert found.where.endswith(":2:1")
 
 

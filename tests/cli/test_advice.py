@@ -71,7 +71,7 @@ def test_who_reads_the_result_as_json_is_told_the_same_and_the_record_keeps_what
     told = json.loads(capsys.readouterr().out)
     (hint,) = told["hints"]
     assert hint["robots"] == ["B1", "Y2"]
-    assert "--set kits.v2.messages=v2.2" in hint["remedy"]
+    assert "--set kits.v2.messages=v2.2" in hint["help"]
     RunResult.model_validate(told)
     (result,) = tmp_path.glob("runs/*/result.json")
     assert "hints" not in json.loads(result.read_text(encoding="utf-8"))
@@ -118,7 +118,7 @@ def test_of_robots_that_fail_alike_one_line_is_enough_and_each_log_tells_it_once
     (tmp_path / "logs").mkdir()
     (hint,) = told(fault("Y1"), fault("Y2"), fault("Y1", half=2))
     assert hint["robots"] == ["Y1", "Y2"]
-    assert "--set kits.legacy_2021.packet_has_flag=false" in hint["remedy"]
+    assert "--set kits.legacy_2021.packet_has_flag=false" in hint["help"]
     for robot in ("Y1", "Y2"):
         assert (tmp_path / "logs" / f"{robot}.log").read_text(encoding="utf-8").count("hint: ") == 1
 

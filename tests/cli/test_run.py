@@ -55,7 +55,7 @@ DUEL = [
 
 
 @pytest.mark.parametrize(
-    ("scenario", "files", "remedy"),
+    ("scenario", "files", "help_"),
     [
         (
             "match",
@@ -78,14 +78,14 @@ DUEL = [
     ],
 )
 def test_of_programs_that_are_called_otherwise_it_is_said_which_renaming_would_do(
-    tmp_path, monkeypatch, capsys, scenario, files, remedy
+    tmp_path, monkeypatch, capsys, scenario, files, help_
 ):
     for name in files:
         (tmp_path / "mine" / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / "mine" / name).write_text("import robot1\n" if name == files[0] else "x = 1\n", encoding="utf-8")
     assert here(monkeypatch, tmp_path, "run", scenario, "--yellow", "mine") == 2
     told = capsys.readouterr()
-    assert remedy in told.err + told.out
+    assert help_ in told.err + told.out
     assert "did you mean" not in told.err + told.out
 
 

@@ -81,6 +81,6 @@ def test_hint_for_a_robot_that_never_moves_names_the_reason(tmp_path, monkeypatc
     result = json.loads(capsys.readouterr().out)
     (hint,) = result["hints"]
     assert sorted(hint["robots"]) == ["B1", "Y1"]
-    assert named in hint["remedy"]
+    assert named in hint["help"]
     (log,) = tmp_path.glob("runs/*/logs/B1.log")
-    assert f"hint: {hint['remedy']}\n" in log.read_text("utf-8")
+    assert f"hint: {hint['help']}\n" in log.read_text("utf-8")

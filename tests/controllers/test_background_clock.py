@@ -116,7 +116,7 @@ def test_what_the_clock_is_ahead_is_taken_back_and_it_never_runs_back(clock: Clo
 def test_no_thread_counts_as_stuck_while_another_computes(clock: Clock, monkeypatch: pytest.MonkeyPatch) -> None:
     """Who polls does not run ahead, for less than the while after which real time counts."""
     monkeypatch.setattr(_background_clock, "real_process_time", time.perf_counter)
-    monkeypatch.setattr(_background_clock, "_IS_TOLD_FINELY", True)
+    monkeypatch.setattr(_background_clock, "_HAS_FINE_CPU_TIMES", True)
     monkeypatch.setattr(_background_clock, "_STANDSTILL_S", 10.0)
     run_beside(lambda: [clock.now_s() for _ in range(250)])
     assert clock.beside.ahead_ns() == 0

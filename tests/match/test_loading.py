@@ -27,16 +27,16 @@ def test_the_stage_is_that_of_the_match():
 
 
 @pytest.mark.parametrize(
-    ("system", "remedy"),
+    ("system", "help_"),
     [("win32", "python -m pip install msvc-runtime"), ("linux", "python -m pip install --force-reinstall")],
 )
 @pytest.mark.parametrize("error", [MISSING, ImportError("DLL load failed while importing _structs", name="_structs")])
-def test_a_physics_that_cannot_be_loaded_is_the_computers_fault_with_a_remedy(system, remedy, error):
+def test_a_physics_that_cannot_be_loaded_is_the_computers_fault_with_help(system, help_, error):
     with pytest.raises(HostError) as told:
         load_stage(fails_with(error), system)
     assert str(error) in str(told.value)
     assert told.value.code == "no-physics"
-    assert remedy in told.value.help
+    assert help_ in told.value.help
     assert told.value.exit_code == 2
 
 

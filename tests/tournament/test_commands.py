@@ -17,7 +17,7 @@ from tests.tournament.store_helpers import LEAGUE, FakeExecutor, Home, let_other
 
 def report(path, level):
     finding = Finding(
-        code="start.crash", level=level, message="it crashed", remedy="", where="", repair=False, details=""
+        code="start.crash", level=level, message="it crashed", help="", where="", repair=False, details=""
     )
     stage = StageReport(name="start", about="", level=level, skipped="", findings=[finding])
     return FileReport(

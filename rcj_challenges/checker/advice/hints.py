@@ -23,7 +23,7 @@ WHEREABOUTS = "It was here, the innermost call first:\n"
 
 _BETWEEN = (ANOTHER_THREAD.strip(), AFTER_ITS_END)
 """What stands between the places that a log names."""
-REMEDIES = {
+HELP_BY_FAULT = {
     "crash": "the last line of the report below says what is wrong, the lines above it where",
     "exit": "call robot.step(32) in a loop until it returns -1; a program that ends leaves its robot standing",
     "start_timeout": "call robot.step(32) sooner: is there a loop before it, or something that takes long to load?",

@@ -45,11 +45,11 @@ def packet_hint(scenario: Scenario, team: Team, fault: Mapping[str, Any]) -> Hin
     if not any(map(_READS_THE_REFEREE.search, programs)):
         return None
     other, form = _FORMS[kit.messages]
-    remedy = (
+    help_ = (
         f"if this line reads a packet of the referee: here that is {form}; if your tournament uses messages {other}, "
         f'play with "--set kits.{name}.messages={other}" (check and run)'
     )
-    return Hint("other_messages", remedy)
+    return Hint("other_messages", help_)
 
 
 def _hint_of_2021(scenario: Scenario, name: str, kit: Kit, wanted_bytes: int) -> Hint | None:
@@ -60,9 +60,9 @@ def _hint_of_2021(scenario: Scenario, name: str, kit: Kit, wanted_bytes: int) ->
     robots = f'"ddd" * {len(kit.packet_lists)} + ' if kit.packet_lists else ""
     holds = [f"x, y and orientation of {', '.join(kit.packet_lists)}"] * bool(kit.packet_lists)
     holds += [f"x and y of {', '.join(scenario.balls)}"] * bool(scenario.balls) + ["waiting_for_kickoff"] * len(flag)
-    remedy = (
+    help_ = (
         f'the packet here has {here_bytes} bytes: struct.unpack({robots}"{"dd" * len(scenario.balls)}{flag}", packet) '
         f"gives {'; '.join(holds)}; if your tournament's packets have {'no' if flag else 'a'} waiting_for_kickoff, "
         f'play with "--set kits.{name}.packet_has_flag={str(not flag).lower()}" (check and run)'
     )
-    return Hint("other_packets", remedy)
+    return Hint("other_packets", help_)

@@ -20,11 +20,11 @@ class Hint:
 
     Attributes:
         code: identifies the hint.
-        remedy: what to do.
+        help: what to do.
     """
 
     code: str
-    remedy: str
+    help: str
 
 
 class Row(NamedTuple):

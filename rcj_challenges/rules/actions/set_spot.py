@@ -10,7 +10,7 @@ from rcj_challenges.rules.mirror import Mirror
 from rcj_challenges.rules.places.on_line import OnLine
 from rcj_challenges.rules.places.uniform_in import UniformIn
 from rcj_challenges.rules.refs import FIXED, MOVING, SPOT, Ref
-from rcj_challenges.rules.values.told import ToldValue
+from rcj_challenges.rules.values.reported import ReportedValue
 
 
 class SetSpot(Action):
@@ -23,7 +23,7 @@ class SetSpot(Action):
     action: Literal["set_spot"]
     spot: Annotated[Name, SPOT] = described(..., "the spot")
     to: Annotated[
-        Name | Point | ToldValue | UniformIn | OnLine,
+        Name | Point | ReportedValue | UniformIn | OnLine,
         Ref(
             "entity, obstacle, spot or zone",
             MOVING | FIXED | frozenset({"spot"}) | frozenset({"zone"}),
@@ -98,7 +98,7 @@ expect:
     def _where(self, to: Binder) -> Callable[[], Point | None]:
         """Return what finds the place that the spot is set to; None if there is none at present."""
         match self.to:
-            case ToldValue():
+            case ReportedValue():
                 messages, robot = to.state.heard, to.members(self.to.told)[0]
                 return lambda: position_in(messages.get(robot, ""))
             case UniformIn() | OnLine():
@@ -108,7 +108,7 @@ expect:
                 return to.locate(self.to)
 
     def describe(self, phrases: Phrases) -> str:
-        if isinstance(self.to, ToldValue):
+        if isinstance(self.to, ReportedValue):
             where = f"the position that {phrases.thing(self.to.told)} has told the referee"
         elif isinstance(self.to, str):
             where = phrases.owned("centre" if phrases.may_be_zone(self.to) else "place", self.to)

@@ -23,9 +23,9 @@ from rcj_challenges.rules.values.highest import HighestOfOthers
 from rcj_challenges.rules.values.last_touch import LastTouchValue
 from rcj_challenges.rules.values.lowest import LowestOfOthers
 from rcj_challenges.rules.values.position_of import PositionValue
+from rcj_challenges.rules.values.reported import ReportedValue
 from rcj_challenges.rules.values.term import Term, Terms
 from rcj_challenges.rules.values.timer import NumberTimer, TimerValue
-from rcj_challenges.rules.values.told import ToldValue
 from rcj_challenges.rules.values.way import WayValue
 from rcj_challenges.rules.values.word import NumberWord, WordValue
 from rcj_challenges.tracking.state import RefereeState
@@ -42,7 +42,7 @@ VALUES.add(
     TimerValue,
     HeldValue,
     LastTouchValue,
-    ToldValue,
+    ReportedValue,
 )
 Value = Annotated[Scalar | ValueWord, VALUES]
 """What stands in the payload of an event or in the broadcast."""
@@ -63,7 +63,7 @@ NUMBERS.add(
     DistanceValue,
     WayValue,
     NumberTimer,
-    ToldValue,
+    ReportedValue,
 )
 Points = Annotated[int | float | ValueWord | tuple[Part, ...], NUMBERS]
 """How many points are given, and how much is counted: a number, or a sum."""

@@ -36,7 +36,7 @@ _IDLE_SHARE = 0.2
 real_monotonic = time.perf_counter  # on Windows `monotonic` goes on every 16 ms only, up to Python 3.12
 real_process_time = time.process_time
 _real_sleep = time.sleep
-_IS_TOLD_FINELY = sys.platform != "win32"  # Windows updates CPU times only every 16 ms
+_HAS_FINE_CPU_TIMES = sys.platform != "win32"  # Windows updates CPU times only every 16 ms
 
 
 class BackgroundClock:
@@ -94,7 +94,7 @@ class BackgroundClock:
         """Find out whether the thread that steps has been stuck since it was at a place."""
         *now_at, seen_s, computed_s = self.place()
         *was_at, was_seen_s, had_computed_s = before
-        is_idle = not _IS_TOLD_FINELY or computed_s - had_computed_s < _IDLE_SHARE * (seen_s - was_seen_s)
+        is_idle = not _HAS_FINE_CPU_TIMES or computed_s - had_computed_s < _IDLE_SHARE * (seen_s - was_seen_s)
         is_stuck = now_at == was_at and is_idle and not self.in_match
         is_stuck = is_stuck and not _would_run(self._known_to_system)
         if is_stuck and not self._is_stuck:

@@ -10,7 +10,7 @@ from rcj_challenges.rules.fields import Name, described
 from rcj_challenges.rules.refs import ROBOT
 
 
-class ToldValue(ValueWord):
+class ReportedValue(ValueWord):
     """The text of a robot's last message to the referee in this half; null if there is none yet.
 
     Used as a number it is the number in the message, 0 if the message is not a number.
