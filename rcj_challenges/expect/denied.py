@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Container, Iterable, Mapping
+from math import inf
 from typing import NamedTuple
+
+import yaml
 
 from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.rules.actions import AnyAction
@@ -16,7 +19,7 @@ from rcj_challenges.rules.actions.score import Score
 from rcj_challenges.rules.actions.set_flag import SetFlag
 from rcj_challenges.rules.actions.set_phase import SetPhase
 from rcj_challenges.rules.actions.toggle_flag import ToggleFlag
-from rcj_challenges.scenario.messages.written import as_written
+from rcj_challenges.rules.base import Condition
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import EACH, OTHER
 from rcj_challenges.tracking.bound_rules import Denied
@@ -72,9 +75,16 @@ def denied_condition_notes(
         noted += 1
         tick = _nearest(ticks, wanted.missing[emitted[0]] if emitted else None)
         condition, held_after = ticks[tick]
-        which = as_written(rule.conditions[condition])
+        which = _as_written(rule.conditions[condition])
         yet = _YET if held_after else ""
         yield f"note: {name} was triggered at {s_from_ticks(tick):g} s, and {which} did not hold{yet}"
+
+
+def _as_written(condition: Condition) -> str:
+    """Return a condition as an author writes it."""
+    data = condition.model_dump(mode="json", by_alias=True, exclude_unset=True)
+    data = {"condition": data.pop("condition"), **data}
+    return str(yaml.safe_dump(data, default_flow_style=True, sort_keys=False, width=inf)).strip()
 
 
 def _does(action: AnyAction, wanted: Wanted) -> bool:

@@ -80,11 +80,6 @@ def choice_of(word: str, known: Iterable[str], noun: str = "", likeness: float =
     return f"{hint}{' ' if hint else ''}allowed here: {listing(names, 40)}"
 
 
-def in_plain_letters(name: str) -> str:
-    """Return a name for comparisons that ignore case, and that ignore whether words are parted by a blank, _ or -."""
-    return name.casefold().replace("_", " ").replace("-", " ")
-
-
 def cut(text: str) -> str:
     """Return a name or text as long as a name may be; one without a letter as quotes."""
     if not text.strip():

@@ -22,7 +22,7 @@ from rcj_challenges.scenario.kit_devices import fill_in_devices
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.reading.extend import Source, read_chain
 from rcj_challenges.scenario.reading.find import find_scenario
-from rcj_challenges.scenario.reading.inherited_tests import leave_out, unfit_tests
+from rcj_challenges.scenario.reading.inherited_tests import TESTS, unfit_tests
 from rcj_challenges.scenario.reading.merge import Merger, Repeated
 from rcj_challenges.scenario.reading.params import apply_overrides, resolve_params
 from rcj_challenges.scenario.reading.repeated_rules import merged, repeat_rules
@@ -201,7 +201,10 @@ def _checked_but_inherited_tests(
             unfit = unfit_tests(error, tree, bases)
             if not unfit:
                 raise
-            leave_out(tree, unfit)
+            tests = tree.entries[TESTS]
+            if isinstance(tests, Entries):
+                for name in unfit:
+                    tests.drop(name)
             left_out |= unfit
 
 

@@ -6,7 +6,7 @@ The tree is what loading, merging, params and overrides work on; only the finish
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -111,19 +111,24 @@ def check_size(root: Node) -> None:
     Raises:
         ScenarioError: it is larger.
     """
-    left = [root]
-    for count, node in enumerate(left, 1):
+    for count, node in enumerate(nodes_in(root), 1):
         if count > MAX_MERGED_VALUES:
             raise too_large(root.mark, f"more than {MAX_MERGED_VALUES} values, with those of its bases")
         if not isinstance(node, Leaf):
             check_amount(node)
-            left += node.entries.values() if isinstance(node, Entries) else node.items
 
 
 def too_large(mark: Mark, what: str) -> ScenarioError:
     """Return the error about a file, list or mapping that is too large."""
     help_ = "leave out what the challenge does not need; repeat_for and groups say the same of several things at once"
     return ScenarioError([mark.error("scenario-too-large", what, help_)])
+
+
+def nodes_in(node: Node) -> Iterator[Node]:
+    """Yield a value and all that is in it."""
+    yield node
+    for inner in () if isinstance(node, Leaf) else node.entries.values() if isinstance(node, Entries) else node.items:
+        yield from nodes_in(inner)
 
 
 def plain(node: Node) -> Any:
@@ -183,6 +188,12 @@ def mark_of(root: Node, path: Sequence[Step], *, at_key: bool = False) -> Mark:
     if isinstance(parent, Entries) and isinstance(key, str):
         return parent.key_marks.get(key, node.mark)
     return node.mark
+
+
+def note_at(root: Node, path: Sequence[Step]) -> str:
+    """Return what a message adds about where a value came from: `` (param 'push_m')``; empty if from the file."""
+    node = node_at(root, path)
+    return f" ({node.note})" if isinstance(node, Leaf) and node.note else ""
 
 
 def file_of(root: Entries, section: str, name: str) -> str:

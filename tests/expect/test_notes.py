@@ -46,7 +46,7 @@ class TestDeniedRule:
         conditions = "conditions: [{condition: half, equals: 1}, {condition: counter, counter: goals, at_least: 2}]"
         (note,) = notes(SCORES + "events: [{event: A}]", rules(a=f"{ENTERS}, {conditions}, actions: [{emit('A')}]"))
         assert note == (
-            "note: a was triggered at 0.32 s, and {condition: counter, counter: goals, at_least: 2} did not hold"
+            "note: a was triggered at 0.32 s, and {condition: counter, at_least: 2, counter: goals} did not hold"
         )
 
     def test_condition_that_a_rule_of_the_same_tick_made_true_is_marked(self, notes):

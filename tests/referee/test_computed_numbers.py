@@ -29,9 +29,9 @@ class TestKicksAsFastAsADrawSays:
     @pytest.mark.parametrize(
         ("values", "said"),
         [
-            ("[0.5, 3.5]", "a kick's speed is over 0 and at most 3 m/s, found 3.5"),
-            ("[0, 1]", "a kick's speed is over 0 and at most 3 m/s, found 0"),
-            ("[fast, 1]", "expected a number, found 'fast'"),
+            ("[0.5, 3.5]", "expected a number from 0.001 to 3, found 3.5"),
+            ("[0, 1]", "expected a number from 0.001 to 3, found 0"),
+            ("[fast, 1]", "expected a number from 0.001 to 3, found 'fast'"),
         ],
     )
     def test_a_draw_of_anything_else_is_refused(self, values, said):

@@ -60,13 +60,6 @@ def test_inherited_tests_that_do_not_fit_are_left_out_and_the_others_stay(mine, 
     assert "inherited: null" in finding.help
 
 
-def test_several_of_them_are_told_in_one_finding(mine):
-    loaded = load(mine("zones: {corner: null}\nrules: {scored: null}\nballs: {ball: null}\nmatch: {half_s: 60}\n"))
-    assert not loaded.scenario.expect
-    (finding,) = [one for one in lint(loaded) if one.code == "inherited-test-left-out"]
-    assert "2 inherited tests" in finding.message
-
-
 def test_a_test_that_its_author_has_changed_is_no_inherited_one(mine):
     with pytest.raises(ScenarioError, match="too-late"):
         load(mine(f"match: {{half_s: 60}}\nexpect: {{{REASON}: {{lasts_s: 99}}}}\n"))
@@ -81,17 +74,6 @@ def test_all_inherited_tests_are_removed_at_once_and_own_ones_stay(mine, text):
     assert list(loaded.scenario.expect) == ["mine"]
     assert not loaded.left_out
     assert not [one for one in lint(loaded) if one.code == "inherited-test-left-out"]
-
-
-@pytest.mark.parametrize("section", ["rules", "expect"])
-def test_a_section_is_not_removed_as_a_whole(mine, section):
-    with pytest.raises(ScenarioError, match="wrong-null"):
-        load(mine(f"{section}: null\n"))
-
-
-def test_who_wants_no_conditions_is_told_how_to_write_that(mine):
-    with pytest.raises(ScenarioError, match=r"help: a list is replaced as a whole, write \[\] for none"):
-        load(mine("rules: {scored: {conditions: null}}\n"))
 
 
 def test_what_is_left_out_is_told_where_tests_are_played(mine, capsys):
@@ -117,19 +99,6 @@ def test_a_failing_test_says_from_where_it_is_inherited_and_an_own_one_does_not(
     told = capsys.readouterr().out
     assert told.count("replace it, or remove it by 'a_ball_in_the_corner_counts: null' under expect") == 1
     assert told.count("inherited from") == 1
-
-
-@pytest.mark.parametrize("name", ["match.yaml", "other.yaml"])
-def test_a_file_may_bear_the_name_of_what_it_extends(tmp_path, monkeypatch, name):
-    (tmp_path / name).write_text(f"{HEAD}extends: match\nmatch: {{half_s: 20}}\n", encoding="utf-8")
-    monkeypatch.chdir(tmp_path)
-    assert "a_goal_in_the_last_tick_counts" in load(name).left_out
-    assert "a_goal_in_the_last_tick_counts" in load(tmp_path / name).left_out
-
-
-def test_an_inherited_test_that_is_changed_on_the_command_line_is_no_inherited_one(mine):
-    with pytest.raises(ScenarioError, match="--set expect"):
-        load(mine("match: {half_s: 200}\n"), [f"expect.{REASON}.phase=x.yaml"])
 
 
 def test_two_a_side_from_the_shipped_match_needs_no_more_than_its_own_lines(tmp_path):

@@ -1,13 +1,11 @@
 """How a scenario and its base become one."""
 
 import json
-from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.reading.merge import Merger
@@ -85,11 +83,6 @@ def test_null_removes_a_named_entry_and_its_place_is_remembered():
     assert not merger.problems
 
 
-def test_a_removed_entry_may_come_back_at_the_end():
-    data, _ = merged("robots: {a: {number: 1}, b: {}}", "robots: {a: null}", "robots: {a: {number: 3}}")
-    assert data == {"robots": {"b": {}, "a": {"number": 3}}}
-
-
 def test_the_match_with_one_rule_less_and_one_changed(tmp_path):
     shipped = load("match")
     (tmp_path / "match.yaml").write_bytes(shipped.path.read_bytes())
@@ -144,18 +137,3 @@ def test_merging_is_the_plain_recursive_merge_where_no_kinds_are_involved(base, 
     assert found == expected(base, over)
     assert json.dumps(found) == json.dumps(expected(base, over))
     assert not merger.problems
-
-
-@given(MAPPINGS)
-def test_merging_with_itself_changes_nothing(tree):
-    text = json.dumps(tree)
-    assert merged(text, text)[0] == merged(text)[0]
-
-
-def test_the_positions_of_a_base_stay_those_of_the_base(tmp_path):
-    (tmp_path / "base.yaml").write_text("extends: soccersim_v2\nmatch:\n  half_s: -1\n", encoding="utf-8")
-    (tmp_path / "mine.yaml").write_text("extends: base.yaml\nmatch:\n  halves: 99\n", encoding="utf-8")
-    with pytest.raises(ScenarioError) as caught:
-        load(tmp_path / "mine.yaml")
-    places = {(Path(place.file).name, place.line) for place in map(place_of, caught.value.diagnostics)}
-    assert places == {("base.yaml", 3), ("mine.yaml", 3)}

@@ -102,7 +102,7 @@ def test_later_overrides_win():
 def test_an_override_of_a_removed_thing_is_found_by_the_cross_references():
     with pytest.raises(ScenarioError) as caught:
         load("match", ["phases.goal_pause=null"])
-    assert "it was removed in --set phases.goal_pause=null" in str(caught.value)
+    assert "was removed in --set phases.goal_pause=null" in str(caught.value)
 
 
 @pytest.mark.parametrize(
@@ -118,7 +118,6 @@ def test_an_override_of_a_removed_thing_is_found_by_the_cross_references():
         ("rules.r.triggers.x=3", "wrong-override"),
         ("rules[0]=3", "wrong-override"),
         ("title.x=3", "wrong-override"),
-        ("match.half_s.x=3", "wrong-override"),
         ("match.half_s", "wrong-override"),
         ("=3", "wrong-override"),
         ("match.half_s=", "wrong-override"),

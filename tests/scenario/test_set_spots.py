@@ -2,8 +2,7 @@
 
 import pytest
 
-from rcj_challenges.scenario.lint.registry import lint
-from tests.scenario.writing import complaints, kinds, loaded, scenario
+from tests.scenario.writing import complaints, kinds, scenario
 
 SPOTS = "spots: {found: {x_m: 0, y_m: 0.2}, other_one: {x_m: 0.5, y_m: -0.5}}\ngroups: {both: [found, other_one]}\n"
 PLACES = (
@@ -17,10 +16,6 @@ SET = "{action: set_spot, spot: found, to: ball}"
 def rules(*actions, conditions="", more=""):
     asked = f"conditions: [{conditions}], " if conditions else ""
     return f"{SPOTS}{PLACES}{more}rules:\n  r: {{{asked}triggers: [{{trigger: half_started}}], actions: [{', '.join(actions)}]}}\n"
-
-
-def found(body):
-    return [str(one).partition(" [")[0].split("warning: ")[1] for one in lint(loaded(body))]
 
 
 @pytest.mark.parametrize(
@@ -45,13 +40,6 @@ def test_a_test_can_ask_where_a_spot_is_at_the_end():
     test = "expect: {it: {keyframes: [{at_s: 0}], lasts_s: 1, poses: {%s: [0, 0]}}}\n"
     assert scenario(rules(SET) + test % "found").expect["it"].poses == {"found": (0.0, 0.0)}
     assert complaints(rules(SET) + test % "blue_goal") == ["wrong-kind expect.it.poses.blue_goal"]
-
-
-def test_a_test_decides_a_place_on_a_line_of_one_point():
-    line = "{action: set_spot, spot: found, to: {on_line: [[0.1, 0], [0.1, 0]]}}"
-    test = "expect: {it: {keyframes: [{at_s: 0}], lasts_s: 1, spots: {found: %s}}}\n"
-    assert scenario(rules(line) + test % "[0.1, 0]").expect["it"].spots == {"found": (0.1, 0.0)}
-    assert complaints(rules(line) + test % "[0.2, 0]") == ["never-drawn expect.it.spots.found"]
 
 
 def test_a_test_that_asks_for_it_is_no_use_of_it():

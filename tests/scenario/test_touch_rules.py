@@ -3,7 +3,6 @@
 import pytest
 
 from rcj_challenges.rules.refs import Ref, refs_of
-from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.touch_rules import with_other
 from tests.scenario.test_cross_references import WORLD
 from tests.scenario.writing import kinds, loaded, problems_of
@@ -145,21 +144,3 @@ flags: {safe: {per: robots, initial: true}}
 def test_nothing_touches_itself_so_that_who_touches_and_who_is_touched_are_two():
     body = (TWO % ("robots", "", "other", "", "each")).replace("yellow", "Y1").replace("other: blue", "other: robots")
     assert "two-rules-move-one-thing" not in kinds(body)
-
-
-def test_points_for_whoever_drives_it_are_points_for_any_team():
-    body = """rules:
-  bump:
-    for_each: robots
-    triggers: [{trigger: touches, entity: each, other: robots}]
-    actions: [{action: score, entrant: other}]
-    says: "{other} gets a point."
-"""
-    assert kinds(body) == set()
-
-
-def told(trigger, says="So.", word=""):
-    payload = f", payload: {{who: {{word: {word}}}}}" if word else ""
-    body = f'rules: {{r: {{triggers: [{trigger}], actions: [{{action: emit, event: E{payload}}}], says: "{says}"}}}}\n'
-    found = lint(loaded(body))
-    return [(one.code, one.message, one.help) for one in found if one.code != "no-way-to-score"]

@@ -2,6 +2,7 @@
 
 import json
 import math
+from unittest.mock import patch
 
 import pytest
 import yaml
@@ -10,6 +11,7 @@ from hypothesis import strategies as st
 
 from rcj_challenges.core.diagnostics import InFile
 from rcj_challenges.scenario.errors import ScenarioError, place_of
+from rcj_challenges.scenario.reading import yaml_strict
 from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES, MAX_DEPTH, parse_bytes, parse_text
 from rcj_challenges.scenario.tree import Entries, Leaf, Mark, child, plain
 from tests.scenario.writing import problems_of
@@ -117,10 +119,6 @@ def test_a_yaml_1_2_directive_is_harmless():
     assert plain(parse_text("%YAML 1.2\n---\na: 1\n...\n", "f")) == {"a": 1}
 
 
-def test_all_that_can_be_told_is_told_at_once():
-    assert len(complaints("a: .nan\nb: !x 1\na: &y 2\n")) == 4
-
-
 def test_aliases_are_refused_before_anything_is_built_from_them():
     bomb = "a: &a [x, x]\n" + "".join(f"k{i}: &k{i} [*a, *a, *a, *a, *a, *a, *a, *a]\n" for i in range(1000))
     found = complaints(bomb)
@@ -133,15 +131,6 @@ def test_nesting_has_a_limit():
     assert parse_text("a: " + "[" * inside + "]" * inside, "f")
     assert complaints("a: " + "[" * MAX_DEPTH + "]" * MAX_DEPTH) == [f"1:{MAX_DEPTH + 3} invalid-yaml"]
     assert len(complaints("\n".join(" " * i + "a:" for i in range(500)))) == 1
-
-
-@pytest.mark.parametrize("parser", BOTH_PARSERS)
-def test_a_limit_of_the_parser_s_own_is_told_in_the_same_words(parser):
-    """libyaml 0.2.6 refuses a thousand levels, which it meets before it hands out the first of them."""
-    for opening in ("[", "{a: "):
-        with pytest.raises(ScenarioError) as raised:
-            parse_text(opening * 100_000, "f", parser)
-        assert [one.message for one in raised.value.diagnostics] == [f"nested deeper than {MAX_DEPTH} levels"]
 
 
 def test_size_has_a_limit():
@@ -163,13 +152,6 @@ def test_a_file_in_another_encoding_is_named_with_the_place():
     assert (problem.code, problem.where) == ("not-utf8", InFile("f.yaml", 2, 5))
     with pytest.raises(ScenarioError, match="not-utf8"):
         parse_bytes("a: 1".encode("utf-16"), "f.yaml")
-
-
-@pytest.mark.parametrize(
-    ("text", "place"), [("a: \x07", "1:4"), ("a: 1\nb: \x00", "2:4"), ("a: 1\r\nb: '\ufffe'", "2:5")]
-)
-def test_control_characters_are_refused(text, place):
-    assert complaints(text) == [f"{place} invalid-yaml"]
 
 
 # --- properties -------------------------------------------------------------------------------------------------------
@@ -221,7 +203,8 @@ def test_numbers_survive_being_written_and_read(number):
 
 def outcome(text, loader):
     try:
-        return parse_text(text, "f", loader)
+        with patch.object(yaml_strict, "_LOADER", loader):
+            return parse_text(text, "f")
     except ScenarioError as error:
         return error.diagnostics
 

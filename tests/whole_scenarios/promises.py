@@ -21,8 +21,8 @@ from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.expect.runner import run_test
 from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.floor import floor_parts
-from rcj_challenges.scenario.floor_shapes import zone_has_floor
 from rcj_challenges.scenario.json_schema import scenario_schema
+from rcj_challenges.scenario.lint.placing import lies_beside
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import Loaded, load, load_resolved, load_text
 from rcj_challenges.scenario.reading.yaml_strict import parse_text
@@ -204,9 +204,9 @@ def check_drawing(text: str, loaded: Loaded) -> None:
         words, (x, y) = "".join(one.itertext()), (float(one.attrib["x"]), float(one.attrib["y"]))
         if not (0 <= x <= width and 0 <= y <= height):
             raise BrokenPromiseError(f"{words!r} at ({x}, {y}) is not within {width} x {height}", text)
-    floor = floor_parts(loaded.scenario.field)
+    floor = [corner for part in floor_parts(loaded.scenario.field) for corner in part]
     for name, zone in loaded.scenario.zones.items():
-        if zone.drawn and zone_has_floor(zone, floor) and name not in marked:
+        if zone.drawn and not lies_beside(zone, floor) and name not in marked:
             raise BrokenPromiseError(f"the drawn zone {name} has no marker", text)
     numbers = " ".join(value for one in root.iter() for key, value in one.attrib.items() if key != "aria-label")
     if re.search(r"\b(nan|inf)\b", numbers):

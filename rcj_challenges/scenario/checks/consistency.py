@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Callable, Iterator
-from itertools import count, product
+from collections.abc import Iterator
 from typing import Any
 
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.devices.base import Device
-from rcj_challenges.geometry.polygons import Point, distance_to_segment_m
 from rcj_challenges.rules.actions.count import Count
-from rcj_challenges.rules.actions.draw import DrawAction
 from rcj_challenges.rules.actions.place import Place
-from rcj_challenges.rules.actions.score import Score
 from rcj_challenges.rules.actions.set_spot import SetSpot
 from rcj_challenges.rules.comparison import Compared
 from rcj_challenges.rules.conditions.half import HalfIs
@@ -23,22 +18,12 @@ from rcj_challenges.rules.conditions.spot_free import SpotFree
 from rcj_challenges.rules.conditions.timer import TimerIs
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.kick import Kick
-from rcj_challenges.rules.mirror import Mirror
-from rcj_challenges.rules.places.on_line import OnLine
-from rcj_challenges.rules.places.uniform_in import UniformIn
 from rcj_challenges.rules.quantifier import AtLeast
-from rcj_challenges.rules.triggers.holds import Holds
-from rcj_challenges.rules.triggers.stays_in import StaysIn
 from rcj_challenges.rules.triggers.time_reached import TimeReached
 from rcj_challenges.rules.values.distance import DistanceValue
-from rcj_challenges.rules.values.word import NumberWord
 from rcj_challenges.scenario.centres import centre_of
-from rcj_challenges.scenario.draw_order import never_drawn, places_of
-from rcj_challenges.scenario.errors import choice_of, in_plain_letters, listing
-from rcj_challenges.scenario.floor import floor_parts, on_floor
-from rcj_challenges.scenario.floor_shapes import lies_in
+from rcj_challenges.scenario.errors import choice_of, listing
 from rcj_challenges.scenario.halves import clock_may_stop, half_length_s, longest_half_s
-from rcj_challenges.scenario.messages.wording import spelled
 from rcj_challenges.scenario.models.field import Match, Wall
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Rule, Scenario
 from rcj_challenges.scenario.models.state import Draw, Sequence
@@ -46,8 +31,22 @@ from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.walk import Issue, walk
 
-_ON_LINE_M = 0.001
-"""A point is on a line that is no farther away: authors round to the millimetre."""
+_EXCLUDED: tuple[tuple[Any, str, tuple[str, ...]], ...] = (
+    (Place, "layout", ("entity", "at", "kick")),
+    (Looks, "towards", ("heading_rad",)),
+    (Compared | HalfIs, "equals", ("at_least", "at_most")),
+    (Sequence, "entity", ("per",)),
+    (Count, "to", ("by", "keeps_at_least", "keeps_at_most")),
+)
+"""Keys beside which others cannot stand, by model."""
+_REQUIRED: tuple[tuple[Any, tuple[tuple[str, ...], ...]], ...] = (
+    (Place, (("layout",), ("entity", "at"))),
+    (Looks, (("towards",), ("heading_rad",))),
+    (Compared | HalfIs, (("at_least",), ("at_most",), ("equals",))),
+    (Sequence, (("entity",), ("per",))),
+)
+"""Keys of which one set must stand in a model."""
+_RANGES = (("at_least", "at_most"), ("keeps_at_least", "keeps_at_most"))
 
 
 def check_consistency(scenario: Scenario, *, is_half_set: bool, is_length_set: bool) -> Iterator[Issue]:
@@ -63,19 +62,13 @@ def check_consistency(scenario: Scenario, *, is_half_set: bool, is_length_set: b
     longest_s = longest_half_s(scenario.match)
     for model, path in walk(scenario):
         yield from _keys(model, path)
-        yield from _ranges(model, path)
-        yield from _quantifier(model, path, roster)
-        yield from _short_times(model, path)
+        yield from _numbers(model, path, roster)
         if isinstance(model, TimeReached) and model.at_s > longest_s and not is_half_set:
             yield Issue("too-late", (*path, "at_s"), f"{model.at_s:g} s is never reached; a half lasts {longest_s:g} s")
         if isinstance(model, Match) and (is_length_set or not is_half_set):
             yield from _lengths(model, path, is_of_file=not is_length_set)
         if isinstance(model, Expectation):
             yield from _script(model, path)
-            yield from _series(model, path, scenario)
-            yield from _ranking(model, path, scenario)
-            yield from _decided_spots(model, path, scenario, roster)
-            yield from _told(model, path, scenario, roster)
             if not is_half_set:
                 yield from _length(model, path, scenario)
         if isinstance(model, Expectation | Given):
@@ -87,115 +80,52 @@ def check_consistency(scenario: Scenario, *, is_half_set: bool, is_length_set: b
     yield from _entrants(scenario)
 
 
-# --- keys that go together --------------------------------------------------------------------------------------------
+# --- within one mapping -----------------------------------------------------------------------------------------------
 
 
 def _keys(model: Strict, path: Path) -> Iterator[Issue]:
     """Yield keys of one mapping that exclude each other, and the lack of all of several."""
-    for kinds, check in _BY_MODEL:
-        if isinstance(model, kinds):
-            yield from check(model, path)
-
-
-def _place(model: Place, path: Path) -> Iterator[Issue]:
-    given = [key for key in ("entity", "at", "kick") if getattr(model, key) is not None]
-    missing = [key for key in ("entity", "at") if key not in given]
-    if model.layout is not None and given:
-        help_ = "a layout says of each of its placements what is put where, and whether it kicks"
-        yield _both((*path, given[0]), "layout", given[0], help_)
-    elif model.layout is None and missing:
-        message = f"'{' and '.join(missing)}' missing"
-        yield Issue("missing-key", path, message, "place needs either a layout, or entity and at")
-
-
-def _looks(model: Looks, path: Path) -> Iterator[Issue]:
-    if model.towards is None and model.heading_rad is None:
-        yield Issue("missing-key", path, "nothing to look at", "give either 'towards' or 'heading_rad'")
-    elif model.towards is not None and model.heading_rad is not None:
-        yield _both((*path, "heading_rad"), "towards", "heading_rad")
-
-
-def _comparison(model: Compared | HalfIs, path: Path) -> Iterator[Issue]:
-    bounds = [key for key in ("at_least", "at_most", "equals") if getattr(model, key) is not None]
-    if not bounds and not isinstance(model, TimerIs):
-        yield Issue("missing-key", path, "nothing to compare with", "give at_least, at_most or equals")
-    if "equals" in bounds and len(bounds) > 1:
-        yield _both((*path, "equals"), "equals", bounds[0])
-
-
-def _sequence(model: Sequence, path: Path) -> Iterator[Issue]:
-    if model.entity is None and model.per is None:
-        help_ = "give 'entity', or 'per': a group, with a sequence for each of its members"
-        yield Issue("missing-key", path, "nothing follows this sequence", help_)
-    elif model.entity is not None and model.per is not None:
-        yield _both((*path, "per"), "entity", "per")._replace(other=(*path, "entity"))
-
-
-def _count(model: Count, path: Path) -> Iterator[Issue]:
-    for key in ("by", "keeps_at_least", "keeps_at_most") if model.to is not None else ():
-        if getattr(model, key) is not None:
-            yield _both((*path, key), "to", key)
-
-
-def _draw(model: Draw, path: Path) -> Iterator[Issue]:
-    for key in ("not_last", "not_again") if len(set(map(repr, model.values))) == 1 else ():
-        if getattr(model, key):
+    for kinds, key, others in _EXCLUDED:
+        both = [one for one in (key, *others) if getattr(model, one) is not None] if isinstance(model, kinds) else []
+        if both[:1] == [key] and len(both) > 1:
+            message = f"'{key}' and '{both[1]}' cannot be given together"
+            at, other = (*path, both[1]), (*path, key)
+            yield Issue("conflicting-keys", at, message, "leave one of them out", at_key=True, other=other)
+    for kinds, choices in _REQUIRED:
+        if not isinstance(model, kinds) or isinstance(model, TimerIs):
+            continue
+        if not any(all(getattr(model, key) is not None for key in keys) for keys in choices):
+            yield Issue("missing-key", path, f"needs {', or '.join(map(' and '.join, choices))}")
+    if isinstance(model, Draw) and len(set(map(repr, model.values))) == 1:
+        for key in (one for one in ("not_last", "not_again") if getattr(model, one)):
             message = "one value alone comes again every time"
             yield Issue("conflicting-keys", (*path, key), message, "give two different values")
-
-
-def _phases(model: Rule, path: Path) -> Iterator[Issue]:
-    if isinstance(model.phases, tuple) and "any" in model.phases:
+    if isinstance(model, Rule) and isinstance(model.phases, tuple) and "any" in model.phases:
         message = "'any' cannot stand in a list of phases"
         yield Issue("wrong-value", (*path, "phases"), message, "any phase is written phases: any, without brackets")
+    if isinstance(model, Device):
+        yield from (Issue("wrong-value", (*path, key), message) for key, message in model.contradictions())
 
 
-def _word(model: NumberWord, path: Path) -> Iterator[Issue]:
-    if model.fraction and not model.word.endswith("_s"):
-        yield Issue("conflicting-keys", (*path, "fraction"), f"'{model.word}' is never rounded", "leave fraction out")
-
-
-def _device(model: Device, path: Path) -> Iterator[Issue]:
-    yield from (Issue("wrong-value", (*path, key), message) for key, message in model.contradictions())
-
-
-_BY_MODEL: tuple[tuple[Any, Callable[[Any, Path], Iterator[Issue]]], ...] = (
-    (Place, _place),
-    (Looks, _looks),
-    ((Compared, HalfIs), _comparison),
-    (Sequence, _sequence),
-    (Count, _count),
-    (Draw, _draw),
-    (Rule, _phases),
-    (NumberWord, _word),
-    (Device, _device),
-)
-
-
-def _both(path: Path, one: str, other: str, help_: str = "leave one of them out") -> Issue:
-    return Issue("conflicting-keys", path, f"'{one}' and '{other}' cannot be given together", help_, at_key=True)
-
-
-def _ranges(model: Strict, path: Path) -> Iterator[Issue]:
-    """Yield ranges that hold no number."""
-    pairs = [("at_least", "at_most"), ("keeps_at_least", "keeps_at_most")]
-    for least_key, most_key in pairs if isinstance(model, Score | Count | Compared | HalfIs) else ():
+def _numbers(model: Strict, path: Path, roster: Roster) -> Iterator[Issue]:
+    """Yield ranges that hold no number, more of a group than it has, and durations below a tick."""
+    for least_key, most_key in _RANGES:
         least, most = getattr(model, least_key, None), getattr(model, most_key, None)
         if isinstance(least, int | float) and isinstance(most, int | float) and least > most:
             yield Issue("empty-range", (*path, least_key), f"nothing is at least {least:g} and at most {most:g}")
     match model:
         case Kick(speed_mps=(least, most)) if least > most:
             yield Issue("empty-range", (*path, "speed_mps"), f"no speed is at least {least:g} and at most {most:g}")
-
-
-def _quantifier(model: Strict, path: Path, roster: Roster) -> Iterator[Issue]:
     of = getattr(model, "of", None)
     names = model.spot if isinstance(model, SpotFree) else getattr(model, "entity", None)
-    if not isinstance(of, AtLeast) or names is None:  # of all that have one of their own
-        return
-    count = len(roster.expand(names))
-    if of.at_least > count:
+    if isinstance(of, AtLeast) and names is not None and of.at_least > len(roster.expand(names)):
+        count = len(roster.expand(names))
         yield Issue("never-holds", (*path, "of"), f"at least {of.at_least} of {count} can never hold")
+    for key in ("for_s", "grace_s"):
+        seconds = getattr(model, key, None)
+        if isinstance(seconds, int | float) and 0 < seconds < TICK_S:
+            message = f"a duration must be 0 or at least one tick ({TICK_S} s), found {seconds:g}"
+            yield Issue("wrong-value", (*path, key), message)
 
 
 def _measured(part: object, path: Path, rule: Rule | None, scenario: Scenario, roster: Roster) -> Iterator[Issue]:
@@ -218,13 +148,6 @@ def _measured(part: object, path: Path, rule: Rule | None, scenario: Scenario, r
 
 
 # --- times ------------------------------------------------------------------------------------------------------------
-
-
-def _short_times(model: Strict, path: Path) -> Iterator[Issue]:
-    for key in ("for_s", "grace_s") if isinstance(model, Holds | StaysIn) else ():
-        if 0 < getattr(model, key, 0) < TICK_S:
-            message = f"a duration must be 0 or at least one tick ({TICK_S} s), found {getattr(model, key):g}"
-            yield Issue("wrong-value", (*path, key), message)
 
 
 def _lengths(match: Match, path: Path, *, is_of_file: bool) -> Iterator[Issue]:
@@ -262,36 +185,6 @@ def _script(test: Expectation, path: Path) -> Iterator[Issue]:
             yield Issue("too-late", (*path, *where, "at_s"), f"{at_s:g} s comes after the end, {test.lasts_s:g} s")
 
 
-def _series(test: Expectation, path: Path, scenario: Scenario) -> Iterator[Issue]:
-    """Yield values that a test decides for a draw, and that chance could not bring in this order."""
-    actions = (action for rule in scenario.rules.values() for action in rule.actions)
-    set_by_rules = {action.draw for action in actions if isinstance(action, DrawAction) and action.as_ is not None}
-    for name, decided in test.draws.items():
-        draw = scenario.draws.get(name)
-        if draw is None or name in set_by_rules or not isinstance(decided, tuple):
-            continue
-        index = never_drawn(draw, decided)
-        if index is not None and decided[index] in draw.values:
-            why = "not_last" if draw.not_last and decided[index] == decided[index - 1] else "not_again"
-            message = f"{spelled(decided[index])} is not drawn again here ({why})"
-            yield Issue("never-drawn", (*path, "draws", name, index), message)
-
-
-def _told(test: Expectation, path: Path, scenario: Scenario, roster: Roster) -> Iterator[Issue]:
-    """Yield values that a test expects in the broadcast to robots, and that the broadcast never contains."""
-    broadcast = scenario.broadcast
-    only = (broadcast.only or {}) if broadcast is not None else {}
-    for name, told in (test.told or {}).items():
-        for robot in roster.expand(name):
-            fields = [list(keys) for group, keys in only.items() if robot in roster.expand(group)]
-            known = dict.fromkeys(sum(fields, list(broadcast.fields if broadcast is not None else ())))
-            for key in (one for one in told if one not in known):
-                message = f"the broadcast never tells '{robot}' {key}"
-                yield Issue(
-                    "unknown-name", (*path, "told", name, key), message, choice_of(key, known, "broadcast"), True
-                )
-
-
 def _owners(test: Expectation | Given, path: Path, scenario: Scenario, roster: Roster) -> Iterator[Issue]:
     """Yield values of single owners for a counter or flag that has no such owners."""
     for noun, tested, known in (("counter", test.counters, scenario.counters), ("flag", test.flags, scenario.flags)):
@@ -302,60 +195,10 @@ def _owners(test: Expectation | Given, path: Path, scenario: Scenario, roster: R
             if kept.per is None:
                 yield Issue("not-per-entity", at, f"{noun} '{name}' is not kept per entity", "write its value alone")
                 continue
-            if not values:
-                yield Issue("wrong-value", at, "names nothing", "write {entity: value, …}, or leave it out")
             owners = roster.expand(kept.per)
             for owner in (one for one in values if one not in owners):
                 message = f"there is no {noun} '{name}' of '{owner}'"
                 yield Issue("unknown-name", (*at, owner), message, choice_of(owner, owners), at_key=True)
-
-
-def _ranking(test: Expectation, path: Path, scenario: Scenario) -> Iterator[Issue]:
-    """Yield a ranking that does not name each entrant once."""
-    places = test.ranking or ()
-    named = Counter(name for place in places for name in ((place,) if isinstance(place, str) else place))
-    twice = next((name for name, times in named.items() if times > 1), None)
-    missing = [name for name in scenario.entrants if name not in named]
-    if twice or (places and missing and named.keys() <= scenario.entrants.keys()):  # an unknown name says more
-        message = f"names '{twice}' more than once" if twice else f"does not name '{missing[0]}'"
-        yield Issue("wrong-value", (*path, "ranking"), message, "each entrant has one place in it")
-
-
-def _decided_spots(test: Expectation, path: Path, scenario: Scenario, roster: Roster) -> Iterator[Issue]:
-    """Yield the places that a test decides for a spot and to which chance never sets it."""
-    actions = [action for rule in scenario.rules.values() for action in rule.actions if isinstance(action, SetSpot)]
-    for name, decided in (test.spots or {}).items():
-        at = (*path, "spots", name)
-        setting = [one for one in actions if one.spot == name and isinstance(one.to, UniformIn | OnLine)]
-        if not setting and name in scenario.spots:
-            help_ = "where it is at the end is compared under poses"
-            yield Issue("never-drawn", at, f"chance never sets '{name}'", help_, at_key=True)
-        for index, point in enumerate(places_of(decided) if setting else ()):
-            if not any(_may_be_set(point, action, scenario, roster) for action in setting):
-                message = f"chance never sets '{name}' to ({point[0]:g}, {point[1]:g})"
-                yield Issue("never-drawn", at if decided is point else (*at, index), message)
-
-
-def _may_be_set(point: Point, action: SetSpot, scenario: Scenario, roster: Roster) -> bool:
-    if not on_floor(point, floor_parts(scenario.field)):
-        return False
-    points = [(point[0] * sign_x, point[1] * sign_y) for sign_x, sign_y in _signs(action.mirror)]
-    match action.to:
-        case OnLine(on_line=(start, end)):
-            return any(distance_to_segment_m(*one, *start, *end) <= _ON_LINE_M for one in points)
-        case UniformIn(uniform_in=names):
-            zones = [scenario.zones.get(name) for name in roster.expand(names)]
-            # What is not a zone is reported where it is written; nothing is wrong here then.
-            return any(zone is None or lies_in(one, zone) for one, zone in product(points, zones))
-    return False
-
-
-def _signs(mirror: Mirror | None) -> list[tuple[int, int]]:
-    """Return by what x and y may be multiplied: with a flag, or not."""
-    if mirror is None:
-        return [(1, 1)]
-    turned = (-1 if mirror.axis in ("x", "both") else 1, -1 if mirror.axis in ("y", "both") else 1)
-    return [turned] if mirror.when is None else [turned, (1, 1)]
 
 
 # --- robots and entrants ----------------------------------------------------------------------------------------------
@@ -370,9 +213,8 @@ def _robots(scenario: Scenario, roster: Roster) -> Iterator[Issue]:
         devices = scenario.kits[robot.kit].devices if robot.kit in scenario.kits else {}
         for index, device in enumerate(robot.without if robot.kit in scenario.kits else ()):
             if device not in devices:
-                alike = next((one for one in devices if in_plain_letters(one) == in_plain_letters(device)), device)
                 message = f"kit '{robot.kit}' has no device '{device}'"
-                yield Issue("unknown-name", ("robots", name, "without", index), message, choice_of(alike, devices))
+                yield Issue("unknown-name", ("robots", name, "without", index), message, choice_of(device, devices))
 
 
 def _entrants(scenario: Scenario) -> Iterator[Issue]:
@@ -398,12 +240,9 @@ def _entrants(scenario: Scenario) -> Iterator[Issue]:
                     yield Issue("wrong-value", where, message, "leave '.', '..' and '//' out")
         first = channels.setdefault(entrant.radio_channel, name)
         if first != name:
-            free = next(
-                one for one in count(2) if all(one != other.radio_channel for other in scenario.entrants.values())
-            )
             message = f"'{first}' and '{name}' have the same radio channel, {entrant.radio_channel}"
             other = ("entrants", first, "radio_channel")
-            yield Issue("same-channel", (*path, "radio_channel"), message, f"{free} is free", other=other)
+            yield Issue("same-channel", (*path, "radio_channel"), message, "give each its own", other=other)
     if scenario.match.swap_sides and len(scenario.entrants) != 2:
         message = f"only two entrants can change sides; there are {listing(scenario.entrants) or 'none'}"
         yield Issue("cannot-swap", ("match", "swap_sides"), message, "write swap_sides: false")

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
-from math import dist
+from math import cos, dist, pi, sin
 
-from rcj_challenges.geometry.polygons import Point, is_simple
+from rcj_challenges.geometry.polygons import Point, is_simple, side
 from rcj_challenges.rules.places.uniform_in import UniformIn
 from rcj_challenges.scenario.errors import listing
+from rcj_challenges.scenario.floor import floor_parts
 from rcj_challenges.scenario.models.field import FieldModel, Obstacle, Wall
-from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone, Zone
+from rcj_challenges.scenario.models.places import HalfPlaneZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.outlines import TOUCHING_M, Part, disc, extent, obstacle_outline, overlap, robot_outline
 from rcj_challenges.scenario.roster import Roster
@@ -23,7 +23,12 @@ from rcj_challenges.scenario.walk import Issue, walk
 def check_ground(scenario: Scenario) -> Iterator[Issue]:
     """Yield what cannot be on the floor."""
     yield from _shapes(scenario)
-    yield from _goals(scenario.field)
+    field = scenario.field
+    if 2 * field.corner_cut_m >= min(field.width_m, field.length_m):
+        message = f"corners cut by {field.corner_cut_m:g} leave nothing of a wall"
+        yield Issue("no-room", ("field", "corner_cut_m"), message)
+        return
+    yield from _goals(field)
     yield from _bodies(scenario)
 
 
@@ -48,26 +53,19 @@ def _shapes(scenario: Scenario) -> Iterator[Issue]:
 
 
 def _zone(zone: Zone, path: Path) -> Iterator[Issue]:
-    match zone:
-        case RectZone():
-            for axis in "xy":
-                low, high = getattr(zone, f"{axis}_min_m"), getattr(zone, f"{axis}_max_m")
-                if low is not None and high is not None and low >= high:
-                    message = f"{axis}_min_m {low:g} is not smaller than {axis}_max_m {high:g}"
-                    yield Issue("empty-shape", (*path, f"{axis}_min_m"), message)
-            if (zone.x_min_m, zone.x_max_m, zone.y_min_m, zone.y_max_m) == (None,) * 4:
-                yield Issue("missing-key", path, "a rect needs at least one of x_min_m, x_max_m, y_min_m, y_max_m")
-        case PolygonZone():
-            if not is_simple(zone.points_m):
-                message = "the outline crosses or touches itself, or has no area"
-                yield Issue("empty-shape", (*path, "points_m"), message, "give its corners in order")
-        case HalfPlaneZone():
-            if zone.normal == (0.0, 0.0):
-                yield Issue(
-                    "empty-shape", (*path, "normal"), "[0, 0] has no direction", "the normal points into the zone"
-                )
-        case CircleZone():
-            pass
+    if isinstance(zone, RectZone):
+        for axis in "xy":
+            low, high = getattr(zone, f"{axis}_min_m"), getattr(zone, f"{axis}_max_m")
+            if low is not None and high is not None and low >= high:
+                message = f"{axis}_min_m {low:g} is not smaller than {axis}_max_m {high:g}"
+                yield Issue("empty-shape", (*path, f"{axis}_min_m"), message)
+        if (zone.x_min_m, zone.x_max_m, zone.y_min_m, zone.y_max_m) == (None,) * 4:
+            yield Issue("missing-key", path, "a rect needs at least one of x_min_m, x_max_m, y_min_m, y_max_m")
+    if isinstance(zone, PolygonZone) and not is_simple(zone.points_m):
+        message = "the outline crosses or touches itself, or has no area"
+        yield Issue("empty-shape", (*path, "points_m"), message, "give its corners in order")
+    if isinstance(zone, HalfPlaneZone) and zone.normal == (0.0, 0.0):
+        yield Issue("empty-shape", (*path, "normal"), "[0, 0] has no direction", "the normal points into the zone")
 
 
 def _is_a_point(obstacle: Obstacle) -> bool:
@@ -85,10 +83,6 @@ def _is_bounded(zone: Zone) -> bool:
 
 
 def _goals(field: FieldModel) -> Iterator[Issue]:
-    if 2 * field.corner_cut_m >= min(field.width_m, field.length_m):
-        message = f"corners cut by {field.corner_cut_m:g} leave nothing of a wall"
-        yield Issue("no-room", ("field", "corner_cut_m"), message)
-        return
     room = field.width_m - 2 * field.corner_cut_m
     taken: dict[str, str] = {}
     for name, goal in field.goals.items():
@@ -101,60 +95,42 @@ def _goals(field: FieldModel) -> Iterator[Issue]:
         taken.setdefault(goal.end, name)
 
 
+_ALONG = 16
+_AROUND = 64
+
+
 class Floor:
     """Where a body may stand: the field between its walls, and the goals."""
 
     def __init__(self, field: FieldModel) -> None:
-        self.half_x, self.half_y = field.width_m / 2, field.length_m / 2
-        self.diagonal = self.half_x + self.half_y - field.corner_cut_m
-        self.goals = {1.0 if goal.end == "positive_y" else -1.0: goal for goal in field.goals.values()}
+        self._parts = [
+            [(a, b, dist(a, b)) for a, b in zip(part, (*part[1:], part[0]), strict=True)] for part in floor_parts(field)
+        ]
 
     def holds(self, parts: Sequence[Part]) -> bool:
         """Return whether a body stands on the floor without being in a wall."""
-        return all(self._holds_disc(part) if part.radius_m else self._holds_corners(part.points) for part in parts)
-
-    def _holds_corners(self, corners: tuple[Point, ...]) -> bool:
-        edges = [*pairwise(corners), (corners[-1], corners[0])]
-        return all(self._inside(x, y) for x, y in corners) and all(self._passes(a, b) for a, b in edges)
-
-    def _inside(self, x: float, y: float, margin: float = 0.0) -> bool:
-        reach = TOUCHING_M - margin
-        on_field = (
-            abs(x) <= self.half_x + reach
-            and abs(y) <= self.half_y + reach
-            and abs(x) + abs(y) <= self.diagonal + reach * 2**0.5
+        # What lies in one convex part is on the floor; in the mouth of a goal, points around it are looked at.
+        return all(
+            self._has(part.points, part.radius_m) or all(self._has((point,), 0.0) for point in _around(part))
+            for part in parts
         )
-        return on_field or self._in_goal(x, y, margin)
 
-    def _in_goal(self, x: float, y: float, margin: float) -> bool:
-        goal = self.goals.get(1.0 if y > 0 else -1.0)
-        if goal is None:
-            return False
-        reach = TOUCHING_M - margin
-        far = self.half_y + goal.depth_m + reach
-        return abs(x) <= goal.width_m / 2 + reach and self.half_y - margin <= abs(y) <= far
+    def _has(self, points: tuple[Point, ...], margin_m: float) -> bool:
+        return any(
+            all(side(a, b, point) >= (margin_m - TOUCHING_M) * length for a, b, length in edges for point in points)
+            for edges in self._parts
+        )
 
-    def _passes(self, a: Point, b: Point) -> bool:
-        """Return whether an edge that leaves the field does so through the mouth of a goal."""
-        for side in (1.0, -1.0):
-            line = side * self.half_y
-            if (a[1] * side - self.half_y) * (b[1] * side - self.half_y) >= -(TOUCHING_M**2):
-                continue
-            x = a[0] + (b[0] - a[0]) * (line - a[1]) / (b[1] - a[1])
-            goal = self.goals.get(side)
-            if goal is None or abs(x) > goal.width_m / 2 + TOUCHING_M:
-                return False
-        return True
 
-    def _holds_disc(self, round_part: Part) -> bool:
-        ((x, y),), radius = round_part.points, round_part.radius_m
-        if self._inside(x, y, radius):
-            return True
-        goal = self.goals.get(1.0 if y > 0 else -1.0)
-        if goal is None or abs(x) > goal.width_m / 2 - radius + TOUCHING_M:
-            return False
-        # In the mouth: between the posts, neither wholly on the field nor wholly in the goal.
-        return self.half_y - radius <= abs(y) <= self.half_y + goal.depth_m - radius + TOUCHING_M
+def _around(part: Part) -> Iterator[Point]:
+    if part.radius_m:
+        ((x, y),) = part.points
+        for turn in (2 * pi * step / _AROUND for step in range(_AROUND)):
+            yield x + part.radius_m * cos(turn), y + part.radius_m * sin(turn)
+    else:
+        for (ax, ay), (bx, by) in zip(part.points, (*part.points[1:], part.points[0]), strict=True):
+            for share in (step / _ALONG for step in range(_ALONG)):
+                yield ax + share * (bx - ax), ay + share * (by - ay)
 
 
 # --- bodies -----------------------------------------------------------------------------------------------------------
@@ -178,7 +154,7 @@ class Body:
 
 
 def _bodies(scenario: Scenario) -> Iterator[Issue]:
-    bodies = [*_robots(scenario), *_balls(scenario), *obstacle_bodies(scenario)]
+    bodies = [*_movable(scenario), *obstacle_bodies(scenario)]
     floor = Floor(scenario.field)
     for body in bodies:
         if not body.fixed and not floor.holds(body.parts):
@@ -187,50 +163,34 @@ def _bodies(scenario: Scenario) -> Iterator[Issue]:
                 f"'{body.name}' stands outside the field or in a wall: it covers x {x_0:.3f} to {x_1:.3f}, "
                 f"y {y_0:.3f} to {y_1:.3f}"
             )
-            help_ = f"the walls are at x = ±{floor.half_x:g}, y = ±{floor.half_y:g}"
+            help_ = f"the walls are at x = ±{scenario.field.width_m / 2:g}, y = ±{scenario.field.length_m / 2:g}"
             yield Issue("outside-field", body.path, message, help_)
     yield from _overlaps(bodies)
 
 
-_MAX_NAMED = 4
-
-
 def _overlaps(bodies: list[Body]) -> Iterator[Issue]:
     """Yield each body that overlaps others which stand before it in the file."""
-    order = {body.name: rank for rank, body in enumerate(bodies)}
-    met: dict[str, list[Body]] = {}
-    for pair in _overlapping(bodies):
-        first, second = sorted(pair, key=lambda one: order[one.name])
-        met.setdefault(second.name, []).append(first)
-    for second in bodies:
-        firsts = sorted(met.get(second.name, ()), key=lambda one: order[one.name])
-        if firsts:
-            names = listing((f"'{first.name}'" for first in firsts), _MAX_NAMED)
+    extents = [extent(body.parts) for body in bodies]
+    for body, (x_0, x_1, y_0, y_1) in zip(bodies, extents, strict=True):
+        met = []
+        for other, (left, right, low, high) in zip(bodies, extents, strict=True):
+            if other is body:
+                break
+            is_near = left < x_1 and x_0 < right and low < y_1 and y_0 < high
+            if is_near and not (body.fixed and other.fixed) and overlap(other.parts, body.parts):
+                met.append(other)
+        if met:
+            names = listing((f"'{other.name}'" for other in met), 4)
             help_ = "move one of them; what comes there later is put there by a rule"
-            message = f"'{second.name}' overlaps {names} at the start"
-            yield Issue("overlapping-bodies", second.path, message, help_, other=firsts[0].path)
+            message = f"'{body.name}' overlaps {names} at the start"
+            yield Issue("overlapping-bodies", body.path, message, help_, other=met[0].path)
 
 
-def _overlapping(bodies: list[Body]) -> Iterator[tuple[Body, Body]]:
-    """Sweep along x, so that a file with thousands of bodies does not cost millions of comparisons."""
-    open_: list[tuple[float, Body]] = []
-    for body in sorted(bodies, key=lambda body: extent(body.parts)[0]):
-        x_0, x_1, _, _ = extent(body.parts)
-        open_ = [(end, other) for end, other in open_ if end > x_0]
-        for _, other in open_:
-            if not (body.fixed and other.fixed) and overlap(body.parts, other.parts):
-                yield other, body
-        open_.append((x_1, body))
-
-
-def _robots(scenario: Scenario) -> Iterator[Body]:
+def _movable(scenario: Scenario) -> Iterator[Body]:
     for name, robot in scenario.robots.items():
         kit = scenario.kits.get(robot.kit)
         if kit is not None:
             yield Body(name, ("robots", name, "start"), robot_outline(kit.chassis).at(start_pose(scenario, name)))
-
-
-def _balls(scenario: Scenario) -> Iterator[Body]:
     for name, ball in scenario.balls.items():
         yield Body(name, ("balls", name, "start_m"), disc(ball.radius_m).at(start_pose(scenario, name)))
 

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from rcj_challenges.core.colours import CSS_COLOURS, hex_colour
 from rcj_challenges.core.file_names import is_device_of_windows
-from rcj_challenges.scenario.checks.removal import of_removed
 from rcj_challenges.scenario.errors import choice_of, did_you_mean
 from rcj_challenges.scenario.models.scenario import MAX_MEMBERS
 from rcj_challenges.scenario.roster import ALWAYS, BOUND, Roster, texts
@@ -81,7 +80,7 @@ def _groups(root: Entries, roster: Roster, removed: Mapping[Path, Mark]) -> Iter
             path = ("groups", group, index)
             for name in texts(item):
                 if name not in known:
-                    help_ = of_removed(name, _SECTIONS, path, root, removed) or choice_of(name, known)
+                    help_ = removal_help(name, _SECTIONS, removed) or choice_of(name, known)
                     if are_all_known:
                         yield Issue("unknown-name", path, f"unknown name '{name[:64]}'", help_)
                 elif _leads_to(root, roster, name, group):
@@ -109,3 +108,16 @@ def _leads_to(root: Entries, roster: Roster, name: str, group: str) -> bool:
             seen.add(current)
             left += texts(node_at(root, ("groups", current)))[:MAX_MEMBERS]
     return False
+
+
+def removal_help(name: str, sections: Iterable[str], removed: Mapping[Path, Mark]) -> str:
+    """Return what to do about a name that was removed from a base; empty if it was not removed.
+
+    Args:
+        name: what is named.
+        sections: in which it may have been.
+        removed: where entries of a base were removed.
+    """
+    at = next((removed[section, name] for section in sections if (section, name) in removed), None)
+    where = f"{at.file}:{at.line}" if at is not None and at.line else at.file if at is not None else ""
+    return f"'{name}' was removed in {where}; replace or remove what names it too" if at is not None else ""

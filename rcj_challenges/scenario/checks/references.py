@@ -6,6 +6,7 @@ Walks the tree beside the shapes of the models, so that unknown names come in on
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from math import inf
 from typing import Any, NamedTuple
 
 from rcj_challenges.core.timing import TICK_S
@@ -30,35 +31,33 @@ from rcj_challenges.rules.values.highest import HighestOfOthers
 from rcj_challenges.rules.values.lowest import LowestOfOthers
 from rcj_challenges.rules.values.term import term_of
 from rcj_challenges.rules.values.timer import NumberTimer
-from rcj_challenges.scenario.checks.removal import of_removed
-from rcj_challenges.scenario.errors import MAX_FOUND, choice_of, listing
-from rcj_challenges.scenario.messages.wording import format_node, quoted, spelled
-from rcj_challenges.scenario.models import places, state
-from rcj_challenges.scenario.models.robots import Entrant, Kit
+from rcj_challenges.scenario.checks.naming import removal_help
+from rcj_challenges.scenario.errors import MAX_FOUND, choice_of, cut, listing
+from rcj_challenges.scenario.messages.wording import format_node, spelled
+from rcj_challenges.scenario.models.places import Placing
+from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Expectation, Rule, Scenario
+from rcj_challenges.scenario.models.state import Timer
 from rcj_challenges.scenario.roster import BOUND, EACH, OTHER, Roster, texts, touched
 from rcj_challenges.scenario.shape import Shape, bare, chosen, fields, is_model, step_into
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, child, format_path, node_at
 from rcj_challenges.scenario.walk import Issue
 
-_UNKNOWN = {
-    EACH: "'each' can only be used in a rule with for_each",
-    OTHER: "'other' can only be used in a rule whose triggers are all touches",
-}
 _ON_FIELD = ("robots", "balls", "obstacles", "zones", "gates", "spots", "groups")
 """Sections whose names stand for something on the field."""
 _KEPT = {"counter": "counters", "flag": "flags", "timer": "timers", "sequence": "sequences"}
 """What may be kept once, or for each member of a group, by the key that names it."""
 _WRITES = (
-    Count,
-    SetFlag,
-    ToggleFlag,
-    TimerAction,
-    SequenceAction,
-    *map(term_of, (CounterValue, FlagValue, NumberTimer)),
-)
+    Count, SetFlag, ToggleFlag, TimerAction, SequenceAction, *map(term_of, (CounterValue, FlagValue, NumberTimer)),
+)  # fmt: skip
 """Words that are about all members if they name none."""
-
+_NUMBERS: dict[Any, tuple[float, float]] = {
+    NumberDraw: (-inf, inf),
+    term_of(NumberDraw): (-inf, inf),
+    DrawnDuration: (TICK_S, LONGEST_S),
+    DrawnSpeed: (0.001, MAX_KICK_MPS),
+}
+"""By model with the name of a draw that stands for a number: the bounds of its values."""
 
 _Wrong = tuple[str, str, str]
 
@@ -84,7 +83,7 @@ def check_references(root: Entries, roster: Roster, removed: Mapping[Path, Mark]
     """
     walker = _Walker(root, roster, removed)
     walker.walk(root, Scenario, (), Scope())
-    return walker.issues
+    return list(walker.issues.values())
 
 
 class _Walker:
@@ -92,8 +91,8 @@ class _Walker:
         self.root = root
         self.roster = roster
         self.removed = removed
-        self.issues: list[Issue] = []
-        self.reported: set[Path] = set()
+        # A value of a draw may be wrong for several words that use it: it is reported once.
+        self.issues: dict[tuple[str, Path], Issue] = {}
         kits = (node_at(root, ("robots", robot, "kit")) for robot in roster.names("robots"))
         self.kits_in_use = {name for kit in kits for name in texts(kit)}
 
@@ -115,51 +114,28 @@ class _Walker:
                     self.walk(inner, step_into(shape, node, key), (*path, key), scope)
 
     def add(self, code: str, path: Path, message: str, help_: str = "", *, at_key: bool = False) -> None:
-        self.issues.append(Issue(code, path, message, help_, at_key))
-
-    def _add_once(self, code: str, path: Path, message: str, user: Path, help_: str = "") -> None:
-        """Add what is wrong with a value of a draw, once for all the words that use it."""
-        if (*path, message) not in self.reported:
-            self.reported.add((*path, message))
-            self.add(code, path, f"{message} (needed by {format_path(self.root, user)})", help_)
-
-    # --- one mapping --------------------------------------------------------------------------------------------------
+        self.issues.setdefault((code, path), Issue(code, path, message, help_, at_key))
 
     def _model(self, model: Any, node: Entries, path: Path, scope: Scope) -> Scope:
+        """Check the names of one mapping, and return what ``each`` and ``other`` stand for in it."""
         if model is Kit and path[-1] not in self.kits_in_use:
             return scope  # a preset's kit may list robots that this scenario has not
-        if model is Entrant and self._is_without_robots(node, path):
-            return scope
         if model is Rule:
             scope = self._scope_of(node)
-        elif model is state.Timer and texts(node.entries.get("per")):
+        elif model is Timer and texts(node.entries.get("per")):
             # What one of several timers lasts may be what the counter of the same member says.
             scope = Scope(self._members(node.entries["per"], Scope()))
         for key, reference, default in refs_of(model):
             if key in node.entries:
                 for name, at in _names_in(node.entries[key], (*path, key), reference):
-                    wrong = self._wrong(reference, name, at, scope)
-                    if wrong is not None:
-                        self._report(*wrong, at, at_key=reference.keys)
+                    if wrong := self._wrong(reference, name, at, scope):
+                        self.add(wrong[0], at, wrong[1], wrong[2], at_key=reference.keys)
             elif isinstance(default, str) and self._wrong(reference, default, path, scope) is not None:
-                known = self._known(reference)
                 message = f"'{key}' defaults to '{default}', which this scenario does not have"
-                self.add("unknown-name", path, message, f"set '{key}'; {choice_of('', known, reference.noun)}")
+                known = choice_of("", self._known(reference), reference.noun)
+                self.add("unknown-name", path, message, f"set '{key}'; {known}")
         self._relations(model, node, path, scope)
         return scope
-
-    def _is_without_robots(self, entrant: Entries, path: Path) -> bool:
-        """Report once that all robots of an entrant were removed, and return whether it is so."""
-        robots = entrant.entries.get("robots")
-        names = tuple(robots.entries) if isinstance(robots, Entries) else ()
-        if not names or not all(("robots", name) in self.removed for name in names):
-            return False
-        at = self.removed["robots", names[0]]
-        swaps = node_at(self.root, ("match", "swap_sides"))
-        also = ", and 'swap_sides: false' under match" if isinstance(swaps, Leaf) and swaps.value is True else ""
-        message = f"all robots of '{path[-1]}' were removed in {at.file}{f':{at.line}' if at.line else ''}"
-        self.add("entrant-without-robots", path, message, f"write '{path[-1]}: null' under entrants{also}", at_key=True)
-        return True
 
     def _scope_of(self, rule: Entries) -> Scope:
         group = rule.entries.get("for_each")
@@ -179,73 +155,50 @@ class _Walker:
 
     # --- one name -----------------------------------------------------------------------------------------------------
 
-    def _report(self, code: str, message: str, help_: str, path: Path, *, at_key: bool) -> None:
-        if code == "mixed-group":  # the group is what is wrong: once for each rule that names it
-            if (*path[:2], message) in self.reported:
-                return
-            self.reported.add((*path[:2], message))
-            code = "wrong-kind"
-        self.add(code, path, message, help_, at_key=at_key)
-
     def _wrong(self, reference: Reference, name: str, path: Path, scope: Scope) -> _Wrong | None:  # noqa: PLR0911
         """Return code, message and help about a name that cannot stand here; None if it can."""
-        roster, kind = self.roster, self.roster.kinds.get(name)
+        roster = self.roster
         if name in reference.words:
             return None
         if isinstance(reference, SectionRef):
             is_known = any(name in roster.names(section) for section in reference.sections)
             return None if is_known else self._unknown(reference, name, path)
         if name in BOUND:
-            return self._wrong_bound(reference, name, path, scope)
-        if kind is None and name not in roster.groups:
+            unbound = self._unbound(reference, name, path, scope.of(name))
+            return ("unbound-name", unbound, "") if unbound else self._wrong_kind(reference, name, scope.of(name) or ())
+        if roster.kinds.get(name) in reference.kinds:
+            return None
+        if name not in {*roster.groups, *roster.kinds}:
             if not reference.drawn or name not in roster.names("draws"):
                 return self._unknown(reference, name, path)
-            self._check_drawn(reference, name, path)
-        elif kind in (None, "walls") and kind not in reference.kinds:
-            return self._wrong_group(reference, name)
-        elif kind not in reference.kinds:
-            message = f"'{name}' is {_a(str(kind))}; expected {_a(reference.noun)}"
-            return "wrong-kind", message, self._instead(reference, str(kind))
-        return None
-
-    def _wrong_bound(self, reference: Ref, name: str, path: Path, scope: Scope) -> _Wrong | None:
-        members = scope.of(name)
-        if name == OTHER and path[2:3] == ("triggers",):
-            return "unbound-name", "'other' is what was touched", "a trigger says what may be, by name or group"
-        if not reference.each:
-            return "unbound-name", f"'{name}' cannot be used here", f"name {_a(reference.noun)}"
-        if members is None:
-            per = "'each' can only be used in a timer with per"
-            return "unbound-name", per if path[0] == "timers" and name == EACH else _UNKNOWN[name], ""
-        kinds = self.roster.kinds
-        wrong = next((one for one in members if one in kinds and kinds[one] not in reference.kinds), None)
-        if wrong is None:
-            return None  # what has no kind does not exist, which is reported where it is written
-        message = f"'{name}' stands for '{wrong}', {_a(kinds[wrong])}; expected {_a(reference.noun)}"
-        return "wrong-kind", message, self._instead(reference, kinds[wrong])
-
-    def _wrong_group(self, reference: Ref, group: str) -> _Wrong | None:
-        kinds, members = self.roster.kinds, self.roster.groups[group]
-        stranger = next((one for one in members if one in kinds and kinds[one] not in reference.kinds), None)
-        if not reference.groups:
-            return (
-                "wrong-kind",
-                f"'{group}' is a group; expected {_a(reference.noun)}",
-                f"name one of {listing(members)}",
-            )
-        if stranger is None:
+            self._drawn(reference, name, path)
             return None
-        what = f"'{group}' is" if group == stranger else f"group '{group}' contains '{stranger}',"
-        message = f"{what} {_a(kinds[stranger])}; expected {_a(reference.noun)}"
-        return "mixed-group", message, self._instead(reference, kinds[stranger])
+        if name in roster.groups and not reference.groups:
+            message = f"'{name}' is a group; expected {_a(reference.noun)}"
+            return "wrong-kind", message, f"name one of {listing(roster.groups[name])}"
+        return self._wrong_kind(reference, name, roster.groups.get(name, (name,)))
 
-    def _instead(self, reference: Ref, kind: str) -> str:
-        """Return what to write in place of something of the wrong kind."""
-        if reference.instead and kind in reference.instead_of:
-            return reference.instead
-        if kind == "fixed obstacle" and "obstacle" in reference.kinds:
-            return "with movable: true it is an entity"
-        return ""
+    def _wrong_kind(self, reference: Ref, name: str, members: tuple[str, ...]) -> _Wrong | None:
+        kinds = self.roster.kinds
+        # What has no kind does not exist, which is reported where it is written.
+        wrong = next((one for one in members if kinds.get(one, "") not in {"", *reference.kinds}), None)
+        if wrong is None:
+            return None
+        what = f"'{name}' is" if name == wrong else f"'{name}' stands for '{wrong}',"
+        help_ = reference.instead if kinds[wrong] in reference.instead_of else ""
+        if kinds[wrong] == "fixed obstacle" and "obstacle" in reference.kinds:
+            help_ = help_ or "with movable: true it is an entity"
+        return "wrong-kind", f"{what} {_a(kinds[wrong])}; expected {_a(reference.noun)}", help_
+
+    @staticmethod
+    def _unbound(reference: Ref, name: str, path: Path, members: tuple[str, ...] | None) -> str:
+        if name == OTHER and path[2:3] == ("triggers",):
+            return "'other' is what was touched: a trigger says what may be, by name or group"
+        if not reference.each:
+            return f"'{name}' cannot be used here"
+        if members is None and path[0] == "timers" and name == EACH:
+            return "'each' can only be used in a timer with per"
+        return _unknown_bound(name) if members is None else ""
 
     def _known(self, reference: Reference) -> list[str]:
         """Return the names that may stand for a reference."""
@@ -253,13 +206,13 @@ class _Walker:
         if isinstance(reference, SectionRef):
             words = sorted(reference.words - {"any", *BOUND})
             return [*words, *(name for section in reference.sections for name in roster.names(section))]
-        groups = roster.groups.items() if reference.groups else ()
-        fitting = (group for group, all_ in groups if all_ and self._wrong_group(reference, group) is None)
-        draws = roster.drawn.items() if reference.drawn else ()
-        deciding = (
-            draw for draw, all_ in draws if all_ and all(roster.kinds.get(one) in reference.kinds for one in all_)
+        several = {**(roster.groups if reference.groups else {}), **(roster.drawn if reference.drawn else {})}
+        fitting = (
+            name
+            for name, members in several.items()
+            if members and all(roster.kinds.get(one) in reference.kinds for one in members)
         )
-        return list(dict.fromkeys([*roster.of_kinds(reference.kinds), *fitting, *deciding]))
+        return list(dict.fromkeys([*roster.of_kinds(reference.kinds), *fitting]))
 
     def _unknown(self, reference: Reference, name: str, path: Path) -> _Wrong | None:
         sections = reference.sections if isinstance(reference, SectionRef) else _ON_FIELD
@@ -267,13 +220,14 @@ class _Walker:
             return None  # that the section is none is reported; what might stand in it is unknown
         kind = self.roster.kind_of(name)
         which = f", which is {_a(kind)}" if kind else ""
-        help_ = of_removed(name, sections, path, self.root, self.removed)
-        help_ = help_ or choice_of(name, self._known(reference), reference.noun)
+        help_ = removal_help(name, sections, self.removed) or choice_of(name, self._known(reference), reference.noun)
         if kind == "param":
             help_ = f"what a param holds is written {{param: {name}}}"
         elif name == "this" and path[0] == "rules":
             help_ = "in a rule with repeat_for its name is written {param: this}"
         return "unknown-name", f"unknown {reference.noun} '{name[:64]}'{which}", help_
+
+    # --- values of draws ----------------------------------------------------------------------------------------------
 
     def _values_of(self, draw: Node | None) -> list[tuple[Path, Leaf]]:
         """Return the values among which a draw decides, with their places."""
@@ -282,65 +236,73 @@ class _Walker:
         listed = enumerate(values.items if isinstance(values, Items) else ())
         return [((*path, i), one) for i, one in listed if isinstance(one, Leaf) and one.value is not None]
 
-    def _check_drawn(self, reference: Reference, draw: str, user: Path) -> None:
+    def _drawn(self, reference: Reference, draw: str, user: Path) -> None:
         """Check that all that a draw may decide can stand where its name is used."""
         plain = Ref(reference.noun, reference.kinds) if isinstance(reference, Ref) else reference
+        needed_by = f"(needed by {format_path(self.root, user)})"
         for at, value in self._values_of(Leaf(draw, self.root.mark)):
             if not isinstance(value.value, str):
-                self._add_once("wrong-value", at, f"expected {_a(reference.noun)}, found {format_node(value)}", user)
+                message = f"expected {_a(reference.noun)}, found {format_node(value)} {needed_by}"
+                self.add("wrong-value", at, message)
             elif wrong := self._wrong(plain, value.value, at, Scope()):
-                self._add_once(wrong[0], at, wrong[1], user, wrong[2])
+                self.add(wrong[0], at, f"{wrong[1]} {needed_by}", wrong[2])
+
+    def _numbers(self, least: float, most: float, node: Entries, path: Path) -> None:
+        bounds = "" if least == -inf else f" from {least:g} to {most:g}"
+        for at, value in self._values_of(node.entries.get("draw")):
+            number = value.value
+            if not isinstance(number, int | float) or isinstance(number, bool) or not least <= number <= most:
+                message = f"expected a number{bounds}, found {format_node(value)}"
+                self.add("wrong-value", at, f"{message} (needed by {format_path(self.root, path)})")
 
     def _decided(self, node: Entries, path: Path, scope: Scope) -> None:
         """Check the value of a draw that a rule asks for or sets: ``each`` and ``other`` are names if it has them."""
         key = "as" if "as" in node.entries else "equals"
-        draw, value, at = node.entries.get("draw"), node.entries.get(key), (*path, key)
-        known = [one.value for _, one in self._values_of(draw)]
+        value, at = node.entries.get(key), (*path, key)
+        known = [one.value for _, one in self._values_of(node.entries.get("draw"))]
         name = str(value.value) if isinstance(value, Leaf) else ""
-        members = scope.of(name) if name in BOUND else None
-        if name not in BOUND or (name in known and members is None):
-            self._among_values(draw, value, at)
+        members = scope.of(name)
+        if name not in BOUND or name in known:
+            self._among(known, value, at)
         elif members is None:
-            self.add("unbound-name", at, _UNKNOWN[name])
-        elif name in known:
-            message = f"'{name}' is a value of the draw and a name that this rule has"
-            self.add("name-taken", at, message, "give the value another name")
-        else:
-            strangers = [one for one in members if one not in known and one in self.roster.kinds]
-            # To ask whether it is drawn, it suffices that one of them can be; to be set, each must.
-            if known and strangers and (key == "as" or len(strangers) == len(members)):
-                message = f"'{name}' stands for '{strangers[0]}', which is never drawn"
-                self.add("never-drawn", at, message, choice_of("", map(spelled, known)))
+            self.add("unbound-name", at, _unknown_bound(name))
+        # To ask whether it is drawn, it suffices that one of them can be; to be set, each must.
+        elif known and not (all if key == "as" else any)(one in known for one in members):
+            message = f"'{name}' stands for what is never drawn"
+            self.add("never-drawn", at, message, choice_of("", (cut(spelled(one)) for one in known)))
 
-    def _among_values(self, draw: Node | None, value: Node | None, path: Path) -> None:
-        known = [one.value for _, one in self._values_of(draw)]
+    def _decided_by_test(self, test: Entries, path: Path, _scope: Scope) -> None:
+        """Check the values of draws that a test decides: one, or several in order."""
+        for name, value in _entries(test.entries.get("draws")):
+            known = [one.value for _, one in self._values_of(Leaf(name, value.mark))]
+            at = (*path, "draws", name)
+            for index, one in enumerate(value.items if isinstance(value, Items) else ()):
+                self._among(known, one, (*at, index))
+            self._among(known, value, at)
+
+    def _among(self, known: list[Any], value: Node | None, path: Path) -> None:
         if not known or not isinstance(value, Leaf) or value.value is None:
             return
         if not any(type(value.value) is type(one) and value.value == one for one in known):
-            names = [quoted(one) if isinstance(one, str) else spelled(one) for one in known]
-            help_ = choice_of(spelled(value.value), names)
-            self.add("never-drawn", path, f"{format_node(value)} is never drawn", help_)
+            message = f"{format_node(value)} is never drawn"
+            self.add(
+                "never-drawn", path, message, choice_of(spelled(value.value), (cut(spelled(one)) for one in known))
+            )
 
     # --- what a reference cannot say ----------------------------------------------------------------------------------
 
     def _relations(self, model: Any, node: Entries, path: Path, scope: Scope) -> None:
-        """Check how the names of one mapping go together."""
         if key := next((key for key in _KEPT if "entity" in fields(model) and key in fields(model)), None):
             self._owner(key, model, node, path, scope)
-        if model in (Place, places.Placing):
-            self._put(node, path, scope)
-        if model in _DRAWN_NUMBERS:
-            for at, value in self._values_of(node.entries.get("draw")):
-                if message := _DRAWN_NUMBERS[model](value):
-                    self._add_once("wrong-value", at, message, path)
-        check = _RELATIONS.get(model)
-        if check is not None:
-            check(self, node, path, scope)
+        if model in _NUMBERS:
+            self._numbers(*_NUMBERS[model], node, path)
+        if model in _RELATIONS:
+            _RELATIONS[model](self, node, path, scope)
 
-    def _put(self, node: Entries, path: Path, scope: Scope) -> None:
-        kinds = self.roster.kinds
+    def _place(self, node: Entries, path: Path, scope: Scope) -> None:
         for layout in texts(child(node.entries.get("layout"), "draw")):
-            self._check_drawn(SectionRef("layout", ("placements",)), layout, (*path, "layout"))
+            self._drawn(SectionRef("layout", ("placements",)), layout, (*path, "layout"))
+        kinds = self.roster.kinds
         names = self._members(node.entries.get("entity"), scope) if "kick" in node.entries else ()
         if name := next((one for one in names if kinds.get(one, "ball") != "ball"), None):
             self.add("wrong-kind", (*path, "kick"), f"only balls roll: '{name}' is {_a(kinds[name])}")
@@ -355,63 +317,48 @@ class _Walker:
                     help_ = f"give it per: robots, or write {{counter: {name}}}"
                     self.add("not-per-entity", (*path, key), message, help_)
 
-    def _decided_beforehand(self, test: Entries, path: Path, _scope: Scope) -> None:
-        """Check the values of draws that a test decides: one, or several in order."""
-        for name, value in _entries(test.entries.get("draws")):
-            at = (*path, "draws", name)
-            self._among_values(Leaf(name, value.mark), value, at)
-            for index, one in enumerate(value.items if isinstance(value, Items) else ()):
-                self._among_values(Leaf(name, value.mark), one, (*at, index))
-
     def _owner(self, key: str, model: Any, node: Entries, path: Path, scope: Scope) -> None:
         """Check ``entity`` beside something that may be kept for each member of a group, or its absence."""
-        names, whose = texts(node.entries.get(key)), node.entries.get("entity")
-        entry = node_at(self.root, (_KEPT[key], *names[:1]))
-        per = child(entry, "per")
-        groups = texts(per)
-        if not names or (isinstance(per, Leaf) and not groups):
-            return
-        if not groups:
+        roster, kinds = self.roster, self.roster.kinds
+        name, whose = next(iter(texts(node.entries.get(key))), ""), node.entries.get("entity")
+        entry = node_at(self.root, (_KEPT[key], name))
+        group = next(iter(texts(child(entry, "per"))), "")
+        if group not in {"", *roster.groups, *kinds} or (entry is None and name not in roster.names("entrants")):
+            return  # an unknown name is reported where it is written
+        if not group:
             surplus = next((one for one in ("entity", "of") if one in node.entries), None)
-            if surplus is not None and (entry is not None or names[0] in self.roster.names("entrants")):
-                message = f"{key} '{names[0]}' is not kept per entity"
+            if surplus is not None:
+                message = f"{key} '{name}' is not kept per entity"
                 self.add("not-per-entity", (*path, surplus), message, f"leave '{surplus}' out, or give the {key} 'per'")
             return
-        if groups[0] not in self.roster.groups and groups[0] not in self.roster.kinds:
-            return  # an unknown group is reported where it is written
-        owners, is_counted = self.roster.expand(groups[0]), "of" in node.entries
-        kinds = self.roster.kinds
+        owners, is_counted = roster.expand(group), "of" in node.entries
         if whose is None:
             is_about_one = any(one in owners or kinds.get(one) not in ("zone", "gate") for one in scope.each or ())
             if is_about_one and not is_counted and model not in _WRITES:
-                message = f"{key} '{names[0]}' is kept per {groups[0]}"
+                message = f"{key} '{name}' is kept per {group}"
                 self.add("missing-entity", (*path, key), message, "say whose with 'entity', such as entity: each")
             return
-        is_several = isinstance(whose, Items) or any(
-            one in self.roster.groups and one not in kinds for one in texts(whose)
-        )
+        is_several = isinstance(whose, Items) or any(one in roster.groups and one not in kinds for one in texts(whose))
         if "of" in fields(model) and not is_counted and is_several:
             help_ = "name one entity, or say with 'of' how many of them: any, all, none, {at_least: n}"
             self.add("missing-entity", (*path, "entity"), "these are several", help_)
             return
         stranger = next((one for one in self._members(whose, scope) if one not in owners and one in kinds), None)
         if stranger is not None:
-            message = f"{key} '{names[0]}' is kept per {groups[0]}, and '{stranger}' is not among them"
+            message = f"{key} '{name}' is kept per {group}, and '{stranger}' is not among them"
             self.add("wrong-kind", (*path, "entity"), message)
 
-    def _two_that_touch(self, touch: Entries, path: Path, scope: Scope) -> None:
-        one, other = (self._members(touch.entries.get(key), scope) for key in ("entity", "other"))
+    def _touch(self, touch: Entries, path: Path, scope: Scope) -> None:
+        """Check that two things can touch: one of them moves, and they are not the same."""
+        keys = ("entity", "other")
+        one, other = (self._members(touch.entries.get(key), scope) for key in keys)
+        written = [texts(touch.entries.get(key)) for key in keys]
         kinds = self.roster.kinds
-        written = {name for key in ("entity", "other") for name in texts(touch.entries.get(key))}
-        is_itself = len(written) == 1 and "other" in touch.entries and (written <= kinds.keys() | {EACH})
-        if is_itself and touch.entries.keys() >= {"entity", "other"}:
-            message = f"'{next(iter(written))}' never touches itself"
-            self.add(
-                "never-touches", (*path, "other"), message, "name in other what it touches, such as robots or walls"
-            )
-        elif one and other and all(kinds.get(name) in ("fixed obstacle", "walls") for name in (*one, *other)):
-            message = f"'{one[0]}' and '{other[0]}' never move, so that they never touch"
-            self.add("never-touches", (*path, "other"), message, "name a robot or a ball")
+        is_itself = written[0] == written[1] and len(written[0]) == 1 and written[0][0] in {EACH, *kinds}
+        never_move = all(kinds.get(name) in ("fixed obstacle", "walls") for name in (*one, *other))
+        if is_itself or (one and other and never_move):
+            why = "a thing never touches itself" if is_itself else "neither of them ever moves"
+            self.add("never-touches", (*path, "other"), why, "name what it touches, such as robots or walls")
 
     def _receiver(self, node: Entries, path: Path, scope: Scope) -> None:
         """Check that ``each`` or ``other`` stands for robots that an entrant drives, if points are given to it."""
@@ -421,7 +368,7 @@ class _Walker:
             return
         members = scope.of(name)
         if members is None:
-            self.add("unbound-name", path, _UNKNOWN[name])
+            self.add("unbound-name", path, _unknown_bound(name))
             return
         robots = (node_at(self.root, ("entrants", one, "robots")) for one in self.roster.names("entrants"))
         driven = {robot for node in robots for robot, _ in _entries(node)}
@@ -439,50 +386,33 @@ class _Walker:
         members = (scope.each or ()) if step[0] == EACH else step
         # Of several that `each` stands for it suffices that one is a step.
         if members and all(self.roster.kinds.get(one) in ("zone", "gate") and one not in known for one in members):
-            self.add(
-                "unknown-name", (*path, "step"), f"'{members[0]}' is not a step of it", choice_of(members[0], known)
-            )
+            message = f"'{members[0]}' is not a step of it"
+            self.add("unknown-name", (*path, "step"), message, choice_of(members[0], known))
 
 
 _RELATIONS: dict[Any, Callable[[_Walker, Entries, Path, Scope], None]] = {
-    Score: _Walker._receiver,  # noqa: SLF001 - its own
+    Place: _Walker._place,  # noqa: SLF001 - its own
+    Placing: _Walker._place,  # noqa: SLF001
+    Score: _Walker._receiver,  # noqa: SLF001
     Drawn: _Walker._decided,  # noqa: SLF001
     DrawAction: _Walker._decided,  # noqa: SLF001
-    Expectation: _Walker._decided_beforehand,  # noqa: SLF001
+    Expectation: _Walker._decided_by_test,  # noqa: SLF001
     SequenceAt: _Walker._among_steps,  # noqa: SLF001
     LowestOfOthers: _Walker._of_others,  # noqa: SLF001
     HighestOfOthers: _Walker._of_others,  # noqa: SLF001
-    Touches: _Walker._two_that_touch,  # noqa: SLF001
+    Touches: _Walker._touch,  # noqa: SLF001
 }
 
 
-def _no_number(value: Leaf) -> str:
-    return f"expected a number, found {format_node(value)}" if isinstance(value.value, (str, bool)) else ""
-
-
-def _within(least: float, most: float, what: str) -> Callable[[Leaf], str]:
-    def wrong(value: Leaf) -> str:
-        is_within = isinstance(value.value, int | float) and least <= value.value <= most
-        return _no_number(value) or ("" if is_within else f"{what}, found {format_node(value)}")
-
-    return wrong
-
-
-_DRAWN_NUMBERS: dict[Any, Callable[[Leaf], str]] = {
-    NumberDraw: _no_number,
-    term_of(NumberDraw): _no_number,
-    DrawnDuration: _within(
-        TICK_S, LONGEST_S, f"a duration must be at least one tick ({TICK_S} s), at most {LONGEST_S} s"
-    ),
-    DrawnSpeed: _within(5e-324, MAX_KICK_MPS, f"a kick's speed is over 0 and at most {MAX_KICK_MPS} m/s"),
-}
-"""By model: what is wrong with a value of a draw whose name stands for a number; an empty text if nothing is."""
+def _unknown_bound(name: str) -> str:
+    where = "with for_each" if name == EACH else "whose triggers are all touches"
+    return f"'{name}' can only be used in a rule {where}"
 
 
 def _names_in(node: Node, path: Path, reference: Reference) -> Iterator[tuple[str, Path]]:
     """Yield the names of a field, each with its place."""
     if reference.keys:
-        yield from ((name, (*path, name)) for name in (node.entries if isinstance(node, Entries) else ()))
+        yield from ((name, (*path, name)) for name, _ in _entries(node))
     elif isinstance(node, Leaf) and isinstance(node.value, str):
         yield node.value, path
     elif isinstance(node, Items):

@@ -13,7 +13,18 @@ from rcj_challenges.scenario.checks.references import check_references
 from rcj_challenges.scenario.errors import MAX_FOUND
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.tree import RESOLVED, Entries, Leaf, Mark, Node, Path, format_path, mark_of, node_at
+from rcj_challenges.scenario.tree import (
+    RESOLVED,
+    Entries,
+    Leaf,
+    Mark,
+    Node,
+    Path,
+    format_path,
+    mark_of,
+    node_at,
+    note_at,
+)
 from rcj_challenges.scenario.walk import Issue
 
 
@@ -55,10 +66,8 @@ def _located(issue: Issue, tree: Entries) -> Diagnostic:
     path, at_key = issue.path, issue.at_key
     if issue.other and mark_of(tree, path).file != tree.mark.file == mark_of(tree, issue.other).file:
         path, at_key = issue.other, False
-    leaf = node_at(tree, path)
-    note = f" ({leaf.note})" if isinstance(leaf, Leaf) and leaf.note else ""
-    mark = mark_of(tree, path, at_key=at_key)
-    return mark.error(issue.code, issue.message + note, issue.help, format_path(tree, path))
+    message = issue.message + note_at(tree, path)
+    return mark_of(tree, path, at_key=at_key).error(issue.code, message, issue.help, format_path(tree, path))
 
 
 def _may_follow_from_unknown(node: Node | None) -> bool:

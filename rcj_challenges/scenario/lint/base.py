@@ -10,15 +10,7 @@ from rcj_challenges.scenario.tree import Path
 
 
 class Suspicion(NamedTuple):
-    """One place that a check reports, before its position in the file is looked up.
-
-    Attributes:
-        code: of the check.
-        path: where it is.
-        message: why it is suspicious.
-        help: what to do.
-        at_key: whether the key is reported, not its value.
-    """
+    """One place that a check reports, before its position in the file is looked up."""
 
     code: str
     path: Path

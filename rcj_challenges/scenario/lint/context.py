@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from collections.abc import Set as AbstractSet
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -12,15 +12,14 @@ from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.rules.actions.place import Place
 from rcj_challenges.rules.actions.remove import Remove
 from rcj_challenges.rules.actions.set_phase import SetPhase
+from rcj_challenges.rules.base import Action
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.refs import Ref, Reference, ref_of
-from rcj_challenges.rules.values.counter import CounterValue
-from rcj_challenges.rules.values.draw import DrawnDuration, DrawValue
-from rcj_challenges.scenario.load import Loaded
+from rcj_challenges.rules.values.draw import DrawnDuration
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.reading.merge import Repeated
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.tree import Entries, Path, file_of
+from rcj_challenges.scenario.tree import Entries, Path, node_at
 from rcj_challenges.scenario.walk import walk
 
 
@@ -54,21 +53,9 @@ class LintContext:
     scenario: Scenario
     roster: Roster
     tree: Entries
-    left_out: Mapping[str, Diagnostic] = field(default_factory=dict)
-    repeated: Mapping[str, Repeated] = field(default_factory=dict)
-    overridden: AbstractSet[Path] = frozenset()
-
-    @classmethod
-    def of(cls, loaded: Loaded) -> LintContext:
-        """Return the context of a loaded scenario.
-
-        Raises:
-            ValueError: it was not loaded from a file or a text, so that nothing has a position.
-        """
-        if loaded.written is None:
-            message = "lint needs a scenario that was loaded from a file or a text"
-            raise ValueError(message)
-        return cls(loaded.scenario, loaded.roster, loaded.written, loaded.left_out, loaded.repeated, loaded.overridden)
+    left_out: Mapping[str, Diagnostic]
+    repeated: Mapping[str, Repeated]
+    overridden: AbstractSet[Path]
 
     @cached_property
     def models(self) -> list[tuple[Strict, Path]]:
@@ -81,38 +68,30 @@ class LintContext:
         found = []
         for model, path in self.models:
             for name, info in type(model).model_fields.items():
-                key = info.alias or name
                 reference = ref_of(type(model), name)
                 if reference is not None:
-                    at = (*path, key)
+                    at = (*path, info.alias or name)
                     found += [Use(type(model), at, text, reference) for text in _names(getattr(model, name), reference)]
         return found
 
     @cached_property
-    def transitions(self) -> frozenset[tuple[str, str]]:
-        """Pairs of phases of which the second may follow the first, as far as phases can be reached at all."""
-        scenario = self.scenario
-        edges: set[tuple[str, str]] = set()
-        reached = {scenario.first_phase}
-        todo = [scenario.first_phase]
-        while todo:
-            here = todo.pop()
+    def entered_phases(self) -> frozenset[str]:
+        """The phases that another phase or a rule enters: the first one only if something returns to it."""
+        scenario, entered, todo = self.scenario, set[str](), [self.scenario.first_phase]
+        for here in todo:
             model = scenario.phases.get(here)
             onward = [model.next] if model is not None and model.lasts_s is not None else []
             for rule in scenario.rules.values():
                 if is_active_in(rule, here):
                     onward += [action.phase for action in rule.actions if isinstance(action, SetPhase)]
-            for phase in onward:
-                edges.add((here, phase))
-                if phase not in reached:
-                    reached.add(phase)
-                    todo.append(phase)
-        return frozenset(edges)
+            entered.update(onward)
+            todo += [phase for phase in dict.fromkeys(onward) if phase not in todo]
+        return frozenset(entered)
 
     @cached_property
     def reachable_phases(self) -> frozenset[str]:
-        """The phases that can ever be entered."""
-        return frozenset({self.scenario.first_phase, *(to for _, to in self.transitions)})
+        """The phases that a half can ever be in."""
+        return self.entered_phases | {self.scenario.first_phase}
 
     def is_reachable(self, rule: Rule) -> bool:
         """Return whether a rule is active in a phase that can be entered."""
@@ -121,6 +100,12 @@ class LintContext:
     def reachable_rules(self) -> Iterator[tuple[str, Rule]]:
         """Yield the rules that can fire as far as phases go."""
         return ((name, rule) for name, rule in self.scenario.rules.items() if self.is_reachable(rule))
+
+    def reachable_actions(self) -> Iterator[tuple[Action, Rule, Path]]:
+        """Yield the actions of these rules."""
+        for name, rule in self.reachable_rules():
+            for index, action in enumerate(rule.actions):
+                yield action, rule, ("rules", name, "actions", index)
 
     def members(self, names: str | tuple[str, ...], rule: Rule) -> frozenset[str]:
         """Return what names in a rule may stand for: of ``each``, ``other`` and draws all that they may ever be."""
@@ -132,23 +117,16 @@ class LintContext:
         for action in rule.actions:
             if isinstance(action, Place | Remove) and action.entity is not None:
                 moved |= self.members(action.entity, rule)
-            if isinstance(action, Place) and action.layout is not None:
-                for layout in layouts_of(action.layout, self.scenario):
-                    for placing in self.scenario.placements.get(layout, ()):
-                        moved |= self.members(placing.entity, rule)
+            if isinstance(action, Place) and isinstance(action.layout, str):
+                for placing in self.scenario.placements[action.layout]:
+                    moved |= self.members(placing.entity, rule)
         return frozenset(moved)
 
-    def is_own(self, section: str, name: str) -> bool:
-        """Return whether an entry of a section stands in the author's own file, not in a base."""
-        return file_of(self.tree, section, name) == self.tree.mark.file
-
-
-def layouts_of(layout: str | DrawValue, scenario: Scenario) -> tuple[str, ...]:
-    """Return the layouts that an action may place: the one that it names, or all that a draw may select."""
-    if isinstance(layout, str):
-        return (layout,)
-    draw = scenario.draws.get(layout.draw)
-    return tuple(str(value) for value in draw.values) if draw is not None else ()
+    def is_own(self, path: Path) -> bool:
+        """Return whether a value or an entry stands in the author's own file, not in a base."""
+        above, node = node_at(self.tree, path[:-1]), node_at(self.tree, path)
+        mark = above.key_marks.get(str(path[-1])) if isinstance(above, Entries) else node.mark if node else None
+        return mark is not None and mark.file == self.tree.mark.file
 
 
 def is_active_in(rule: Rule, phase: str) -> bool:
@@ -156,13 +134,11 @@ def is_active_in(rule: Rule, phase: str) -> bool:
     return rule.phases == "any" or phase in rule.phases
 
 
-def longest_s(lasts_s: float | DrawnDuration | CounterValue, scenario: Scenario) -> float | None:
-    """Return how long something lasts at most, in s; None if a counter decides."""
-    if isinstance(lasts_s, CounterValue):
-        return None
+def longest_s(lasts_s: object, scenario: Scenario) -> float | None:
+    """Return how long something lasts at most, in s; None if it has no length, or a counter decides."""
     if isinstance(lasts_s, DrawnDuration):
         return max(float(value) for value in scenario.draws[lasts_s.draw].values)
-    return lasts_s
+    return lasts_s if isinstance(lasts_s, int | float) else None
 
 
 def _names(value: Any, reference: Reference) -> Iterator[str]:

@@ -10,27 +10,18 @@ from rcj_challenges.rules.actions.place import Place
 from rcj_challenges.rules.actions.remove import Remove
 from rcj_challenges.rules.actions.set_phase import SetPhase
 from rcj_challenges.rules.base import Trigger
-from rcj_challenges.rules.conditions.distance import Distance
-from rcj_challenges.rules.places.furthest_free import FurthestFree
-from rcj_challenges.rules.places.nearest_free import NearestFree
-from rcj_challenges.rules.places.on_line import OnLine
 from rcj_challenges.rules.places.point import AtPoint
 from rcj_challenges.rules.places.spot import AtSpot
-from rcj_challenges.rules.places.uniform_in import UniformIn
 from rcj_challenges.rules.triggers.half_started import HalfStarted
-from rcj_challenges.rules.values.distance import DistanceValue
 from rcj_challenges.scenario.checks.ground import Floor, obstacle_bodies
 from rcj_challenges.scenario.floor import floor_parts, on_floor
-from rcj_challenges.scenario.floor_shapes import points_in, segment_has_floor, zone_has_floor
 from rcj_challenges.scenario.lint.base import LintRule, Suspicion
 from rcj_challenges.scenario.lint.context import LintContext, is_active_in
-from rcj_challenges.scenario.models import places
+from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, Placing, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.outlines import Part, disc, overlap, robot_outline
 from rcj_challenges.scenario.set_spots import fixed_spots
 from rcj_challenges.scenario.tree import Path
-
-_Placing = places.Placing | Place
 
 
 class OffTheField(LintRule):
@@ -42,26 +33,41 @@ class OffTheField(LintRule):
     at_key = True
 
     def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield places that lie outside the walls. What rules only measure distances to may lie there."""
-        scenario = ctx.scenario
-        parts = floor_parts(scenario.field)
-        met = {
-            member
-            for use in ctx.uses
-            if use.is_on_field and not issubclass(use.model, Distance | DistanceValue)
-            for member in ctx.roster.expand(use.name)
-        }
-        measured = {member for use in ctx.uses for member in ctx.roster.expand(use.name)} - met
-        for name, zone in scenario.zones.items():
-            if name not in measured and not zone_has_floor(zone, parts):
+        """Yield places that lie beyond the walls."""
+        parts = floor_parts(ctx.scenario.field)
+        corners = [corner for part in parts for corner in part]
+        for name, zone in ctx.scenario.zones.items():
+            if lies_beside(zone, corners):
                 yield self.at(("zones", name), noun="zone", name=name)
-        for name, gate in scenario.gates.items():
-            moves = gate.anchor is not None
-            if not moves and name not in measured and not segment_has_floor(gate.from_m, gate.to_m, parts):
+        for name, gate in ctx.scenario.gates.items():
+            if gate.anchor is None and _are_beside([gate.from_m, gate.to_m], corners):
                 yield self.at(("gates", name), noun="gate", name=name)
-        for name, spot in fixed_spots(scenario).items():
+        for name, spot in fixed_spots(ctx.scenario).items():
             if not on_floor((spot.x_m, spot.y_m), parts):
                 yield self.at(("spots", name), noun="spot", name=name)
+
+
+def lies_beside(zone: Zone, floor: Sequence[Point]) -> bool:
+    """Return whether a zone has no point inside the smallest rectangle around the floor."""
+    if zone.inverted:
+        return False
+    if isinstance(zone, HalfPlaneZone):
+        (px, py), (nx, ny) = zone.through_m, zone.normal
+        return all((x - px) * nx + (y - py) * ny < 0 for x, y in floor)
+    if isinstance(zone, CircleZone):
+        (x, y), r = zone.centre_m, zone.radius_m
+        return _are_beside([(x - r, y - r), (x + r, y + r)], floor)
+    if isinstance(zone, RectZone):
+        far = 100.0  # stands for a side that is open
+        low = (-far if zone.x_min_m is None else zone.x_min_m, -far if zone.y_min_m is None else zone.y_min_m)
+        high = (far if zone.x_max_m is None else zone.x_max_m, far if zone.y_max_m is None else zone.y_max_m)
+        return _are_beside([low, high], floor)
+    return _are_beside(zone.points_m, floor)
+
+
+def _are_beside(points: Sequence[Point], floor: Sequence[Point]) -> bool:
+    axes = zip(zip(*points, strict=True), zip(*floor, strict=True), strict=True)
+    return any(max(mine) < min(its) or min(mine) > max(its) for mine, its in axes)
 
 
 class RobotWithoutProgram(LintRule):
@@ -89,26 +95,17 @@ class NeverOnTheField(LintRule):
 
     def check(self, ctx: LintContext) -> Iterator[Suspicion]:
         """Yield the removal."""
-        placed = self._placed(ctx)
-        for name, rule in ctx.reachable_rules():
-            if rule.conditions or not any(isinstance(trigger, HalfStarted) for trigger in rule.triggers):
-                continue
-            for index, action in enumerate(rule.actions):
-                if isinstance(action, Remove) and action.for_s is None:
-                    for gone in sorted(ctx.members(action.entity, rule) - placed):
-                        yield self.at(("rules", name, "actions", index), name=gone)
-
-    @staticmethod
-    def _placed(ctx: LintContext) -> set[str]:
         placed: set[str] = set()
-        for _, rule in ctx.reachable_rules():
-            for action in rule.actions:
-                if isinstance(action, Place) and action.entity is not None:
-                    placed |= ctx.members(action.entity, rule)
+        for action, rule, _ in ctx.reachable_actions():
+            if isinstance(action, Place) and action.entity is not None:
+                placed |= ctx.members(action.entity, rule)
         for layout in ctx.scenario.placements.values():
-            for placing in layout:
-                placed.update(ctx.roster.expand(placing.entity))
-        return placed
+            placed.update(name for placing in layout for name in ctx.roster.expand(placing.entity))
+        for action, rule, path in ctx.reachable_actions():
+            at_start = not rule.conditions and any(isinstance(one, HalfStarted) for one in rule.triggers)
+            if at_start and isinstance(action, Remove) and action.for_s is None:
+                for gone in sorted(ctx.members(action.entity, rule) - placed):
+                    yield self.at(path, name=gone)
 
 
 class TwoRulesMoveOneThing(LintRule):
@@ -145,103 +142,47 @@ class NoRoom(LintRule):
     """A placement for which there is no room: in a wall, or on something that the same layout places earlier."""
 
     code = "no-room"
-    message = "there is no room: {why}"
-    help = "correct the place, or make it larger"
+    message = "there is no room: '{name}' would stand {where}"
+    help = "correct the place"
 
     def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield placements that fail wherever chance puts them."""
-        room = _Room(ctx)
-        for name, layout in ctx.scenario.placements.items():
-            for path, why in room.failures([(placing, ("placements", name, i)) for i, placing in enumerate(layout)]):
-                yield self.at(path, why=why)
-        for model, at in ctx.models:
-            if isinstance(model, Place) and model.at is not None and model.entity is not None:
-                for path, why in room.failures([(model, at)]):
-                    yield self.at(path, why=why)
-
-
-class _Room:
-    """Places things one after the other where the file puts them for certain."""
-
-    _LINE_SAMPLES = 65
-
-    def __init__(self, ctx: LintContext) -> None:
-        self._ctx = ctx
-        self._scenario = ctx.scenario
-        self._floor = Floor(self._scenario.field)
-        self._fixed = [body.parts for body in obstacle_bodies(self._scenario) if body.fixed]
-        self._spots = {name: (spot.x_m, spot.y_m) for name, spot in fixed_spots(self._scenario).items()}
-
-    def failures(self, placings: Sequence[tuple[_Placing, Path]]) -> Iterator[tuple[Path, str]]:
-        """Yield the placements that fit nowhere, with the reason."""
-        standing: dict[str, tuple[Part, ...]] = {}
-        for placing, path in placings:
-            points = self._points(placing)
-            names = [name for name in self._names(placing) if name in self._ctx.roster.index]
-            if points is None or not names:
-                continue
-            if 1 < len(points) < len(names) and not isinstance(placing.at, UniformIn | OnLine):
-                yield path, f"{len(names)} things cannot share {len(points)} spots"
-                continue
-            for name in names:
+        """Yield placements at fixed points where what is placed does not fit."""
+        groups: list[list[tuple[Placing | Place, Path]]] = [
+            [(model, path)] for model, path in ctx.models if isinstance(model, Place)
+        ]
+        for layout, placings in ctx.scenario.placements.items():
+            groups.append([(placing, ("placements", layout, index)) for index, placing in enumerate(placings)])
+        floor = Floor(ctx.scenario.field)
+        fixed = [body.parts for body in obstacle_bodies(ctx.scenario) if body.fixed]
+        spots = fixed_spots(ctx.scenario)
+        for group in groups:
+            standing: dict[str, tuple[Part, ...]] = {}
+            for placing, path in group:
+                point = placing.at.point if isinstance(placing.at, AtPoint) else None
+                if isinstance(placing.at, AtSpot) and placing.at.spot in spots:
+                    point = spots[placing.at.spot].x_m, spots[placing.at.spot].y_m
+                name = str(placing.entity)
+                outline = _outline(name, point, placing, ctx) if point is not None else None
+                if outline is None or placing.noise_m != (0.0, 0.0) or placing.mirror is not None:
+                    continue
                 standing.pop(name, None)
-                why = self._why_not(name, placing, points, standing)
-                if why:
-                    yield path, why
-                    break
-                if len(points) == 1:
-                    standing[name] = self._outline(name, points[0], placing)
+                below = next((other for other, there in standing.items() if overlap(outline, there)), None)
+                if not floor.holds(outline) or any(overlap(outline, one) for one in fixed):
+                    yield self.at(path, name=name, where="in a wall or an obstacle, or off the field")
+                elif below is not None:
+                    yield self.at(path, name=name, where=f"on '{below}', which is placed before it")
+                standing[name] = outline
 
-    def _names(self, placing: _Placing) -> tuple[str, ...]:
-        names = placing.entity
-        return () if names is None or names == "each" else self._ctx.roster.expand(names)
 
-    def _points(self, placing: _Placing) -> list[Point] | None:
-        """Return where a placement may put things; None if the file does not decide it."""
-        if placing.noise_m != (0.0, 0.0) or placing.mirror is not None:
-            return None
-        at = placing.at
-        if isinstance(at, AtPoint):
-            return [at.point]
-        if isinstance(at, UniformIn):
-            zones = self._ctx.roster.expand(at.uniform_in)
-            return [point for name in zones for point in points_in(self._scenario.zones[name])]
-        if isinstance(at, OnLine):
-            (ax, ay), (bx, by) = at.on_line
-            shares = [index / (self._LINE_SAMPLES - 1) for index in range(self._LINE_SAMPLES)]
-            return [(ax + share * (bx - ax), ay + share * (by - ay)) for share in shares]
-        names: tuple[str, ...] = ()
-        if isinstance(at, AtSpot):
-            names = (at.spot,)
-        elif isinstance(at, NearestFree):
-            names = self._ctx.roster.expand(at.nearest_free)
-        elif isinstance(at, FurthestFree):
-            names = self._ctx.roster.expand(at.furthest_free)
-        return [self._spots[name] for name in names] if names and self._spots.keys() >= {*names} else None
-
-    def _why_not(self, name: str, placing: _Placing, points: list[Point], standing: dict[str, tuple[Part, ...]]) -> str:
-        """Return why a thing fits on none of the points, or an empty text."""
-        blocked_by = ""
-        for point in points:
-            outline = self._outline(name, point, placing)
-            if not self._floor.holds(outline) or any(overlap(outline, fixed) for fixed in self._fixed):
-                continue
-            blocked_by = next((other for other, there in standing.items() if overlap(outline, there)), "")
-            if not blocked_by:
-                return ""
-        if blocked_by:
-            return f"'{name}' would stand on '{blocked_by}', which is placed before it"
-        return f"'{name}' would stand in a wall or an obstacle, or off the field"
-
-    def _outline(self, name: str, point: Point, placing: _Placing) -> tuple[Part, ...]:
-        scenario = self._scenario
-        if name in scenario.balls:
-            return disc(scenario.balls[name].radius_m).at((*point, 0.0))
-        robot = scenario.robots.get(name)
-        if robot is None:  # of a movable obstacle its smallest extent is enough here
-            return disc(0.005).at((*point, 0.0))
-        chassis = scenario.kits[robot.kit].chassis
-        yaw_rad = robot.start.yaw_rad if placing.facing == "start" else placing.facing
-        if not isinstance(yaw_rad, int | float):
-            return disc(chassis.size_m / 2).at((*point, 0.0))
-        return robot_outline(chassis).at((*point, yaw_rad))
+def _outline(name: str, point: Point, placing: Placing | Place, ctx: LintContext) -> tuple[Part, ...] | None:
+    """Return what a ball or a robot covers at a point; None for anything else."""
+    if name in ctx.scenario.balls:
+        return disc(ctx.scenario.balls[name].radius_m).at((*point, 0.0))
+    robot = ctx.scenario.robots.get(name)
+    if robot is None:
+        return None
+    chassis = ctx.scenario.kits[robot.kit].chassis
+    yaw_rad = robot.start.yaw_rad if placing.facing == "start" else placing.facing
+    if not isinstance(yaw_rad, int | float):
+        return disc(chassis.size_m / 2).at((*point, 0.0))
+    return robot_outline(chassis).at((*point, yaw_rad))

@@ -11,7 +11,7 @@ from rcj_challenges.scenario.lint.base import LintRule
 from rcj_challenges.scenario.lint.context import LintContext
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.scenario.reading.repeated_rules import merged
-from rcj_challenges.scenario.tree import Leaf, format_path, mark_of, node_at
+from rcj_challenges.scenario.tree import format_path, mark_of, note_at
 
 LINT_RULES: tuple[LintRule, ...] = (
     flow.PhaseNeverEntered(),
@@ -22,10 +22,7 @@ LINT_RULES: tuple[LintRule, ...] = (
     flow.EachOfNone(),
     flow.EachNeverNamed(),
     flow.EachNotInTrigger(),
-    flow.SequenceNeverBreaks(),
     flow.NoWayToScore(),
-    flow.CriterionAlwaysEqual(),
-    flow.HalfNeverPlayed(),
     state.NeverRead(),
     state.NeverWritten(),
     state.NeverUsed(),
@@ -54,16 +51,18 @@ def lint(loaded: Loaded) -> list[Diagnostic]:
     Raises:
         ValueError: it came from a record, so that nothing has a position.
     """
-    ctx = LintContext.of(loaded)
-    tree = ctx.tree
+    tree = loaded.written
+    if tree is None:
+        message = "lint needs a scenario that was loaded from a file or a text"
+        raise ValueError(message)
+    ctx = LintContext(loaded.scenario, loaded.roster, tree, loaded.left_out, loaded.repeated, loaded.overridden)
     found: list[Diagnostic] = []
     for rule in LINT_RULES:
         for suspicion in rule.check(ctx):
-            mark = mark_of(tree, suspicion.path, at_key=suspicion.at_key)
-            leaf = node_at(tree, suspicion.path)
-            note = f" ({leaf.note})" if isinstance(leaf, Leaf) and leaf.note else ""
-            path = format_path(tree, suspicion.path)
-            one = mark.error(suspicion.code, suspicion.message + note, suspicion.help, path)
+            path = suspicion.path
+            mark = mark_of(tree, path, at_key=suspicion.at_key)
+            message = suspicion.message + note_at(tree, path)
+            one = mark.error(suspicion.code, message, suspicion.help, format_path(tree, path))
             found.append(replace(one, severity="warning"))
     # What holds for several rules that came from one repeated rule is reported once, of that one.
     return sorted(merged(found, loaded.repeated), key=lambda one: _order(one, tree.mark.file))

@@ -21,7 +21,7 @@ from rcj_challenges.scenario.lint.context import LintContext, Use
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe
 from rcj_challenges.scenario.placeholders import PLACEHOLDERS, placeholders_in
 from rcj_challenges.scenario.set_spots import spots_set_by_rules
-from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node
+from rcj_challenges.scenario.tree import Leaf, nodes_in
 
 _TESTS = (Expectation, Given, Keyframe)
 _WRITERS: dict[str, tuple[type[Any], ...]] = {
@@ -44,8 +44,7 @@ class NeverRead(LintRule):
         """Yield state that only rules' actions or tests name."""
         for section, writers in _WRITERS.items():
             for name in getattr(ctx.scenario, section):
-                uses = _uses_of(name, section, ctx)
-                if all(use.model in (*writers, *_TESTS) for use in uses):
+                if all(use.model in (*writers, *_TESTS) for use in _uses_of(name, section, ctx)):
                     yield self.at((section, name), noun=section[:-1], name=name)
         read = _names_on_field(ctx, but_set_spots=True)
         for name in spots_set_by_rules(ctx.scenario):
@@ -69,19 +68,11 @@ class NeverWritten(LintRule):
 
     def check(self, ctx: LintContext) -> Iterator[Suspicion]:
         """Yield state that keeps its initial value."""
-        started = {
-            model.timer
-            for model, _ in ctx.models
-            if isinstance(model, TimerAction) and model.do in ("restart", "start")
-        }
         for section, (action, verb) in self._ACTIONS.items():
             for name, entry in getattr(ctx.scenario, section).items():
-                uses = _uses_of(name, section, ctx)
-                is_read = any(use.model not in (*_WRITERS[section], *_TESTS) for use in uses)
-                is_written = any(use.model in _WRITERS[section] for use in uses)
-                if section == "timers":
-                    is_written = entry.starts or name in started
-                if is_read and not is_written:
+                models = {use.model for use in _uses_of(name, section, ctx)}
+                is_read = bool(models - {*_WRITERS[section], *_TESTS})
+                if is_read and not models & {*_WRITERS[section]} and not getattr(entry, "starts", False):
                     yield self.at((section, name), noun=section[:-1], name=name, action=action, verb=verb)
 
 
@@ -93,7 +84,6 @@ class NeverUsed(LintRule):
     help = "name it in a rule, or remove it"
     at_key = True
 
-    _ON_FIELD = ("gates", "zones", "spots")
     _NOUNS: ClassVar = {
         "params": "param",
         "gates": "gate",
@@ -110,7 +100,7 @@ class NeverUsed(LintRule):
         for section, noun in self._NOUNS.items():
             for name, entry in getattr(ctx.scenario, section).items():
                 is_used = name in used[section] or bool(getattr(entry, "drawn", False))
-                if not is_used and ctx.is_own(section, name):
+                if not is_used and ctx.is_own((section, name)):
                     null = section != "params" and (section, name) in ctx.overridden
                     away = "name it in a rule, or remove what the base defines by '{name}: null'" if null else ""
                     yield self.at((section, name), help=away, noun=noun, name=name)
@@ -118,14 +108,11 @@ class NeverUsed(LintRule):
     def _used(self, ctx: LintContext) -> dict[str, set[str]]:
         """Return by section the names that have a use."""
         scenario = ctx.scenario
-        on_field = _names_on_field(ctx)
-        nested = {member for members in scenario.groups.values() for member in members}
-        used = dict.fromkeys(self._ON_FIELD, on_field | set(spots_set_by_rules(scenario)))
-        used["groups"] = {use.name for use in ctx.uses if use.is_on_field} | nested
-        used["params"] = set(_params_in(ctx.tree)) | {
-            name for rule in scenario.rules.values() for name in placeholders_in(rule.says) if name not in PLACEHOLDERS
-        }
-        used["params"] |= set(placeholders_in(scenario.description))
+        used = dict.fromkeys(("gates", "zones", "spots"), _names_on_field(ctx) | {*spots_set_by_rules(scenario)})
+        used["groups"] = {use.name for use in ctx.uses if use.is_on_field}.union(*scenario.groups.values())
+        used["params"] = {one.param for one in nodes_in(ctx.tree) if isinstance(one, Leaf)}
+        for text in (scenario.description, *(rule.says for rule in scenario.rules.values())):
+            used["params"] |= {*placeholders_in(text)} - {*PLACEHOLDERS}
         for section in ("sequences", "placements"):
             # To reset a sequence is no use of it if nothing depends on its steps.
             uses = (use for use in ctx.uses if use.model is not SequenceAction)
@@ -144,18 +131,15 @@ class HeldForever(LintRule):
 
     def check(self, ctx: LintContext) -> Iterator[Suspicion]:
         """Yield actions that hold a driven robot to the end of the half."""
-        driven = {robot for entrant in ctx.scenario.entrants.values() for robot in entrant.robots}
-        released: set[str] = set()
-        for _, rule in ctx.reachable_rules():
-            for action in rule.actions:
-                if isinstance(action, Release):
-                    released |= ctx.members(action.entity, rule)
-        for name, rule in ctx.reachable_rules():
-            for index, action in enumerate(rule.actions):
-                if isinstance(action, Hold) and action.for_s is None:
-                    robots = sorted(ctx.members(action.entity, rule) & driven - released)
-                    if robots:
-                        yield self.at(("rules", name, "actions", index), robots=", ".join(robots))
+        left = {robot for entrant in ctx.scenario.entrants.values() for robot in entrant.robots}
+        for action, rule, _ in ctx.reachable_actions():
+            if isinstance(action, Release):
+                left -= ctx.members(action.entity, rule)
+        for action, rule, path in ctx.reachable_actions():
+            if isinstance(action, Hold) and action.for_s is None:
+                robots = sorted(ctx.members(action.entity, rule) & left)
+                if robots:
+                    yield self.at(path, robots=", ".join(robots))
 
 
 class InheritedTestLeftOut(LintRule):
@@ -191,10 +175,3 @@ def _names_on_field(ctx: LintContext, *, but_set_spots: bool = False) -> set[str
     named = {use.name for use in uses if not (but_set_spots and use.model is SetSpot and use.path[-1] == "spot")}
     named |= {str(value) for name in named & draws.keys() for value in draws[name].values}
     return named | set(ctx.roster.expand(tuple(named)))
-
-
-def _params_in(node: Node) -> Iterator[str]:
-    if isinstance(node, Leaf):
-        yield node.param
-    for inner in node.entries.values() if isinstance(node, Entries) else node.items if isinstance(node, Items) else ():
-        yield from _params_in(inner)

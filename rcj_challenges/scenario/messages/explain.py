@@ -33,15 +33,25 @@ from rcj_challenges.scenario.shape import (
     tags,
     without_none,
 )
-from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, Path, child, in_names, mark_of, node_at, plain
+from rcj_challenges.scenario.tree import (
+    Entries,
+    Items,
+    Leaf,
+    Node,
+    Path,
+    child,
+    in_names,
+    mark_of,
+    node_at,
+    note_at,
+    plain,
+)
 
 _KEY = "[key]"
 """What pydantic appends to the place of a mapping's entry if its key is wrong."""
-
 _LIKE = 0.65
 """How like a word of the language a misspelt one must be, which is more than of a name."""
-
-_LISTS: tuple[tuple[str, Any], ...] = (("trigger", AnyTrigger), ("condition", AnyCondition), ("action", AnyAction))
+_LISTS: dict[str, Any] = {"trigger": AnyTrigger, "condition": AnyCondition, "action": AnyAction}
 _PLACES = {"spots": "spot", "zones": "uniform_in", "robots": "relative_to", "balls": "relative_to"}
 """How the place of a name is written, by the section that defines it."""
 
@@ -58,8 +68,8 @@ def explain(
         are_empty_reported: whether it has been reported already where a value is empty or null.
     """
     explainer = _Explainer(root, shape, are_empty_reported=are_empty_reported)
-    mistakes = list(_without_misspelt(list(explainer.mistakes(error, shape, ()))))
-    return list(dict.fromkeys(explainer.problem(one) for one in explainer.without_strangers(mistakes)))
+    mistakes = list(explainer.mistakes(error, shape, ()))
+    return list(dict.fromkeys(explainer.problem(one) for one in explainer.without_repeats(mistakes)))
 
 
 @dataclass(frozen=True)
@@ -71,8 +81,8 @@ class _Mistake:
         details: pydantic's description.
         path: where, unions and tags left out; of a missing key: where it should stand.
         shape: what is expected there; the whole union if a value fits no member.
-        union: the widest union of which ``shape`` is a member, if there is one.
         of_key: whether it is about the entry's key.
+        union: the widest union of which ``shape`` is a member, if there is one.
     """
 
     kind: str
@@ -81,17 +91,6 @@ class _Mistake:
     shape: Shape
     of_key: bool = False
     union: Shape = None
-
-
-def _without_misspelt(mistakes: list[_Mistake]) -> Iterator[_Mistake]:
-    """Leave out missing keys that are there, misspelt."""
-    unknown = [mistake.path for mistake in mistakes if mistake.kind == "extra_forbidden"]
-    for mistake in mistakes:
-        above, key = mistake.path[:-1], mistake.path[-1:]
-        if mistake.kind != "missing" or not any(
-            path[:-1] == above and nearest(str(path[-1]), map(str, key)) for path in unknown
-        ):
-            yield mistake
 
 
 class _Explainer:
@@ -110,11 +109,10 @@ class _Explainer:
             node = node_at(self.root, mistake.path)
             if self.are_empty_reported and (_is_null(node) or _is_null(_tag(mistake.shape, node))):
                 continue
-            if in_union:
-                if mistake.path not in unions:
-                    unions.add(mistake.path)
-                    yield from self._of_union(mistake, node)
-            elif not _counts_wrong_entries(mistake, node):
+            if in_union and mistake.path not in unions:
+                unions.add(mistake.path)
+                yield from self._of_union(mistake, node)
+            elif not in_union and not _counts_wrong_entries(mistake, node):
                 yield mistake
 
     def _located(self, details: Any, shape: Shape, base: Path, union: Shape) -> tuple[_Mistake, bool]:
@@ -150,29 +148,29 @@ class _Explainer:
                 return
         yield _Mistake("union_type", mistake.details, mistake.path, mistake.union)
 
-    def without_strangers(self, mistakes: list[_Mistake]) -> Iterator[_Mistake]:
-        """Put one mistake for a mapping of which no member of its union knows a key: what may stand there."""
+    def without_repeats(self, mistakes: list[_Mistake]) -> Iterator[_Mistake]:
+        """Leave out missing keys that are there, misspelt; if no key fits, put what may stand there for all of them."""
         unknown = {mistake.path for mistake in mistakes if mistake.kind == "extra_forbidden"}
-        lacking = {mistake.path[:-1] for mistake in mistakes if mistake.kind == "missing"}
-        strangers = {path: shape for path in lacking if (shape := self._union_of_stranger(path, unknown)) is not None}
-        reported: set[Path] = set()
+        missing = {mistake.path for mistake in mistakes if mistake.kind == "missing"}
+        missing -= {
+            path
+            for path in missing
+            if any(one[:-1] == path[:-1] and nearest(str(one[-1]), [str(path[-1])]) for one in unknown)
+        }
+        strangers = {path[:-1] for path in missing if self._fits_nothing(path[:-1], unknown)}
         for mistake in mistakes:
             above = mistake.path[:-1]
-            if above not in strangers or mistake.kind not in {"missing", "extra_forbidden"}:
+            if mistake.kind in {"missing", "extra_forbidden"} and above in strangers:
+                yield _Mistake("union_type", mistake.details, above, shape_at(self.shape, self.root, above))
+            elif mistake.kind != "missing" or mistake.path in missing:
                 yield mistake
-            elif above not in reported:
-                reported.add(above)
-                yield _Mistake("union_type", mistake.details, above, strangers[above])
 
-    def _union_of_stranger(self, path: Path, unknown: set[Path]) -> Shape:
-        """Return the union in whose place a mapping stands of which all keys are unknown; None if it is not so."""
+    def _fits_nothing(self, path: Path, unknown: set[Path]) -> bool:
+        """Return whether no member of the union at a path knows a key of the mapping that stands there."""
         node = node_at(self.root, path)
-        if not isinstance(node, Entries) or not node.entries:
-            return None
-        if not all((*path, key) in unknown or _is_null(entry) for key, entry in node.entries.items()):
-            return None
-        shape = shape_at(self.shape, self.root, path)
-        return shape if len(members(shape)) > 1 else None
+        keys = node.entries.items() if isinstance(node, Entries) else ()
+        are_unknown = all((*path, key) in unknown or _is_null(entry) for key, entry in keys)
+        return bool(keys) and are_unknown and len(members(shape_at(self.shape, self.root, path))) > 1
 
     # --- one mistake --------------------------------------------------------------------------------------------------
 
@@ -180,8 +178,8 @@ class _Explainer:
         """Return a mistake in words."""
         above, key = mistake.path[:-1], (mistake.path or ("",))[-1]
         if mistake.of_key:
-            name = quoted(str(key))
-            return self._at(mistake.path, "wrong-name", f"{name} is not a name", f"write {NAME_RULE}", at_key=True)
+            message = f"{quoted(str(key))} is not a name"
+            return self._at(mistake.path, "wrong-name", message, f"write {NAME_RULE}", at_key=True)
         if mistake.kind in {"missing", "extra_forbidden"} and isinstance(key, int):  # a list of a fixed length
             shape = shape_at(self.shape, self.root, above)
             return self._at(above, "wrong-value", expected(shape, node_at(self.root, above)))
@@ -192,9 +190,8 @@ class _Explainer:
         return self._wrong_value(mistake)
 
     def _at(self, path: Path, code: str, message: str, help_: str = "", *, at_key: bool = False) -> Diagnostic:
-        node = node_at(self.root, path)
-        note = f" ({node.note})" if isinstance(node, Leaf) and node.note else ""
-        return mark_of(self.root, path, at_key=at_key).error(code, message + note, help_, in_names(self.root, path))
+        message += note_at(self.root, path)
+        return mark_of(self.root, path, at_key=at_key).error(code, message, help_, in_names(self.root, path))
 
     def _model_at(self, path: Path) -> Any:
         node = node_at(self.root, path)
@@ -213,45 +210,30 @@ class _Explainer:
         model, node = self._model_at(above), node_at(self.root, above)
         allowed = list(fields(model)) if model else []
         given = node.key_marks if isinstance(node, Entries) else {}
-        called = [one for one in OTHER_KEYS.get(key, ()) if one in allowed]
-        meant = next((one for one in called if one not in given), None) or nearest(key, allowed)
-        word, colon, rest = key.partition(":")
-        if colon and word in allowed:  # score:{yellow: 1}
-            help_ = f"a blank comes after the ':', {word}: {rest[:40]}"
-        elif meant is not None and meant in given and key in given and given[meant].file == given[key].file:
-            help_ = f"'{meant}' is given already, in line {given[meant].line}"
-        else:
-            help_ = f"did you mean '{meant}'? " if meant else ""
-            help_ += choice_of("", allowed)
+        # One that stands beside it is not meant; one that a base has may be.
+        others = [one for one in allowed if one not in given or given[one].file != given[key].file]
+        near = next((one for one in OTHER_KEYS.get(key, ()) if one in others), None) or nearest(key, others)
+        help_ = f"did you mean '{near}'? " if near else ""
         mark = mark_of(self.root, (*above, key), at_key=True)
-        return mark.error("unknown-key", f"unknown key '{key[:64]}'", help_, in_names(self.root, above))
+        names = in_names(self.root, above)
+        return mark.error("unknown-key", f"unknown key '{key[:64]}'", help_ + choice_of("", allowed), names)
 
     def _wrong_value(self, mistake: _Mistake) -> Diagnostic:
         node = node_at(self.root, mistake.path)
         key = str(mistake.path[-1]) if mistake.path else ""
         if _is_null(node):
             return self._at(mistake.path, "missing-value", f"'{key}' has no value", "write one, or leave the key out")
+        own_help = self._of_param(node) or self._of_place(mistake.shape, node)
         if mistake.kind.startswith("union_tag") or mistake.kind == "model_attributes_type":
-            return self._wrong_word(mistake, node)
+            return self._wrong_word(mistake, node, own_help)
         message, help_ = refusal(mistake.kind, mistake.details, mistake.shape, node)
-        help_ = self._of_param(node) or self._of_place(mistake.shape, node) or help_
-        help_ = help_ or self._about(mistake.path[:-1], key)
-        return self._at(mistake.path, "wrong-value", message, help_)
+        return self._at(mistake.path, "wrong-value", message, own_help or help_ or self._about(mistake.path[:-1], key))
 
-    def _of_param(self, node: Node | None) -> str:
-        """Return how a param is used whose name stands alone; empty: it is not the name of one."""
-        alone = node.value if isinstance(node, Leaf) else None
-        name = str(next(iter(node.entries), "") if isinstance(node, Entries) else alone).strip("${}() ")
-        is_param = node_at(self.root, ("params", name)) is not None
-        return f"the value of that param is {{param: {name}}}" if is_param else ""
-
-    # --- words that tell the members of a union apart -----------------------------------------------------------------
-
-    def _wrong_word(self, mistake: _Mistake, node: Node | None) -> Diagnostic:
+    def _wrong_word(self, mistake: _Mistake, node: Node | None, own_help: str) -> Diagnostic:
         discriminator = bare(mistake.shape).discriminator
         words = list(tags(mistake.shape))
         if not isinstance(discriminator, str) or not isinstance(node, Entries):
-            help_ = self._of_param(node) or self._of_place(mistake.shape, node) or _with_its_key(mistake.shape, node)
+            help_ = own_help or _with_its_key(mistake.shape, node)
             return self._at(mistake.path, "wrong-value", expected(mistake.shape, node), help_)
         tag = child(node, discriminator)
         if tag is None:
@@ -267,9 +249,15 @@ class _Explainer:
         message = f"unknown {discriminator} '{written[:64]}'"
         return mark.error("unknown-word", message, help_, in_names(self.root, mistake.path))
 
+    def _of_param(self, node: Node | None) -> str:
+        """Return how a param is used whose name stands alone; empty: it is not the name of one."""
+        name = str(node.value).strip("${} ") if isinstance(node, Leaf) else ""
+        is_param = node_at(self.root, ("params", name)) is not None
+        return f"the value of that param is {{param: {name}}}" if is_param else ""
+
     def _of_place(self, shape: Shape, node: Node | None) -> str:
         """Return how a place is written that is a name or two numbers alone; empty: no place is expected."""
-        if without_none(shape) != At or node is None:
+        if node is None or without_none(shape) != At:
             return ""
         if isinstance(node, Items):
             return "a point is written {point: [x, y]}"
@@ -281,29 +269,21 @@ class _Explainer:
 
 def _with_its_key(shape: Shape, node: Node | None) -> str:
     """Return how a word is written that stands alone, or behind another key: `enters`, `enters: …`, `type: enters`."""
-    discriminator, models = bare(shape).discriminator, tags(shape)
-    if isinstance(node, Entries):
-        values = (one.value for one in node.entries.values() if isinstance(one, Leaf))
-        written = [*node.entries, *map(str, values)]
-    else:
-        written = [str(node.value)] if isinstance(node, Leaf) else []
-    word = next((one for one in written if one in models), None)
-    if word is None or not isinstance(discriminator, str):
-        return next(filter(None, (did_you_mean(one, models, _LIKE) for one in written)), "")
-    more = ", …" if fields(bare(models[word]).kind).keys() - {discriminator} else ""
-    return f"write {{{discriminator}: {word}{more}}}"
+    listed = node.entries if isinstance(node, Entries) else {}
+    leaves = (one for one in (*listed.values(), node) if isinstance(one, Leaf))
+    written = [*listed, *(str(one.value) for one in leaves)]
+    word = next((one for one in written if one in tags(shape)), None)
+    return f"write {{{bare(shape).discriminator}: {word}, …}}" if word is not None else ""
 
 
 def _of_another_list(word: str, where: str) -> str:
     """Return where a trigger, condition or action belongs that stands in the place of another of them."""
-    if where not in dict(_LISTS):
+    kind = next((kind for kind, shape in _LISTS.items() if word in tags(shape)), None)
+    if where not in _LISTS or kind is None:
         return ""
-    kind = next((kind for kind, shape in _LISTS if word in tags(shape)), None)
     if kind == "condition" and where == "trigger":
         return f"'{word}' is a condition; {{trigger: holds, condition: {{condition: {word}, …}}}} waits for it"
-    if kind == where:
-        return f"'{word}' cannot stand within another {kind}"
-    return f"'{word}' is {'an' if kind == 'action' else 'a'} {kind}: it stands in '{kind}s'" if kind else ""
+    return f"'{word}' cannot stand here" if kind == where else f"'{word}' is of the kind {kind}: it stands in '{kind}s'"
 
 
 def _is_null(node: Node | None) -> bool:

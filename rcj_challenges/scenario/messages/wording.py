@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any, Literal, get_args, get_origin
 
 from rcj_challenges.core.amounts import counted
@@ -20,16 +20,17 @@ NAME_RULE = "letters a to z, digits and _, not beginning with a digit, at most 6
 
 _YES, _NO = frozenset({"yes", "on", "y", "true"}), frozenset({"no", "off", "n", "false"})
 _NUMBER = re.compile(r"[-+]?[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?")
-_DECIMAL_COMMA = re.compile(r"[-+]?[0-9]+,[0-9]+")
 _TYPES = {str: "a text", int: "a whole number", float: "a number", bool: "true/false"}
-_SPECIAL: tuple[tuple[Any, str], ...] = (
-    (Names, "a name or a list of names"),
-    (Name, "a name"),
-    (EventName, "an event's name in capitals"),
-    (EntryPoint, "a path to a .py file"),
-    (Colour, "a colour"),
-    (Point, "two numbers [x, y]"),
+_SPECIAL: tuple[tuple[Any, str, str], ...] = (
+    (Names, "a name or a list of names", ""),
+    (Name, "a name", f"write {NAME_RULE}"),
+    (EventName, "an event's name in capitals", "capitals, digits and _, such as GOAL"),
+    (EntryPoint, "a path to a .py file", "write a relative path with / to a .py file"),
+    (Colour, "a colour", "write a CSS colour name or '#rrggbb'"),
+    (SaidText, "a text that can be said", "single blanks between words, and none at the ends"),
+    (Point, "two numbers [x, y]", ""),
 )
+"""Shapes with what they are called, and the form that they have."""
 
 
 def format_node(node: Node | None) -> str:
@@ -60,38 +61,26 @@ def expected(shape: Shape, node: Node | None) -> str:
     return f"expected {expectation(shape)}, found {format_node(node)}"
 
 
-def expectation(shape: Shape) -> str:  # noqa: PLR0911 - one for each kind of shape
+def expectation(shape: Shape) -> str:
     """Return in words what may stand at a place."""
     shape = without_none(shape)
-    special = next((text for known, text in _SPECIAL if shape == known), None)
-    if special is not None:
+    if special := next((text for known, text, _ in _SPECIAL if shape == known), None):
         return special
     kind, discriminator = bare(shape)
     if is_union(kind):
-        if isinstance(discriminator, str):
-            return f"a mapping with '{discriminator}'"
         parts = list(dict.fromkeys(expectation(member) for member in members(shape)))
         if "a number" in parts and "a whole number" in parts:
             parts.remove("a whole number")
-        return _any_of(parts)
-    if is_named(kind):
-        return "a mapping by name"
+        return f"a mapping with '{discriminator}'" if isinstance(discriminator, str) else _any_of(parts)
     if is_model(kind):
         required = [info.alias or key for key, info in kind.model_fields.items() if info.is_required()]
         return f"{{{required[0]}: …}}" if len(required) == 1 else "a mapping"
-    if get_origin(kind) is tuple:
-        return _expectation_of_list(get_args(kind))
     if get_origin(kind) is Literal:
         return _any_of([spelled(word) for word in get_args(kind)])
-    return _TYPES.get(kind, "a value")
-
-
-def _expectation_of_list(arguments: tuple[Any, ...]) -> str:
-    if len(arguments) == 2 and arguments[1] is Ellipsis:
-        return "a list of names" if arguments[0] == Name else "a list"
-    if all(argument == Point for argument in arguments):
-        return f"{len(arguments)} points, each [x, y]"
-    return f"a list of {len(arguments)}"
+    if get_origin(kind) is tuple:
+        inner = get_args(kind)
+        return f"a list of {len(inner)}" if is_fixed(shape) else "a list of names" if inner[0] == Name else "a list"
+    return "a mapping by name" if is_named(kind) else _TYPES.get(kind, "a value")
 
 
 def _any_of(parts: list[str]) -> str:
@@ -100,17 +89,11 @@ def _any_of(parts: list[str]) -> str:
 
 # --- what pydantic refuses --------------------------------------------------------------------------------------------
 
-_BOUNDS: dict[str, Callable[[Mapping[str, Any]], str]] = {
-    "greater_than": lambda context: f"must be greater than {context['gt']:g}",
-    "greater_than_equal": lambda context: f"must be at least {context['ge']:g}",
-    "less_than": lambda context: f"must be less than {context['lt']:g}",
-    "less_than_equal": lambda context: f"must be at most {context['le']:g}",
-}
-_LENGTHS = {
-    "string_too_short": ("at least", "min_length", ("character", "characters")),
-    "string_too_long": ("at most", "max_length", ("character", "characters")),
-    "too_short": ("at least", "min_length", ("entry", "entries")),
-    "too_long": ("at most", "max_length", ("entry", "entries")),
+_BOUNDS = {
+    "greater_than": "must be greater than {gt:g}",
+    "greater_than_equal": "must be at least {ge:g}",
+    "less_than": "must be less than {lt:g}",
+    "less_than_equal": "must be at most {le:g}",
 }
 
 
@@ -123,21 +106,24 @@ def refusal(kind: str, details: Mapping[str, Any], shape: Shape, node: Node | No
         shape: what is expected.
         node: what stands there.
     """
-    context = details.get("ctx", {})
+    context, found = details.get("ctx", {}), format_node(node)
     if kind in _BOUNDS:
-        bound = _BOUNDS[kind](context)
-        if context.get("ge") == TICK_S:
-            bound = f"a duration must be at least one tick ({TICK_S} s)"
-        return f"{bound}, found {format_node(node)}", ""
+        is_duration = context.get("ge") == TICK_S
+        bound = f"a duration must be at least one tick ({TICK_S} s)" if is_duration else _BOUNDS[kind].format(**context)
+        return f"{bound}, found {found}", ""
     if kind in ("string_pattern_mismatch", "unknown_colour"):
-        return _wrong_form(shape, node)
-    if kind in _LENGTHS and not is_fixed(shape):
-        bound, key, unit = _LENGTHS[kind]
-        return f"must have {bound} {counted(context[key], *unit)}, found {format_node(node)}", ""
+        known = (one for one in _SPECIAL if one[0] == without_none(shape))
+        _, what, form = next(known, (None, f"of the form that is needed: {expectation(shape)}", ""))
+        colour = str(node.value) if kind == "unknown_colour" and isinstance(node, Leaf) else ""
+        hint = did_you_mean(colour, CSS_COLOURS) if colour.isalpha() else ""
+        return f"{found} is not {what}", hint or form
+    if kind.endswith(("too_short", "too_long")) and not is_fixed(shape):
+        bound, key = ("at least", "min_length") if kind.endswith("short") else ("at most", "max_length")
+        unit = ("character", "characters") if kind.startswith("string") else ("entry", "entries")
+        return f"must have {bound} {counted(context[key], *unit)}, found {found}", ""
     if kind.endswith(("_type", "_error", "_parsing", "_from_float", "too_long", "too_short")):
         return expected(shape, node), as_it_is_written(shape, node)
-    message = str(details["msg"])
-    return f"{message[:1].lower()}{message[1:]}, found {format_node(node)}", ""
+    return f"{details['msg']}, found {found}", ""
 
 
 def is_fixed(shape: Shape) -> bool:
@@ -146,60 +132,26 @@ def is_fixed(shape: Shape) -> bool:
     return get_origin(kind) is tuple and Ellipsis not in get_args(kind)
 
 
-def as_it_is_written(shape: Shape, node: Node | None) -> str:  # noqa: PLR0911 - one for each slip
+def as_it_is_written(shape: Shape, node: Node | None) -> str:
     """Return help for the usual slips in writing a value; empty: it is none of them."""
-    literals = [word for member in members(shape) for word in _literals(member)]
-    words = [str(word) for word in literals]
     kinds = [bare(inner).kind for member in members(shape) for inner in members(member)]
-    if isinstance(node, Entries) and len(node.entries) == 1 and any(one in (Name, Names) for one in members(shape)):
-        ((key, name),) = node.entries.items()
-        is_name = isinstance(name, Leaf) and isinstance(name.value, str) and key not in words
-        return f"the name stands alone: {name.value}" if is_name and isinstance(name, Leaf) else ""
+    literals = [word for kind in kinds if get_origin(kind) is Literal for word in get_args(kind)]
     if not isinstance(node, Leaf):
-        is_listed = (
-            isinstance(node, Entries) and any(get_origin(kind) is tuple for kind in kinds) and not is_fixed(shape)
-        )
-        return "a list stands in brackets, also of one: [{…}]" if is_listed else ""
-    text = str(node.value)
+        is_list = any(get_origin(kind) is tuple for kind in kinds) and not is_fixed(shape)
+        return "a list stands in brackets, also of one: [{…}]" if is_list and isinstance(node, Entries) else ""
+    text, help_ = str(node.value), ""
     if not isinstance(node.value, str):
-        return f"write it in quotes: '{text}'" if text in words or kinds == [str] else ""
-    if any(str(word).casefold() == text.casefold() for word in literals if not isinstance(word, str)):
-        return "leave the quotes out"
-    if bool in kinds and text.casefold() in _YES | _NO:
-        return f"did you mean {spelled(text.casefold() in _YES)}?"
-    if {int, float} & set(kinds):
-        return _as_number(text)
-    entries = (get_args(kind)[0] for kind in kinds if get_origin(kind) is tuple and Ellipsis in get_args(kind))
-    if text.isidentifier() and any(bare(entry).kind is str for entry in entries):
-        return did_you_mean(text, words) or f"a list of one is written [{text}]"
-    return did_you_mean(text, words)
-
-
-def _as_number(text: str) -> str:
-    if _NUMBER.fullmatch(text):
-        return "leave the quotes out"
-    if _DECIMAL_COMMA.fullmatch(text):
-        return f"a decimal number is written with a point: {text.replace(',', '.')}"
-    return "write one number alone; its unit is in the name of the key" if text[:1].isdigit() else ""
-
-
-def _literals(shape: Shape) -> tuple[Any, ...]:
-    kind = bare(shape).kind
-    return get_args(kind) if get_origin(kind) is Literal else ()
-
-
-def _wrong_form(shape: Shape, node: Node | None) -> tuple[str, str]:
-    shape, shown = without_none(shape), format_node(node)
-    if shape == EventName:
-        return f"{shown} is not an event's name", "capitals, digits and _, such as GOAL"
-    if shape == Colour:
-        text = str(node.value) if isinstance(node, Leaf) else ""
-        hint = did_you_mean(text, CSS_COLOURS) if text.isalpha() else ""
-        return f"{shown} is not a colour", hint or "write a CSS colour name or '#rrggbb'"
-    if shape == EntryPoint:
-        return f"{shown} is not an entry point", "write a relative path with / to a .py file"
-    if shape == SaidText:
-        return f"{shown} cannot be said", "single blanks between words, and none at the ends"
-    if shape == Name:
-        return f"{shown} is not a name", f"write {NAME_RULE}"
-    return f"{shown} does not have the form that is needed: {expectation(shape)}", ""
+        help_ = f"write it in quotes: '{text}'" if text in literals or kinds == [str] else ""
+    elif any(str(word).casefold() == text.casefold() for word in literals if not isinstance(word, str)):
+        help_ = "leave the quotes out"
+    elif bool in kinds and text.casefold() in _YES | _NO:
+        help_ = f"did you mean {spelled(text.casefold() in _YES)}?"
+    elif {int, float} & set(kinds) and _NUMBER.fullmatch(text):
+        help_ = "leave the quotes out"
+    elif {int, float} & set(kinds) and _NUMBER.fullmatch(text.replace(",", ".")):
+        help_ = f"a decimal number is written with a point: {text.replace(',', '.')}"
+    elif {int, float} & set(kinds) and text[:1].isdigit():
+        help_ = "write one number alone; its unit is in the name of the key"
+    elif any(get_origin(kind) is tuple for kind in kinds) and text.isidentifier():
+        help_ = did_you_mean(text, map(str, literals)) or f"a list of one is written [{text}]"
+    return help_ or did_you_mean(text, map(str, literals))

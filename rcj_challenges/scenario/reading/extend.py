@@ -118,7 +118,10 @@ def read_chain(source: Source) -> list[Source]:
     return chain[::-1]
 
 
-_FORMS = "write the name of a shipped preset or scenario, or a relative path with / to a .yaml file"
+_FORMS = (
+    "write the name of a shipped preset or scenario, or a relative path with / to a .yaml file, with '..' at its "
+    "beginning only"
+)
 
 
 def _refuse_newer(source: Source) -> None:
@@ -134,10 +137,33 @@ def _refused(mark: Mark, message: str, help_: str = "", code: str = "wrong-exten
     return ScenarioError([mark.error(code, message, help_, "extends")])
 
 
+def _base(name: str, user: Source, mark: Mark) -> Source:
+    if _BARE_NAME.fullmatch(name):
+        return _shipped(name, user, mark)
+    parts = PurePosixPath(name).parts
+    # Checked as text on every platform alike: what Windows takes for absolute must not pass on Linux either.
+    is_foreign = name.startswith(("/", "~")) or re.search(r"[\\:\x00-\x1f]", name)
+    is_upwards_later = ".." in parts[len([part for part in parts if part == ".."]) :]
+    if is_foreign or is_upwards_later or not name.endswith((".yaml", ".yml")):
+        raise _refused(mark, f"'{name[:120]}' is not a relative path to a .yaml file", _FORMS)
+    if user.path is None:
+        raise _refused(mark, "a text has no folder for a relative path", "extend a preset or a shipped scenario")
+    path = user.path.parent.joinpath(*parts)
+    beside = _scenarios_in(path.parent)
+    # Compared with the folder's listing: a name in other case works on some machines only.
+    if path.name not in beside or not path.is_file():
+        near = nearest(path.name, [found for found in beside if path.parent / found != user.path])
+        help_ = f"did you mean '{PurePosixPath(*parts).with_name(near).as_posix()}'?" if near else ""
+        if path.stem in _shipped_files():
+            help_ = f"what is shipped is extended by its name alone: {path.stem}"
+        raise _refused(mark, f"there is no file '{name[:120]}' beside {user.shown}", help_, "unknown-base")
+    shown = PurePosixPath(user.shown.replace("\\", "/")).parent / PurePosixPath(*parts)
+    return Source.of_file(path, os.path.normpath(shown).replace("\\", "/"))
+
+
 def _shipped(name: str, user: Source, mark: Mark) -> Source:
     """Return what is extended by its bare name."""
-    presets = {known: presets_folder() / f"{known}.yaml" for known in names_in(presets_folder())}
-    shipped = {**shipped_scenarios(), **presets}
+    shipped = _shipped_files()
     if name in shipped:
         own = own_of_that_name(shipped[name], user.path.parent) if user.path is not None else None
         # A file of the name that it extends does not extend itself.
@@ -147,18 +173,16 @@ def _shipped(name: str, user: Source, mark: Mark) -> Source:
         # A file that extends the match may be called match.yaml: errors must distinguish the two.
         shown = f"{name}.yaml" if PurePosixPath(user.shown).name != f"{name}.yaml" else f"shipped {name}.yaml"
         return Source.of_file(shipped[name], shown)
+    beside = _scenarios_in(user.path.parent) if user.path is not None else []
+    own_files = [found for found in beside if user.path is None or found != user.path.name]
+    hint = did_you_mean(name.replace("-", "_"), [*own_files, *shipped])
+    known = choice_of("", [*names_in(scenarios_folder()), *names_in(presets_folder())])
     message = f"no preset or scenario '{name[:64]}' is shipped"
-    own_file = _with_ending(name, user)
-    hint = did_you_mean(name.replace("-", "_"), shipped)
-    known = f"{hint}{' ' if hint else ''}{choice_of('', [*names_in(scenarios_folder()), *presets])}"
-    raise _refused(mark, message, f"write {own_file}, which lies beside it" if own_file else known, "unknown-base")
+    raise _refused(mark, message, f"{hint}{' ' if hint else ''}{known}", "unknown-base")
 
 
-def _is_file(path: Path) -> bool:
-    """Return whether there is such a file; a name that is too long for the system is none."""
-    with suppress(OSError):
-        return path.is_file()
-    return False
+def _shipped_files() -> dict[str, Path]:
+    return {**shipped_scenarios(), **{name: presets_folder() / f"{name}.yaml" for name in names_in(presets_folder())}}
 
 
 def _scenarios_in(folder: Path) -> list[str]:
@@ -166,41 +190,3 @@ def _scenarios_in(folder: Path) -> list[str]:
     with suppress(OSError):
         return sorted(found.name for found in folder.glob("*.y*ml"))
     return []
-
-
-def _with_ending(name: str, user: Source) -> str:
-    """Return a path with the ending that it lacks; empty: there is no such file, or it is the extending file itself."""
-    if user.path is None:
-        return ""
-    for whole in (f"{name}.yaml", f"{name}.yml"):
-        path = user.path.parent.joinpath(*PurePosixPath(whole).parts)
-        if _is_file(path) and not path.samefile(user.path):
-            return whole
-    return ""
-
-
-def _base(name: str, user: Source, mark: Mark) -> Source:
-    if _BARE_NAME.fullmatch(name):
-        return _shipped(name, user, mark)
-    parts = PurePosixPath(name).parts
-    # Checked as text on every platform alike: what Windows takes for absolute must not pass on Linux either.
-    is_foreign = name.startswith(("/", "~")) or re.search(r"[\\:\x00-\x1f]", name)
-    if is_foreign or not name.endswith((".yaml", ".yml")):
-        whole = "" if is_foreign else _with_ending(name, user)
-        help_ = f"did you mean '{whole[:120]}'?" if whole else _FORMS
-        raise _refused(mark, f"'{name[:120]}' is not a relative path to a .yaml file", help_)
-    if user.path is None:
-        raise _refused(mark, "a text has no folder for a relative path", "extend a preset or a shipped scenario")
-    if ".." in parts[len([part for part in parts if part == ".."]) :]:
-        raise _refused(mark, f"'{name[:120]}': '..' may stand at the beginning only")
-    path = user.path.parent.joinpath(*parts)
-    beside = _scenarios_in(path.parent)
-    # Compared with the folder's listing: a name in other case works on some machines only.
-    if path.name not in beside or not _is_file(path):
-        near = nearest(path.name, [found for found in beside if path.parent / found != user.path])
-        is_shipped = path.stem in {*shipped_scenarios(), *names_in(presets_folder())}
-        help_ = f"did you mean '{PurePosixPath(*parts).with_name(near).as_posix()}'?" if near else ""
-        help_ = f"what is shipped is extended by its name alone: {path.stem}" if is_shipped else help_
-        raise _refused(mark, f"there is no file '{name[:120]}' beside {user.shown}", help_, "unknown-base")
-    shown = PurePosixPath(user.shown.replace("\\", "/")).parent / PurePosixPath(*parts)
-    return Source.of_file(path, os.path.normpath(shown).replace("\\", "/"))

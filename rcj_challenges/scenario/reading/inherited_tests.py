@@ -6,11 +6,12 @@ what it removed are not mistakes of its author: they are left out, and lint says
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+import re
+from collections.abc import Collection
 
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.scenario.errors import ScenarioError, place_of
-from rcj_challenges.scenario.tree import Entries, Items, Mark, Node
+from rcj_challenges.scenario.tree import Entries, nodes_in
 
 TESTS = "expect"
 ALL_INHERITED = "inherited"
@@ -29,33 +30,12 @@ def unfit_tests(error: ScenarioError, tree: Entries, bases: Collection[str]) -> 
         By name of the test the first thing that is wrong in it.
     """
     tests = tree.entries.get(TESTS)
-    if not isinstance(tests, Entries):
-        return {}
     found: dict[str, Diagnostic] = {}
     for problem in error.diagnostics:
         section, _, rest = place_of(problem).path.partition(".")
-        name = rest.partition(".")[0].partition("[")[0]
-        if section == TESTS and name in tests.entries and name not in found:
-            marks = [tests.key_marks[name], *_marks(tests.entries[name])]
+        name = re.split(r"[.\[]", rest, maxsplit=1)[0]
+        if section == TESTS and isinstance(tests, Entries) and name in tests.entries:
+            marks = [tests.key_marks[name], *(node.mark for node in nodes_in(tests.entries[name]))]
             if all(mark.file in bases for mark in marks):
-                found[name] = problem
+                found.setdefault(name, problem)
     return found
-
-
-def leave_out(tree: Entries, names: Iterable[str]) -> None:
-    """Take tests out of a tree."""
-    tests = tree.entries[TESTS]
-    if isinstance(tests, Entries):
-        for name in names:
-            tests.drop(name)
-
-
-def _marks(node: Node) -> Iterator[Mark]:
-    yield node.mark
-    if isinstance(node, Entries):
-        yield from node.key_marks.values()
-        for child in node.entries.values():
-            yield from _marks(child)
-    elif isinstance(node, Items):
-        for child in node.items:
-            yield from _marks(child)

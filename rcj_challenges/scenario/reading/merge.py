@@ -29,9 +29,6 @@ from rcj_challenges.scenario.shape import (
 )
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, in_names
 
-_SHOWN = 3
-"""So many names are written out that are to be removed one by one."""
-
 
 class Repeated(NamedTuple):
     """Where a rule comes from that was written once and repeated.
@@ -39,14 +36,10 @@ class Repeated(NamedTuple):
     Attributes:
         rule: the name under which it is written.
         known: what is a param in it besides those of the scenario.
-        unused: those of them for which nothing in it stands.
-        filled_in: params of the scenario whose values its sentence fills in from beside the name: it follows ``--set``.
     """
 
     rule: str
     known: tuple[str, ...]
-    unused: tuple[str, ...] = ()
-    filled_in: tuple[str, ...] = ()
 
 
 @dataclass
@@ -100,30 +93,19 @@ class Merger:
     def adopt(self, node: Node, shape: Shape, path: Path) -> Node:
         """Take over a value that has nothing to merge with."""
         if isinstance(node, Entries):
-            tagged = tag_of(shape, node)
             fresh = Entries({}, node.mark)
             for key, inner in node.entries.items():
-                if tagged is None:
-                    self.merge_entry(fresh, key, inner, node.key_marks[key], shape, path)
-                    continue
-                # What the keys mean depends on the whole mapping; filled key by key it would not be known yet.
-                if not isinstance(inner, Leaf):
-                    inner_shape = step_into(shape, node, key)
-                    fresh.put(key, self.adopt(inner, inner_shape, (*path, key)), node.key_marks[key])
-                elif inner.value is None:
+                if isinstance(inner, Leaf) and inner.value is None:
                     self._null(fresh, key, inner, node.key_marks[key], shape, path)
                 else:
-                    fresh.put(key, inner, node.key_marks[key])
+                    fresh.put(key, self.adopt(inner, step_into(shape, node, key), (*path, key)), node.key_marks[key])
             return fresh
-        if isinstance(node, Items):
-            for index, item in enumerate(node.items):
-                if not isinstance(item, Leaf):
-                    node.items[index] = self.adopt(item, step_into(shape, node, index), (*path, index))
-                elif item.value is None:
-                    message = "an empty list entry" if item.empty else "null has no meaning here"
-                    self._add(
-                        "missing-value", item.mark, (*path, index), message, "write a value, or leave the entry out"
-                    )
+        for index, item in enumerate(node.items if isinstance(node, Items) else ()):
+            if isinstance(item, Leaf) and item.value is None:
+                message = "an empty list entry" if item.empty else "null has no meaning here"
+                self._add("missing-value", item.mark, (*path, index), message, "write a value, or leave the entry out")
+            elif isinstance(node, Items):
+                node.items[index] = self.adopt(item, step_into(shape, node, index), (*path, index))
         return node
 
     def _same_kind(self, before: Entries, node: Entries, shape: Shape) -> bool:
@@ -133,34 +115,34 @@ class Merger:
         return kind is None or kind == tag_of(shape, before)
 
     def _null(self, base: Entries, key: str, node: Leaf, key_mark: Mark, shape: Shape, path: Path) -> None:
+        here = (*path, key)
         if node.empty:
-            help_ = "write one, or leave the line out"
-            if ":" in key:
-                help_ = "a blank comes after the ':'"
-            elif key == "colour":
-                help_ = "what begins with # is a comment, unless it is in quotes: '#ff8800'"
-            elif key in base.entries and is_named(chosen(shape, base)):
-                help_ += f"; '{key}: null' takes away what the base has"
-            self._add("missing-value", key_mark, (*path, key), "an empty value", help_)
+            help_ = (
+                "write one, or leave the line out; what begins with # is a comment, unless it is in quotes: '#ff8800'"
+            )
+            if key in base.entries and is_named(chosen(shape, base)):
+                help_ = f"write one, or leave the line out; '{key}: null' takes away what the base has"
+            self._add("missing-value", key_mark, here, "an empty value", help_)
             base.put(key, node, key_mark)  # it stays, so that it is not called missing too
-        elif path == (TESTS,) and key == ALL_INHERITED:
+        elif here == (TESTS, ALL_INHERITED):
             pass  # they are gone already
         elif not is_named(chosen(shape, base)):
-            help_ = _instead_of_null(base.entries.get(key), step_into(shape, base, key))
-            if (*path, key) == (TESTS,):
+            help_ = "leave the line out; a named entry in it is removed by its name"
+            if is_list(step_into(shape, base, key)):
+                help_ = "a list is replaced as a whole, write [] for none"
+            elif here == (TESTS,):
                 help_ = f"{{{ALL_INHERITED}: null}} removes all tests of the base"
-            self._add("wrong-null", node.mark, (*path, key), "null removes named entries of the base only", help_)
+            self._add("wrong-null", node.mark, here, "null removes named entries of the base only", help_)
             base.put(key, node, key_mark)
         elif key not in base.entries:
             help_ = choice_of(key, base.entries) if base.entries else "leave the line out"
             if path[:1] == ("robots",) and path[2:] == ("devices",):
                 help_ = f"a device of the robot's kit is taken away by 'without: [{key}]'"
             help_ = (of_repeated(key, base) if path == ("rules",) else "") or help_
-            message = f"nothing to remove: the base has no '{key}'"
-            self._add("wrong-null", node.mark, (*path, key), message, help_)
+            self._add("wrong-null", node.mark, here, f"nothing to remove: the base has no '{key}'", help_)
         else:
             base.drop(key)
-            self.removed[(*path, key)] = node.mark
+            self.removed[here] = node.mark
 
     def _add(self, code: str, mark: Mark, path: Path, message: str, help_: str) -> None:
         self.problems.append(mark.error(code, message, help_, in_names(Entries({}, mark), path)))
@@ -177,17 +159,6 @@ def of_repeated(name: str, rules: Entries) -> str:
         if row in listed:
             return f"it comes from the repeated rule '{rule}': change that one, or '{row}' in its repeat_for"
     return ""
-
-
-def _instead_of_null(before: Node | None, shape: Shape) -> str:
-    """Return how that is taken away of which null alone takes nothing away."""
-    if is_list(shape):
-        return "a list is replaced as a whole, write [] for none"
-    if not isinstance(before, Entries) or not before.entries or not is_named(chosen(shape, before)):
-        return "leave the line out"
-    nulls = [f"{name}: null" for name in before.entries]
-    more = ", …" if len(nulls) > _SHOWN else ""
-    return f"for none write it for each of them: {{{', '.join(nulls[:_SHOWN])}{more}}}"
 
 
 def make_way(base: Entries, written: AbstractSet[str], shape: Shape) -> None:

@@ -1,22 +1,24 @@
 """Params and overrides: ``{param: NAME}`` for any single value, ``--set PATH=VALUE`` from the command line.
 
-What stands beside a param's name, ``times`` and ``plus``, is computed in `param_value`.
+``{param: gap_m, times: -1, plus: 0.02}`` is the param times a number plus a number.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from decimal import Context
+from math import isfinite
 from typing import get_origin
 
+from rcj_challenges.core.amounts import plain
 from rcj_challenges.core.diagnostics import Diagnostic
-from rcj_challenges.scenario.errors import ScenarioError, choice_of, cut, listing
-from rcj_challenges.scenario.messages.wording import format_node
+from rcj_challenges.scenario.errors import ScenarioError, choice_of, cut
+from rcj_challenges.scenario.messages.wording import expected, format_node
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.reading.merge import Merger, is_param, make_way, of_repeated
-from rcj_challenges.scenario.reading.param_value import KEYS, param_value
-from rcj_challenges.scenario.reading.yaml_strict import parse_value
+from rcj_challenges.scenario.reading.yaml_strict import INT_LIMIT, parse_value
 from rcj_challenges.scenario.shape import (
     Shape,
     bare,
@@ -28,151 +30,105 @@ from rcj_challenges.scenario.shape import (
     members,
     step_into,
 )
-from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, Step, child, in_names
+from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, child, in_names, nodes_in
 
 THIS = "this"
 """What the name of a row is called within a repeated rule."""
+KEYS = ("param", "times", "plus")
 _WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
-_STEPS = re.compile(r"(?:^|\.)([^.\[\]]+)|\[(\d+)\]")
+_PATH = re.compile(r"[^.\[\]]+(\.[^.\[\]]+|\[\d+\])*")
+_EXACT = Context(prec=60)
+"""More digits than a product of two numbers of a file has, so that only the result is rounded, to a float."""
+_MAX_EXACT = 2**53
+"""Up to here each whole number is a float."""
 
 
-class _RefusedError(Exception):
-    """An override that leads nowhere.
-
-    Attributes:
-        message, help: as of `Diagnostic`.
-    """
-
-    def __init__(self, message: str, help_: str = "") -> None:
-        super().__init__(message)
-        self.message = message
-        self.help = help_
+# --- overrides --------------------------------------------------------------------------------------------------------
 
 
 def apply_overrides(root: Entries, overrides: Sequence[str], merger: Merger) -> None:
     """Change the merged tree as the command line asks; what cannot be is added to the merger's problems."""
     for override in overrides:
-        shown = f"--set {override if len(override) <= 80 else override[:77] + '...'}"
-        path_text, equals, value_text = override.partition("=")
+        mark = Mark(f"--set {override if len(override) <= 80 else override[:77] + '...'}")
+        path, equals, text = override.partition("=")
         try:
-            if not equals or not path_text.strip() or not value_text.strip():
-                raise _RefusedError("expected PATH=VALUE", "PATH is a param's name, or a path such as match.half_s")
-            value = parse_value(value_text, shown)
-            _point_to_option(value, Mark(shown))
-            _set(root, _steps(path_text.strip(), root), value, Mark(shown), merger)
-        except _RefusedError as refused:
-            merger.problems.append(Mark(shown).error("wrong-override", refused.message, refused.help))
+            if not equals or not path.strip() or not text.strip():
+                raise _refused("expected PATH=VALUE", "PATH is a param's name, or a path such as match.half_s")
+            value = parse_value(text, mark.file)
+            for node in nodes_in(value):  # they stand in no line of a file
+                node.mark = mark
+                if isinstance(node, Entries):
+                    node.key_marks = dict.fromkeys(node.entries, mark)
+            _set(root, _steps(path.strip(), root), value, mark, merger)
         except ScenarioError as error:
-            merger.problems += [Mark(shown).error(one.code, one.message, one.help) for one in error.diagnostics]
+            merger.problems += [mark.error(one.code, one.message, one.help) for one in error.diagnostics]
 
 
-def _point_to_option(node: Node, mark: Mark) -> None:
-    """Let a value from the command line point to its option, not to a line and column of no file."""
-    node.mark = mark
-    inner = node.entries.values() if isinstance(node, Entries) else node.items if isinstance(node, Items) else ()
-    if isinstance(node, Entries):
-        node.key_marks = dict.fromkeys(node.entries, mark)
-    for part in inner:
-        _point_to_option(part, mark)
+def _refused(message: str, help_: str = "") -> ScenarioError:
+    return ScenarioError([Mark("").error("wrong-override", message, help_)])
 
 
-def _steps(text: str, root: Entries) -> Path:
-    path: list[Step] = []
-    end = 0
-    for match in _STEPS.finditer(text):
-        if match.start() != end:
-            break
-        end = match.end()
-        path.append(int(match[2]) if match[1] is None else match[1])
-    if end != len(text) or len(path) > 30:
-        help_ = "write names with dots and list entries with [0]: rules.goal.actions[0]"
-        raise _RefusedError(f"'{text}' is not a path", help_)
-    params = root.entries.get("params")
-    if len(path) == 1 and isinstance(params, Entries) and path[0] in params.entries:
-        return ("params", path[0])
-    if path[0] == "extends":
+def _steps(text: str, root: Entries) -> list[str]:
+    steps = re.findall(r"[^.\[\]]+", text)
+    if not _PATH.fullmatch(text) or len(steps) > 30:
+        raise _refused(
+            f"'{text}' is not a path", "write names with dots and list entries with [0]: rules.goal.actions[0]"
+        )
+    first, params = steps[0], params_of(root)
+    if len(steps) == 1 and first in params:
+        return ["params", first]
+    if first == "extends":
         message = "what a scenario extends is read before anything is set"
-        raise _RefusedError(message, "write a file with extends: and what you change")
-    if len(path) == 1 and path[0] not in fields(Scenario):
-        names = [*(params.entries if isinstance(params, Entries) else ()), *fields(Scenario)]
-        exact = next((dotted for dotted in _dotted() if dotted.rpartition(".")[2] == path[0]), None)
-        help_ = f"did you mean '{exact}'?" if exact else choice_of(str(path[0]), names)
-        raise _RefusedError(f"unknown param or section '{path[0]}'", help_)
-    return tuple(path)
+        raise _refused(message, "write a file with extends: and what you change")
+    if len(steps) == 1 and first not in fields(Scenario):
+        kinds = ((section, bare(shape).kind) for section, shape in fields(Scenario).items())
+        exact = next((section for section, kind in kinds if is_model(kind) and first in fields(kind)), None)
+        help_ = f"did you mean '{exact}.{first}'?" if exact else choice_of(first, [*params, *fields(Scenario)])
+        raise _refused(f"unknown param or section '{first}'", help_)
+    return steps
 
 
-def _dotted() -> Iterator[str]:
-    """Yield the paths of single values below the sections that always exist, for a hint."""
-    for section, shape in fields(Scenario).items():
-        kind = bare(shape).kind
-        if is_model(kind):
-            yield from (f"{section}.{key}" for key in fields(kind))
-
-
-def _set(root: Entries, path: Path, value: Node, mark: Mark, merger: Merger) -> None:
+def _set(root: Entries, steps: list[str], value: Node, mark: Mark, merger: Merger) -> None:
     node: Node = root
     shape: Shape = Scenario
-    for depth, written in enumerate(path):
-        step = int(written) if isinstance(node, Items) and str(written).isdecimal() else written
-        here = in_names(root, path[:depth])
-        inner = step_into(shape, node, step)
-        if depth == len(path) - 1:
-            _put(node, step, value, mark, shape, path, here, merger)
-            return
-        following = child(node, step)
-        if following is None:
-            following = _opened(node, step, shape, inner, mark, here)
-        node, shape = following, inner
+    path: Path = ()
+    for step in steps:
+        here, above = in_names(root, path), node
+        is_last = len(path) == len(steps) - 1
+        if isinstance(above, Items):
+            if not step.isdecimal() or int(step) >= len(above.items):
+                raise _refused(
+                    f"{here} is a list and has no '{step}'", f"its entries are [0] to [{len(above.items) - 1}]"
+                )
+            path, inner = (*path, int(step)), step_into(shape, above, int(step))
+            if is_last and isinstance(value, Leaf) and value.value is None:
+                raise _refused("null removes named entries only", f"set the whole list {here}")
+            if is_last:
+                above.items[int(step)] = merger.adopt(value, inner, path)
+                return
+            node = above.items[int(step)]
+        elif isinstance(above, Entries):
+            path, inner = (*path, step), step_into(shape, above, step)
+            kind = bare(chosen(shape, above)).kind
+            # A new name may bring a whole entry; a single value under a new name is a typing mistake.
+            is_new_name = is_named(kind) and step not in above.entries and (not is_last or isinstance(value, Leaf))
+            if is_new_name or (is_model(kind) and step not in fields(kind)):
+                repeated = of_repeated(step, above) if here == "rules" else ""
+                known = fields(kind) if is_model(kind) else above.entries
+                raise _refused(f"{here or 'a scenario'} has no '{step}'", repeated or choice_of(step, known))
+            if is_last:
+                make_way(above, {step}, shape)
+                merger.merge_entry(above, step, value, mark, shape, path[:-1])
+                return
+            if step not in above.entries:  # a section that the file leaves at its defaults
+                above.put(step, Entries({}, mark), mark)
+            node = above.entries[step]
+        else:
+            raise _refused(f"{here} is a single value, nothing is inside it")
+        shape = inner
 
 
-def _opened(node: Node, step: Step, shape: Shape, inner: Shape, mark: Mark, here: str) -> Node:
-    """Return a new mapping for a section that the file leaves at its defaults; refuse everything else."""
-    _check_step(node, step, shape, here)
-    if is_named(chosen(shape, node)) or not isinstance(node, Entries) or not isinstance(step, str):
-        raise _unknown_name(node, step, here)
-    if not any(is_model(bare(member).kind) or is_named(member) for member in members(inner)):
-        raise _RefusedError(f"{here + '.' if here else ''}{step} is a single value, nothing is inside it")
-    fresh = Entries({}, mark)
-    node.put(step, fresh, mark)
-    return fresh
-
-
-def _put(node: Node, step: Step, value: Node, mark: Mark, shape: Shape, path: Path, here: str, merger: Merger) -> None:
-    _check_step(node, step, shape, here)
-    if isinstance(node, Items) and isinstance(step, int):
-        if isinstance(value, Leaf) and value.value is None:
-            raise _RefusedError("null removes named entries only", f"set the whole list {here}")
-        node.items[step] = merger.adopt(value, step_into(shape, node, step), path)
-        return
-    if not isinstance(node, Entries) or not isinstance(step, str):  # pragma: no cover - _check_step refused it
-        return
-    # A new name may bring a whole entry; a single value under a new name is a typing mistake.
-    if is_named(chosen(shape, node)) and step not in node.entries and isinstance(value, Leaf):
-        raise _unknown_name(node, step, here)
-    make_way(node, {step}, shape)
-    merger.merge_entry(node, step, value, mark, shape, path[:-1])
-
-
-def _check_step(node: Node, step: Step, shape: Shape, here: str) -> None:
-    if isinstance(node, Leaf):
-        raise _RefusedError(f"{here} is a single value, nothing is inside it")
-    if isinstance(node, Items):
-        if not isinstance(step, int) or step >= len(node.items):
-            help_ = f"its entries are [0] to [{len(node.items) - 1}]"
-            raise _RefusedError(f"{here} is a list and has no '{step}'", help_)
-        return
-    if not isinstance(step, str):
-        raise _RefusedError(f"{here} is not a list", f"it has {listing(node.entries)}")
-    kind = bare(chosen(shape, node)).kind
-    if is_model(kind) and step not in fields(kind):
-        known = fields(kind)
-        raise _RefusedError(f"{here or 'a scenario'} has no '{step}'", choice_of(step, known))
-
-
-def _unknown_name(node: Node, step: Step, here: str) -> _RefusedError:
-    names = node.entries if isinstance(node, Entries) else {}
-    repeated = of_repeated(str(step), node) if isinstance(node, Entries) and here == "rules" else ""
-    return _RefusedError(f"{here} has no '{step}'", repeated or choice_of(str(step), names))
+# --- params -----------------------------------------------------------------------------------------------------------
 
 
 def resolve_params(root: Entries, merger: Merger) -> None:
@@ -227,34 +183,56 @@ class Resolver:
             get_origin(bare(member).kind) is tuple for member in members(shape)
         )
 
-    def stood_for(self, node: Entries, path: Path) -> Leaf | Items:
+    def stood_for(self, node: Entries, path: Path) -> Leaf | Items:  # noqa: PLR0911
         """Return the value for which a use of a param stands; what is wrong with it is added to the problems."""
-        use = node.entries["param"]
-        name = _name(node)
-        value = (self.row or {}).get(name, self.params.get(name))
-        if isinstance(value, Items) and self.row is not None and name in self.row:
-            return self._listed(node, name, value, path)
+        mark, name = node.entries["param"].mark, _name(node)
+        unknown = Leaf(None, mark, note="unknown param", param=name)
+        is_of_row = self.row is not None and name in self.row
+        value = self.row[name] if self.row is not None and is_of_row else self.params.get(name)
+        if is_of_row and isinstance(value, Items):
+            if len(node.entries) > 1:
+                message = f"param '{name}' is {format_node(value)}"
+                self._add("wrong-param-use", path, mark, message, "nothing can stand beside it")
+                return unknown
+            leaves = (item for item in value.items if isinstance(item, Leaf))
+            return Items([Leaf(one.value, mark, note=f"param '{name}'", param=one.param) for one in leaves], mark)
         if not isinstance(value, Leaf) or (self.row is not None and value.value is None):
             # A value that is not a scalar, or that a row lacks, is reported where it is defined.
             if value is None:
-                self._add("unknown-param", path, use.mark, f"unknown param '{cut(name)}'", self._hint(name))
-            return Leaf(None, use.mark, note="unknown param")
-        leaf, refused = param_value(node, name, value)
-        for one in refused:
-            at = (*path, one.key) if one.key else path
-            self._add("wrong-param-use", at, one.mark, one.message, one.help)
-        if self.row is not None and name in self.row:
-            leaf.param = value.param
-        return leaf
-
-    def _listed(self, node: Entries, name: str, value: Items, path: Path) -> Leaf | Items:
-        mark = node.entries["param"].mark
-        if len(node.entries) > 1:
+                self._add("unknown-param", path, mark, f"unknown param '{cut(name)}'", self._hint(name))
+            return unknown
+        factors = self._factors(node, path)
+        if factors is None:
+            return unknown
+        number = value.value
+        formula = "".join(f" {key} {factor}" for key, factor in factors.items())
+        if factors and (isinstance(number, str | bool) or number is None):
             message = f"param '{name}' is {format_node(value)}"
-            self._add("wrong-param-use", path, mark, message, "nothing can stand beside it")
-            return Leaf(None, mark, note="unknown param")
-        leaves = (item for item in value.items if isinstance(item, Leaf))
-        return Items([Leaf(one.value, mark, note=f"param '{name}'", param=one.param) for one in leaves], mark)
+            self._add("wrong-param-use", path, mark, message, "times and plus are for numbers")
+            return unknown
+        if factors and isinstance(number, int | float):
+            number = compute(number, factors.get("times", 1), factors.get("plus", 0))
+            if number is None:
+                self._add("wrong-param-use", path, mark, f"param '{name}'{formula} is too large a number")
+                return unknown
+        return Leaf(number, mark, note=f"param '{name}'{formula}", param=value.param if is_of_row else name)
+
+    def _factors(self, use: Entries, path: Path) -> dict[str, int | float] | None:
+        """Return the numbers beside a param's name by their keys; None if something is wrong with them."""
+        factors: dict[str, int | float] = {}
+        for key, node in use.entries.items():
+            if key == "param":
+                continue
+            number = node.value if isinstance(node, Leaf) else ""
+            if key not in KEYS:
+                message = f"unknown key '{key[:64]}'"
+                self._add("wrong-param-use", path, use.key_marks[key], message, choice_of(key, KEYS[1:]))
+            elif isinstance(number, str | bool):
+                help_ = "not another param: write a number"
+                self._add("wrong-param-use", (*path, key), node.mark, expected(float, node), help_)
+            elif number is not None:  # what is left empty, or is null, has been reported already
+                factors[key] = number
+        return {key: factors[key] for key in KEYS if key in factors} if len(factors) + 1 == len(use.entries) else None
 
     def _hint(self, name: str) -> str:
         if name == THIS and self.row is None:
@@ -269,5 +247,21 @@ class Resolver:
 
 
 def _name(node: Entries) -> str:
-    use = node.entries["param"]
+    use = child(node, "param")
     return str(use.value) if isinstance(use, Leaf) else ""
+
+
+def compute(value: float, times: float, plus: float) -> int | float | None:
+    """Return a number times a number plus a number, exact before it is rounded: three times 0.1 is 0.3.
+
+    Returns:
+        The result; None if it is too large a number.
+    """
+    if isinstance(value, int) and isinstance(times, int) and isinstance(plus, int):
+        whole = value * times + plus
+        return whole if -INT_LIMIT <= whole < INT_LIMIT else None
+    first, second, third = (_EXACT.create_decimal(repr(one)) for one in (value, times, plus))
+    number = float(_EXACT.add(_EXACT.multiply(first, second), third))
+    if not isfinite(number):
+        return None
+    return plain(number) if abs(number) < _MAX_EXACT else number

@@ -7,26 +7,24 @@ row. Whatever comes later knows those rules only, and that each value in them st
 from __future__ import annotations
 
 import re
-from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.rules.fields import Scalar
-from rcj_challenges.scenario.errors import listing, nearest, place_of
+from rcj_challenges.scenario.errors import did_you_mean, listing, place_of
 from rcj_challenges.scenario.messages.wording import NAME_RULE, format_node, quoted
 from rcj_challenges.scenario.models.scenario import MAX_ROWS, Rule
-from rcj_challenges.scenario.placeholders import PLACEHOLDERS, filled, placeholders_in
+from rcj_challenges.scenario.placeholders import PLACEHOLDERS, filled
 from rcj_challenges.scenario.reading.merge import Merger, Repeated, is_param
 from rcj_challenges.scenario.reading.params import THIS, Resolver, params_of
-from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, Step, copied, in_names
+from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, Step, copied, in_names, nodes_in
 
 RULES, REPEAT_FOR = "rules", "repeat_for"
-_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
-_MAX_LETTERS = 64
+_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,63}")
 _MAX_VALUES = 20_000
-"""How many single values all that is repeated may come to: a file of 1 MB that repeats nothing has about as many."""
-_FORMS = "a list of names, [yellow, blue], or a mapping of values by name, {yellow: {zone: blue_goal}, …}"
+"""How many values all that is repeated may come to: a file of 1 MB that repeats nothing has about as many."""
+_FORMS = "write a list of names, [yellow, blue], or a mapping of values by name, {yellow: {zone: blue_goal}, …}"
 
 
 @dataclass
@@ -38,15 +36,13 @@ class _Row:
         mark: where its name stands.
         step: its key or its place in the list.
         written: what stands beside its name.
-        key_marks: where the keys of that stand.
         values: what the names in the rule stand for.
     """
 
     name: str
     mark: Mark
     step: Step
-    written: Mapping[str, Node] = field(default_factory=dict)
-    key_marks: Mapping[str, Mark] = field(default_factory=dict)
+    written: Entries
     values: dict[str, Leaf | Items] = field(default_factory=dict)
 
 
@@ -65,70 +61,30 @@ def repeat_rules(root: Entries, merger: Merger) -> None:
             continue
         rows = _Reader(root, name, merger.problems).rows(rule.entries[REPEAT_FOR], taken)
         rule.drop(REPEAT_FOR)
-        left -= sum(_count(rule, row.values) for row in rows)
+        uses = [str(one.entries["param"].value) for one in nodes_in(rule) if is_param(one)]  # type: ignore[union-attr]
+        left -= sum(sum(1 for _ in nodes_in(rule)) + _listed_in(row.values, uses) for row in rows)
         if left < 0:
             message = f"too much is repeated: written out it would be more than {_MAX_VALUES} single values"
             merger.problems.append(rules.key_marks[name].error("scenario-too-large", message, "", f"{RULES}.{name}"))
             rows = []
-        blanks = tuple(_blanks_in(rule))
-        used = {*_params_in(rule), *blanks}
         for row in rows:
-            unused = tuple(key for key in row.values if key not in used)
-            filled_in = tuple(param for key in blanks for param in _params_of(row.values.get(key)))
-            merger.repeated[_joined(name, row)] = Repeated(name, tuple(row.values), unused, filled_in)
-            fresh.put(_joined(name, row), copied(rule), rules.key_marks[name])
-            _fill(root, _joined(name, row), row.values, merger)
+            merger.repeated[f"{name}_{row.name}"] = Repeated(name, tuple(row.values))
+            fresh.put(f"{name}_{row.name}", copied(rule), rules.key_marks[name])
+            _fill(root, f"{name}_{row.name}", row.values, merger)
         if not rows:  # what is wrong with them is reported; what else is wrong in the rule can be reported too
             fresh.put(name, rule, rules.key_marks[name])
             known = params_of(root)
-            unknown = (one for one in _params_in(rule) if one not in known)
-            _fill(root, name, dict.fromkeys(unknown, Leaf(None, rule.mark)), merger)
+            _fill(root, name, {one: Leaf(None, rule.mark) for one in uses if one not in known}, merger)
 
 
 def _is_repeated(rule: Node) -> bool:
     return isinstance(rule, Entries) and REPEAT_FOR in rule.entries
 
 
-def _joined(rule: str, row: _Row) -> str:
-    return f"{rule}_{row.name}"
-
-
-def _count(node: Node, values: Mapping[str, Leaf | Items]) -> int:
-    """Return how many single values stand in a tree when those of a row have been put in."""
-    if isinstance(node, Leaf):
-        return 1
-    if isinstance(node, Items):
-        return sum(_count(item, values) for item in node.items)
-    name = node.entries.get("param")
-    value = values.get(str(name.value)) if isinstance(name, Leaf) else None
-    return (len(value.items) if isinstance(value, Items) else 0) + sum(
-        _count(inner, values) for inner in node.entries.values()
-    )
-
-
-def _params_in(node: Node) -> Iterator[str]:
-    """Yield the names of what is used like a param."""
-    if isinstance(node, Entries):
-        name = node.entries.get("param")
-        if is_param(node) and isinstance(name, Leaf):
-            yield str(name.value)
-    inner = node.entries.values() if isinstance(node, Entries) else node.items if isinstance(node, Items) else ()
-    for one in inner:
-        yield from _params_in(one)
-
-
-def _blanks_in(rule: Entries) -> Iterator[str]:
-    """Yield what the sentence of a rule fills in before anything happens."""
-    says = rule.entries.get("says")
-    if isinstance(says, Leaf) and isinstance(says.value, str):
-        yield from (name for name in placeholders_in(says.value) if name not in PLACEHOLDERS)
-
-
-def _params_of(value: Leaf | Items | None) -> Iterator[str]:
-    """Yield the params for which a value of a row stands."""
-    for leaf in value.items if isinstance(value, Items) else (value,):
-        if isinstance(leaf, Leaf) and leaf.param:
-            yield leaf.param
+def _listed_in(values: Mapping[str, Leaf | Items], uses: Iterable[str]) -> int:
+    """Return how many single values come from lists that stand where some params are used."""
+    lists = (values.get(name) for name in uses)
+    return sum(len(one.items) for one in lists if isinstance(one, Items))
 
 
 def _fill(root: Entries, name: str, values: Mapping[str, Leaf | Items], merger: Merger) -> None:
@@ -143,7 +99,7 @@ def _fill(root: Entries, name: str, values: Mapping[str, Leaf | Items], merger: 
         written = says.value
         # As for params, a placeholder that is filled in when the rule fires takes precedence over a value of its name.
         known = {key: _as_words(value) for key, value in values.items() if key not in PLACEHOLDERS}
-        says.value = filled(says.value, {key: value for key, value in known.items() if value is not None})
+        says.value = filled(written, {key: value for key, value in known.items() if value is not None})
         begins = known.get(THIS)
         if isinstance(begins, str) and written.startswith(f"{{{THIS}}}"):
             says.value = begins[:1].upper() + says.value[1:]
@@ -173,101 +129,78 @@ class _Reader:
             node: what stands behind ``repeat_for``.
             taken: where the names of rules stand; those of the rows are added.
         """
-        if is_param(node):
-            self._add((), node.mark, "a param cannot stand here", f"write {_FORMS}")
+        if isinstance(node, Leaf) or is_param(node):
+            if not isinstance(node, Leaf) or node.value is not None:  # else it has been reported as an empty value
+                self._add((), node.mark, f"expected names, found {format_node(node)}", _FORMS)
             return []
-        if isinstance(node, Leaf):
-            if node.value is not None:  # else it has been reported as an empty value, or as a null
-                self._add((), node.mark, f"expected names, found {format_node(node)}", f"write {_FORMS}")
-            return []
-        rows = list(self._listed(node) if isinstance(node, Items) else self._by_name(node))
+        steps: Iterable[tuple[Step, Node]] = enumerate(node.items) if isinstance(node, Items) else node.entries.items()
+        rows = [row for step, inner in steps if (row := self._row(node, step, inner)) is not None]
         count = len(node.items if isinstance(node, Items) else node.entries)
         if not 1 <= count <= MAX_ROWS:
             amount = f"at most {MAX_ROWS} names" if count else "at least one name"
-            self._add((), node.mark, f"must have {amount}, found {format_node(node)}", f"write {_FORMS}")
+            self._add((), node.mark, f"must have {amount}, found {format_node(node)}", _FORMS)
             return []
-        self._hidden(rows)
-        self._same_keys(rows)
-        keys = dict.fromkeys(key for row in rows for key in row.written)
+        self._check_keys(rows)
+        keys = {key for row in rows for key in row.written.entries}
         for row in rows:
-            self._read(row, keys)
+            # What a name lacks is reported once, not again wherever it is used.
+            row.values = {THIS: Leaf(row.name, row.mark)}
+            row.values |= {
+                key: self._value(inner, (row.step, key)) for key, inner in row.written.entries.items() if key != THIS
+            }
+            row.values |= {key: Leaf(None, row.mark) for key in keys - row.values.keys()}
         return [row for row in rows if self._is_free(row, taken)]
 
-    def _listed(self, node: Items) -> Iterator[_Row]:
-        seen: set[str] = set()
-        for index, item in enumerate(node.items):
-            if isinstance(item, Leaf) and item.value is None:
-                continue  # reported as an empty entry
-            if not isinstance(item, Leaf) or not isinstance(item.value, str):
-                self._add((index,), item.mark, f"expected a name, found {format_node(item)}")
-            elif item.value in seen:
-                self._add((index,), item.mark, f"'{item.value}' stands here twice")
-            elif self._is_name(item.value, (index,), item.mark):
-                seen.add(item.value)
-                yield _Row(item.value, item.mark, index)
-
-    def _by_name(self, node: Entries) -> Iterator[_Row]:
-        for name, inner in node.entries.items():
-            mark = node.key_marks[name]
-            if isinstance(inner, Entries) and len(inner.entries) > MAX_ROWS:
-                self._add((name,), mark, f"must have at most {MAX_ROWS} values, found {len(inner.entries)}")
-            elif isinstance(inner, Entries):
-                if self._is_name(name, (name,), mark):
-                    yield _Row(name, mark, name, inner.entries, inner.key_marks)
-            elif not isinstance(inner, Leaf) or inner.value is not None:
-                message = f"expected a mapping with the values of '{name}', found {format_node(inner)}"
-                self._add((name,), inner.mark, message)
+    def _row(self, node: Items | Entries, step: Step, inner: Node) -> _Row | None:
+        """Return the row for an entry of a list or a mapping; None if it is wrong."""
+        if isinstance(inner, Leaf) and inner.value is None:
+            return None  # reported as an empty entry
+        is_listed = isinstance(node, Items)
+        name = inner.value if isinstance(inner, Leaf) and is_listed else step
+        mark = node.key_marks[str(step)] if isinstance(node, Entries) else inner.mark
+        written = inner if isinstance(inner, Entries) and not is_listed else Entries({}, mark)
+        if isinstance(inner, Leaf) is not is_listed or not isinstance(name, str) or isinstance(inner, Items):
+            wanted = "a name" if is_listed else f"a mapping with the values of '{step}'"
+            self._add((step,), inner.mark, f"expected {wanted}, found {format_node(inner)}")
+        elif len(written.entries) > MAX_ROWS:
+            self._add((step,), mark, f"must have at most {MAX_ROWS} values, found {len(written.entries)}")
+        elif self._is_name(name, (step,), mark):
+            return _Row(name, mark, step, written)
+        return None
 
     def _is_name(self, name: str, at: Path, mark: Mark) -> bool:
-        if _NAME.fullmatch(name) and len(name) <= _MAX_LETTERS:
+        if _NAME.fullmatch(name):
             return True
         self._add(at, mark, f"{quoted(name)} is not a name", f"write {NAME_RULE}")
         return False
 
-    def _hidden(self, rows: list[_Row]) -> None:
-        """Refuse what would hide something: in one file a name should not mean two things."""
+    def _check_keys(self, rows: list[_Row]) -> None:
+        """Refuse values that would hide something, and names that have other keys than the first one."""
         params = self.root.entries.get("params")
         where = params.key_marks if isinstance(params, Entries) else {}
-        if THIS in self.params:
+        if THIS in where:
             message = "in a rule with repeat_for 'this' is the name for which it is repeated"
-            self.problems.append(
-                where[THIS].error("name-taken", message, "give the param another name", f"params.{THIS}")
-            )
-        reported: set[str] = set()
+            help_ = "give the param another name"
+            self.problems.append(where[THIS].error("name-taken", message, help_, f"params.{THIS}"))
+        hidden: set[str] = set()
         for row in rows:
-            for key in row.written:
-                mark = row.key_marks[key]
+            usual, marks = rows[0].written.entries, row.written.key_marks
+            help_ = f"all names need the same keys: {listing(usual) or 'none'}"
+            surplus = [key for key in row.written.entries if key not in usual]
+            missing = [key for key in usual if key not in row.written.entries]
+            for key, mark in marks.items():
                 if key == THIS:
                     self._add((row.step, key), mark, f"'this' is '{row.name}' itself", "choose another key")
-                elif self._is_name(key, (row.step, key), mark) and key in self.params and key not in reported:
-                    reported.add(key)
+                elif self._is_name(key, (row.step, key), mark) and key in where and key not in hidden:
+                    hidden.add(key)
                     message = f"'{key}' is a param of the scenario already{_line(where[key], mark)}"
                     self._add((row.step, key), mark, message, "choose another key")
-
-    def _same_keys(self, rows: list[_Row]) -> None:
-        """Report names that have other keys than most; if as many have one set of keys as another, the first counts."""
-        if not rows:
-            return
-        ((usual, _),) = Counter(frozenset(row.written) for row in rows).most_common(1)
-        like = next(row for row in rows if row.written.keys() == usual)
-        help_ = f"all names need the same keys: {listing(like.written) or 'none'}"
-        for row in rows:
-            missing = [key for key in like.written if key not in row.written]
-            for key in (key for key in row.written if key not in like.written):
-                near = nearest(key, missing)
-                missing = [one for one in missing if one != near]
-                hint = f"did you mean '{near}'? " if near else ""
-                self._add((row.step, key), row.key_marks[key], f"'{like.name}' has no '{key}'", f"{hint}{help_}")
-            for key in missing:
-                message = f"'{key}' is missing, which '{like.name}' has{_line(like.key_marks[key], row.mark)}"
+            for key in surplus:
+                message = f"'{rows[0].name}' has no '{key}'"
+                self._add((row.step, key), marks[key], message, f"{did_you_mean(key, missing)} {help_}".strip())
+            if missing and not surplus:
+                message = f"'{missing[0]}' is missing, which '{rows[0].name}' has"
                 self._add((row.step,), row.mark, message, help_)
-
-    def _read(self, row: _Row, keys: Iterable[str]) -> None:
-        # What a name lacks is reported once, not again wherever it is used.
-        row.values = {THIS: Leaf(row.name, row.mark), **{key: Leaf(None, row.mark) for key in keys if key != THIS}}
-        for key, node in row.written.items():
-            if key != THIS:
-                row.values[key] = self._value(node, (row.step, key))
 
     def _value(self, node: Node, at: Path) -> Leaf | Items:
         """Return a single value or a list of them, params in it resolved."""
@@ -286,11 +219,10 @@ class _Reader:
         return Leaf(None, node.mark)
 
     def _is_free(self, row: _Row, taken: dict[str, Mark]) -> bool:
-        name = _joined(self.rule, row)
+        name = f"{self.rule}_{row.name}"
         known = taken.setdefault(name, row.mark)
         if known is not row.mark:
-            line = _line(known, row.mark)
-            message = f"its rule would have the name '{name}' of another rule{line}"
+            message = f"its rule would have the name '{name}' of another rule{_line(known, row.mark)}"
             self._add((row.step,), row.mark, message, "rename one")
         return known is row.mark
 
@@ -317,23 +249,17 @@ def merged(problems: Iterable[Diagnostic], repeated: Mapping[str, Repeated]) -> 
         problems: each at its place, with the path of the rule that it is about.
         repeated: where each rule comes from that is one of a repeated one.
     """
-    found = list(problems)
-    of_written = [_of_written(problem, repeated) for problem in found]
-    about: dict[Diagnostic, dict[str, str]] = {}
-    for problem, written in zip(found, of_written, strict=True):
-        about.setdefault(written, {})[place_of(problem).path] = _rule_of(problem)
-    alike = (
-        _about_some(written, about[written].values(), repeated) if len(about[written]) > 1 else problem
-        for problem, written in zip(found, of_written, strict=True)
-    )
-    return list(dict.fromkeys(alike))
-
-
-def _about_some(written: Diagnostic, names: Iterable[str], repeated: Mapping[str, Repeated]) -> Diagnostic:
-    """Return a problem of a written rule with the names of those of its rules that have it, unless all have."""
-    of_all = {name for name, one in repeated.items() if one.rule == _rule_of(written)}
-    which = "" if of_all <= set(names) else f" ({listing(dict.fromkeys(names))})"
-    return replace(written, message=written.message + which)
+    pairs = [(problem, _of_written(problem, repeated)) for problem in problems]
+    about: dict[Diagnostic, set[str]] = {}
+    for problem, written in pairs:
+        about.setdefault(written, set()).add(_rule_of(problem))
+    found: dict[Diagnostic, None] = {}
+    for problem, written in pairs:
+        names = sorted(about[written])
+        of_all = {name for name, one in repeated.items() if one.rule == _rule_of(written)}
+        which = "" if of_all <= about[written] else f" ({listing(names)})"
+        found[problem if len(names) == 1 else replace(written, message=written.message + which)] = None
+    return list(found)
 
 
 def _rule_of(problem: Diagnostic) -> str:
@@ -349,5 +275,6 @@ def _of_written(problem: Diagnostic, repeated: Mapping[str, Repeated]) -> Diagno
         return problem
     rule = repeated[name].rule
     message, help_ = (re.sub(rf"\b{re.escape(name)}\b", rule, text) for text in (problem.message, problem.help))
-    where = replace(place, path=f"{RULES}.{rule}{rest[len(name) :]}")
-    return replace(problem, message=message, help=help_, where=where)
+    return replace(
+        problem, message=message, help=help_, where=replace(place, path=f"{RULES}.{rule}{rest[len(name) :]}")
+    )

@@ -11,7 +11,7 @@ from __future__ import annotations
 import json
 import math
 import re
-from dataclasses import dataclass, field
+from contextlib import suppress
 from typing import Any
 
 import yaml
@@ -45,27 +45,16 @@ _SURROGATE = re.compile("[\ud800-\udfff]")
 # Listed one by one: the complement of what YAML 1.2 prints (section 5.1) takes 20 times as long to compile.
 _UNPRINTABLE = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufeff\ufffe\uffff]")
 
-_OFF = (
-    "the indentation is off, a quote or bracket before it is not closed, or a text that begins with { or [ is not in "
-    "quotes"
-)
-_UNCLOSED = (
-    "a ',' or the closing bracket is missing, or a text that has ': ' in it or begins with {, [ or # is not in quotes"
-)
-_NO_VALUE = "a value is missing; what begins with # is a comment, unless it is in quotes: '#ff8800'"
-# What both of PyYAML's parsers say, and what an author should do about it.
+_UNCLOSED = "a ',' or the closing bracket is missing, or a text with ': ', {, [ or # in it is not in quotes"
+_OFF = "the indentation is off, a quote or bracket before it is not closed, or a '- ' or ': ' is missing"
+# What PyYAML's parsers say, and what an author should do about it.
 _HINTS = (
     ("cannot start any token", "a tab, or a character that YAML reserves: indent with spaces, put texts in quotes"),
     ("mapping values are not allowed", "a ': ' inside a text needs quotes around the text; or the indentation is off"),
-    ("could not find expected ':'", "a key without ': ' after it"),
-    ("did not find expected key", _OFF),
-    ("expected <block end>", _OFF),
-    ("did not find expected '-' indicator", "a list entry that does not begin with '- ', or the indentation is off"),
-    ("did not find expected ',' or", _UNCLOSED),
     ("expected ',' or", _UNCLOSED),
-    ("did not find expected node content", _NO_VALUE),
-    ("expected the node content", _NO_VALUE),
-    ("unexpected end of stream", "a quote that is not closed"),
+    ("node content", "a value is missing; what begins with # is a comment, unless it is in quotes: '#ff8800'"),
+    ("end of stream", "a quote that is not closed"),
+    ("expected", _OFF),
 )
 
 
@@ -86,23 +75,17 @@ def parse_bytes(data: bytes, file: str) -> Node:
         before = data[: error.start]
         line = before.count(b"\n") + 1
         column = len(before.rpartition(b"\n")[2].decode("utf-8", "replace")) + 1
-        raise ScenarioError(
-            [
-                Mark(file, line, column).error(
-                    "not-utf8", f"not UTF-8: byte 0x{data[error.start]:02x}", "save the file as UTF-8"
-                )
-            ]
-        ) from None
+        message = f"not UTF-8: byte 0x{data[error.start]:02x}"
+        raise ScenarioError([Mark(file, line, column).error("not-utf8", message, "save the file as UTF-8")]) from None
     return parse_text(text, file)
 
 
-def parse_text(text: str, file: str, loader: Any = None) -> Node:
+def parse_text(text: str, file: str) -> Node:
     """Return the tree of a YAML text.
 
     Args:
         text: the document.
         file: how messages name it.
-        loader: the PyYAML loader whose parser is used; by default the fast one where there is one.
 
     Raises:
         ScenarioError: it is not strict YAML; all that is known to be wrong.
@@ -115,22 +98,20 @@ def parse_text(text: str, file: str, loader: Any = None) -> Node:
         line, column = before.count("\n") + 1, len(before.rpartition("\n")[2]) + 1
         message = f"character U+{ord(bad.group()):04X} is not allowed in YAML"
         raise ScenarioError([Mark(file, line, column).error("invalid-yaml", message)])
-    builder = _Builder(file)
-    try:
-        for event in yaml.parse(text, Loader=loader or _LOADER):
-            builder.take(event)
-    except yaml.MarkedYAMLError as error:
-        builder.problems.append(_syntax_error(error, file))
-    except yaml.YAMLError as error:
-        message = f"not valid YAML: {' '.join(str(error).split())}"
-        builder.problems.append(Mark(file, 1, 1).error("invalid-yaml", message))
-    except _HopelessError:
-        pass
-    if builder.problems:
-        raise ScenarioError(builder.problems)
-    if builder.root is None:
+    reader, root = _Reader(text, file), None
+    with suppress(_HopelessError):
+        try:
+            root = reader.document()
+        except yaml.MarkedYAMLError as error:
+            reader.problems.append(_syntax_error(error, file))
+        except yaml.YAMLError as error:
+            message = f"not valid YAML: {' '.join(str(error).split())}"
+            reader.problems.append(Mark(file, 1, 1).error("invalid-yaml", message))
+    if reader.problems:
+        raise ScenarioError(reader.problems)
+    if root is None:
         raise ScenarioError([Mark(file, 1, 1).error("empty-file", "the file is empty")])
-    return builder.root
+    return root
 
 
 def parse_value(text: str, file: str) -> Node:
@@ -168,118 +149,96 @@ class _HopelessError(Exception):
     """Reading further makes no sense; the problem has been noted."""
 
 
-@dataclass(slots=True)
-class _Open:
-    """A list or mapping whose end has not come yet; ``key`` waits for its value."""
+class _Reader:
+    """Builds the tree from the parser's events, and notes what is refused."""
 
-    node: Items | Entries
-    key: str | None = None
-    key_mark: Mark | None = None
-    skipped: bool = False  # the key was refused: its value is read and dropped
+    def __init__(self, text: str, file: str) -> None:
+        self.problems: list[Diagnostic] = []
+        self._events = yaml.parse(text, Loader=_LOADER)
+        self._file = file
+        self._values = 0
 
-
-@dataclass(slots=True)
-class _Builder:
-    """Takes parser events one by one and builds the tree."""
-
-    file: str
-    root: Node | None = None
-    problems: list[Diagnostic] = field(default_factory=list)
-    stack: list[_Open] = field(default_factory=list)
-    documents: int = 0
-    values: int = 0
-
-    def take(self, event: yaml.Event) -> None:
-        mark = self._mark(event)
-        if isinstance(event, yaml.DocumentStartEvent):
-            self._document(event, mark)
-        elif isinstance(event, yaml.AliasEvent):
-            self._refuse(mark, f"alias '*{event.anchor}': aliases are not allowed", "write the value out")
-            raise _HopelessError
-        elif isinstance(event, yaml.NodeEvent):
-            self._node(event, mark)
-        elif isinstance(event, yaml.CollectionEndEvent):
-            self.stack.pop()
+    def document(self) -> Node | None:
+        """Return the tree of the only document; None if there is none."""
+        root: Node | None = None
+        for event in self._events:
+            if isinstance(event, yaml.DocumentStartEvent):
+                if root is not None:
+                    self._refuse(self._mark(event), "a second document", "a file holds one scenario")
+                    return root
+                if event.tags or (event.version is not None and tuple(event.version) != (1, 2)):
+                    message = "directives (%YAML, %TAG) are not allowed"
+                    self._refuse(self._mark(event), message, "the file is read as YAML 1.2")
+            elif isinstance(event, yaml.NodeEvent):
+                root = self._node(event, 0)
+        return root
 
     def _mark(self, event: yaml.Event) -> Mark:
         start = event.start_mark
-        return Mark(self.file, start.line + 1, start.column + 1) if start is not None else Mark(self.file, 1, 1)
+        return Mark(self._file, start.line + 1, start.column + 1) if start is not None else Mark(self._file, 1, 1)
 
     def _refuse(self, mark: Mark, message: str, help_: str = "", code: str = "invalid-yaml") -> None:
         self.problems.append(mark.error(code, message, help_))
 
-    def _document(self, event: yaml.DocumentStartEvent, mark: Mark) -> None:
-        self.documents += 1
-        if self.documents > 1:
-            self._refuse(mark, "a second document", "a file holds one scenario")
+    def _node(self, event: Any, depth: int) -> Node:
+        mark = self._mark(event)
+        self._refuse_extras(event, mark)
+        self._values += 1
+        if self._values > MAX_VALUES:
+            raise too_large(mark, f"more than {MAX_VALUES} values in this file")
+        if isinstance(event, yaml.ScalarEvent):
+            return Leaf(self._scalar(event, mark), mark, empty=not event.style and not event.value)
+        if depth >= MAX_DEPTH:
+            self._refuse(mark, f"nested deeper than {MAX_DEPTH} levels")
             raise _HopelessError
-        if event.tags or (event.version is not None and tuple(event.version) != (1, 2)):
-            self._refuse(mark, "directives (%YAML, %TAG) are not allowed", "the file is read as YAML 1.2")
+        if isinstance(event, yaml.SequenceStartEvent):
+            items = Items([], mark)
+            while not isinstance(inner := next(self._events), yaml.SequenceEndEvent):
+                items.items.append(self._node(inner, depth + 1))
+                check_amount(items)
+            return items
+        entries = Entries({}, mark)
+        while not isinstance(inner := next(self._events), yaml.MappingEndEvent):
+            key, key_mark = self._key(inner, entries), self._mark(inner)
+            value = self._node(next(self._events), depth + 1)
+            if key is not None:
+                entries.put(key, value, key_mark)
+                check_amount(entries)
+        return entries
 
-    def _node(self, event: Any, mark: Mark) -> None:
+    def _refuse_extras(self, event: Any, mark: Mark) -> None:
+        if isinstance(event, yaml.AliasEvent):
+            self._refuse(mark, f"alias '*{event.anchor}': aliases are not allowed", "write the value out")
+            raise _HopelessError
         if event.anchor is not None:
             self._refuse(mark, f"anchor '&{event.anchor}': anchors are not allowed", "write the value out")
         if event.tag is not None:
             self._refuse(mark, f"tag '{event.tag}': tags are not allowed", "the value alone says what it is")
-        if isinstance(event, yaml.ScalarEvent):
-            self._scalar(event, mark)
-            return
-        if self._wants_key():
+
+    def _key(self, event: Any, entries: Entries) -> str | None:
+        """Return a key; None if it is refused: its value is read and dropped."""
+        mark = self._mark(event)
+        self._refuse_extras(event, mark)
+        if not isinstance(event, yaml.ScalarEvent):
             self._refuse(mark, "a list or mapping cannot be a key", "keys are text")
             raise _HopelessError
-        if len(self.stack) >= MAX_DEPTH:
-            self._refuse(mark, f"nested deeper than {MAX_DEPTH} levels")
-            raise _HopelessError
-        node: Items | Entries = Items([], mark) if isinstance(event, yaml.SequenceStartEvent) else Entries({}, mark)
-        self._place(node)
-        self.stack.append(_Open(node))
+        key = self._scalar(event, mark)
+        if not isinstance(key, str):
+            message = f"key {event.value} is not text" if event.value else "a key is missing before ':'"
+            help_ = "write it in quotes if it is one; several numbers stand in brackets: [0.3, 0.2]"
+            self._refuse(mark, message, help_)
+            return None
+        if key in entries.entries:
+            line = entries.key_marks[key].line
+            self._refuse(mark, f"key '{key}' is already given in line {line}", "take one out", "duplicate-key")
+            return None
+        return key
 
-    def _scalar(self, event: yaml.ScalarEvent, mark: Mark) -> None:
+    def _scalar(self, event: yaml.ScalarEvent, mark: Mark) -> str | int | float | bool | None:
         if _SURROGATE.search(event.value):  # PyYAML's own parser lets escapes of half a character pass
             self._refuse(mark, "an escape stands for half a character", "write the character itself")
         # Only plain scalars may be anything but text. (libyaml says "", PyYAML's own parser None.)
-        is_plain = not event.style
-        value = event.value if not is_plain else self._resolve(event.value, mark)
-        if self._wants_key():
-            self._key(value, event.value, mark)
-        else:
-            self._place(Leaf(value, mark, empty=is_plain and not event.value))
-
-    def _wants_key(self) -> bool:
-        return bool(self.stack) and isinstance(self.stack[-1].node, Entries) and self.stack[-1].key_mark is None
-
-    def _key(self, value: object, written: str, mark: Mark) -> None:
-        top = self.stack[-1]
-        top.key_mark = mark
-        top.skipped = True
-        if not isinstance(value, str):
-            message = f"key {written} is not text" if written else "a key is missing before ':'"
-            is_number = isinstance(value, int | float) and not isinstance(value, bool)
-            help_ = "several numbers stand in brackets, [0.3, 0.2], and decimals are written with a point"
-            self._refuse(mark, message, help_ if is_number else "keys are text; write it in quotes if it is one")
-        elif isinstance(top.node, Entries) and value in top.node.entries:
-            first = top.node.key_marks[value]
-            self._refuse(mark, f"key '{value}' is already given in line {first.line}", "take one out", "duplicate-key")
-        else:
-            top.key = value
-            top.skipped = False
-
-    def _place(self, node: Node) -> None:
-        self.values += 1
-        if self.values > MAX_VALUES:
-            raise too_large(node.mark, f"more than {MAX_VALUES} values in this file")
-        if not self.stack:
-            self.root = node
-            return
-        top = self.stack[-1]
-        if isinstance(top.node, Items):
-            top.node.items.append(node)
-            check_amount(top.node)
-            return
-        if not top.skipped and top.key is not None and top.key_mark is not None:
-            top.node.put(top.key, node, top.key_mark)
-            check_amount(top.node)
-        top.key = top.key_mark = None
+        return event.value if event.style else self._resolve(event.value, mark)
 
     def _resolve(self, text: str, mark: Mark) -> str | int | float | bool | None:
         """Return what a plain scalar means in YAML 1.2's core schema."""
