@@ -25,10 +25,6 @@ def test_a_counter_that_is_not_there_is_told(section):
     assert complaints(body) == [f"unknown-name {section}.a.lasts_s.counter"]
 
 
-def test_what_may_stand_there_is_told():
-    assert complaints("timers: {a: {lasts_s: soon}}\n") == ["wrong-value timers.a.lasts_s"]
-
-
 def test_of_a_timer_for_each_it_is_said_whose_counter_is_meant():
     timers = "timers: {{a: {{per: robots, lasts_s: {{counter: own{}}}}}}}\n"
     assert scenario(COUNTERS + timers.format(", entity: each")).timers["a"].lasts_s.entity == "each"

@@ -6,11 +6,6 @@ from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.load import load
 
 
-def test_a_scenario_survives_being_written_and_read():
-    scenario = load("match").scenario
-    assert type(scenario).model_validate(dumped(scenario)) == scenario
-
-
 # The command line lets SIGTERM, the end of a service, mean the same.
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=lambda number: number.name)
 def test_ctrl_c_while_a_scenario_is_written_waits_until_that_is_done_and_is_not_lost(monkeypatch, number):

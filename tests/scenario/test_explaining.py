@@ -6,12 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.rules.facing import Facing
-from rcj_challenges.rules.fields import Name, Names, Point
-from rcj_challenges.rules.places import At
-from rcj_challenges.rules.values import Points
 from rcj_challenges.scenario.load import load_text
-from rcj_challenges.scenario.messages.wording import expectation
 from tests.scenario.writing import HEAD, complaints, errors, in_short, problems_of, rule
 
 
@@ -21,18 +16,14 @@ def place(text):
 
 WHEEL = "kits: {v2: {devices: {left wheel motor: {direction: %s}}}}\n"
 CASES = [
-    (rule("{trigger: enterz}"), "unknown-word rules.r.triggers[0] (enterz) -> enters"),
     (rule("{entity: ball}"), "missing-key rules.r.triggers[0]"),
     (rule("{trigger: [enters]}"), "unknown-word rules.r.triggers[0]"),
     (
         rule("half_started"),
         "wrong-value rules.r.triggers[0]",
     ),
-    (rule("{trigger: half_started, at: 3}"), "unknown-key rules.r.triggers[0] (half_started)"),
     (rule("{trigger: enters, entity: ball}"),
      "missing-key rules.r.triggers[0] (enters)"),
-    (rule("{trigger: enters, entity: ball, zoen: pitch}"),
-     "unknown-key rules.r.triggers[0] (enters) -> zone"),
     (rule("{trigger: enters, entity: [1, ball], zone: pitch}"), "wrong-value rules.r.triggers[0] (enters).entity[0]"),
     (rule("{trigger: enters, entity: [], zone: pitch}"),
      "wrong-value rules.r.triggers[0] (enters).entity"),
@@ -42,31 +33,17 @@ CASES = [
      "wrong-value rules.r.triggers[0] (displaced).from -> last_placement"),
     (rule("{trigger: displaced, entity: ball, distance_m: 1, from: [1]}"),
      "wrong-value rules.r.triggers[0] (displaced).from"),
-    (rule("{trigger: displaced, entity: ball, distance_m: 1, from: [1, x]}"),
-     "wrong-value rules.r.triggers[0] (displaced).from[1]"),
-    (rule("{trigger: tips_over, entity: B1, angle_rad: 4}"), "wrong-value rules.r.triggers[0] (tips_over).angle_rad"),
     (rule("{trigger: holds, condition: {condition: speed, entity: ball, at_least: fast}}"),
      "wrong-value rules.r.triggers[0] (holds).condition.at_least"),
-    (rule("{trigger: holds, condition: {condition: speed, entity: ball, at_least: {timer: t}}}"),
-     "wrong-value rules.r.triggers[0] (holds).condition.at_least"),
-    (rule("{trigger: holds, condition: [{condition: flag, flag: f}, {condition: flag, flag: g}]}"),
-     "wrong-value rules.r.triggers[0] (holds).condition"),
     (rule("{trigger: holds, condition: {condition: any_of, conditions: [{condition: any_of, conditions: []}]}}"),
      "unknown-word rules.r.triggers[0] (holds).condition.conditions[0] (any_of)"),
-    (rule("{trigger: event, event: Goal}"), "wrong-value rules.r.triggers[0] (event).event"),
     (rule(rest="    phases: all\n"), "wrong-value rules.r.phases"),
-    (rule(rest="    phases: [play, 3]\n"), "wrong-value rules.r.phases[1]"),
     (rule(rest="    for_each: [B1]\n"), "wrong-value rules.r.for_each"),
     (rule(rest=f"    says: {'x' * 501}\n"), "wrong-value rules.r.says"),
     (place("at: centre"), "wrong-value rules.r.actions[0] (place).at"),
-    (place("at: middle"), "wrong-value rules.r.actions[0] (place).at"),
     (place("at: {spot: [centre]}"), "wrong-value rules.r.actions[0] (place).at.spot"),
     (place("at: {point: [0, 0], spot: centre}"), "unknown-key rules.r.actions[0] (place).at"),
     (place("at: {on_line: [[0, 0], [1]]}"), "wrong-value rules.r.actions[0] (place).at.on_line[1]"),
-    (place("at: {on_line: [[0, 0]]}"), "wrong-value rules.r.actions[0] (place).at.on_line"),
-    (place("at: start, facing: north"),
-     "wrong-value rules.r.actions[0] (place).facing"),
-    (place("at: start, facing: {random: false}"), "wrong-value rules.r.actions[0] (place).facing.random"),
     (place("at: start, facing: {towards: [0]}"),
      "wrong-value rules.r.actions[0] (place).facing.towards"),
     (place("at: start, mirror: x"), "wrong-value rules.r.actions[0] (place).mirror"),
@@ -74,65 +51,32 @@ CASES = [
      "wrong-value rules.r.actions[0] (score).points[0]"),
     (rule(action="{action: score, entrant: blue, points: [5, '3']}"),
      "wrong-value rules.r.actions[0] (score).points[1]"),
-    (rule(action="{action: score, entrant: blue, points: {distance: [ball]}}"),
-     "wrong-value rules.r.actions[0] (score).points.distance"),
     (rule(action="{action: score, entrant: blue, points: {position_of: ball}}"), "wrong-value rules.r.actions[0] (score).points"),
-    (rule(action="{action: score, entrant: blue, points: {word: phase}}"), "wrong-value rules.r.actions[0] (score).points.word"),
     (rule(action="{action: count, counter: c, by: {word: time_lft_s}}") + "counters: {c: {}}\n",
      "wrong-value rules.r.actions[0] (count).by.word -> time_left_s"),
     (rule(action="{action: emit, event: E, payload: {a: {}}}"), "wrong-value rules.r.actions[0] (emit).payload.a"),
-    (rule(action="{action: emit, event: E, payload: {a: {word: scor}}}"),
-     "wrong-value rules.r.actions[0] (emit).payload.a.word -> score"),
-    (rule(rest="    conditions: [{condition: in_zone, entity: robots, zone: pitch, of: {at_least: 0}}]\n"),
-     "wrong-value rules.r.conditions[0] (in_zone).of.at_least"),
     ("result: {rank: [{tim: ascending}]}\n", "unknown-key result.rank[0] -> time"),
-    ("result: {rank: [{order: ascending}]}\n", "missing-key result.rank[0]"),
     ("result: {rank: score}\n", "wrong-value result.rank"),
-    ("rules: [1]\n", "wrong-value rules"),
     ("zones: {1st: {shape: rect, x_min_m: 0}}\n", "wrong-name zones.1st"),
-    ("zones: {Hügel_süß: {shape: rect, x_min_m: 0}}\n",
-     "wrong-name zones.Hügel_süß"),
-    ("id: café\n", "wrong-value id"),
-    ("id: ход\n", "wrong-value id"),
-    (rule(action="{action: emit, event: TOR_FÜR}"),
-     "wrong-value rules.r.actions[0] (emit).event"),
     ("rules: {r: {repeat_for: [blau, weiß], triggers: [{trigger: half_started}], actions: [{action: emit, event: GO, payload: {who: {param: this}}}]}}\n",
      "wrong-repeat rules.r.repeat_for[1]"),
     ("broadcast: {only: {Y1: {a: 1}}}\n", "missing-key broadcast"),
-    ("match: {halves: 11}\n", "wrong-value match.halves"),
     ("match: {half_s: 60, half: 30}\n", "unknown-key match -> halves"),
     ("zones: {pitch: {x_min: -0.5}}\n",
      "unknown-key zones.pitch -> x_min_m"),
     ("match:\n  half_s:{param: x}\n", "unknown-key match -> half_s"),
-    ("match: {halves: true}\n", "wrong-value match.halves"),
-    ("match: {swap_sides: on}\n", "wrong-value match.swap_sides"),
-    ("match: {half_s: '60'}\n", "wrong-value match.half_s"),
-    ("match: {half_s: 1e9}\n", "wrong-value match.half_s"),
     ("title: ''\n", "wrong-value title"),
-    ("title: 2021\n", "wrong-value title"),
     ("id: fast-shooter\n", "wrong-value id"),
-    ("schema_version: 0\n", "wrong-value schema_version"),
     ("schema_version: '1'\n", "wrong-value schema_version"),
-    ("schema_version: true\n", "wrong-value schema_version"),
     (WHEEL % "true", "wrong-value kits.v2.devices.left wheel motor.direction"),
     (WHEEL % "'-1'", "wrong-value kits.v2.devices.left wheel motor.direction"),
     (place("at: {start: 'true'}"), "wrong-value rules.r.actions[0] (place).at.start"),
-    (place("at: {start: 1}"), "wrong-value rules.r.actions[0] (place).at.start"),
-    (place("at: start, facing: {random: 1}"), "wrong-value rules.r.actions[0] (place).facing.random"),
-    ("robots: {B1: {colour: 3}}\n", "wrong-value robots.B1.colour"),
-    ("robots: {B1: {start: {x_m: a}}}\n", "wrong-value robots.B1.start.x_m"),
     ("robots: {N1: {colour: blue, number: 7, kit: v2}}\n", "missing-key robots.N1"),
-    ("entrants: {blue: {robots: {B1: 7}}}\n", "wrong-value entrants.blue.robots.B1"),
     ("entrants: {blue: {robots: {B1: [x.txt]}}}\n",
      "wrong-value entrants.blue.robots.B1[0]"),
     ("expect: {t: {lasts_s: 1, keyframes: [{at_s: 0, place: {ball: [1]}}]}}\n",
      "wrong-value expect.t.keyframes[0].place.ball"),
     ("expect: {t: {lasts_s: 1, keyframes: [{at_s: 0, touch: [[ball]]}]}}\n", "wrong-value expect.t.keyframes[0].touch[0]"),
-    ("balls: {ball: {colour: 'red;'}}\n", "wrong-value balls.ball.colour"),
-    ("draws: {d: {values: [[1]]}}\n", "wrong-value draws.d.values[0]"),
-    ("groups: {g: B1}\n", "wrong-value groups.g"),
-    ("zones: {z: {shape: 3}}\n", "unknown-word zones.z"),
-    ("zones: {z: {inverted: true}}\n", "missing-key zones.z"),
 ]  # fmt: skip
 
 
@@ -148,33 +92,6 @@ def test_points_of_an_unknown_form_give_one_error(points):
     (problem,) = errors(rule(action=f"{{action: score, entrant: blue, points: {points}}}"))
     assert in_short(problem) == "wrong-value rules.r.actions[0] (score).points"
     assert "{counter: …}" in problem.message
-
-
-def test_two_mistakes_in_one_mapping_give_two_errors():
-    assert len(complaints(rule("{trigger: enters, entity: 3, zoen: pitch, distance: 4}"))) == 3
-
-
-@pytest.mark.parametrize(
-    ("shape", "words"),
-    [
-        (Name, "a name"),
-        (Names, "a name or a list of names"),
-        (Point, "two numbers [x, y]"),
-        (Name | None, "a name"),
-        (
-            Points,
-            "a number, {counter: …}, {flag: …}, {draw: …}, {word: …}, {distance: …}, {way: …}, {timer: …}, {told: …} or a list",
-        ),
-        (Facing, "start or keep, a number, {towards: …} or {random: …}"),
-        (float, "a number"),
-        (int | float, "a number"),
-        (tuple[float, ...], "a list"),
-        (dict[str, int], "a mapping by name"),
-    ],
-)
-def test_what_is_expected_in_words(shape, words):
-    assert expectation(shape) == words
-    assert expectation(At).startswith("start, {start: …}, {point: …}")
 
 
 VALUES = st.recursive(
@@ -216,8 +133,3 @@ LONG = "x" * 900
 def test_long_texts_are_cut(body):
     message = "".join(problem.message + problem.help for problem in errors(body))
     assert LONG[:70] not in message
-
-
-def test_key_without_a_letter_is_shown_in_quotes():
-    (problem,) = errors(rule("{trigger: enters, entity: ball, zone: {'': pitch}}"))
-    assert problem.message.endswith("found a mapping with ''")

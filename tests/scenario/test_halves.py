@@ -4,7 +4,6 @@ import pytest
 
 from rcj_challenges.core.diagnostics import InFile
 from rcj_challenges.expect.runner import run_test
-from rcj_challenges.expect.scripted_match import half_of
 from rcj_challenges.scenario.dump import dumped
 from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.halves import half_length_s, half_lengths_s, longest_half_s
@@ -81,11 +80,6 @@ def test_one_number_is_written_as_before_there_were_lists():
     }  # fmt: skip
     several = scenario("match: {halves: 2, half_s: [20, 10]}\n")
     assert type(several).model_validate(dumped(several)) == several
-
-
-def test_the_referee_knows_the_length_of_the_half_that_is_played():
-    several = scenario("match: {halves: 2, half_s: [20, 10]}\n")
-    assert [half_of(several, half).ticks for half in (1, 2)] == [625, 313]
 
 
 TOLD = rule(

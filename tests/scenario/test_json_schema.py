@@ -118,13 +118,6 @@ def test_a_param_may_stand_for_any_single_value(body):
     assert accepts({**plain(parse_text(HEAD, "f")), **plain(parse_text(body, "f"))})
 
 
-def test_beside_a_word_that_is_a_param_any_keys_may_stand_but_none_is_needed():
-    zone = {"shape": {"param": "x"}, "centre_m": [0, 0]}
-    assert accepts(WHOLE | {"zones": {"z": zone}})
-    assert not accepts(WHOLE | {"zones": {"z": zone | {"shape": {"param": "x", "of": 1}}}})
-    assert not accepts(WHOLE | {"zones": {"z": {"shape": "circle", "centre_m": [0, 0]}}})
-
-
 @pytest.mark.parametrize(
     "body", ["match: {param: x}\n", "params: {a: {param: b}}\n", "extends: {param: x}\n",
              "match: {half_s: {param: x, times: a}}\n", "match: {half_s: {param: x, time: 2}}\n", "match: {half_s: {times: 2}}\n"]

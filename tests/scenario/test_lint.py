@@ -66,249 +66,79 @@ EMPTY = ""
 
 CASES = [
     # code, sections and rules with the mistake, sections and rules without it
-    ("phase-never-entered", ("phases: {one: {}}", EMPTY), ("phases: {one: {lasts_s: 1}}", ENTER)),
-    (
-        "phase-never-entered",
-        (
-            "phases: {one: {lasts_s: 1}, two: {}}",
-            ENTER + rule("back", "{trigger: phase_entered, phase: play, from: two}"),
-        ),
-        ("phases: {one: {lasts_s: 1}}", ENTER + rule("back", "{trigger: phase_entered, phase: play, from: one}")),
-    ),
-    (
-        "rule-never-fires",
-        ("phases: {one: {lasts_s: 1}}", ENTER + rule("begin", "{trigger: half_started}", more=", phases: [one]")),
-        ("phases: {one: {lasts_s: 1}}", ENTER + rule("begin", "{trigger: half_started}")),
-    ),
-    (
-        "rule-never-fires",
-        ("phases: {one: {lasts_s: 1}}", ENTER + rule("wait", "{trigger: phase_entered, phase: one}")),
-        (
-            "phases: {one: {lasts_s: 1}}",
-            ENTER + rule("wait", "{trigger: phase_entered, phase: one}", more=", phases: any"),
-        ),
-    ),
-    (
-        "event-never-emitted",
-        (EMPTY, TOLD + rule("b", "{trigger: event, event: STARTET}")),
-        (EMPTY, TOLD + rule("b", "{trigger: event, event: STARTED}")),
-    ),
-    (
-        "event-never-emitted",
-        ("expect: {t: {keyframes: [{at_s: 1}], lasts_s: 1, events: [{event: GAOL}]}}", EMPTY),
-        ("expect: {t: {keyframes: [{at_s: 1}], lasts_s: 1, events: [{event: STARTED}]}}", TOLD),
-    ),
-    (
-        "event-loop",
-        (EMPTY, rule("a", "{trigger: event, event: ON}", "{action: emit, event: ON}")),
-        (EMPTY, rule("a", "{trigger: event, event: ON}", "{action: emit, event: ON}", ", cooldown_s: 1")),
-    ),
-    (
-        "missing-says",
-        (EMPTY, "  a: {triggers: [{trigger: half_started}], actions: [{action: emit, event: STARTED}]}\n"),
-        (EMPTY, TOLD),
-    ),
-    (
-        "each-of-none",
-        (EMPTY, rule("a", "{trigger: touches, entity: each, other: robots}", more=", for_each: obstacles")),
-        (EMPTY, rule("a", "{trigger: touches, entity: each, other: robots}", more=", for_each: balls")),
-    ),
-    (
-        "each-never-named",
-        (EMPTY, rule("a", "{trigger: half_started}", more=", for_each: robots")),
-        (EMPTY, rule("a", "{trigger: enters, entity: each, zone: pitch}", more=", for_each: robots")),
-    ),
-    (
-        "each-not-in-trigger",
-        (
-            EMPTY,
-            rule(
-                "a",
-                "{trigger: enters, entity: robots, zone: pitch}",
-                "{action: place, entity: each, at: start}",
-                ", for_each: robots",
-            ),
-        ),
-        (
-            EMPTY,
-            rule(
-                "a",
-                "{trigger: enters, entity: each, zone: pitch}",
-                "{action: place, entity: each, at: start}",
-                ", for_each: robots",
-            ),
-        ),
-    ),
-    (
-        "no-way-to-score",
-        ("result: {rank: [{score: descending}]}", "NO GOAL"),
-        (
-            "result: {rank: [{time: ascending, plus: [{counter: n, weight: 1}]}]}\ncounters: {n: {per: robots}}",
-            "NO GOAL",
-        ),
-    ),
-    (
-        "never-read",
-        ("counters: {n: {}}", rule("a", "{trigger: half_started}", "{action: count, counter: n}")),
-        (
-            "counters: {n: {}}\nbroadcast: {fields: {n: {counter: n}}}",
-            rule("a", "{trigger: half_started}", "{action: count, counter: n}"),
-        ),
-    ),
-    (
-        "never-read",
-        (EMPTY, rule("a", "{trigger: half_started}", "{action: set_spot, spot: mine, to: ball}") + "SPOT"),
-        (
-            EMPTY,
-            rule(
-                "a",
-                "{trigger: half_started}",
-                "{action: set_spot, spot: mine, to: ball}, {action: place, entity: ball, at: {spot: mine}}",
-            )
-            + "SPOT",
-        ),
-    ),
-    (
-        "never-written",
-        ("flags: {f: {}}", rule("a", "{trigger: half_started}", more=", conditions: [{condition: flag, flag: f}]")),
-        (
-            "flags: {f: {}}",
-            rule(
-                "a",
-                "{trigger: half_started}",
-                "{action: set_flag, flag: f}",
-                ", conditions: [{condition: flag, flag: f}]",
-            ),
-        ),
-    ),
-    (
-        "never-written",
-        ("timers: {t: {lasts_s: 5}}", rule("a", "{trigger: timer_expired, timer: t}")),
-        ("timers: {t: {lasts_s: 5, starts: true}}", rule("a", "{trigger: timer_expired, timer: t}")),
-    ),
-    (
-        "never-used",
-        ("zones: {here: {shape: circle, centre_m: [0, 0], radius_m: 0.1}}", EMPTY),
-        (
-            "zones: {here: {shape: circle, centre_m: [0, 0], radius_m: 0.1}}",
-            rule("a", "{trigger: enters, entity: ball, zone: here}"),
-        ),
-    ),
-    (
-        "never-used",
-        ("params: {far_m: 2}", EMPTY),
-        ("params: {at_s: 2}", rule("a", "{trigger: time_reached, at_s: {param: at_s}}")),
-    ),
-    (
-        "held-forever",
-        (EMPTY, rule("a", "{trigger: half_started}", "{action: hold, entity: Y1}")),
-        (EMPTY, rule("a", "{trigger: half_started}", "{action: hold, entity: Y1, for_s: 3}")),
-    ),
-    (
-        "limit-too-long",
-        (EMPTY, rule("a", "{trigger: stays_in, entity: ball, zone: pitch, limit_s: 60}")),
-        (EMPTY, rule("a", "{trigger: stays_in, entity: ball, zone: pitch, limit_s: 59}")),
-    ),
-    (
-        "limit-too-long",
-        (
-            "phases: {one: {lasts_s: 1}}",
-            ENTER + rule("a", "{trigger: stays_in, entity: ball, zone: pitch, limit_s: 2}", more=", phases: [one]"),
-        ),
-        (
-            "phases: {one: {lasts_s: 3}}",
-            ENTER + rule("a", "{trigger: stays_in, entity: ball, zone: pitch, limit_s: 2}", more=", phases: [one]"),
-        ),
-    ),
-    (
-        "angle-in-degrees",
-        ("robots: {Y1: {start: {x_m: -0.4, y_m: -0.3, yaw_rad: 90}}}", EMPTY),
-        ("robots: {Y1: {start: {x_m: -0.4, y_m: -0.3, yaw_rad: 1.57}}}", EMPTY),
-    ),
-    (
-        "never-reached",
-        (EMPTY, rule("a", "{trigger: displaced, entity: ball, distance_m: 30}")),
-        (EMPTY, rule("a", "{trigger: displaced, entity: ball, distance_m: 0.3}")),
-    ),
-    (
-        "never-reached",
-        (EMPTY, rule("a", "{trigger: holds, condition: {condition: speed, entity: Y1, at_least: 20}}")),
-        (EMPTY, rule("a", "{trigger: holds, condition: {condition: speed, entity: Y1, at_least: 0.2}}")),
-    ),
-    (
-        "never-reached",
-        (EMPTY, rule("a", "{trigger: no_progress, entity: Y1, distance_m: 5, within_s: 10}")),
-        (EMPTY, rule("a", "{trigger: no_progress, entity: Y1, distance_m: 0.5, within_s: 10}")),
-    ),
-    (
-        "exact-measurement",
-        (
-            EMPTY,
-            rule("a", "{trigger: half_started}", more=", conditions: [{condition: speed, entity: ball, equals: 0}]"),
-        ),
-        (
-            EMPTY,
-            rule(
-                "a", "{trigger: half_started}", more=", conditions: [{condition: speed, entity: ball, at_most: 0.01}]"
-            ),
-        ),
-    ),
-    (
-        "unknown-placeholder",
-        (EMPTY, TOLD.replace("It is so.", "'{entitty} is so.'")),
-        (
-            "params: {at_s: 2}",
-            rule("a", "{trigger: time_reached, at_s: {param: at_s}}").replace("It is so.", "'{at_s} s.'"),
-        ),
-    ),
-    ("unknown-placeholder", ("description: 'After {at_s} s'", EMPTY), ("description: 'Told as {\"light\": 1}'", EMPTY)),
-    (
-        "placeholder-never-filled",
-        (EMPTY, TOLD.replace("It is so.", "'{each} is so.'")),
-        (EMPTY, TOLD.replace("It is so.", "'{team} is so.'")),
-    ),
-    (
-        "off-the-field",
-        (
-            "zones: {here: {shape: circle, centre_m: [3, 0], radius_m: 0.1}}",
-            rule("a", "{trigger: enters, entity: ball, zone: here}"),
-        ),
-        (
-            "zones: {here: {shape: circle, centre_m: [0.3, 0], radius_m: 0.1}}",
-            rule("a", "{trigger: enters, entity: ball, zone: here}"),
-        ),
-    ),
-    (
-        "robot-without-program",
-        ("entrants: {yellow: {robots: {Y1: null}}}", EMPTY),
-        ("entrants: {yellow: {robots: {Y1: null}}}\nrobots: {Y1: {idle: true}}", EMPTY),
-    ),
-    (
-        "never-on-the-field",
-        (EMPTY, rule("a", "{trigger: half_started}", "{action: remove, entity: Y1}")),
-        (EMPTY, rule("a", "{trigger: half_started}", "{action: remove, entity: Y1, for_s: 3}")),
-    ),
-    (
-        "two-rules-move-one-thing",
-        (EMPTY, 2 * "A"),
-        (EMPTY, "AC"),
-    ),
-    (
-        "no-room",
-        ("placements: {l: [{entity: ball, at: {point: [0, 0]}}, {entity: Y1, at: {point: [0, 0]}}]}", "LAYOUT"),
-        ("placements: {l: [{entity: ball, at: {point: [0, 0]}}, {entity: Y1, at: {point: [0, 0.3]}}]}", "LAYOUT"),
-    ),
-    (
-        "no-room",
-        (EMPTY, rule("a", "{trigger: half_started}", "{action: place, entity: ball, at: {point: [0.7, 0]}}")),
-        (EMPTY, rule("a", "{trigger: half_started}", "{action: place, entity: ball, at: {point: [0.5, 0]}}")),
-    ),
-    (
-        "inherited-test-left-out",
-        ("extends: match\nmatch: {half_s: 30}", "BASE"),
-        ("extends: match", "BASE"),
-    ),
-]
+    ("phase-never-entered", ("phases: {one: {}}", EMPTY),
+     ("phases: {one: {lasts_s: 1}}", ENTER)),
+    ("phase-never-entered", ("phases: {one: {lasts_s: 1}, two: {}}", ENTER + rule("back", "{trigger: phase_entered, phase: play, from: two}")),
+     ("phases: {one: {lasts_s: 1}}", ENTER + rule("back", "{trigger: phase_entered, phase: play, from: one}"))),
+    ("rule-never-fires", ("phases: {one: {lasts_s: 1}}", ENTER + rule("begin", "{trigger: half_started}", more=", phases: [one]")),
+     ("phases: {one: {lasts_s: 1}}", ENTER + rule("begin", "{trigger: half_started}"))),
+    ("rule-never-fires", ("phases: {one: {lasts_s: 1}}", ENTER + rule("wait", "{trigger: phase_entered, phase: one}")),
+     ("phases: {one: {lasts_s: 1}}", ENTER + rule("wait", "{trigger: phase_entered, phase: one}", more=", phases: any"))),
+    ("event-never-emitted", (EMPTY, TOLD + rule("b", "{trigger: event, event: STARTET}")),
+     (EMPTY, TOLD + rule("b", "{trigger: event, event: STARTED}"))),
+    ("event-never-emitted", ("expect: {t: {keyframes: [{at_s: 1}], lasts_s: 1, events: [{event: GAOL}]}}", EMPTY),
+     ("expect: {t: {keyframes: [{at_s: 1}], lasts_s: 1, events: [{event: STARTED}]}}", TOLD)),
+    ("event-loop", (EMPTY, rule("a", "{trigger: event, event: ON}", "{action: emit, event: ON}")),
+     (EMPTY, rule("a", "{trigger: event, event: ON}", "{action: emit, event: ON}", ", cooldown_s: 1"))),
+    ("missing-says", (EMPTY, "  a: {triggers: [{trigger: half_started}], actions: [{action: emit, event: STARTED}]}\n"),
+     (EMPTY, TOLD)),
+    ("each-of-none", (EMPTY, rule("a", "{trigger: touches, entity: each, other: robots}", more=", for_each: obstacles")),
+     (EMPTY, rule("a", "{trigger: touches, entity: each, other: robots}", more=", for_each: balls"))),
+    ("each-never-named", (EMPTY, rule("a", "{trigger: half_started}", more=", for_each: robots")),
+     (EMPTY, rule("a", "{trigger: enters, entity: each, zone: pitch}", more=", for_each: robots"))),
+    ("each-not-in-trigger", (EMPTY, rule("a", "{trigger: enters, entity: robots, zone: pitch}", "{action: place, entity: each, at: start}", ", for_each: robots")),
+     (EMPTY, rule("a", "{trigger: enters, entity: each, zone: pitch}", "{action: place, entity: each, at: start}", ", for_each: robots"))),
+    ("no-way-to-score", ("result: {rank: [{score: descending}]}", "NO GOAL"),
+     ("result: {rank: [{time: ascending, plus: [{counter: n, weight: 1}]}]}\ncounters: {n: {per: robots}}", "NO GOAL")),
+    ("never-read", ("counters: {n: {}}", rule("a", "{trigger: half_started}", "{action: count, counter: n}")),
+     ("counters: {n: {}}\nbroadcast: {fields: {n: {counter: n}}}", rule("a", "{trigger: half_started}", "{action: count, counter: n}"))),
+    ("never-read", (EMPTY, rule("a", "{trigger: half_started}", "{action: set_spot, spot: mine, to: ball}") + "SPOT"),
+     (EMPTY, rule("a", "{trigger: half_started}", "{action: set_spot, spot: mine, to: ball}, {action: place, entity: ball, at: {spot: mine}}") + "SPOT")),
+    ("never-written", ("flags: {f: {}}", rule("a", "{trigger: half_started}", more=", conditions: [{condition: flag, flag: f}]")),
+     ("flags: {f: {}}", rule("a", "{trigger: half_started}", "{action: set_flag, flag: f}", ", conditions: [{condition: flag, flag: f}]"))),
+    ("never-written", ("timers: {t: {lasts_s: 5}}", rule("a", "{trigger: timer_expired, timer: t}")),
+     ("timers: {t: {lasts_s: 5, starts: true}}", rule("a", "{trigger: timer_expired, timer: t}"))),
+    ("never-used", ("zones: {here: {shape: circle, centre_m: [0, 0], radius_m: 0.1}}", EMPTY),
+     ("zones: {here: {shape: circle, centre_m: [0, 0], radius_m: 0.1}}", rule("a", "{trigger: enters, entity: ball, zone: here}"))),
+    ("never-used", ("params: {far_m: 2}", EMPTY),
+     ("params: {at_s: 2}", rule("a", "{trigger: time_reached, at_s: {param: at_s}}"))),
+    ("held-forever", (EMPTY, rule("a", "{trigger: half_started}", "{action: hold, entity: Y1}")),
+     (EMPTY, rule("a", "{trigger: half_started}", "{action: hold, entity: Y1, for_s: 3}"))),
+    ("limit-too-long", (EMPTY, rule("a", "{trigger: stays_in, entity: ball, zone: pitch, limit_s: 60}")),
+     (EMPTY, rule("a", "{trigger: stays_in, entity: ball, zone: pitch, limit_s: 59}"))),
+    ("limit-too-long", ("phases: {one: {lasts_s: 1}}", ENTER + rule("a", "{trigger: stays_in, entity: ball, zone: pitch, limit_s: 2}", more=", phases: [one]")),
+     ("phases: {one: {lasts_s: 3}}", ENTER + rule("a", "{trigger: stays_in, entity: ball, zone: pitch, limit_s: 2}", more=", phases: [one]"))),
+    ("angle-in-degrees", ("robots: {Y1: {start: {x_m: -0.4, y_m: -0.3, yaw_rad: 90}}}", EMPTY),
+     ("robots: {Y1: {start: {x_m: -0.4, y_m: -0.3, yaw_rad: 1.57}}}", EMPTY)),
+    ("never-reached", (EMPTY, rule("a", "{trigger: displaced, entity: ball, distance_m: 30}")),
+     (EMPTY, rule("a", "{trigger: displaced, entity: ball, distance_m: 0.3}"))),
+    ("never-reached", (EMPTY, rule("a", "{trigger: holds, condition: {condition: speed, entity: Y1, at_least: 20}}")),
+     (EMPTY, rule("a", "{trigger: holds, condition: {condition: speed, entity: Y1, at_least: 0.2}}"))),
+    ("never-reached", (EMPTY, rule("a", "{trigger: no_progress, entity: Y1, distance_m: 5, within_s: 10}")),
+     (EMPTY, rule("a", "{trigger: no_progress, entity: Y1, distance_m: 0.5, within_s: 10}"))),
+    ("exact-measurement", (EMPTY, rule("a", "{trigger: half_started}", more=", conditions: [{condition: speed, entity: ball, equals: 0}]")),
+     (EMPTY, rule("a", "{trigger: half_started}", more=", conditions: [{condition: speed, entity: ball, at_most: 0.01}]" ))),
+    ("unknown-placeholder", (EMPTY, TOLD.replace("It is so.", "'{entitty} is so.'")),
+     ("params: {at_s: 2}", rule("a", "{trigger: time_reached, at_s: {param: at_s}}").replace("It is so.", "'{at_s} s.'"))),
+    ("unknown-placeholder", ("description: 'After {at_s} s'", EMPTY),
+     ("description: 'Told as {\"light\": 1}'", EMPTY)),
+    ("placeholder-never-filled", (EMPTY, TOLD.replace("It is so.", "'{each} is so.'")),
+     (EMPTY, TOLD.replace("It is so.", "'{team} is so.'"))),
+    ("off-the-field", ("zones: {here: {shape: circle, centre_m: [3, 0], radius_m: 0.1}}", rule("a", "{trigger: enters, entity: ball, zone: here}")),
+     ("zones: {here: {shape: circle, centre_m: [0.3, 0], radius_m: 0.1}}", rule("a", "{trigger: enters, entity: ball, zone: here}"))),
+    ("robot-without-program", ("entrants: {yellow: {robots: {Y1: null}}}", EMPTY),
+     ("entrants: {yellow: {robots: {Y1: null}}}\nrobots: {Y1: {idle: true}}", EMPTY)),
+    ("never-on-the-field", (EMPTY, rule("a", "{trigger: half_started}", "{action: remove, entity: Y1}")),
+     (EMPTY, rule("a", "{trigger: half_started}", "{action: remove, entity: Y1, for_s: 3}"))),
+    ("two-rules-move-one-thing", (EMPTY, 2 * "A"),
+     (EMPTY, "AC")),
+    ("no-room", ("placements: {l: [{entity: ball, at: {point: [0, 0]}}, {entity: Y1, at: {point: [0, 0]}}]}", "LAYOUT"),
+     ("placements: {l: [{entity: ball, at: {point: [0, 0]}}, {entity: Y1, at: {point: [0, 0.3]}}]}", "LAYOUT")),
+    ("no-room", (EMPTY, rule("a", "{trigger: half_started}", "{action: place, entity: ball, at: {point: [0.7, 0]}}")),
+     (EMPTY, rule("a", "{trigger: half_started}", "{action: place, entity: ball, at: {point: [0.5, 0]}}"))),
+    ("inherited-test-left-out", ("extends: match\nmatch: {half_s: 30}", "BASE"),
+     ("extends: match", "BASE")),
+]  # fmt: skip
 BALL_BACK = ("{trigger: enters, entity: ball, zone: blue_goal}", "{action: place, entity: ball, at: {spot: centre}}")
 RULES = {
     "AA": rule("a", *BALL_BACK) + rule("b", *BALL_BACK),

@@ -15,7 +15,6 @@ from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.reading.params import compute
 from tests.scenario.writing import HEAD, errors, loaded, rule, scenario
-from tests.views.sheets import sentence, sheet
 
 PAIR = """
 params: {gap_m: 0.15}
@@ -117,18 +116,6 @@ class TestWhereItStands:
         mine.write_text("extends: base.yaml\nzones: {west: {x_max_m: {param: gap_m}}}\n", encoding="utf-8")
         assert load(mine).scenario.zones["west"].x_max_m == 0.15
 
-    def test_the_resolved_scenario_holds_the_number(self):
-        resolved = loaded(PAIR).resolved
-        assert (resolved["zones"]["west"]["x_max_m"], resolved["params"]) == (-0.15, {"gap_m": 0.15})
-
-    def test_a_test_may_expect_one(self):
-        found = scenario(
-            "params: {n: 2}\ncounters: {c: {initial: {param: n}}}\n"
-            + rule(action="{action: count, counter: c, by: {param: n, times: 3}}")
-            + "expect: {t: {keyframes: [{at_s: {param: n, times: 0.5}}], lasts_s: 2, counters: {c: {param: n, times: 4}}}}\n"
-        )
-        assert (found.expect["t"].keyframes[0].at_s, found.expect["t"].counters["c"]) == (1, 8)
-
     def test_a_mapping_with_other_keys_is_what_it_was(self):
         payload = "{param: x, times: 3, other: 2}"
         found = scenario(rule(action=f"{{action: emit, event: E, payload: {payload}}}"))
@@ -140,14 +127,6 @@ class TestWhatIsSaid:
         (problem,) = errors("params: {pause_s: 3}\nphases: {p: {lasts_s: {param: pause_s, times: -2, plus: 1}}}\n")
         assert problem.where == InFile("a.yaml", 6, 31, "phases.p.lasts_s")
         assert problem.message.endswith("found -5 (param 'pause_s' times -2 plus 1)")
-
-    def test_sheets_say_the_number_of_the_paper(self):
-        rule_ = "triggers: [{trigger: stays_in, entity: ball, zone: blue_goal, limit_s: {param: step, times: 3}}], actions: [{action: end}]"
-        assert " more than 0.3 s" in sentence(rule_, "params: {step: 0.1}")
-        points = "{action: emit, event: E, payload: {a: {param: step, times: 3}}}"
-        assert "(a: 0.3)" in sheet(
-            f"params: {{step: 0.1}}\nrules: {{it: {{triggers: [{{trigger: half_started}}], actions: [{points}, {{action: end}}]}}}}\n"
-        )
 
 
 class TestLint:

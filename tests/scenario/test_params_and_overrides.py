@@ -10,7 +10,7 @@ from rcj_challenges.core.diagnostics import InFile
 from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.load import load, load_recorded
 from rcj_challenges.scenario.resources import shipped_scenarios
-from tests.scenario.writing import HEAD, complaints, errors, problems_of, rule, scenario
+from tests.scenario.writing import complaints, errors, problems_of, rule, scenario
 
 PAUSE = "params: {pause_s: 3, side: left}\nphases: {pause: {lasts_s: {param: pause_s}}}\n"
 
@@ -29,21 +29,10 @@ def test_a_param_stands_for_a_value_anywhere():
     assert found.rules["r"].max_executions == 2
 
 
-def test_params_are_resolved_after_merging_so_that_a_variant_changes_one_line(tmp_path):
-    (tmp_path / "base.yaml").write_text(HEAD + PAUSE, encoding="utf-8")
-    (tmp_path / "mine.yaml").write_text("extends: base.yaml\nparams: {pause_s: 7}\n", encoding="utf-8")
-    assert load(tmp_path / "mine.yaml").scenario.phases["pause"].lasts_s == 7
-
-
 def test_a_wrong_value_is_reported_where_the_param_is_used():
     (problem,) = errors(PAUSE, ["pause_s=-1"])
     assert problem.where == InFile("a.yaml", 6, 35, "phases.pause.lasts_s")
     assert problem.message.endswith("found -1 (param 'pause_s')")
-
-
-def test_a_payload_may_have_a_key_called_param():
-    found = scenario(rule(action="{action: emit, event: E, payload: {param: x}}"))
-    assert found.rules["r"].actions[0].payload == {"param": "x"}
 
 
 def test_a_resolved_param_cannot_bring_another_param_or_a_formula():
@@ -93,10 +82,6 @@ def test_of_a_sequence_of_one_set_makes_one_of_each_and_back():
 def test_an_override_changes_a_param_or_any_value(override, read):
     body = PAUSE + rule("{trigger: enters, entity: ball, zone: blue_goal}")
     assert read(scenario(body, [override]))
-
-
-def test_later_overrides_win():
-    assert scenario(PAUSE, ["pause_s=4", "pause_s=5"]).phases["pause"].lasts_s == 5
 
 
 def test_an_override_of_a_removed_thing_is_found_by_the_cross_references():

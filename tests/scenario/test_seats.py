@@ -15,16 +15,8 @@ def match():
     return load("match").scenario
 
 
-def test_teams_keep_their_seats_in_the_first_half(match):
-    assert teams_by_seat(match, 1) == {"blue": "blue", "yellow": "yellow"}
-
-
 def test_teams_change_seats_in_the_second_half(match):
     assert teams_by_seat(match, 2) == {"blue": "yellow", "yellow": "blue"}
-
-
-def test_a_challenge_with_one_entrant_has_one_seat():
-    assert teams_by_seat(load("fast_shooter").scenario, 1) == {"yellow": "yellow"}
 
 
 @pytest.mark.parametrize("swap_sides", [True, False])

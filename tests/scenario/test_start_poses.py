@@ -40,14 +40,6 @@ def test_everything_has_a_start_pose(found, name):
     assert start_pose(found.scenario, name) == POSES[name]
 
 
-def test_only_robots_start_with_noise(found):
-    assert [start_noise_m(found.scenario, name) for name in ("Y1", "ball", "crate")] == [
-        (0.1, 0.0),
-        (0.0, 0.0),
-        (0.0, 0.0),
-    ]
-
-
 def test_world_and_script_start_the_same(found):
     wanted = np.array([start_pose(found.scenario, name) for name in found.roster.entities], "<f4")
     world = World(found.scenario, found.roster)

@@ -110,17 +110,6 @@ def test_mistakes_of_tournament_files_have_a_code_a_place_and_help(tmp_path, cap
     assert hint.startswith("help: did you mean 'knock_out'?")
 
 
-def test_json_of_tournament_files_has_the_keys_of_scenarios_with_code_and_help(tmp_path, capsys):
-    bad = write(tmp_path, "bad.yaml", TOURNAMENT + "stages: {final: {stage: knockout}}\n")
-    assert validate_files([bad, "cup"], [], as_json=True) == 2
-    first, second = json.loads(capsys.readouterr().out)["files"]
-    assert not first["ok"]
-    (problem,) = first["problems"]
-    assert (problem["file"], problem["line"], problem["column"], problem["path"]) == (bad, 5, 25, "stages.final")
-    assert (problem["code"], bool(problem["message"]), bool(problem["help"])) == ("unknown-word", True, True)
-    assert (second["ok"], second["problems"], second["findings"]) == (True, [], [])
-
-
 def test_settings_from_the_command_line_are_refused_for_tournaments(capsys):
     assert validate_files(["cup"], ["match.half_s=5"]) == 2
     assert "error[set-on-tournament]" in capsys.readouterr().err
