@@ -7,7 +7,7 @@ import math
 import pytest
 
 from rcj_challenges.core.traffic import Request
-from rcj_challenges.robots.sampling import Schedule
+from rcj_challenges.robots.sensors import Schedule
 from tests.devices.device_bench import Bench
 
 NUMBERS = ("left wheel sensor", "gps", "compass", "distancesensor left")
