@@ -45,36 +45,27 @@ def facts(crashed):
     return json.loads(re.search(r'id="facts">(.*?)</script>', page, re.DOTALL)[1])
 
 
-def test_result_has_the_tick_in_which_the_program_failed(crashed):
-    assert [(fault["robot"], fault["tick"]) for fault in crashed[0].result["faults"]] == [("Y1", TICK)]
+def test_result_and_terminal_have_its_tick_and_line(crashed):
+    run, terminal = crashed
+    assert [(fault["robot"], fault["tick"]) for fault in run.result["faults"]] == [("Y1", TICK)]
+    assert f"{clock(s_from_ticks(TICK)):>7}  {SENTENCE}" in terminal.splitlines()
 
 
-def test_list_and_caption_have_its_time_and_line(facts):
+def test_replay_has_its_time_and_line_in_list_caption_and_card(facts):
     (event,) = [event for event in facts["events"] if event["name"] == "PROGRAM_FAULT"]
-    assert event["tick"] == TICK
+    ((fault,),) = [half["faults"] for half in facts["halves"]]
+    assert event["tick"] == fault["tick"] == TICK
     assert event["about"] == SENTENCE
     assert SENTENCE in event["caption"]
-    assert "print(1 / (tick - 35))" in event["says"]
+    for text in (event["says"], fault["detail"]):
+        assert "print(1 / (tick - 35))" in text
 
 
-def test_card_of_the_robot_has_its_time_and_the_whole_traceback(facts):
-    ((fault,),) = [half["faults"] for half in facts["halves"]]
-    assert fault["tick"] == TICK
-    assert "print(1 / (tick - 35))" in fault["detail"]
-
-
-def test_terminal_has_its_time_and_line(crashed):
-    assert f"{clock(s_from_ticks(TICK)):>7}  {SENTENCE}" in crashed[1].splitlines()
-
-
-def test_log_has_its_time_and_the_whole_traceback(crashed):
-    log = crashed[0].log("Y1")
-    assert f"[crash] Y1 at tick {TICK} ({s_from_ticks(TICK):.3f} s)" in log
-    assert "print(1 / (tick - 35))" in log
-
-
-def test_output_beside_the_replay_has_its_lines_with_their_ticks(crashed):
-    output = read_sensors(crashed[0].folder)[1].robots["Y1"].output
+def test_log_and_output_have_its_time_and_the_whole_traceback(crashed):
+    run, _ = crashed
+    assert f"[crash] Y1 at tick {TICK} ({s_from_ticks(TICK):.3f} s)" in run.log("Y1")
+    assert "print(1 / (tick - 35))" in run.log("Y1")
+    output = read_sensors(run.folder)[1].robots["Y1"].output
     assert output[:2] == ((1, "tick 1\n"), (2, "tick 2\n"))
     assert output[TICK - 1][0] == TICK
     assert "ZeroDivisionError: division by zero" in "".join(text for tick, text in output if tick == TICK)

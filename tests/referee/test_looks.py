@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from tests.referee.building import ASKING, fail, place
+from tests.referee.building import ASKING, fail, hears, on_fault, place, rule
 
 
 class TestConditionLooks:
@@ -51,24 +51,21 @@ class TestConditionLooks:
             assert not ask(play)
 
     def test_off_the_field_no_robot_looks_or_is_looked_at(self, stage, ask):
-        gone = "  gone: {triggers: [{trigger: program_fault, robot: B2}], actions: [{action: remove, entity: %s}]}\n"
         for off in ("Y1", "ball"):
-            play = stage(ASKING % "{condition: looks, entity: Y1, towards: ball}" + gone % off)
+            gone = on_fault("B2", f"{{action: remove, entity: {off}}}")
+            play = stage(ASKING % "{condition: looks, entity: Y1, towards: ball}", gone)
             play.place("Y1", -0.4, 0.0, 0.0)
             assert ask(play)
             fail(play, "B2")
             assert not ask(play)
 
     def test_held_for_a_time_it_is_about_the_robot_and_starts_again_where_that_is_put_elsewhere(self, stage):
-        play = stage("""
-        rules:
-          stares:
-            triggers: [{trigger: holds, condition: {condition: looks, entity: Y1, heading_rad: 1.57}, for_s: 0.32}]
-            actions: [{action: emit, event: STARES, payload: {who: {word: robot_name}}}]
-          put:
-            triggers: [{trigger: program_fault, robot: B1}]
-            actions: [{action: place, entity: Y1, at: {point: [-0.4, -0.4]}}]
-        """)
+        stares = rule(
+            "trigger: holds, condition: {condition: looks, entity: Y1, heading_rad: 1.57}, for_s: 0.32",
+            "{action: emit, event: STARES, payload: {who: {word: robot_name}}}",
+            name="stares",
+        )
+        play = stage(stares, on_fault("B1", "{action: place, entity: Y1, at: {point: [-0.4, -0.4]}}"))
         play.play_until(5)
         play.fail("B1")
         play.play_until(14)
@@ -76,17 +73,10 @@ class TestConditionLooks:
         play.play_until(17)
         assert [event.payload for event in play.events] == [{"who": "Y1"}]
 
-    @pytest.mark.parametrize(("by", "names"), [("a rule", []), ("a robot", ["SEES_IT"])])
+    @pytest.mark.parametrize(("by", "names"), [("a rule", []), ("a robot", ["TOLD"])])
     def test_what_a_rule_puts_before_its_eyes_has_not_come_there(self, stage, by, names):
-        play = stage("""
-        rules:
-          sees_it:
-            triggers: [{trigger: holds, condition: {condition: looks, entity: Y1, towards: ball}}]
-            actions: [{action: emit, event: SEES_IT}]
-          put:
-            triggers: [{trigger: program_fault, robot: B1}]
-            actions: [{action: place, entity: ball, at: {point: [-0.4, 0.2]}}]
-        """)
+        sees = hears("holds, condition: {condition: looks, entity: Y1, towards: ball}")
+        play = stage(sees, on_fault("B1", "{action: place, entity: ball, at: {point: [-0.4, 0.2]}}"))
         play.play_until(5)
         if by == "a rule":
             play.fail("B1")
@@ -97,21 +87,36 @@ class TestConditionLooks:
         assert play.names() == names
 
 
-class TestConditionAnyOf:
-    TWO = (
-        "{condition: any_of, %s conditions: [{condition: in_zone, entity: ball, zone: left}, "
-        "{condition: in_zone, entity: Y1, zone: right}]}"
-    )
+TWO = "{condition: %s, conditions: [{condition: in_zone, entity: ball, zone: left}, {condition: in_zone, entity: Y1, zone: right}]}"
+LAST = "{condition: in_zone, entity: B2, zone: right}"
+EITHER, BOTH = TWO % "any_of", TWO % "all_of"
 
+
+class TestConditionsAnyOfAndAllOf:
+    @pytest.mark.parametrize(("ball", "robot", "other"), [(b, y, o) for b in (0, 1) for y in (0, 1) for o in (0, 1)])
     @pytest.mark.parametrize(
-        ("ball", "robot", "holds"), [(0.0, -0.4, False), (-0.3, -0.4, True), (0.0, 0.4, True), (-0.3, 0.4, True)]
+        ("condition", "holds"),
+        [
+            (EITHER, lambda ball, robot, _: ball or robot),
+            (EITHER.replace("any_of,", "any_of, negate: true,"), lambda ball, robot, _: not (ball or robot)),
+            (BOTH, lambda ball, robot, _: ball and robot),
+            (BOTH.replace("all_of,", "all_of, negate: true,"), lambda ball, robot, _: not (ball and robot)),
+            (
+                f"{{condition: any_of, conditions: [{BOTH}, {LAST}]}}",
+                lambda ball, robot, other: (ball and robot) or other,
+            ),
+            (
+                f"{{condition: all_of, conditions: [{EITHER}, {LAST}]}}",
+                lambda ball, robot, other: (ball or robot) and other,
+            ),
+        ],
     )
-    def test_one_of_them_is_enough(self, stage, ask, ball, robot, holds):
-        for negated in (False, True):
-            play = stage(ASKING % (self.TWO % ("negate: true," if negated else "")))
-            play.place("ball", ball, 0.0)
-            play.place("Y1", robot, -0.4)
-            assert ask(play) is (holds is not negated)
+    def test_one_or_all_must_hold_also_one_within_the_other(self, stage, ask, condition, holds, ball, robot, other):
+        play = stage(ASKING % condition)
+        play.place("ball", -0.3 * ball, 0.0)
+        play.place("Y1", 0.4 if robot else -0.4, -0.4)
+        play.place("B2", 0.4 if other else -0.4, 0.4)
+        assert ask(play) is bool(holds(ball, robot, other))
 
     def test_a_sequence_that_only_it_asks_for_is_followed(self, stage, ask):
         play = stage(
@@ -121,29 +126,3 @@ class TestConditionAnyOf:
         assert not ask(play)
         place(play, "ball", -0.3, 0.0)
         assert ask(play)
-
-
-class TestConditionAllOf:
-    TWO = TestConditionAnyOf.TWO.replace("any_of", "all_of")
-
-    @pytest.mark.parametrize(
-        ("ball", "robot", "holds"), [(0.0, -0.4, False), (-0.3, -0.4, False), (0.0, 0.4, False), (-0.3, 0.4, True)]
-    )
-    def test_all_of_them_must_hold(self, stage, ask, ball, robot, holds):
-        for negated in (False, True):
-            play = stage(ASKING % (self.TWO % ("negate: true," if negated else "")))
-            play.place("ball", ball, 0.0)
-            play.place("Y1", robot, -0.4)
-            assert ask(play) is (holds is not negated)
-
-    @pytest.mark.parametrize(("ball", "robot", "other"), [(b, y, o) for b in (0, 1) for y in (0, 1) for o in (0, 1)])
-    def test_it_can_be_one_of_several_and_several_can_be_one_of_it(self, stage, ask, ball, robot, other):
-        last = "{condition: in_zone, entity: B2, zone: right}"
-        either = f"{{condition: any_of, conditions: [{self.TWO % ''}, {last}]}}"
-        both = f"{{condition: all_of, conditions: [{TestConditionAnyOf.TWO % ''}, {last}]}}"
-        for condition, holds in ((either, (ball and robot) or other), (both, (ball or robot) and other)):
-            play = stage(ASKING % condition)
-            play.place("ball", -0.3 * ball, 0.0)
-            play.place("Y1", 0.4 if robot else -0.4, -0.4)
-            play.place("B2", 0.4 if other else -0.4, 0.4)
-            assert ask(play) is bool(holds)

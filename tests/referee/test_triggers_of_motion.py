@@ -113,65 +113,46 @@ rules:
 """
 
 
+GOES_ON = SEQUENCE % "when_placed: goes_on"
+PUT, GONE = "put", "gone"
+
+
 class TestSequenceWhoseEntityIsPutElsewhere:
-    GOES_ON = SEQUENCE % "when_placed: goes_on"
+    @pytest.mark.parametrize(
+        ("sequence", "to", "course", "names"),
+        [
+            (SEQUENCE % "when_placed: begins_anew", "[-0.2, 0.3]", [A, B, PUT, C], []),
+            (GOES_ON, "[-0.2, 0.3]", [A, B, PUT, C], ["DONE"]),
+            (GOES_ON, "[-0.2, 0.3]", [A, B, GONE, PUT, C], ["DONE"]),  # also after a time off the field
+            # Being put into a step is no step.
+            (GOES_ON, "[0, 0]", [A, PUT, C], []),
+            (GOES_ON, "[0, 0]", [A, PUT, C, B, C], ["DONE"]),
+            # Where no step is made none is to keep, and being put into the first one makes it.
+            (GOES_ON, "[-0.4, 0]", [PUT, B, C], ["DONE"]),
+            (GOES_ON, "[-0.4, 0]", [PUT, B, C, PUT, B, C], ["DONE", "DONE"]),
+            # Being put into a wrong step breaks nothing.
+            (SEQUENCE % "when_placed: goes_on, wrong_step: break", "[-0.4, 0]", [A, B, PUT, A_LOW, C_LOW, C], ["DONE"]),
+        ],
+    )
+    def test_it_starts_again_or_goes_on(self, stage, sequence, to, course, names):
+        play = stage(sequence, PUT_BACK % to)
+        for step in course:
+            if isinstance(step, str):
+                touch(play, "Y1" if step == PUT else "Y2", "ball", ticks=2)
+            else:
+                walk(play, "ball", step)
+        assert play.names() == names
 
-    def put(self, play):
-        touch(play, "Y1", "ball", ticks=2)
-
-    def test_it_starts_again_unless_it_goes_on(self, stage):
-        for way, done in ((SEQUENCE % "when_placed: begins_anew", []), (self.GOES_ON, ["DONE"])):
-            play = stage(way, PUT_BACK % "[-0.2, 0.3]")
-            walk(play, "ball", A, B)
-            self.put(play)
-            walk(play, "ball", C)
-            assert play.names() == done
-
-    def test_being_put_into_a_step_is_no_step(self, stage):
-        play = stage(self.GOES_ON, PUT_BACK % "[0, 0]")
-        walk(play, "ball", A)
-        self.put(play)
-        walk(play, "ball", C)
-        assert play.names() == []
-        walk(play, "ball", B, C)
-        assert play.names() == ["DONE"]
-
-    def test_where_no_step_is_made_none_is_to_keep_and_being_put_into_the_first_one_makes_it(self, stage):
-        play = stage(self.GOES_ON, PUT_BACK % "[-0.4, 0]")
-        self.put(play)
-        walk(play, "ball", B, C)
-        assert play.names() == ["DONE"]
-        self.put(play)  # for the next attempt
-        walk(play, "ball", B, C)
-        assert play.names() == ["DONE", "DONE"]
-
-    def test_after_a_phase_in_which_no_rule_hears_it_it_starts_again(self, stage):
-        pause = (
-            "phases: {play: {}, pause: {lasts_s: 1, next: play}}\n"
-            "rules: {fell: {triggers: [{trigger: tips_over, entity: Y1}], actions: [{action: set_phase, phase: pause}]}}"
-        )
-        for phases, done in (("", []), ("phases: any, ", ["DONE"])):
-            play = stage(self.GOES_ON.replace("{triggers", "{" + phases + "triggers", 1), pause)
-            walk(play, "ball", A, B)
-            play.tip("Y1")
-            play.play(40)
-            walk(play, "ball", C)
-            assert play.names() == done
-
-    def test_being_put_into_a_wrong_step_breaks_nothing(self, stage):
-        play = stage(SEQUENCE % "when_placed: goes_on, wrong_step: break", PUT_BACK % "[-0.4, 0]")
+    @pytest.mark.parametrize(("phases", "done"), [("", []), ("phases: any, ", ["DONE"])])
+    def test_after_a_phase_in_which_no_rule_hears_it_it_starts_again(self, stage, phases, done):
+        pause = rule("trigger: tips_over, entity: Y1", "{action: set_phase, phase: pause}", name="fell")
+        play = stage(GOES_ON.replace("{triggers", "{" + phases + "triggers", 1), pause,
+                     "phases: {play: {}, pause: {lasts_s: 1, next: play}}")  # fmt: skip
         walk(play, "ball", A, B)
-        self.put(play)
-        walk(play, "ball", A_LOW, C_LOW, C)
-        assert play.names() == ["DONE"]
-
-    def test_it_goes_on_also_after_a_time_off_the_field(self, stage):
-        play = stage(self.GOES_ON, PUT_BACK % "[-0.2, 0.3]")
-        walk(play, "ball", A, B)
-        touch(play, "Y2", "ball", ticks=2)
-        self.put(play)
+        play.tip("Y1")
+        play.play(40)
         walk(play, "ball", C)
-        assert play.names() == ["DONE"]
+        assert play.names() == done
 
 
 PROGRESS = """
