@@ -71,6 +71,22 @@ def test_the_log_says_why_there_is_no_room(stage, sections, poses, note):
     assert notes(play) == [note]
 
 
+@pytest.mark.parametrize(
+    "where",
+    [
+        "point: [30, 20]", "spot: away", "choice: [[0, 25], [0, -25]]", "on_line: [[12, 0], [40, 0]]",
+        "uniform_in: wide", "relative_to: B1, offset_m: [0, 30]", "nearest_free: [away]",
+    ],
+)  # fmt: skip
+def test_a_place_far_outside_the_field_is_no_room(stage, where):
+    far = "zones: {wide: {shape: circle, centre_m: [400, 0], radius_m: 100}}\nspots: {away: {x_m: 30, y_m: 0}}"
+    play = stage(far, put(where, ", max_attempts: 3"))
+    before = play.pose("Y1")
+    play.play(12)
+    assert play.pose("Y1") == before
+    assert [firing.suppressed for firing in play.firings] == [None, "no_room"]
+
+
 def test_where_there_is_room_in_the_end_it_is_said_that_there_was_none_before(stage):
     # B1 takes the first spot, and so Y1 stays where it is; that is too near to the first spot for B1, which moves on.
     play = stage(

@@ -34,37 +34,24 @@ class TestWhoGetsPoints:
         assert play.referee.scores == {"blue": 0, "yellow": 2}
 
     @pytest.mark.parametrize(
-        ("touches", "scores"),
+        ("touches", "sections", "scores"),
         [
-            (["Y1"], {"blue": 0, "yellow": 3}),
-            (["Y1", "B2"], {"blue": 3, "yellow": 0}),
-            ([], {"blue": 0, "yellow": 0}),
+            ([("Y1", 1)], [], {"blue": 0, "yellow": 3}),
+            ([("Y1", 1), ("B2", 1)], [], {"blue": 3, "yellow": 0}),
+            ([("Y1", 9), ("B2", 3)], [], {"blue": 0, "yellow": 3}),  # Y1 still touches it when B2 lets go
+            ([], [], {"blue": 0, "yellow": 0}),
+            ([("Y2", 1)], ["entrants: {yellow: {robots: {Y1: a.py}}}"], {"blue": 0, "yellow": 0}),  # without an entrant
         ],
     )
-    def test_last_touch_is_the_last_toucher_and_none_if_nothing_touched_it(self, stage, touches, scores):
-        play = stage(PAYS_LAST, "balls: {ball: {start_m: [0.4, 0]}}")
-        for robot in touches:
-            touch(play, robot, "ball")
+    def test_last_touch_is_the_last_toucher_and_none_if_nothing_touched_it(self, stage, touches, sections, scores):
+        play = stage(PAYS_LAST, "balls: {ball: {start_m: [0.4, 0]}}", *sections)
+        for robot, ticks in touches:
+            play.touch(robot, "ball", ticks)
+            play.play()
         play.glide("ball", (0.0, 0.0), 20)
         play.play(25)
         assert play.referee.scores == scores
         assert len(play.firings) == 1
-
-    def test_a_robot_that_still_touches_it_when_another_lets_go_is_the_last_one(self, stage):
-        play = stage(PAYS_LAST, "balls: {ball: {start_m: [0.4, 0]}}")
-        play.touch("Y1", "ball", 9)
-        play.play(2)
-        touch(play, "B2", "ball", 3)
-        play.glide("ball", (0.0, 0.0), 20)
-        play.play(25)
-        assert play.referee.scores == {"blue": 0, "yellow": 3}
-
-    def test_a_robot_without_an_entrant_gets_no_points(self, stage):
-        play = stage(PAYS_LAST, "balls: {ball: {start_m: [0.4, 0]}}\nentrants: {yellow: {robots: {Y1: a.py}}}")
-        touch(play, "Y2", "ball")
-        play.glide("ball", (0.0, 0.0), 20)
-        play.play(25)
-        assert play.referee.scores == {"yellow": 0, "blue": 0}
 
 
 class TestActionSequence:

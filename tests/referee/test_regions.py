@@ -155,7 +155,10 @@ class TestOutlines:
             ((0.0, 0.83, 1.57), False),  # into its back
             ((0.18, 0.78, 1.57), False),  # into its side
             ((0.4, 0.74, 1.57), False),  # into the end wall
-            ((0.0, 1.5, 1.57), False),  # outside
+            ((0.0, 1.5, 1.57), False),  # outside, and no distance is free again
+            ((9.0, 0.0, 0.0), False),
+            ((10.5, 11.0, 0.0), False),
+            ((1e6, 0.0, 0.0), False),
         ],
     )
     def test_walls_and_goals_are_solid_on_all_sides_alike(self, small, pose, fits):

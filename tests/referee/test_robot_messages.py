@@ -38,31 +38,28 @@ class TestTriggerTells:
         play.play(10)
         assert play.referee.scores == {"yellow": 3, "blue": 0}
 
+    TEXTS = ("FOUND", "found", "Found it", "2", "2.0", "red", "2 2", "True", "FOUND IT")
+    NUMBERS = ("3", "-0.5", "1 2", "[0.1, -.2]", "(1;2)", "here", "1 2 3", "nan", "inf", "1e999")
+
     @pytest.mark.parametrize(
-        ("wanted", "counted"),
+        ("wanted", "messages", "counted"),
         [
-            ("FOUND", 1),
-            ("Found it", 1),
-            ("[FOUND, '2']", 3),
-            ("2", 2),
-            ("2.5", 0),
-            ("{draw: number}", 2),
-            ("{draw: colour}", 1),
-            ("{draw: sure}", 1),
+            ("text: FOUND", TEXTS, 1),
+            ("text: Found it", TEXTS, 1),
+            ("text: [FOUND, '2']", TEXTS, 3),
+            ("text: 2", TEXTS, 2),
+            ("text: 2.5", TEXTS, 0),
+            ("text: {draw: number}", TEXTS, 2),
+            ("text: {draw: colour}", TEXTS, 1),
+            ("text: {draw: sure}", TEXTS, 1),
+            ("is_a: number", NUMBERS, 2),
+            ("is_a: position", NUMBERS, 3),
+            ("text: ['1', far], is_a: number", ("1", "far", "2"), 1),  # both must fit
         ],
     )
-    def test_it_may_ask_for_a_text_or_a_number_one_of_several_or_what_is_drawn(self, stage, wanted, counted):
+    def test_it_may_ask_for_texts_numbers_or_what_is_drawn(self, stage, wanted, messages, counted):
         draws = "draws: {number: {values: [2, 2]}, colour: {values: [red, red]}, sure: {values: [true, true]}}"
-        play = stage(draws, hearing(f", text: {wanted}"))
-        assert told(play, "FOUND", "found", "Found it", "2", "2.0", "red", "2 2", "True", "FOUND IT") == counted
-
-    @pytest.mark.parametrize(("kind", "counted"), [("number", 2), ("position", 3)])
-    def test_it_may_ask_for_a_number_or_a_position(self, stage, kind, counted):
-        play = stage(hearing(f", is_a: {kind}"))
-        assert told(play, "3", "-0.5", "1 2", "[0.1, -.2]", "(1;2)", "here", "1 2 3", "nan", "inf", "1e999") == counted
-
-    def test_both_must_fit(self, stage):
-        assert told(stage(hearing(", text: ['1', far], is_a: number")), "1", "far", "2") == 1
+        assert told(stage(draws, hearing(f", {wanted}")), *messages) == counted
 
     def test_of_a_group_any_and_without_for_each_one_a_tick(self, stage):
         play = stage("rules: {r: {triggers: [{trigger: tells}], actions: [{action: score, entrant: blue}]}}")
