@@ -119,11 +119,6 @@ class TestActionDraw:
 
 
 class TestActionPlace:
-    def test_it_puts_entities_one_after_the_other(self, stage):
-        play = acted(stage(at_tick_10("{action: place, entity: [B1, Y1], at: {nearest_free: neutral_spots}}")))
-        assert [placement.entity for _, placement in play.placements] == [0, 2]
-        assert play.pose("B1")[:2] == pytest.approx((0.3, 0.3))
-
     def test_a_layout_is_an_ordered_list_and_a_later_one_may_refer_to_an_earlier(self, stage):
         play = stage(
             """
@@ -173,37 +168,12 @@ class TestActionRemove:
         assert [(tick, placement.parked) for tick, placement in play.placements] == [(10, True), (30, False)]
         assert play.pose("B1") == pytest.approx((0.0, 0.0, -1.57))
 
-    def test_it_is_invisible_to_rules(self, stage):
-        play = stage(
-            at_tick_10("{action: remove, entity: B1}"),
-            """
-            match: {half_s: 600}
-            rules:
-              seen:
-                for_each: robots
-                triggers:
-                  - {trigger: leaves, entity: each, zone: pitch}
-                  - {trigger: displaced, entity: each, distance_m: 0.1}
-                  - {trigger: no_progress, entity: each, distance_m: 0.1, within_s: 3.2}
-                actions: [{action: emit, event: SEEN, payload: {who: {word: robot_name}}}]
-            """,
-        )
-        play.play(200)  # the stage parks B1 3 m away
-        assert {event.payload["who"] for event in play.events} == {"B2", "Y1", "Y2"}
-
 
 class TestActionEnd:
     def test_it_can_end_the_match(self, stage):
         play = stage(at_tick_10("{action: end, what: match}"))
         output = play.play(10)
         assert (output.ended, output.ends_match) == ("act", True)
-
-    def test_it_can_end_the_match_when_the_half_is_over(self, stage):
-        over = "rules: {over: {triggers: [{trigger: half_ended}], actions: [{action: end, what: match}]}}"
-        play = stage("match: {half_s: 0.32}", over)
-        assert (play.play(10).ended, play.output.ends_match) == (None, False)
-        output = play.finish()
-        assert (output.ended, output.ends_match) == ("over", True)
 
     def test_the_reason_of_the_rule_that_ends_the_match_goes_before_that_of_one_that_ends_the_half(self, stage):
         play = stage(at_tick_10("{action: end, reason: half}", "{action: end, what: match, reason: match}"))

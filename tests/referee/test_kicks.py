@@ -8,10 +8,6 @@ from tests.referee.building import kick, kicking, place
 
 
 class TestKick:
-    def test_it_rolls_towards_a_point_at_the_speed_that_is_given(self, stage):
-        play = stage(kicking("{point: [0.1, 0]}", "{towards: {point: [0.4, 0.4]}, speed_mps: 1}"))
-        assert kick(play) == pytest.approx((0.6, 0.8))
-
     @pytest.mark.parametrize(
         ("towards", "way"),
         [

@@ -99,6 +99,5 @@ rules:
     triggers: [{trigger: touches, entity: yellow, other: ball}]
     actions: [{action: place, entity: ball, at: {point: [0, 0.3]}}, {action: emit, event: PUT}]
 """)
-        play.touch("Y1", "ball", 50)
-        play.play(60)
+        touch(play, "Y1", "ball", 50, ticks=60)
         assert event_ticks(play, "PUT") == [1]

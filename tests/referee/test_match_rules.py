@@ -5,6 +5,7 @@ import math
 import pytest
 
 from rcj_challenges.core.timing import s_from_ticks
+from tests.referee.building import place
 
 ROBOTS = ("B1", "B2", "B3", "Y1", "Y2", "Y3")
 # A place for everybody far from all spots, so that spots are free; and the ball's.
@@ -15,8 +16,8 @@ CORNERS = {
 
 def scatter(play) -> None:
     """Put all robots where they leave all spots free."""
-    for name, place in CORNERS.items():
-        play.place(name, *place)
+    for name, where in CORNERS.items():
+        play.place(name, *where)
 
 
 def keep_moving(play, ticks: int, *, still: tuple[str, ...] = ()) -> None:
@@ -89,8 +90,7 @@ class TestGoal:
     ):
         play = match_play()
         play.play(99)
-        play.place("ball", *ball)
-        play.play(95)
+        place(play, "ball", *ball, ticks=95)
         goal, kickoff = play.events[-2:]
         assert (goal.tick, goal.name, goal.payload["team_name"]) == (100, "GOAL", scorer.title())
         assert goal.payload[f"score_{scorer}"] == 1
@@ -101,8 +101,7 @@ class TestGoal:
     @pytest.mark.parametrize("ball", [(0.2, 0.8), (0.0, 0.7449), (0.0, 0.85), (-0.201, -0.8)])
     def test_all_limits_of_the_goal_are_strict(self, match_play, ball):
         play = match_play()
-        play.place("ball", *ball)
-        play.play()
+        place(play, "ball", *ball)
         assert play.events_named("GOAL") == []
 
     def test_94_observations_wait_for_the_kickoff(self, match_play):
@@ -115,11 +114,9 @@ class TestGoal:
     def test_no_other_rule_runs_in_the_pause(self, match_play):
         play = match_play()
         play.play(460)  # just before lack of progress
-        play.place("ball", 0.0, 0.8)
-        play.play(3)
+        place(play, "ball", 0.0, 0.8, ticks=3)
         play.place("ball", 0.0, -0.8)
-        play.place("B1", 0.9, 0.0)
-        play.play(91)
+        place(play, "B1", 0.9, 0.0, ticks=91)
         assert [event.name for event in play.events if event.tick > 460] == ["GOAL"]
         play.play()
         assert play.events[-1].name == "KICKOFF"
@@ -136,8 +133,7 @@ class TestGoal:
         play = match_play()
         play.play(469)
         before = len(play.events)
-        play.place("ball", 0.0, 0.8)
-        play.play()
+        place(play, "ball", 0.0, 0.8)
         assert [event.name for event in play.events[before:]] == ["GOAL"]
         suppressed = [firing for firing in play.firings if firing.suppressed == "phase"]
         assert {firing.rule for firing in suppressed} == {"robot_lack_of_progress"}
@@ -178,42 +174,38 @@ class TestLackOfProgress:
     def test_if_no_spot_is_free_nothing_moves_and_the_event_is_not_repeated(self, match_play):
         play = match_play()
         spots = [(0, 0), (0.3, 0.3), (-0.3, 0.3), (0.3, -0.3), (-0.3, -0.3), (0, 0.2)]
-        for name, place in zip(ROBOTS, spots, strict=True):
-            play.place(name, *place)
+        for name, where in zip(ROBOTS, spots, strict=True):
+            play.place(name, *where)
         play.place("ball", 0.0, -0.25)  # within 0.08 of the last spot
         play.play(400)
         assert calls(play) == [(314, "ball")]
         assert play.placements[7:] == []
-        play.place("B2", 0.5, 0.5)
-        play.play()
+        place(play, "B2", 0.5, 0.5)
         assert [(tick, placement.entity) for tick, placement in play.placements[7:]] == [(401, 6)]
         assert calls(play) == [(314, "ball")]
 
 
 class TestOutOfTheField:
-    @pytest.mark.parametrize("place", [(0.656, 0.0), (-0.656, 0.3), (0.3, 0.756), (0.0, 0.86)])
-    def test_robot_and_ball_outside_are_put_on_a_neutral_spot(self, match_play, place):
+    @pytest.mark.parametrize("where", [(0.656, 0.0), (-0.656, 0.3), (0.3, 0.756), (0.0, 0.86)])
+    def test_robot_and_ball_outside_are_put_on_a_neutral_spot(self, match_play, where):
         for name in ("B1", "ball"):
             play = match_play()
             play.play(5)
-            play.place(name, *place)
-            play.play()
+            place(play, name, *where)
             assert calls(play) == [(6, name)]
             assert abs(play.pose(name)[1]) <= 0.3001
 
-    @pytest.mark.parametrize("place", [(0.654, 0.0), (0.3, 0.754), (0.1, 0.8)])
-    def test_in_the_field_or_in_a_goal_is_not_outside(self, match_play, place):
+    @pytest.mark.parametrize("where", [(0.654, 0.0), (0.3, 0.754), (0.1, 0.8)])
+    def test_in_the_field_or_in_a_goal_is_not_outside(self, match_play, where):
         play = match_play()
-        play.place("B1", *place)
-        play.play()
+        place(play, "B1", *where)
         assert calls(play) == []
 
 
 class TestPenaltyArea:
     def stay(self, play, name: str, ticks: int, x: float = 0.2, y: float = 0.65) -> None:
         for _ in range(ticks):
-            play.place(name, x + 0.01 * (play.tick % 5), y)
-            play.play()
+            place(play, name, x + 0.01 * (play.tick % 5), y)
 
     def test_a_robot_that_stays_more_than_15_s_is_put_on_the_furthest_free_spot(self, match_play):
         play = match_play("robot_progress_s=60")  # so that no other robot takes the spot in the same tick
@@ -281,8 +273,7 @@ class TestDamagedRobot:
         play = match_play()
         scatter(play)
         self.stuck(play, 4 * 470 + 100)
-        play.place("ball", 0.0, 0.8)
-        play.play(95)
+        place(play, "ball", 0.0, 0.8, ticks=95)
         assert (play.placements[-1][0], play.events[-1].name) == (play.tick, "KICKOFF")
         assert 0 in {placement.entity for tick, placement in play.placements if tick == play.tick}
         before = len(play.placements)
@@ -294,8 +285,7 @@ class TestDamagedRobot:
         scatter(play)
         self.stuck(play, 3 * 470)
         assert play.referee.counters["put_backs"]["B1"] == 3
-        play.place("ball", 0.0, 0.8)
-        play.play(95)
+        place(play, "ball", 0.0, 0.8, ticks=95)
         assert play.referee.counters["put_backs"]["B1"] == 0
 
 

@@ -11,10 +11,6 @@ class TestActionScore:
         assert play.referee.scores == {"blue": 3, "yellow": 4}
         assert play.firings[-1].scored == {"blue": 2}
 
-    def test_points_can_be_negative_and_default_to_one(self, stage):
-        actions = ("{action: score, entrant: blue, points: -3}", "{action: score, entrant: yellow}")
-        assert acted(stage(at_tick_10(*actions))).referee.scores == {"blue": -3, "yellow": 1}
-
     def test_points_can_be_a_counter_or_weighted_parts(self, stage):
         state = """
         counters: {streak: {initial: 4}, fouls: {initial: 2}}
