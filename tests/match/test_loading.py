@@ -1,7 +1,5 @@
 """The physics needs what a computer may lack; whose fault that is, and what helps."""
 
-from __future__ import annotations
-
 from importlib import metadata
 from pathlib import Path
 from types import SimpleNamespace

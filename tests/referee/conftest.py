@@ -1,7 +1,5 @@
 """A small stage for rules: two robots a side, one ball, no rules but those of the test."""
 
-from __future__ import annotations
-
 import copy
 from collections.abc import Callable
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Decimal amounts behave as on paper: three times 0.1 is 0.3, in conditions, events, broadcasts and the ranking."""
 
-from __future__ import annotations
-
 import json
 
 import pytest

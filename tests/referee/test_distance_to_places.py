@@ -1,7 +1,5 @@
 """How far things are from zones and gates: the geometry against its outline point by point, then the words."""
 
-from __future__ import annotations
-
 from math import cos, dist, pi, sin
 
 import pytest

@@ -1,7 +1,5 @@
 """A draw's name where a zone or a gate stands, and where a distance is measured to something."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

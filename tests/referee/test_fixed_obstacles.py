@@ -1,7 +1,5 @@
 """Fixed obstacles: what never moves can be touched, keep something of its own, and have a rule each."""
 
-from __future__ import annotations
-
 from math import pi
 from textwrap import dedent
 

@@ -1,7 +1,5 @@
 """Floors and ceilings of what is paid and counted, and of scores and counters."""
 
-from __future__ import annotations
-
 import pytest
 
 STATE = "counters: {n: {initial: 5}, computed: {initial: %s}, own: {per: robots}}"

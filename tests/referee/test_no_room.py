@@ -1,7 +1,5 @@
 """What finds no room is said once, in the referee's own log and beside a test that fails; the reflog stays as it is."""
 
-from __future__ import annotations
-
 import pytest
 
 from rcj_challenges.expect.runner import run_test

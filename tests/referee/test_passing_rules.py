@@ -1,7 +1,5 @@
 """The ball passing machines, judged a second time by hand: within a tick first the bounds, then goals, then passes."""
 
-from __future__ import annotations
-
 import random
 from dataclasses import dataclass, field
 from math import dist

@@ -1,7 +1,5 @@
 """A small stage for tests of the physics: put things down, drive, watch."""
 
-from __future__ import annotations
-
 import math
 import random
 from functools import cache

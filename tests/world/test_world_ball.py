@@ -1,7 +1,5 @@
 """How the ball moves: hits, walls, goals, corners."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

@@ -1,7 +1,5 @@
 """How a robot drives: what its program can notice."""
 
-from __future__ import annotations
-
 import math
 from itertools import pairwise
 

@@ -1,7 +1,5 @@
 """Robots that grip cannot stop within a tick: faster chassis, or the usual one on slippery ground."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

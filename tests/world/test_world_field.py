@@ -1,7 +1,5 @@
 """The field stands where the reference (section 1) says; obstacles stand where the scenario says."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

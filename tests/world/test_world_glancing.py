@@ -1,7 +1,5 @@
 """Balls that glance off movable obstacles: as off walls, and what is given to the ball is taken from the obstacle."""
 
-from __future__ import annotations
-
 import math
 from itertools import product
 

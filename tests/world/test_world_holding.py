@@ -1,7 +1,5 @@
 """Robots that are held: braked wheels, whatever is commanded, until they are let go."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

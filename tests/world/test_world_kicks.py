@@ -1,7 +1,5 @@
 """A ball that is set down with a velocity rolls off and keeps it."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

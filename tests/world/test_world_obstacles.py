@@ -1,7 +1,5 @@
 """Movable obstacles glide as Coulomb's friction lets them, the same in all directions."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

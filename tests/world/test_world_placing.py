@@ -1,7 +1,5 @@
 """Lifting and setting down: what a placement does and what it leaves alone."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

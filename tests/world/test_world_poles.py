@@ -1,7 +1,5 @@
 """Robots and poles: round obstacles, fixed and movable."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

@@ -1,7 +1,5 @@
 """Same inputs, same bits; nothing escapes a crowd; a failure of the physics is told."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

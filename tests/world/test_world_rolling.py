@@ -1,7 +1,5 @@
 """A ball whose scenario says that it slows down does so evenly, whichever way it rolls, and then lies still."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

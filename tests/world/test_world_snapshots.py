@@ -1,7 +1,5 @@
 """What the referee gets of a tick."""
 
-from __future__ import annotations
-
 import math
 import struct
 from itertools import pairwise

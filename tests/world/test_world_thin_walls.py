@@ -1,7 +1,5 @@
 """Small, fast balls: what would be through a wall, or deep in it, within one sub-step bounces off all the same."""
 
-from __future__ import annotations
-
 import math
 
 import pytest
