@@ -99,5 +99,6 @@ rules:
     triggers: [{trigger: touches, entity: yellow, other: ball}]
     actions: [{action: place, entity: ball, at: {point: [0, 0.3]}}, {action: emit, event: PUT}]
 """)
-        touch(play, "Y1", "ball", 50, ticks=60)
+        play.touch("Y1", "ball", 50)
+        play.play(60)
         assert event_ticks(play, "PUT") == [1]

@@ -46,7 +46,8 @@ class TestWhoGetsPoints:
     def test_last_touch_is_the_last_toucher_and_none_if_nothing_touched_it(self, stage, touches, sections, scores):
         play = stage(PAYS_LAST, "balls: {ball: {start_m: [0.4, 0]}}", *sections)
         for robot, ticks in touches:
-            touch(play, robot, "ball", ticks)
+            play.touch(robot, "ball", ticks)
+            play.play()
         play.glide("ball", (0.0, 0.0), 20)
         play.play(25)
         assert play.referee.scores == scores
