@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 import struct
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
@@ -160,6 +160,29 @@ def with_changes(
         yield snapshot, replace(output, changes=(*output.changes, *changes))
 
 
+def write_run(
+    out: Path,
+    scenario: Scenario,
+    play: Callable[[HalfInfo], Iterable[tuple[Snapshot, RefereeOutput]]],
+    *,
+    ticks: int,
+    halves: int = 1,
+    names: tuple[str, str] = ("Hanse", "Alster"),
+    closing: Callable[[HalfInfo], RefereeOutput] = lambda _half: RefereeOutput(),
+    ranking: Sequence[Mapping[str, object]] = (),
+) -> Path:
+    """Write the record of a run whose ticks are given by half; returns its folder."""
+    header = small_header(scenario, names)
+    writer = RecordWriter(out, header)
+    for number in range(1, halves + 1):
+        half = half_info(scenario, number, ticks, header, writer.result["score"])
+        writer.begin_half(half)
+        for snapshot, output in play(half):
+            writer.tick(snapshot, output, struct.pack("<d", snapshot.substeps[-1][0][0]))
+        writer.end_half(closing(half))
+    return writer.finish({"wall_s": 1.0, "ranking": ranking})
+
+
 def write_made_up_run(
     out: Path,
     *,
@@ -170,16 +193,21 @@ def write_made_up_run(
 ) -> Path:
     """Write the record of a made-up match; returns its folder."""
     scenario = small_scenario(robots_per_team, halves, ticks * TICK_S)
-    header = small_header(scenario, names)
-    writer = RecordWriter(out, header)
     robots = len(scenario.robots)
-    for half in range(1, halves + 1):
-        info = half_info(scenario, half, ticks, header, writer.result["score"])
-        writer.begin_half(info)
-        for snapshot, output in made_up_play(robots, ticks, info.scores):
-            writer.tick(snapshot, output, struct.pack("<d", snapshot.substeps[-1][0][0]))
-        writer.end_half(RefereeOutput(events=(Event(ticks, "MATCH_FINISH", {"total_match_time": ticks * TICK_S}),)))
-    return writer.finish({"wall_s": 1.0})
+    return write_run(
+        out,
+        scenario,
+        lambda half: made_up_play(robots, ticks, half.scores),
+        ticks=ticks,
+        halves=halves,
+        names=names,
+        closing=finish_event,
+    )
+
+
+def finish_event(half: HalfInfo) -> RefereeOutput:
+    """Return the output of the rules at the end of a half."""
+    return RefereeOutput(events=(Event(half.ticks, "MATCH_FINISH", {"total_match_time": half.ticks * TICK_S}),))
 
 
 def begun_run(out: Path, ticks: int) -> RecordWriter:

@@ -9,10 +9,9 @@ from rcj_challenges.core.play import Event, Fault, Firing, Placement, RefereeOut
 from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.records.logos import logo_path
 from rcj_challenges.records.sensors import SensorWriter
-from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.replay import write_replay
-from tests.made_up_runs import half_info, made_up_play, small_header, small_scenario
+from tests.made_up_runs import finish_event, made_up_play, small_scenario, write_run
 from tests.views.sensing_play import SENSED, logo, sense
 
 TICKS = 1000
@@ -78,15 +77,15 @@ def play(robots: int, half: int, scores: Mapping[str, float]) -> Iterator[tuple[
 def write_storied_run(out: Path, names: tuple[str, str] = ("Hanse", "Alster"), *, with_sensors: bool = True) -> Path:
     """Write the record of the match and its page; sensors of B1 and Y2 and a logo are in the first half."""
     played = scenario()
-    header = small_header(played, names)
-    writer = RecordWriter(out, header)
-    for half in (1, 2):
-        info = half_info(played, half, TICKS, header, writer.result["score"])
-        writer.begin_half(info)
-        for snapshot, output in play(len(played.robots), half, info.scores):
-            writer.tick(snapshot, output, b"")
-        writer.end_half(RefereeOutput(events=(Event(TICKS, "MATCH_FINISH", {"total_match_time": TICKS * TICK_S}),)))
-    folder = writer.finish({"wall_s": 1.0})
+    folder = write_run(
+        out,
+        played,
+        lambda half: play(len(played.robots), half.half, half.scores),
+        ticks=TICKS,
+        halves=2,
+        names=names,
+        closing=finish_event,
+    )
     if with_sensors:
         sensors = SensorWriter(folder, 1, SENSED)
         for tick in range(TICKS + 1):

@@ -11,10 +11,9 @@ from typing import Any
 import pytest
 
 from rcj_challenges.core.play import Event, Firing, RefereeOutput, Snapshot
-from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.replay import write_replay
-from tests.made_up_runs import half_info, made_up_snapshot, small_header, small_scenario, with_changes
+from tests.made_up_runs import made_up_snapshot, small_scenario, with_changes, write_run
 
 TICKS = 40
 SCORE = {"action": "score", "entrant": "yellow"}
@@ -50,14 +49,7 @@ def _ticks(output: Callable[[int], RefereeOutput], ticks: int) -> Iterator[tuple
 
 
 def _page(folder: Path, output: Any = _output, ticks: int = TICKS) -> dict[str, Any]:
-    scenario = _scenario()
-    header = small_header(scenario)
-    writer = RecordWriter(folder, header)
-    writer.begin_half(half_info(scenario, 1, ticks, header))
-    for snapshot, judged in _ticks(output, ticks):
-        writer.tick(snapshot, judged, b"")
-    writer.end_half(RefereeOutput())
-    record = writer.finish({"wall_s": 1.0})
+    record = write_run(folder, _scenario(), lambda _half: _ticks(output, ticks), ticks=ticks)
     write_replay(record)
     found = re.search(r'id="facts">(.*?)</script>', (record / "replay.html").read_text(encoding="utf-8"), re.DOTALL)
     assert found is not None

@@ -14,7 +14,6 @@ from hypothesis import strategies as st
 from rcj_challenges.core.play import Event, Fault, Firing, HalfInfo, Placement, RefereeOutput, Snapshot
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.trajectory import HalfTrack
-from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.scenario.load import load, load_text
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.replay import write_replay
@@ -23,11 +22,10 @@ from rcj_challenges.views.stats.ends import attacked_ends, own_end
 from rcj_challenges.views.stats.motion import motion_of, play_mask
 from rcj_challenges.views.stats.touches import Contacts, Goals, Shot, owners, shots_of, touch_ends
 from tests.made_up_runs import (
-    half_info,
-    small_header,
     small_scenario,
     with_changes,
     write_made_up_run,
+    write_run,
 )
 
 UP, DOWN, BOTH = frozenset({1}), frozenset({-1}), frozenset({1, -1})
@@ -224,31 +222,21 @@ def record(tmp_path: Path) -> Callable[..., Path]:
         outputs: dict[int, RefereeOutput] | None = None,
         faults: tuple[Fault, ...] = (),
         scenario: Scenario | None = None,
-        half: int = 1,
     ) -> Path:
         made = scenario or small_scenario(1, 1)
-        header = small_header(made)
-        with RecordWriter(tmp_path, header) as writer:
-            writer.begin_half(half_info(made, half, ticks, header))
-            output, play = RefereeOutput(), []
-            for tick in range(ticks + 1):
-                balls = [(0.1 * number, 0.0, 0.0) for number in range(len(made.balls))]
-                poses = [(0.3, 0.3, 0.0), (-0.3, -0.3 + 0.004 * tick, 0.0), *balls]
-                touched = touches.get(tick)
-                touching = () if touched is None else (touched if isinstance(touched, tuple) else (touched, 2),)
-                heights = [0.0375, 0.0375, *[0.021] * len(balls)]
-                snapshot = Snapshot(
-                    tick, [poses] * 4, heights, [1.0] * len(poses), (touching, (), (), touching),
-                    tuple(fault for fault in faults if fault.tick == tick),
-                )  # fmt: skip
-                output = (outputs or {}).get(
-                    tick, RefereeOutput(phase=output.phase, waiting_for_kickoff=output.waiting_for_kickoff)
-                )
-                play.append((snapshot, output))
-            for snapshot, judged in with_changes(play, {"blue": 0, "yellow": 0}):
-                writer.tick(snapshot, judged, b"")
-            writer.end_half(RefereeOutput())
-            return writer.finish()
+        output, play = RefereeOutput(), []
+        for tick in range(ticks + 1):
+            balls = [(0.1 * number, 0.0, 0.0) for number in range(len(made.balls))]
+            poses = [(0.3, 0.3, 0.0), (-0.3, -0.3 + 0.004 * tick, 0.0), *balls]
+            touched = touches.get(tick)
+            touching = () if touched is None else (touched if isinstance(touched, tuple) else (touched, 2),)
+            heights = [0.0375, 0.0375, *[0.021] * len(balls)]
+            failed = tuple(fault for fault in faults if fault.tick == tick)
+            snapshot = Snapshot(tick, [poses] * 4, heights, [1.0] * len(poses), (touching, (), (), touching), failed)
+            waiting = RefereeOutput(phase=output.phase, waiting_for_kickoff=output.waiting_for_kickoff)
+            output = (outputs or {}).get(tick, waiting)
+            play.append((snapshot, output))
+        return write_run(tmp_path, made, lambda half: with_changes(play, half.scores), ticks=ticks)
 
     return write
 

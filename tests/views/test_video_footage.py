@@ -8,9 +8,8 @@ import pytest
 from rcj_challenges.core.play import Placement, RefereeOutput
 from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.records.trajectory import Trajectory
-from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.views.video.footage import Footage
-from tests.made_up_runs import half_info, made_up_snapshot, small_header, small_scenario, write_made_up_run
+from tests.made_up_runs import made_up_snapshot, small_scenario, write_made_up_run, write_run
 
 BALL = 6
 
@@ -31,15 +30,10 @@ def test_poses_between_ticks_are_interpolated_but_not_over_placements(folder):
 
 
 def test_placements_at_kick_off_hold_from_the_first_picture_on(tmp_path):
-    scenario = small_scenario(halves=1, half_s=1)
-    header = small_header(scenario)
-    writer = RecordWriter(tmp_path, header)
-    writer.begin_half(half_info(scenario, 1, 10, header))
     placed = (Placement(BALL, 0.2, -0.1, 0.0), Placement(0, 0.0, 0.0, 0.0, parked=True))
-    for tick in range(11):
-        writer.tick(made_up_snapshot(tick, 6), RefereeOutput(placements=() if tick else placed), b"")
-    writer.end_half(RefereeOutput())
-    (half,) = Footage.open(writer.finish({"wall_s": 1.0})).halves
+    play = [(made_up_snapshot(tick, 6), RefereeOutput(placements=() if tick else placed)) for tick in range(11)]
+    folder = write_run(tmp_path, small_scenario(halves=1, half_s=1), lambda _half: play, ticks=10)
+    (half,) = Footage.open(folder).halves
     start = half.poses_at(0.0)
     assert start[BALL, :2] == pytest.approx((0.2, -0.1))
     assert np.isnan(start[0]).all()

@@ -13,7 +13,6 @@ import pytest
 
 from rcj_challenges.core.changes import CountersChange
 from rcj_challenges.core.play import Event, Firing, RefereeOutput
-from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.live.encoder import LiveObserver
 from rcj_challenges.views.live.feed import Feed
@@ -21,7 +20,7 @@ from rcj_challenges.views.live.pace import MAX_SPEED, Pace
 from rcj_challenges.views.payloads import extra_payload_text
 from rcj_challenges.views.replay import write_replay
 from rcj_challenges.views.standing import RankingCounters, shows_score
-from tests.made_up_runs import half_info, made_up_snapshot, small_header, small_scenario
+from tests.made_up_runs import half_info, made_up_snapshot, small_header, small_scenario, write_run
 from tests.views.browser_stage import NO_WEBGL, settled
 
 TICKS = 40
@@ -69,26 +68,28 @@ def _scenario(**more: Any) -> Scenario:
 @pytest.fixture(scope="module")
 def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A run of two halves; laps are counted for each robot, the best time goes on from half to half."""
-    scenario = _scenario()
-    header = small_header(scenario)
-    writer = RecordWriter(tmp_path_factory.mktemp("runs"), header)
-    for half in (1, 2):
-        writer.begin_half(half_info(scenario, half, TICKS, header))
-        for tick in range(TICKS + 1):
-            writer.tick(made_up_snapshot(tick, 2), _output(half, tick), b"")
-        closing = {"laps": {"B1": half, "Y1": 1}, "best_s": 30 - half}
-        writer.end_half(RefereeOutput(changes=(CountersChange(TICKS, closing),)))
     values = {"blue": [2, 57], "yellow": [3, 57]}
-    places = [{"place": place, "team": team, "values": values[team]} for place, team in ((1, "yellow"), (2, "blue"))]
-    folder = writer.finish({"wall_s": 1.0, "ranking": places})
+    folder = write_run(
+        tmp_path_factory.mktemp("runs"),
+        _scenario(),
+        lambda half: [(made_up_snapshot(tick, 2), _output(half.half, tick)) for tick in range(TICKS + 1)],
+        ticks=TICKS,
+        halves=2,
+        closing=lambda half: _counted(TICKS, {"laps": {"B1": half.half, "Y1": 1}, "best_s": 30 - half.half}),
+        ranking=[{"place": at, "team": team, "values": values[team]} for at, team in ((1, "yellow"), (2, "blue"))],
+    )
     write_replay(folder)
     return folder
+
+
+def _counted(tick: int, counters: dict[str, Any]) -> RefereeOutput:
+    return RefereeOutput(changes=(CountersChange(tick, counters),))
 
 
 def _output(half: int, tick: int) -> RefereeOutput:
     best_s = 99 if half == 1 else 29
     if tick == 0:
-        return RefereeOutput(changes=(CountersChange(tick, {"laps": {"B1": 0, "Y1": 0}, "best_s": best_s}),))
+        return _counted(tick, {"laps": {"B1": 0, "Y1": 0}, "best_s": best_s})
     if tick != 20:
         return RefereeOutput()
     firing = Firing(tick, "goal", "B1", "enters", says="A lap is complete.")
@@ -155,13 +156,8 @@ def test_scoreboard_list_and_caption_show_it(show: Callable[..., Any], run: Path
 
 def _replay(folder: Path, **more: Any) -> Path:
     """Return the folder of a short run of a scenario with other parts."""
-    scenario = _scenario(**more)
-    writer = RecordWriter(folder, small_header(scenario))
-    writer.begin_half(half_info(scenario, 1, TICKS, small_header(scenario)))
-    for tick in range(TICKS + 1):
-        writer.tick(made_up_snapshot(tick, 2), RefereeOutput(), b"")
-    writer.end_half(RefereeOutput())
-    run = writer.finish({"wall_s": 1.0})
+    ticks = [(made_up_snapshot(tick, 2), RefereeOutput()) for tick in range(TICKS + 1)]
+    run = write_run(folder, _scenario(**more), lambda _half: ticks, ticks=TICKS)
     write_replay(run)
     return run
 
