@@ -104,8 +104,6 @@ class SensorListener(Protocol):
 
 
 class _Rows:
-    """The unwritten data of one robot."""
-
     def __init__(self, robot: SensedRobot) -> None:
         receivers = {device.index for device in robot.devices if device.name in robot.ball_receivers}
         self._ball_receivers = receivers

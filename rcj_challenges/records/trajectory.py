@@ -148,7 +148,6 @@ class TrajectoryWriter:
 
 
 def _note(snapshot: Snapshot, placements: Iterable[Placement]) -> dict[str, Any]:
-    """Return the rare events of a tick."""
     note: dict[str, Any] = {"tick": snapshot.tick}
     faults = [asdict(fault) for fault in snapshot.faults]
     if not snapshot.tick:
@@ -322,8 +321,6 @@ def _halves(
 
 
 class _HalfReader:
-    """Joins the chunks of a half."""
-
     def __init__(self, info: HalfInfo, entities: int, things: int) -> None:
         self._info = info
         self._entities = entities

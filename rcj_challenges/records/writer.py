@@ -259,7 +259,6 @@ class RecordWriter:
             file.write(line)
 
     def _result_line(self, more: Mapping[str, Any]) -> bytes:
-        """Store the current result, and return it as written."""
         header = self._header
         simulated_s = round(sum(half["ticks"] for half in self._halves) * TICK_S, 3)
         entrants = {

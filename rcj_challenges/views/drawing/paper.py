@@ -169,7 +169,6 @@ class Paper:
         ) and all(math.dist(at, centre) > radius_px + MARKER_PX / 2 for centre, radius_px in self._bodies)
 
     def _inside(self, place: Point) -> Point:
-        """Return the nearest place at which a marker is inside the picture."""
         x, y = place
         return min(max(x, MARKER_PX), self.width_px - MARKER_PX), min(max(y, MARKER_PX), self.height_px - MARKER_PX)
 
@@ -188,7 +187,6 @@ def _marker(x: float, y: float, number: str, colour: str, name: str) -> str:
 
 
 def _legend(title: str, sections: Sequence[Section], x: float) -> tuple[list[str], float]:
-    """Return the elements of the legend, and how far down it reaches, in pixels."""
     y, elements = 10.0, list[str]()
     for line in wrap(title, _TITLE_CHARACTERS):
         y += 1.3 * _LINE_PX

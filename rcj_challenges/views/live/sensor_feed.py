@@ -74,8 +74,6 @@ class HalfSensorFeed:
 
 
 class _RowEncoder:
-    """Converts the recorded rows of one robot to the columns of the page."""
-
     def __init__(self, robot: SensedRobot) -> None:
         floats = (row_dtype(robot).itemsize - 4) // 8
         columns = columns_of(robot)

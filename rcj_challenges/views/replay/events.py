@@ -105,7 +105,6 @@ class EventFacts:
         }
 
     def _leaves_open(self, cause: Firing | None) -> bool:
-        """Return whether a rule has several triggers, so that its sentence does not say which one it was."""
         rule = self._rules.get(cause.rule) if cause is not None else None
         return rule is not None and len(rule.triggers) > 1
 

@@ -249,7 +249,6 @@ def _script(sources: list[str]) -> str:
 
 
 def _policy(script: str, style: str, kind: PageKind) -> str:
-    """Return a policy under which only this script and this style run, and nothing else is loaded from anywhere."""
     scripts = f"'sha256-{_hash(script)}' {kind.scripts_from}".strip()
     policy = (
         f"default-src 'none'; script-src {scripts}; style-src 'sha256-{_hash(style)}'; img-src data:; "

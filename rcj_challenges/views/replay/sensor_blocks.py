@@ -90,7 +90,6 @@ def robot_facts(robot: SensedRobot) -> dict[str, Any]:
 
 
 def _page_facts(device: DeviceSpec) -> dict[str, Any]:
-    """Return what drawing a device's rays needs."""
     facts = {name: device.facts[name] for name in device_of_class(device.kind).PAGE_FACTS}
     # Of readings that are skipped evenly, those that are shown are further apart.
     return {name: value * _stride(device) if name == "bearing_step_rad" else value for name, value in facts.items()}
@@ -136,14 +135,12 @@ def whole_numbers(units: float | Array, numbers: Array) -> Array:
 
 
 def _columns(track: SensorTrack) -> Iterator[tuple[float, Array]]:
-    """Yield unit and numbers of the columns of a robot."""
     for column in columns_of(track.robot):
         numbers = _floats(track, column.at)
         yield column.unit, speeds(track.ticks, numbers) if column.is_speed else numbers
 
 
 def _floats(track: SensorTrack, at: int) -> Array:
-    """Return one of the floats of all rows."""
     robot = track.robot
     if at < robot.values:
         return track.values[:, at]

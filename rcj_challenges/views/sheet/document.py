@@ -91,7 +91,6 @@ def _plain(text: str) -> str:
 
 
 def _rendered(name: str, clean: Any, **values: Any) -> str:
-    """Return a filled template; ``clean`` is applied to all text that is filled in."""
     from jinja2 import Environment, StrictUndefined  # noqa: PLC0415 - takes a tenth of a second to import
     from markupsafe import Markup  # noqa: PLC0415
 

@@ -46,7 +46,6 @@ def field_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
 
 
 def _surfaces(scenario: Scenario) -> str:
-    """Return how the floor holds what drives on it, and how a ball bounces."""
     field = scenario.field
     floor = f"The floor's coefficient of friction is {field.friction:g}."
     if not scenario.balls:

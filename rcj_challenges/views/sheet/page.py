@@ -78,7 +78,6 @@ def _scoring(scenario: Scenario, phrases: Phrasebook, rules: Mapping[str, Rule])
 
 
 def _points_rows(phrases: Phrasebook, rule: Rule) -> Iterator[tuple[str, str, str]]:
-    """Yield a row for each receiver of points of a rule."""
     points: dict[str, list[str]] = {}
     own = phrases.within(rule)
     for action in rule.actions:
@@ -91,7 +90,6 @@ def _points_rows(phrases: Phrasebook, rule: Rule) -> Iterator[tuple[str, str, st
 
 
 def _criterion_words(phrases: Phrasebook, criterion: RankByScore | RankByTime | RankByCounter) -> str:
-    """Return what is better, as a sentence."""
     if isinstance(criterion, RankByScore):
         return f"{'More' if criterion.score == 'descending' else 'Fewer'} points are better."
     if isinstance(criterion, RankByCounter):
@@ -151,7 +149,6 @@ def _limits(scenario: Scenario) -> Iterator[str]:
 
 
 def _limit_words(limits: Limits) -> str:
-    """Return what a program may use; the limit of CPU time is named if it was set."""
     computing = "" if limits.processor_s is None else f"{seconds(limits.processor_s)} of processor time in a half, "
     return (
         f"A program may take {seconds(limits.start_s)} to the first step, {seconds(limits.step_s)} for a step "

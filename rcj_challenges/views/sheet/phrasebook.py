@@ -293,6 +293,5 @@ class Phrasebook:
 
 
 def _kind(scenario: Scenario, name: str) -> str:
-    """Return of what kind a thing of the field is; an empty text for anything else."""
     kinds = ("robot", "ball", "obstacle", "gate", "spot", "zone")
     return next((kind for kind in kinds if name in getattr(scenario, f"{kind}s")), "")

@@ -68,7 +68,6 @@ def _received(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
 
 
 def _packet(kit: Kit, robots: list[str], phrases: Phrasebook) -> Iterator[Block]:
-    """Yield what the official packet to the robots of a kit holds, and how it is unpacked."""
     often = f"The referee sends {listed(robots, 'and')} a packet {_every(kit.packet_every_ticks)}."
     if kit.messages != "2021":
         yield f"{often} {_FLAG_PACKETS[kit.messages]}"
@@ -99,7 +98,6 @@ def _packet(kit: Kit, robots: list[str], phrases: Phrasebook) -> Iterator[Block]
 
 
 def _broadcast(broadcast: Broadcast, kits: list[Kit], phrases: Phrasebook) -> Iterator[Block]:
-    """Yield when the broadcast comes and what is in it."""
     every, to = _every(broadcast.every_ticks), "" if broadcast.fields else " for some robots"
     if all(broadcast.every_ticks % kit.packet_every_ticks == 0 for kit in kits):
         yield f"After it, {every}, one JSON object follows on the same channel{to}:"
@@ -145,7 +143,6 @@ def _exactly(scenario: Scenario, entry: object) -> str:
 
 
 def _sent(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
-    """Yield how robots send messages to the referee, and which of them can."""
     by_channels: dict[tuple[int, ...], list[str]] = {}
     for name in robots_with_emitter(scenario):
         channels = listening_channels(scenario, devices_of(scenario, name).values())

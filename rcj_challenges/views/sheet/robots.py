@@ -59,7 +59,6 @@ def has(scenario: Scenario, robot: str, *kinds: type[Device]) -> bool:
 
 
 def _device_rows(scenario: Scenario, robots: list[str], phrases: Phrasebook) -> Iterator[tuple[str, str, str]]:
-    """Yield the devices of the robots of a kit: what each of them has under a name, and which of them have it."""
     carriers: dict[tuple[str, str], list[str]] = {}
     for robot in robots:
         for name, device in devices_of(scenario, robot).items():
@@ -82,7 +81,6 @@ def _start(start: models.StartPose) -> str:
 
 
 def _body(kit: models.Kit) -> str:
-    """Return what a robot's body is: what drives, weighs and is in the way."""
     chassis = kit.chassis
     apart, radius, width = metres_alike((chassis.wheel_track_m, chassis.wheel_radius_m, chassis.wheel_width_m))
     shown = " Pictures show its front at the other end." if kit.looks_along == "-x" else ""

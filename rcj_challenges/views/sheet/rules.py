@@ -63,7 +63,6 @@ def _sentence(rule: Rule, phrases: Phrasebook) -> str:
 
 
 def _general(scenario: Scenario, rules: Mapping[str, Rule]) -> Iterator[str]:
-    """Yield what holds for all rules, or for those that use certain words."""
     yield (
         f"Everything is judged on every tick of {TICK_MS} ms; a time is over on the first tick on which it has passed."
     )
@@ -83,7 +82,6 @@ def _general(scenario: Scenario, rules: Mapping[str, Rule]) -> Iterator[str]:
 
 
 def _exclusive_words(rules: Mapping[str, Rule]) -> Iterator[str]:
-    """Yield a sentence for each set of rules of which only one counts in a tick."""
     groups: dict[str, list[str]] = {}
     for name, rule in rules.items():
         if rule.exclusive is not None:

@@ -95,7 +95,6 @@ def _other(phrases: Phrasebook, rule: Rule) -> str:
 
 
 def _team(phrases: Phrasebook, rule: Rule) -> str:
-    """Return the team of all that a rule can be about, if it is one and the same."""
     each = phrases.roster.expand(rule.for_each or ())
     # Balls and obstacles have no team: then it is the team of what came to them.
     is_over_robots = any(name in phrases.scenario.robots for name in each)
@@ -116,6 +115,5 @@ def _limit(phrases: Phrasebook, rule: Rule) -> str:
 
 
 def _concerned(phrases: Phrasebook, rule: Rule) -> tuple[str, ...]:
-    """Return what the triggers of a rule can be about, without repeats."""
     about = (trigger.about(phrases) for trigger in rule.triggers)
     return tuple(dict.fromkeys(name for names in about if names is not None for name in as_tuple(names)))

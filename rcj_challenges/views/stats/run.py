@@ -59,8 +59,6 @@ def run_stats(folder: Path, run: RunRecord | None = None) -> Stats:
 
 
 class _RunCounter:
-    """Counts one run."""
-
     def __init__(self, run: RunRecord, stats: Stats) -> None:
         self._stats = stats
         self._scenario = run.scenario
@@ -147,7 +145,6 @@ def _add_motion(tally: Tally, motion: Motion, play: Any, index: int) -> None:
 
 
 def _in_play(ticks: list[int], play: Any) -> int:
-    """Return how many of the ticks (from 1) were play."""
     return sum(bool(play[tick - 1]) for tick in ticks)
 
 

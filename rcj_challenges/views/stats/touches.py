@@ -147,7 +147,6 @@ def shots_of(
 
 
 def _last_touching(contacts: Contacts, tick: int) -> list[int]:
-    """Return the robots in the last sub-step with a contact of a tick."""
     end = int(np.searchsorted(contacts.ticks, tick, "right"))
     first = int(np.searchsorted(contacts.substeps, contacts.substeps[end - 1], "left"))
     found: list[int] = contacts.robots[first:end].tolist()

@@ -178,5 +178,4 @@ class Footage:
 
 
 def _latest(changes: Iterable[Sequence[Any]], tick: int, start: dict[str, Any]) -> dict[str, Any]:
-    """Return the last of ``[tick, values]`` that is not after a tick."""
     return next((values for at, values in reversed(list(changes)) if at <= tick), start)

@@ -93,7 +93,6 @@ class Overlay:
             image.paste(colour, (left, top), mask)
 
     def _chip(self, half: int, team: str) -> Image.Image:
-        """Return a square in the colour of a team's robots, with the letter of their names."""
         seat = self._footage.seat_of(self._footage.half(half), team)
         edge, colour = round(self.height * 0.4), rgb(str(seat["colour"]))
         chip = Image.new("RGBA", (edge, edge))

@@ -93,7 +93,6 @@ def _set_light(spec: Any, size: tuple[int, int], samples: int) -> None:
 
 
 def _add_floor(spec: Any, footage: Footage) -> None:
-    """Add grass, goal floors and lines; zones end at the walls."""
     field, line = footage.scenario.field, rgb(PALETTE["line"])
     edges = [field.length_m * (k / _STRIPES - 0.5) for k in range(_STRIPES + 1)]
     for k, (low_m, high_m) in enumerate(pairwise(edges)):
@@ -136,7 +135,6 @@ def _walls(field: FieldModel) -> Iterator[tuple[Point, Point, float, Rgb]]:
 
 
 def _dress(spec: Any, entity: Mapping[str, Any], floor: Any) -> None:
-    """Colour an entity and give it a shadow; a robot gets a dark base, two eyes and a lid with its number."""
     name, colour = entity["name"], rgb(str(entity["colour"]))
     if entity["kind"] == "obstacle":
         geom = spec.geom(name)
@@ -195,7 +193,6 @@ def _add_shadow(
 
 
 def _add_slab(spec: Any, name: str, corners: Sequence[Point], colour: Rgb) -> None:
-    """Add a piece of floor with convex corners."""
     mesh = spec.add_mesh(name=name)
     mesh.uservert = [part for x, y in corners for z in (-_FLOOR_M, 0.0) for part in (x, y, z)]
     _paint(spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name), colour)
@@ -205,7 +202,6 @@ def _add_bar(
     body: Any, start: Point, end: Point, colour: Rgb, *, width_m: float = LINE_M, height_m: float = _PAINT_M,
     z_m: float = 0.0, alpha: float = 1.0,
 ) -> None:  # fmt: skip
-    """Add a line on the floor, a wall that stands on it, or a rim at a height."""
     length_m = math.dist(start, end)
     if not length_m:
         return

@@ -55,7 +55,6 @@ def line_height_px(size_px: int) -> int:
 
 
 def _font_for(text: str, size_px: int, bold: bool) -> Font:
-    """Return the first font that has most of the characters of a text."""
     fonts = _fonts(size_px, bold)
     characters = frozenset(text) - {" "}
     return max(fonts, key=lambda font: sum(_has(font, character) for character in characters))
