@@ -38,13 +38,12 @@ _OPPOSITES = (frozenset({"any", "all", "none"}), frozenset({"min", "most"}), fro
 """Parts of words that reverse their meaning: a word with one of them is not suggested for a word with another."""
 
 
-def nearest(word: str, known: Iterable[str], likeness: float = 0.6) -> str | None:
+def nearest(word: str, known: Iterable[str]) -> str | None:
     """Return the known word that is most like a misspelt one; None if none is like it.
 
     Args:
         word: as it was written.
         known: the words that there are.
-        likeness: how like it a word must be, from 0 to 1.
     """
     folded: dict[str, str] = {}
     written = set(word.casefold().split("_"))
@@ -54,29 +53,28 @@ def nearest(word: str, known: Iterable[str], likeness: float = 0.6) -> str | Non
     if word.casefold() in folded:
         return folded[word.casefold()]
     without_unit = next((name for name in folded if name.startswith(f"{word.casefold()}_")), None)
-    found = without_unit or nearest_name(word.casefold(), folded, likeness)
+    found = without_unit or nearest_name(word.casefold(), folded)
     return None if found is None else folded[found]
 
 
-def did_you_mean(word: str, known: Iterable[str], likeness: float = 0.6) -> str:
+def did_you_mean(word: str, known: Iterable[str]) -> str:
     """Return ``did you mean 'x'?``, or an empty text; arguments as for `nearest`."""
-    name = nearest(word, known, likeness)
+    name = nearest(word, known)
     return "" if name is None else f"did you mean '{name}'?"
 
 
-def choice_of(word: str, known: Iterable[str], noun: str = "", likeness: float = 0.6) -> str:
+def choice_of(word: str, known: Iterable[str], noun: str = "") -> str:
     """Return the known word that is most like a misspelt one, and all known words.
 
     Args:
         word: as it was written.
         known: the words that there are.
         noun: what they name: ``zone``; empty if they are words of the language.
-        likeness: as for `nearest`.
     """
     names = list(known)
     if not names:
         return f"this scenario has no {noun}" if noun else ""
-    hint = did_you_mean(word, names, likeness)
+    hint = did_you_mean(word, names)
     return f"{hint}{' ' if hint else ''}allowed here: {listing(names, 40)}"
 
 

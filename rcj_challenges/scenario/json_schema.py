@@ -23,7 +23,7 @@ from pydantic_core import PydanticUndefined
 from rcj_challenges.rules.fields import DurationS, EventName, Name, Names, Point
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.resources import schemas_folder
-from rcj_challenges.scenario.shape import Shape, bare, fields, is_model, is_union, members, tags, without_none
+from rcj_challenges.scenario.shape import Shape, bare, fields, is_model, is_union, members, without_none
 
 FILE = "scenario.schema.json"
 _Json = dict[str, Any]
@@ -69,8 +69,6 @@ def scenario_schema() -> _Json:
         "type": "object",
         "properties": properties,
         "additionalProperties": False,
-        "if": {"required": ["extends"]},
-        "else": _demand(Scenario),
         "$defs": {"param": _PARAM, **dict(sorted(writer.definitions.items()))},
     }
 
@@ -292,31 +290,3 @@ def _without_param(schema: Any) -> Any:
     if isinstance(schema, list):
         return [_without_param(part) for part in schema if part != _PARAM_REF]
     return schema
-
-
-def _demand(shape: Shape) -> _Json:
-    """Return what a shape requires where no base can bring it; lists are complete anyway."""
-    kind, discriminator = bare(shape)
-    if isinstance(discriminator, str):
-        cases = []
-        for tag, member in tags(shape).items():
-            inner = _demand(member)
-            inner = {**inner, "required": [key for key in inner.get("required", ()) if key != discriminator]}
-            inner = {key: value for key, value in inner.items() if value}
-            if inner:
-                condition = {"properties": {discriminator: {"const": tag}}, "required": [discriminator]}
-                cases.append({"if": condition, "then": inner})
-        return {"required": [discriminator], **({"allOf": cases} if cases else {})}
-    if is_model(kind):
-        required = [info.alias or key for key, info in kind.model_fields.items() if info.is_required()]
-        inner_demands = {key: _demand(inner) for key, inner in fields(kind).items()}
-        properties = {key: inner for key, inner in inner_demands.items() if inner}
-        return {
-            **({"required": required} if required else {}),
-            **({"oneOf": [{"required": [key]} for key in kind.either]} if kind.either else {}),
-            **({"properties": properties} if properties else {}),
-        }
-    if get_origin(kind) is dict:
-        inner = _demand(get_args(kind)[1])
-        return {"additionalProperties": inner} if inner else {}
-    return {}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rcj_challenges.devices.base import Device
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.tree import Entries, Leaf, Node
+from rcj_challenges.scenario.tree import Entries, Leaf, node_at
 
 _KIND = "device"
 
@@ -24,25 +24,13 @@ def fill_in_devices(tree: Entries) -> None:
     Args:
         tree: a finished tree; malformed parts are left to the checks that follow.
     """
-    for robot in _entries(tree, "robots"):
-        if not isinstance(robot, Entries):
-            continue
-        own, kit = robot.entries.get("devices"), robot.entries.get("kit")
+    robots = tree.entries.get("robots")
+    for robot in robots.entries if isinstance(robots, Entries) else ():
+        own, kit = (node_at(tree, ("robots", robot, key)) for key in ("devices", "kit"))
         if not isinstance(own, Entries) or not isinstance(kit, Leaf):
             continue
-        in_kit = _child(_child(_child(tree, "kits"), str(kit.value)), "devices")
         for name, device in own.entries.items():
-            model = _child(in_kit, name)
+            model = node_at(tree, ("kits", str(kit.value), "devices", name))
             if isinstance(device, Entries) and isinstance(model, Entries) and _KIND not in device.entries:
-                own.entries[name] = Entries(
-                    model.entries | device.entries, device.mark, model.key_marks | device.key_marks
-                )
-
-
-def _child(node: Node | None, key: str) -> Node | None:
-    return node.entries.get(key) if isinstance(node, Entries) else None
-
-
-def _entries(tree: Entries, section: str) -> list[Node]:
-    found = tree.entries.get(section)
-    return list(found.entries.values()) if isinstance(found, Entries) else []
+                entries, key_marks = model.entries | device.entries, model.key_marks | device.key_marks
+                own.entries[name] = Entries(entries, device.mark, key_marks)

@@ -1,13 +1,8 @@
 """One mistake gives one error, with its code and its path."""
 
-import json
-
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
-from rcj_challenges.scenario.load import load_text
-from tests.scenario.writing import HEAD, complaints, errors, in_short, problems_of, rule
+from tests.scenario.writing import HEAD, complaints, errors, in_short, rule
 
 
 def place(text):
@@ -92,28 +87,6 @@ def test_points_of_an_unknown_form_give_one_error(points):
     (problem,) = errors(rule(action=f"{{action: score, entrant: blue, points: {points}}}"))
     assert in_short(problem) == "wrong-value rules.r.actions[0] (score).points"
     assert "{counter: …}" in problem.message
-
-
-VALUES = st.recursive(
-    st.none() | st.booleans() | st.integers(-5, 5) | st.floats(allow_nan=False, allow_infinity=False) | st.text("ab1_", max_size=3),
-    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.sampled_from(["spot", "a", "shape", "word", "param"]), inner, max_size=3),
-    max_leaves=6,
-)  # fmt: skip
-PLACES = ["match", "match.half_s", "zones.z", "groups.g", "rules.r.phases", "rules.r.triggers", "broadcast.fields.f",
-          "result.rank", "robots.B1.start", "draws.d", "sequences.s", "placements.p", "expect.t", "entrants.blue.robots.B1",
-          "title", "extends", "params.p", "field.goals"]  # fmt: skip
-
-
-@given(st.sampled_from(PLACES), VALUES)
-def test_whatever_stands_anywhere_is_explained_without_a_traceback(where, value):
-    data = {"schema_version": 1, "id": "a", "title": "A", "extends": "soccersim_v2"}
-    holder = data
-    *above, last = where.split(".")
-    for key in above:
-        holder = holder.setdefault(key, {})
-    holder[last] = value
-    found = problems_of(load_text, json.dumps(data))
-    assert all(problem.message and "nput should" not in problem.message for problem in found)
 
 
 LONG = "x" * 900

@@ -153,20 +153,8 @@ def put_name(data: Any, chance: random.Random) -> None:
         holder[key] = chance.choice((*names, *(holder[key] for holder, key in texts), *_TEXTS[:12]))
 
 
-def swap(data: Any, chance: random.Random) -> None:
-    """Exchange two values."""
-    (one, here), (other, there) = _somewhere(data, chance), _somewhere(data, chance)
-    if not _is_in(one.get(here) if isinstance(one, dict) else one[here], other):
-        a, b = copy.deepcopy(_at(one, here)), copy.deepcopy(_at(other, there))
-        one[here], other[there] = b, a
-
-
 def _at(holder: Holder, key: Any) -> Any:
     return holder.get(key) if isinstance(holder, dict) else holder[key]
-
-
-def _is_in(node: Any, holder: Any) -> bool:
-    return node is holder or (isinstance(node, dict | list) and any(holder is one for one, _ in _places(node, [])))
 
 
 def wrap(data: Any, chance: random.Random) -> None:
@@ -174,14 +162,6 @@ def wrap(data: Any, chance: random.Random) -> None:
     holder, key = _somewhere(data, chance)
     for _ in range(chance.choice((1, 1, 2, 40))):
         holder[key] = [_at(holder, key)] if chance.random() < 0.7 else {chance.choice(_KEYS): _at(holder, key)}
-
-
-def unwrap(data: Any, chance: random.Random) -> None:
-    """Write what is in something in its place."""
-    holder, key = _somewhere(data, chance)
-    inner = _at(holder, key)
-    if isinstance(inner, dict | list) and inner:
-        holder[key] = chance.choice(list(inner.values() if isinstance(inner, dict) else inner))
 
 
 def transplant(data: Any, chance: random.Random) -> None:
@@ -232,8 +212,8 @@ def repeat(data: Any, chance: random.Random) -> None:
 
 
 BY_STRUCTURE: tuple[Callable[[Any, random.Random], None], ...] = (
-    drop, drop, drop, duplicate, rename, rename, put, put, put, put_number, put_number, put_name, put_name, put_name, swap,
-    wrap, unwrap, transplant, transplant, use_param, remove, repeat,
+    drop, drop, drop, duplicate, rename, rename, put, put, put, put_number, put_number, put_name, put_name, put_name,
+    wrap, transplant, transplant, use_param, remove, repeat,
 )  # fmt: skip
 
 
@@ -279,31 +259,12 @@ def lose_a_line(text: str, chance: random.Random) -> str:
     return "\n".join(lines)
 
 
-def double_a_line(text: str, chance: random.Random) -> str:
-    """Write a line twice, here or elsewhere."""
-    lines, at = _lines(text, chance)
-    lines.insert(chance.choice((at, chance.randrange(len(lines)))), lines[at])
-    return "\n".join(lines)
-
-
 def cut(text: str, chance: random.Random) -> str:
     """Write only the beginning, or only the end."""
     at = chance.randrange(len(text) + 1)
     return text[:at] if chance.random() < 0.7 else text[at:]
 
 
-def no_blank(text: str, chance: random.Random) -> str:
-    """Leave out the blank after a colon or a comma somewhere."""
-    parts = re.split(r"(?<=[:,]) ", text)
-    at = chance.randrange(len(parts))
-    return " ".join(parts[: at + 1]) + " ".join(parts[at + 1 :])
-
-
-def other_ends(text: str, chance: random.Random) -> str:
-    """End lines as another system does."""
-    return text.replace("\n", chance.choice(("\r\n", "\r")))
-
-
 BY_LETTER: tuple[Callable[[str, random.Random], str], ...] = (
-    insert, insert, insert, insert, delete, delete, indent, indent, lose_a_line, double_a_line, cut, no_blank, other_ends
+    insert, insert, insert, insert, delete, delete, indent, indent, lose_a_line, cut
 )  # fmt: skip

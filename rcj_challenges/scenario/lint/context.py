@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from collections.abc import Set as AbstractSet
-from dataclasses import dataclass
+from collections.abc import Iterator
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.rules.actions.place import Place
 from rcj_challenges.rules.actions.remove import Remove
 from rcj_challenges.rules.actions.set_phase import SetPhase
@@ -16,9 +13,8 @@ from rcj_challenges.rules.base import Action
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.refs import Ref, Reference, ref_of
 from rcj_challenges.rules.values.draw import DrawnDuration
+from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.reading.merge import Repeated
-from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import Entries, Path, node_at
 from rcj_challenges.scenario.walk import walk
 
@@ -37,25 +33,19 @@ class Use(NamedTuple):
         return isinstance(self.reference, Ref)
 
 
-@dataclass
 class LintContext:
     """A scenario with what checks ask about it, computed once.
 
     Attributes:
-        scenario: the models, all references checked.
-        roster: names to indices.
+        loaded: the scenario, all references checked.
         tree: the scenario as it was written.
-        left_out: inherited tests that do not fit it, with what is wrong with each.
-        repeated: where each rule comes from that is one of a repeated one.
-        overridden: the entries of sections that the base has too, by section and name.
     """
 
-    scenario: Scenario
-    roster: Roster
-    tree: Entries
-    left_out: Mapping[str, Diagnostic]
-    repeated: Mapping[str, Repeated]
-    overridden: AbstractSet[Path]
+    def __init__(self, loaded: Loaded, tree: Entries) -> None:
+        self.loaded = loaded
+        self.tree = tree
+        self.scenario = loaded.scenario
+        self.roster = loaded.roster
 
     @cached_property
     def models(self) -> list[tuple[Strict, Path]]:

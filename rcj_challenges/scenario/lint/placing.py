@@ -37,7 +37,7 @@ class OffTheField(LintRule):
         parts = floor_parts(ctx.scenario.field)
         corners = [corner for part in parts for corner in part]
         for name, zone in ctx.scenario.zones.items():
-            if lies_beside(zone, corners):
+            if _lies_beside(zone, corners):
                 yield self.at(("zones", name), noun="zone", name=name)
         for name, gate in ctx.scenario.gates.items():
             if gate.anchor is None and _are_beside([gate.from_m, gate.to_m], corners):
@@ -47,7 +47,7 @@ class OffTheField(LintRule):
                 yield self.at(("spots", name), noun="spot", name=name)
 
 
-def lies_beside(zone: Zone, floor: Sequence[Point]) -> bool:
+def _lies_beside(zone: Zone, floor: Sequence[Point]) -> bool:
     """Return whether a zone has no point inside the smallest rectangle around the floor."""
     if zone.inverted:
         return False

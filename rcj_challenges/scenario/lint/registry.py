@@ -55,7 +55,7 @@ def lint(loaded: Loaded) -> list[Diagnostic]:
     if tree is None:
         message = "lint needs a scenario that was loaded from a file or a text"
         raise ValueError(message)
-    ctx = LintContext(loaded.scenario, loaded.roster, tree, loaded.left_out, loaded.repeated, loaded.overridden)
+    ctx = LintContext(loaded, tree)
     found: list[Diagnostic] = []
     for rule in LINT_RULES:
         for suspicion in rule.check(ctx):

@@ -101,7 +101,7 @@ class NeverUsed(LintRule):
             for name, entry in getattr(ctx.scenario, section).items():
                 is_used = name in used[section] or bool(getattr(entry, "drawn", False))
                 if not is_used and ctx.is_own((section, name)):
-                    null = section != "params" and (section, name) in ctx.overridden
+                    null = section != "params" and (section, name) in ctx.loaded.overridden
                     away = "name it in a rule, or remove what the base defines by '{name}: null'" if null else ""
                     yield self.at((section, name), help=away, noun=noun, name=name)
 
@@ -151,11 +151,11 @@ class InheritedTestLeftOut(LintRule):
 
     def check(self, ctx: LintContext) -> Iterator[Suspicion]:
         """Yield one warning for all of them."""
-        if ctx.left_out:
-            first = next(iter(ctx.left_out.values()))
+        if ctx.loaded.left_out:
+            first = next(iter(ctx.loaded.left_out.values()))
             place = place_of(first)
             reason = f"{place.file}:{place.line}: {first.message}"
-            yield self.at((), count=len(ctx.left_out), names=", ".join(ctx.left_out), reason=reason)
+            yield self.at((), count=len(ctx.loaded.left_out), names=", ".join(ctx.loaded.left_out), reason=reason)
 
 
 def _uses_of(name: str, section: str, ctx: LintContext) -> list[Use]:

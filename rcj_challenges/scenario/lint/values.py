@@ -147,7 +147,7 @@ class UnknownPlaceholder(LintRule):
         params = tuple(ctx.scenario.params)
         texts: list[tuple[Path, str, tuple[str, ...]]] = [(("description",), ctx.scenario.description, params)]
         for name, rule in ctx.scenario.rules.items():
-            repeated = ctx.repeated[name].known if name in ctx.repeated else ()
+            repeated = ctx.loaded.repeated[name].known if name in ctx.loaded.repeated else ()
             texts.append((("rules", name, "says"), rule.says, (*PLACEHOLDERS, *repeated, *params)))
         for path, text, known in texts:
             for blank in placeholders_in(text):

@@ -49,8 +49,6 @@ from rcj_challenges.scenario.tree import (
 
 _KEY = "[key]"
 """What pydantic appends to the place of a mapping's entry if its key is wrong."""
-_LIKE = 0.65
-"""How like a word of the language a misspelt one must be, which is more than of a name."""
 _LISTS: dict[str, Any] = {"trigger": AnyTrigger, "condition": AnyCondition, "action": AnyAction}
 _PLACES = {"spots": "spot", "zones": "uniform_in", "robots": "relative_to", "balls": "relative_to"}
 """How the place of a name is written, by the section that defines it."""
@@ -74,23 +72,14 @@ def explain(
 
 @dataclass(frozen=True)
 class _Mistake:
-    """One complaint of pydantic and where it is.
+    """One complaint of pydantic and where it is."""
 
-    Attributes:
-        kind: pydantic's type of the error.
-        details: pydantic's description.
-        path: where, unions and tags left out; of a missing key: where it should stand.
-        shape: what is expected there; the whole union if a value fits no member.
-        of_key: whether it is about the entry's key.
-        union: the widest union of which ``shape`` is a member, if there is one.
-    """
-
-    kind: str
-    details: Mapping[str, Any]
-    path: Path
-    shape: Shape
+    kind: str  # pydantic's type of the error
+    details: Mapping[str, Any]  # its description
+    path: Path  # unions and tags left out; of a missing key: where it should stand
+    shape: Shape  # what is expected there; the whole union if a value fits no member
     of_key: bool = False
-    union: Shape = None
+    union: Shape = None  # the widest union of which the shape is a member
 
 
 class _Explainer:
@@ -243,7 +232,7 @@ class _Explainer:
         help_ = (
             OTHER_WORDS.get((discriminator, written.casefold()))
             or _of_another_list(written, discriminator)
-            or choice_of(written, words, likeness=_LIKE)
+            or choice_of(written, words)
         )
         mark = mark_of(self.root, (*mistake.path, discriminator))
         message = f"unknown {discriminator} '{written[:64]}'"

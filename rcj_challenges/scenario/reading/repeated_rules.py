@@ -29,21 +29,13 @@ _FORMS = "write a list of names, [yellow, blue], or a mapping of values by name,
 
 @dataclass
 class _Row:
-    """One of those for which a rule is written.
-
-    Attributes:
-        name: what it is called.
-        mark: where its name stands.
-        step: its key or its place in the list.
-        written: what stands beside its name.
-        values: what the names in the rule stand for.
-    """
+    """One of those for which a rule is written."""
 
     name: str
-    mark: Mark
-    step: Step
-    written: Entries
-    values: dict[str, Leaf | Items] = field(default_factory=dict)
+    mark: Mark  # where its name stands
+    step: Step  # its key or its place in the list
+    written: Entries  # what stands beside its name
+    values: dict[str, Leaf | Items] = field(default_factory=dict)  # what the names in the rule stand for
 
 
 def repeat_rules(root: Entries, merger: Merger) -> None:
