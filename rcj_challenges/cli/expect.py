@@ -8,8 +8,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from rcj_challenges.cli.stdio import print_json
-from rcj_challenges.cli.validate import flat, say
+from rcj_challenges.cli.stdio import print_json, say
+from rcj_challenges.cli.validate import flat
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.expect.runner import TestResult, run_test

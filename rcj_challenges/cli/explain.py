@@ -15,7 +15,7 @@ from importlib.util import find_spec
 from pkgutil import iter_modules
 
 import rcj_challenges
-from rcj_challenges.cli.validate import say
+from rcj_challenges.cli.stdio import say
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 
 

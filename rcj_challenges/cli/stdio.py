@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 from rcj_challenges.core.errors import HostError, format_error, is_held, is_no_room, is_of_the_host, room_help
 from rcj_challenges.core.letters import READABLE
-from rcj_challenges.core.sanitize import sanitize
+from rcj_challenges.core.sanitize import sanitize, sanitize_lines
 
 
 def print_json(value: Any) -> None:
@@ -44,6 +44,19 @@ def print_json(value: Any) -> None:
         trouble = output_error(error)
         discard_output(sys.stdout)
         raise trouble from error
+
+
+def say(text: str, stream: object) -> None:
+    """Print harmless lines; nothing if there are none. A reader who leaves changes nothing about the exit code."""
+    if not text:
+        return
+    # A terminal that cannot show a character must not hide the whole message.
+    write = getattr(stream, "write")  # noqa: B009 - sys.stdout may be replaced by anything that writes
+    encoding = getattr(stream, "encoding", None) or "utf-8"
+    try:
+        write(sanitize_lines(text).encode(encoding, READABLE).decode(encoding) + "\n")
+    except BrokenPipeError:
+        discard_output(stream)
 
 
 def print_lines(console: Console, *lines: str) -> None:

@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 import os
+import sys
 import tempfile
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from rich.text import Text
-
 from rcj_challenges.cli import OK
-from rcj_challenges.cli.stdio import print_json
+from rcj_challenges.cli.stdio import print_json, say
 from rcj_challenges.cli.tournament_tables import team_words
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.match.batch import Job, play_many
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.season import SeasonState
-from rcj_challenges.views.console import console_for
 
 _TRIAL_S = 20
 _BYTES_PER_S: dict[str, float] = {"full": 39_000.0, "replay": 600.0, "result": 60.0}
@@ -52,18 +50,21 @@ def print_plan(tournament: OpenTournament, *, as_json: bool) -> int:
                   for one in state.stages]  # fmt: skip
         print_json({"stages": stages, "cost": asdict(cost)})
         return OK
-    console = console_for()
+    lines: list[str] = []
     for stage in state.stages:
         known, expected = len(stage.fixtures), stage.expected_matches
         later = f", {expected - known} more once their teams are known" if expected > known else ""
-        console.print(Text(f"{stage.title} ({stage.name}): {counted(known, 'match', 'matches')}{later}"))
+        lines.append(f"{stage.title} ({stage.name}): {counted(known, 'match', 'matches')}{later}")
         for fixture in stage.fixtures:
             sides = " - ".join(team_words(state.teams, side.teams) for side in fixture.sides)
-            console.print(Text(f"  {fixture.id}  {sides}"), soft_wrap=True)
+            lines.append(f"  {fixture.id}  {sides}")
     took = "" if cost.wall_s is None else f", about {cost.wall_s / 60:.0f} min on this computer"
     disk = f"about {cost.disk_bytes / 1e6:.0f} MB of records"
-    console.print(Text(f"{counted(cost.matches, 'match', 'matches')} in all; what is left: "
-                       f"{cost.simulated_s / 3600:.1f} h simulated{took}, {disk}"))  # fmt: skip
+    lines.append(
+        f"{counted(cost.matches, 'match', 'matches')} in all; what is left: "
+        f"{cost.simulated_s / 3600:.1f} h simulated{took}, {disk}"
+    )
+    say("\n".join(lines), sys.stdout)
     return OK
 
 

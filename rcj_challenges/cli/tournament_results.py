@@ -6,17 +6,14 @@ import sys
 from dataclasses import asdict
 from typing import Any, Literal
 
-from rich.text import Text
-
 from rcj_challenges.cli import OK
-from rcj_challenges.cli.stdio import print_json
+from rcj_challenges.cli.stdio import print_json, say
 from rcj_challenges.cli.tournament_tables import score_words, stage_tables, team_words
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.tournament.csv_text import csv_text
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.season import SeasonState
 from rcj_challenges.tournament.store.lock import is_locked
-from rcj_challenges.views.console import console_for
 
 
 def print_status(tournament: OpenTournament, *, as_json: bool) -> int:
@@ -43,14 +40,12 @@ def print_status(tournament: OpenTournament, *, as_json: bool) -> int:
     if as_json:
         print_json(status)
         return OK
-    console = console_for()
     lines = [f"{status['title']}: {'is being written to at present' if status['is_running'] else 'nothing is running'}"]
     lines += [f"{one['stage']}: {one['status']}, {one['done']} of {one['expected']} matches" for one in stages]
     lines += [f"doubtful, a time limit decided something: {fixture}" for fixture in status["doubtful"]]
     lines += [f"withdrawn: {team}" for team in status["withdrawn"]]
     lines += [f"could not be played: {sanitize(complaint.strip())}" for complaint in status["failed"]]
-    for line in lines:
-        console.print(line, markup=False, highlight=False, soft_wrap=True)
+    say("\n".join(lines), sys.stdout)
     return OK
 
 
@@ -62,12 +57,12 @@ def print_results(tournament: OpenTournament, *, as_json: bool, as_csv: Literal[
     elif as_csv is not None:
         sys.stdout.write(tables_csv(state) if as_csv == "tables" else matches_csv(state))
     else:
+        from rcj_challenges.views.console import console_for
+
+        played = (fixture for fixture in state.fixtures if fixture.id in state.outcomes)
+        lines = [f"{one.id}  {score_words(one, state.outcomes[one.id], state.teams)}" for one in played]
+        say("\n".join(lines), sys.stdout)
         console = console_for()
-        for stage in state.stages:
-            for fixture in stage.fixtures:
-                if fixture.id in state.outcomes:
-                    score = score_words(fixture, state.outcomes[fixture.id], state.teams)
-                    console.print(Text(f"{fixture.id}  {score}"), soft_wrap=True)
         for table in stage_tables(state):
             console.print(table)
     return OK

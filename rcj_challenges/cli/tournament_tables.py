@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-
-from rich.table import Table as RichTable
-from rich.text import Text
+from typing import TYPE_CHECKING
 
 from rcj_challenges.core.measures import number_words
 from rcj_challenges.tournament.season import Fixture, Outcome, Row, SeasonState, StageState, Table, Team
+
+if TYPE_CHECKING:
+    from rich.table import Table as RichTable
 
 
 def team_words(teams: Mapping[str, Team], ids: str | Sequence[str]) -> str:
@@ -45,6 +46,9 @@ def stage_tables(state: SeasonState, only: Collection[str] | None = None) -> lis
 
 
 def _table(stage: StageState, table: Table, teams: Mapping[str, Team]) -> RichTable:
+    from rich.table import Table as RichTable
+    from rich.text import Text
+
     title = f"{stage.title} {table.name}".strip()
     if table.columns:
         shown = RichTable("", "team", *table.columns, title=Text(title))
@@ -65,6 +69,9 @@ def _place(row: Row) -> str:
 
 
 def _bracket(stage: StageState, teams: Mapping[str, Team]) -> RichTable:
+    from rich.table import Table as RichTable
+    from rich.text import Text
+
     shown = RichTable("tie", "first", "", "second", "winner", "by", title=Text(stage.title))
     for tie in stage.ties:
         first, second = (

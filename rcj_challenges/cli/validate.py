@@ -6,11 +6,9 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
-from rcj_challenges.cli.stdio import discard_output, print_json
+from rcj_challenges.cli.stdio import print_json, say
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError, InFile
-from rcj_challenges.core.letters import READABLE
-from rcj_challenges.core.sanitize import sanitize_lines
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.lint.registry import lint
@@ -114,16 +112,3 @@ def _summary(loaded: Loaded) -> str:
         )
     )
     return f"{scenario.title} ({counts}; {halves}{lengths} s)"
-
-
-def say(text: str, stream: object) -> None:
-    """Print harmless lines; nothing if there are none. A reader who leaves changes nothing about the exit code."""
-    if not text:
-        return
-    # A terminal that cannot show a character must not hide the whole message.
-    write = getattr(stream, "write")  # noqa: B009 - sys.stdout may be replaced by anything that writes
-    encoding = getattr(stream, "encoding", None) or "utf-8"
-    try:
-        write(sanitize_lines(text).encode(encoding, READABLE).decode(encoding) + "\n")
-    except BrokenPipeError:
-        discard_output(stream)

@@ -55,6 +55,8 @@ def sanitize_lines(text: str) -> str:
 
 
 def _spelled(text: str) -> str:
+    if text.isascii() and text.isprintable():
+        return text
     letters: list[str] = []
     marks = 0
     for letter in text:

@@ -10,7 +10,6 @@ from pydantic import ValidationError
 
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.errors import format_error
-from rcj_challenges.match.samples import sample_team
 from rcj_challenges.scenario.errors import ScenarioError, listing
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.load import Loaded, load
@@ -151,6 +150,8 @@ def _samples(
         for key, one in stage.scenarios.items() if isinstance(stage, Challenge) else ():
             loaded = scenarios.get(names.use(one.scenario, one.set))
             if loaded is not None:
+                from rcj_challenges.match.samples import sample_team  # noqa: PLC0415 - few tournaments need it
+
                 bases = [load(base).scenario for base in loaded.bases]
                 found[name, key] = sample_team(loaded.scenario, next(iter(loaded.scenario.entrants)), bases)
     return found

@@ -27,7 +27,7 @@ def data_folder(loaded: LoadedTournament, given: Path | None) -> Path:
 
 def sides_of(fixture: Fixture) -> tuple[tuple[str, ...], ...]:
     """Return the team ids of each side."""
-    return tuple(side.teams for side in fixture.sides)
+    return tuple([side.teams for side in fixture.sides])
 
 
 @dataclass

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import groupby
-from statistics import median
 from typing import Any
 
 from rcj_challenges.core.amounts import round_score
@@ -132,6 +131,8 @@ def _counted(stage: Challenge, info: ScenarioInfo, runs: Sequence[tuple[float, .
         return ()
     if stage.rank_by == "best":
         return min(runs, key=lambda run: info.sort_key(Outcome((), values=run)))
+    from statistics import median  # noqa: PLC0415 - it imports much
+
     together = median if stage.rank_by == "median" else sum
     return tuple(round_score(together(column)) for column in zip(*runs, strict=True))
 

@@ -136,14 +136,14 @@ class StageContext:
         seed_path: str = "",
     ) -> Fixture:
         """Return a fixture of this stage; its sides take the scenario's seats in order."""
-        seats = tuple(self.scenarios[use].seats)
+        seats = self.scenarios[use].seats
         name = f"{self.name}/{path}"
         return Fixture(
             id=name,
             stage=self.name,
             group=group,
             round=round_,
-            sides=tuple(Side(seat, teams) for seat, teams in zip(seats, sides, strict=True)),
+            sides=tuple([Side(seat, teams) for seat, teams in zip(seats, sides, strict=True)]),
             scenario=use.source,
             overrides=use.overrides,
             seed=derived_seed(self.tournament.seed, f"{self.name}/{seed_path}" if seed_path else name),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import sqlite3
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
@@ -15,9 +16,11 @@ from sqlalchemy import (
     Column,
     Connection,
     Engine,
+    String,
     Table,
     and_,
     bindparam,
+    cast,
     create_engine,
     delete,
     event,
@@ -143,16 +146,18 @@ class Store:
 
     def played(self) -> dict[str, PlayedFixture]:
         """Return the job that counts, by fixture."""
-        columns = select(PLAYED.c.fixture, PLAYED.c.job_id, PLAYED.c.sides, PLAYED.c.outcome)
+        columns = select(PLAYED.c.fixture, PLAYED.c.job_id, PLAYED.c.sides, cast(PLAYED.c.outcome, String))
         with self.transaction() as connection:
-            return {
-                fixture: PlayedFixture(
-                    job_id,
-                    tuple(tuple(side.split("+")) for side in sides.split(" ")),
-                    Outcome(scores=tuple(scores), values=tuple(values)),
-                )
-                for fixture, job_id, sides, (scores, values) in connection.execute(columns)
-            }
+            rows = connection.execute(columns).all()
+        outcomes = json.loads(f"[{','.join(outcome for *_, outcome in rows)}]")  # ten times as fast as one by one
+        return {
+            fixture: PlayedFixture(
+                job_id,
+                tuple([tuple(side.split("+")) for side in sides.split(" ")]),
+                Outcome(scores=tuple(scores), values=tuple(values)),
+            )
+            for (fixture, job_id, sides, _), (scores, values) in zip(rows, outcomes, strict=True)
+        }
 
     def played_rows(self) -> list[tuple[PlayedRow, JobRow]]:
         """Return what was played, with its job, by fixture."""
