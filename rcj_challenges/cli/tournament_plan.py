@@ -17,7 +17,7 @@ from rcj_challenges.match.batch import Job, play_many
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.season import SeasonState
 
-_TRIAL_S = 20
+_TRIAL_S = 10
 _BYTES_PER_S: dict[str, float] = {"full": 39_000.0, "replay": 600.0, "result": 60.0}
 """Of a record, for each simulated second of a match of six robots (measured: two halves of 600 s)."""
 _BYTES_PER_MATCH: dict[str, float] = {"full": 220_000.0, "replay": 220_000.0, "result": 45_000.0}
