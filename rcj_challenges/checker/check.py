@@ -230,16 +230,16 @@ class _Check:
             missing: list[tuple[str, str]] = []  # devices, when the programs started
 
             def start() -> Stage:
-                started = check_start(rehearsal)
-                missing.extend(started.missing)
-                if self._options.show_output and started.stage.failed:  # otherwise the match shows it
-                    self._started = _outputs(started.match)
-                return _unless_full(started.stage, folders.place)
+                stage, match, lacking = check_start(rehearsal)
+                missing.extend(lacking)
+                if self._options.show_output and stage.failed:  # otherwise the match shows it
+                    self._started = _outputs(match)
+                return _unless_full(stage, folders.place)
 
             def play() -> Stage:
-                played = check_play(rehearsal, self._options.play_s, missing)
-                self._matches = [self._match(match) for match in played.matches]
-                return _unless_full(played.stage, folders.place)
+                stage, matches = check_play(rehearsal, self._options.play_s, missing)
+                self._matches = [self._match(match) for match in matches]
+                return _unless_full(stage, folders.place)
 
             self._carry_out("start", start)
             self._carry_out("play", play)

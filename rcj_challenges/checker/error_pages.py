@@ -93,7 +93,6 @@ PAGES: dict[str, str] = {
     "start.ok": "All robots start and answer.",
     "start.slow": "A program comes near the time limit of its start.\n\nPrepare less before the first step.",
     "play.played": "A short match was played.",
-    "play.opponent_failed": "A program of the opponent failed.\n\nThat is not your fault, but the score says little.",
     "play.absent": (
         "A program called robot.step very rarely.\n\nDo not sleep or wait: call robot.step(32) in a loop instead."
     ),

@@ -89,7 +89,8 @@ def check_many(
     Raises:
         KeyboardInterrupt: after the running checks have been ended.
     """
-    message = _message(loaded, options)
+    fields = asdict(options) | {"replays": None if options.replays is None else str(options.replays.resolve())}
+    message = {"scenario": loaded.resolved, "options": fields}
     max_s = _patience_s(loaded.scenario.limits, len(loaded.scenario.robots))
     named = zip(paths, name_submissions(paths), strict=True)
     return run_all([_Job(path, name, message, max_s) for path, name in named], jobs, on_done)
@@ -137,12 +138,6 @@ def _report(out: bytes) -> FileReport | None:
         return FileReport.model_validate({**answer["report"], "logo": logo})
     except (ValueError, ValidationError, KeyError, TypeError):
         return None
-
-
-def _message(loaded: Loaded, options: CheckOptions) -> dict[str, Any]:
-    fields = asdict(options)
-    fields["replays"] = None if options.replays is None else str(options.replays.resolve())
-    return {"scenario": loaded.resolved, "options": fields}
 
 
 def _patience_s(limits: Limits, robots: int) -> float:

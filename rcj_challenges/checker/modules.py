@@ -21,15 +21,6 @@ from rcj_challenges.checker.renaming import HIDDEN_ENDING
 INSTALLED = ("numpy", "scipy", "controller")
 """What a program can import beside Python's own library (reference, sections 4.3 and 7)."""
 
-WELL_KNOWN = frozenset(
-    {
-        *("cv2", "gym", "gymnasium", "jax", "keras", "matplotlib", "numba", "onnxruntime", "pandas", "PIL", "psutil"),
-        *("pygame", "pymunk", "rclpy", "requests", "rospy", "serial", "shapely", "skimage", "sklearn"),
-        *("stable_baselines3", "tensorflow", "tflite_runtime", "torch", "torchvision", "ultralytics", "websockets"),
-    }
-)
-"""Libraries that no match has, and that no file beside a program replaces: compiled, or for what a match refuses."""
-
 _TOP = PurePosixPath()
 COMPILED = frozenset({".so", ".pyd"})
 _MAX_OF_A_NAME = 20
@@ -158,10 +149,8 @@ def is_always_pythons(name: str) -> bool:
 
 def is_here(name: str) -> bool:
     """Return whether this computer has a module of Python's library (``msvcrt`` is on Windows only)."""
-    if name in sys.builtin_module_names or name in sys.modules:
-        return True
     try:
-        return importlib.util.find_spec(name) is not None
+        return name in sys.modules or importlib.util.find_spec(name) is not None
     except (ImportError, ValueError):
         return False
 

@@ -5,12 +5,11 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, field
 
 from rcj_challenges.checker.advice.hints import standing_help
 from rcj_challenges.checker.faults import MissingDevices, device_findings, fault_findings, missing_by_device
 from rcj_challenges.checker.findings import Finding, Level, Stage
-from rcj_challenges.checker.rehearsal import OWN_TEAM, Rehearsal, Rehearsed, late_from_ticks, rehearse
+from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed, late_from_ticks, rehearse
 from rcj_challenges.core.measures import number_words
 from rcj_challenges.core.sanitize import sanitize, sanitize_block
 from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
@@ -46,21 +45,10 @@ _THREAD_ENDED = re.compile(
 )
 
 
-@dataclass
-class Played:
-    """The stage and the matches on which it rests.
-
-    Attributes:
-        stage: findings.
-        matches: one for each side.
-    """
-
-    stage: Stage
-    matches: list[Rehearsed] = field(default_factory=list)
-
-
-def check_play(rehearsal: Rehearsal, seconds: float, known: Collection[tuple[str, str]] = ()) -> Played:
-    """Play on each side that the team can take, and report on its robots.
+def check_play(
+    rehearsal: Rehearsal, seconds: float, known: Collection[tuple[str, str]] = ()
+) -> tuple[Stage, list[Rehearsed]]:
+    """Play on each side that the team can take; return the findings on its robots, and the matches.
 
     Args:
         rehearsal: what is to be played.
@@ -70,15 +58,15 @@ def check_play(rehearsal: Rehearsal, seconds: float, known: Collection[tuple[str
     Raises:
         RcjError: it cannot be played for a reason that is not the team's.
     """
-    played = Played(Stage("play"))
+    stage, matches = Stage("play"), []
     seats = rehearsal.seats()
     for seat in seats:
         side = f"as {seat}, " if len(seats) > 1 else ""
         match = rehearse(rehearsal, (seat,), seconds)
-        played.matches.append(match)
+        matches.append(match)
         missing = {found: robots for found, robots in missing_by_device(match).items() if found not in known}
-        played.stage.findings += _findings(rehearsal, match, side, missing)
-    return played
+        stage.findings += _findings(rehearsal, match, side, missing)
+    return stage, matches
 
 
 def _findings(rehearsal: Rehearsal, match: Rehearsed, side: str, missing: MissingDevices) -> list[Finding]:
@@ -95,7 +83,6 @@ def _findings(rehearsal: Rehearsal, match: Rehearsed, side: str, missing: Missin
         *_threads(match, side),
         *_complaints(match, side),
         _summary(match, side),
-        *_opponent_failed(match, side),
     ]
 
 
@@ -246,20 +233,3 @@ def _summary(match: Rehearsed, side: str) -> Finding:
     if touches:
         summary += f", {touches} of {len(match.robots)} robots touched the ball"
     return Finding("play.played", "passed", summary)
-
-
-def _opponent_failed(match: Rehearsed, side: str) -> list[Finding]:
-    """Report failed programs of the opponent: not this team's fault, but then it played against fewer robots."""
-    if not match.faults_of_others:
-        return []
-    first = match.faults_of_others[0]
-    robots = ", ".join(dict.fromkeys(fault["robot"] for fault in match.faults_of_others))
-    names = " and ".join(map(sanitize, match.opponents.values()))
-    when = f"the first after {s_from_ticks(first['tick']):.1f} s"
-    detail = sanitize(first["detail"], 120) or first["kind"]
-    message = f"{side}programs of the opponent failed ({names}: {robots}; {when}: {detail}): the score says little"
-    if OWN_TEAM in match.opponents.values():
-        help_ = "these are your own programs, on the other side"
-    else:
-        help_ = "that is not your fault: they do not suit this scenario, or what --set changed in it"
-    return [Finding("play.opponent_failed", "passed", message, help_)]

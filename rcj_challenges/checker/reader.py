@@ -152,14 +152,10 @@ def _imports(tree: ast.AST) -> Iterator[dict[str, Any]]:
                 yield _import(node, spot, alias.name)
         elif isinstance(node, ast.ImportFrom):
             yield _import(node, spot, node.module or "", [alias.name for alias in node.names], node.level)
-        elif isinstance(node, ast.Call) and (module := _called_import(node)):
-            yield _import(node, spot, module)
         stack += reversed(_below(spot))
 
 
-def _import(
-    node: ast.stmt | ast.expr, spot: _Spot, module: str, names: Sequence[str] = (), level: int = 0
-) -> dict[str, Any]:
+def _import(node: ast.stmt, spot: _Spot, module: str, names: Sequence[str] = (), level: int = 0) -> dict[str, Any]:
     return {
         "module": module,
         "names": list(names),
@@ -182,8 +178,6 @@ def _below(spot: _Spot) -> list[_Spot]:
         ]
     if isinstance(node, ast.With) and any(_name(item.context_expr) == "suppress" for item in node.items):
         return _each(spot._replace(guarded=True), node.body, certain=True)
-    if isinstance(node, ast.If) and _name(node.test) == "TYPE_CHECKING":
-        return _each(spot, node.orelse, certain=True)
     children = list(ast.iter_child_nodes(node))
     if isinstance(node, ast.Module):
         loop = next((place for place, child in enumerate(children) if isinstance(child, ast.While)), len(children))
@@ -210,15 +204,6 @@ def _name(expression: ast.expr) -> str:
     if isinstance(expression, ast.Name):
         return expression.id
     return expression.attr if isinstance(expression, ast.Attribute) else ""
-
-
-def _called_import(call: ast.Call) -> str:
-    """Return the module of ``import_module("…")`` or ``__import__("…")``."""
-    if _name(call.func) not in ("import_module", "__import__") or len(call.args) != 1:
-        return ""
-    (argument,) = call.args
-    named = argument.value if isinstance(argument, ast.Constant) else None
-    return named if isinstance(named, str) and named.replace(".", "").isidentifier() else ""
 
 
 def limit_itself() -> None:

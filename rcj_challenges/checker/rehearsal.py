@@ -89,7 +89,6 @@ class Rehearsed:
         folder: its record.
         result: as in ``result.json``.
         faults: of the team's robots, in order, as in the result.
-        faults_of_others: of all other robots, in the same form.
         robots: what the robots of the team did, by name.
         waits: by robot of the team.
         simulated_s: what was played in s.
@@ -101,7 +100,6 @@ class Rehearsed:
     folder: Path
     result: dict[str, Any]
     faults: list[dict[str, Any]]
-    faults_of_others: list[dict[str, Any]]
     robots: dict[str, Activity]
     waits: dict[str, ProgramTimes]
     simulated_s: float
@@ -165,7 +163,6 @@ def rehearse(rehearsal: Rehearsal, seats: tuple[str, ...], seconds: float) -> Re
         folder=played.folder,
         result=played.result,
         faults=[fault for fault in played.result["faults"] if fault["robot"] in ours],
-        faults_of_others=[fault for fault in played.result["faults"] if fault["robot"] not in ours],
         robots=observer.robots,
         waits={wait.robot: wait for wait in observer.waits if wait.robot in ours},
         simulated_s=played.result["simulated_s"],

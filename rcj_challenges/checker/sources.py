@@ -13,7 +13,6 @@ from rcj_challenges.checker.file_beside import help_for_module_beside
 from rcj_challenges.checker.findings import Finding, Level, Stage
 from rcj_challenges.checker.modules import (
     INSTALLED,
-    WELL_KNOWN,
     Library,
     Module,
     is_always_pythons,
@@ -111,11 +110,7 @@ class _Walk:
     ) -> list[Unit]:
         """Return what an import runs; what is wrong with it becomes a finding.
 
-        Args:
-            unit: the file that imports.
-            wanted: what.
-            followed: the results of earlier calls, for files that lie in no package: one that is run again, in other
-                packages, runs the same files.
+        Results are kept in ``followed``: a file that is run again, in other packages, runs the same files.
         """
         file, depth = unit
         if wanted.level > depth:
@@ -147,17 +142,10 @@ class _Walk:
         return self._through(file, wanted, Module(folder, None), parts, folder.name)
 
     def _through(self, file: PurePosixPath, wanted: Import, module: Module, parts: list[str], name: str) -> list[Unit]:
-        """Walk down ``module.parts``, then to the names that are modules themselves; return all files that are run.
-
-        Args:
-            file: that imports.
-            wanted: what.
-            module: the module already found.
-            parts: names still to find, one in the other.
-            name: what ``module`` is called, for messages.
+        """Walk down ``module.parts``, then to the names that are modules themselves.
 
         Returns:
-            The files, each with the number of packages that it lies in more than ``module``.
+            All files that are run, each with the number of packages that it lies in more than ``module``.
         """
         run: list[Unit] = []
         depth = 0
@@ -214,8 +202,6 @@ class _Walk:
         return "missing_module", nowhere, self._help_for_missing(name, parts)
 
     def _help_for_missing(self, name: str, parts: list[str]) -> str:
-        if name in WELL_KNOWN:
-            return "do without it: in a match there are only Python's own library, numpy and scipy"
         if beside := help_for_module_beside(self._team, name):
             return beside
         if (hidden := self._usual.hidden(name)) is not None:
@@ -227,7 +213,8 @@ class _Walk:
         if parts:
             folder = f"the folder {sanitize(name)} (with {sanitize('/'.join(parts))}.py in it)"
             return f"put {folder} beside the program or the program's folder, or do without it"
-        return f"put {sanitize(name)}.py beside the program, or do without it"
+        installed = "in a match there are only Python's own library, numpy and scipy"
+        return f"put {sanitize(name)}.py beside the program, or do without it: {installed}"
 
     def _report(self, file: PurePosixPath, wanted: Import, code: str, message: str, help_: str) -> None:
         """Report an import that fails: it ends the program, unless it is caught or never reached."""
@@ -263,13 +250,7 @@ def _missing_part(module: Module, name: str, part: str) -> tuple[str, str, str]:
 def _unreadable(
     files: Mapping[PurePosixPath, bytes], sources: Mapping[PurePosixPath, Source], used: Mapping[PurePosixPath, bool]
 ) -> Iterable[Finding]:
-    """Report files that are not valid Python.
-
-    Args:
-        files: contents by path.
-        sources: what is in them.
-        used: those that programs run, each with whether one does for certain.
-    """
+    """Report files that are not valid Python; ``used`` are those that programs run, or certainly run."""
     for path, source in sources.items():
         if not source.wrong:
             continue

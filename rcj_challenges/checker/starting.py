@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rcj_challenges.checker.faults import MissingDevices, device_findings, fault_findings, missing_by_device
 from rcj_challenges.checker.findings import Finding, Stage
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed, rehearse
@@ -15,23 +13,11 @@ _TICKS = 4
 _SLOW_SHARE = 0.5
 
 
-@dataclass(frozen=True)
-class Started:
-    """The stage and what it rests on.
-
-    Attributes:
-        stage: findings.
-        match: the few ticks that were played.
-        missing: devices that the robots lack, as in the findings.
-    """
-
-    stage: Stage
-    match: Rehearsed
-    missing: MissingDevices
-
-
-def check_start(rehearsal: Rehearsal) -> Started:
+def check_start(rehearsal: Rehearsal) -> tuple[Stage, Rehearsed, MissingDevices]:
     """Let the team take all seats that it can at once, for a few ticks.
+
+    Returns:
+        The findings, what was played, and the devices that the robots lack.
 
     Raises:
         RcjError: it cannot be played for a reason that is not the team's.
@@ -52,7 +38,7 @@ def check_start(rehearsal: Rehearsal) -> Started:
                 "start.ok", "passed", f"all robots start and answer, the slowest after {longest_s:.1f} s", "", robots
             )
         )
-    return Started(stage, started, missing)
+    return stage, started, missing
 
 
 def _slow(started: Rehearsed, limit_s: float) -> Finding | None:

@@ -87,14 +87,6 @@ def test_the_whole_check_names_each_defect_of_real_submissions(tmp_path: Path, c
     assert case.level != "failure" or report.level == "failure"
 
 
-def test_a_rar_archive_under_its_own_name_is_told_as_one(tmp_path: Path) -> None:
-    path = tmp_path / "team.rar"
-    path.write_bytes(SEEN["rar"].build())
-    report = check_file(path, load("match"), CheckOptions(play=False))
-    assert [finding.code for finding in report.stages[0].findings] == ["archive.other_kind"]
-    assert report.level == "failure"
-
-
 @pytest.mark.parametrize("build", FINE.values(), ids=FINE)
 def test_an_archive_without_a_flaw_passes_without_a_word_to_do(tmp_path: Path, build) -> None:
     inspection = inspected(tmp_path, build())
@@ -102,20 +94,6 @@ def test_an_archive_without_a_flaw_passes_without_a_word_to_do(tmp_path: Path, b
     assert {finding.code for finding in findings(inspection) if finding.level != "passed"} == set()
     assert not any(finding.help for finding in findings(inspection))
     assert inspection.team is not None
-
-
-def test_everything_is_told_at_once(tmp_path: Path) -> None:
-    files = {"My Team/robot1/robot1.py": b"1", "My Team/logo.png": pictures.gif(), "My Team/team_name.txt": b"x" * 40}
-    data = pack([*with_folders(files), Member("../up.txt", b"1"), Member("aux", b"2"), Member(".DS_Store", b"3")])
-    codes = {finding.code for finding in findings(inspected(tmp_path, data))}
-    assert codes >= {
-        "archive.outside",
-        "archive.name_reserved",
-        "archive.leftovers",
-        "layout.missing",
-        "identity.logo_type",
-        "identity.name_long",
-    }
 
 
 def test_many_of_one_kind_are_counted(tmp_path: Path) -> None:
@@ -133,8 +111,8 @@ def test_what_cannot_be_read_leaves_later_stages_out_and_says_so(tmp_path: Path)
 
 def test_each_robot_is_named_with_its_program(tmp_path: Path) -> None:
     inspection = inspected(tmp_path, plain(OF_2021))
-    told = {finding.message for finding in findings(inspection) if finding.code == "layout.program"}
-    assert told == {f"B{n}, Y{n}: robot{n}/robot{n}.py" for n in (1, 2, 3)}
+    messages = {finding.message for finding in findings(inspection) if finding.code == "layout.program"}
+    assert messages == {f"B{n}, Y{n}: robot{n}/robot{n}.py" for n in (1, 2, 3)}
     assert inspection.team is not None
     assert inspection.team.entries["Y2"] == "robot2/robot2.py"
 
@@ -178,7 +156,6 @@ robots: {B2: null, B3: null, Y2: null, Y3: null}
         (b"Phase Moon", "Phase Moon"),
         (b"\xef\xbb\xbfPhase Moon\r\n", "Phase Moon"),
         ("Phase Moon".encode("utf-16"), "Phase Moon"),
-        ("Phase Moon".encode("utf-16-be").join([b"\xfe\xff", b""]), "Phase Moon"),
         (b"\n\n  Phase   Moon  \n", "Phase Moon"),
         ('«Фаза» "Луна"'.encode(), '«Фаза» "Луна"'),
         ("👩‍🚀 ⚽ 🇨🇿".encode(), "👩‍🚀 ⚽ 🇨🇿"),
@@ -201,29 +178,9 @@ def test_a_name_is_one_line_and_changes_no_files_place(tmp_path: Path, content: 
     assert written == {PurePosixPath(ENTRY), PurePosixPath(ENTRY).with_name("utils.py"), PurePosixPath("team_name.txt")}
 
 
-def test_what_is_said_of_a_logo_called_otherwise_leads_to_one_that_is_shown(tmp_path: Path) -> None:
-    def told_of(name: str, picture: bytes) -> list[tuple[str, str]]:
-        found = findings(inspected(tmp_path, plain(SOUND | {name: picture})))
-        return [(finding.message, finding.help) for finding in found if "logo" in finding.code]
-
-    called = "call it logo.png and put it beside the programs' folders"
-    assert told_of("Team-Logo.PNG", pictures.png()) == [("the logo is Team-Logo.PNG, which is not shown", called)]
-    assert told_of("logo.jpg", pictures.jpeg_head()) == [
-        ("the logo is logo.jpg, which is not shown", called),
-        ("logo.jpg is a JPEG, not a PNG, and is not shown", "save it as a PNG"),
-    ]
-    assert told_of("team_logo.png", pictures.png(2500, 2500))[1:] == [
-        ("team_logo.png has 2500 x 2500 pixels and is not shown", "make it at most 1024 pixels wide and high")
-    ]
-    assert told_of("LOGO.PNG", pictures.png(8, 8)) == [
-        ("the logo is LOGO.PNG", called),
-        ("the logo has 8 x 8 pixels", ""),
-    ]
-
-
 def test_a_logo_is_shown_without_what_no_picture_needs(tmp_path: Path) -> None:
-    told = pictures.chunk(b"tEXt", b"Comment\0<script>")
-    assert inspected(tmp_path, plain(SOUND | {"logo.png": pictures.png(extra=told)})).logo == pictures.png()
+    comment = pictures.chunk(b"tEXt", b"Comment\0<script>")
+    assert inspected(tmp_path, plain(SOUND | {"logo.png": pictures.png(extra=comment)})).logo == pictures.png()
     assert inspected(tmp_path, plain(SOUND | {"logo.png": pictures.gif()})).logo is None
     assert inspected(tmp_path, plain(SOUND)).logo is None
 
@@ -250,15 +207,6 @@ links = pytest.mark.skipif(sys.platform == "win32", reason="links are a privileg
 
 
 @links
-def test_a_link_that_is_given_by_its_name_is_followed(tmp_path: Path) -> None:
-    team = team_folder(tmp_path / "team")
-    (tmp_path / "mine").symlink_to(team, target_is_directory=True)
-    inspection = inspect(tmp_path / "mine", scenario())
-    assert all(stage.level == "passed" for stage in inspection.stages)
-    assert inspection.digest == inspect(team, scenario()).digest
-
-
-@links
 def test_a_folder_that_is_a_link_out_of_the_submission_is_refused_by_its_name(tmp_path: Path) -> None:
     team = team_folder(tmp_path / "team")
     (tmp_path / "mine").mkdir()
@@ -282,23 +230,6 @@ def test_links_in_a_circle_are_refused_by_their_names(tmp_path: Path) -> None:
         ("archive.link", "first"),
         ("archive.link", "second"),
     }
-
-
-@links
-def test_a_link_to_another_folder_of_the_submission_is_left_out_and_told(tmp_path: Path) -> None:
-    team = team_folder(tmp_path / "team")
-    (team / "rcj_soccer_team_blue" / "again").symlink_to(team, target_is_directory=True)  # in a circle
-    inspection = inspect(team, scenario())
-    (found,) = [finding for finding in inspection.stages[0].findings if finding.level != "passed"]
-    assert (found.code, found.level, found.where) == ("archive.link_inside", "warning", "rcj_soccer_team_blue/again")
-    assert inspection.team is not None
-
-
-def test_a_single_program_can_be_checked(tmp_path: Path) -> None:
-    (tmp_path / "my_bot.py").write_bytes(PROGRAM)
-    inspection = inspect(tmp_path / "my_bot.py", scenario())
-    assert inspection.team is not None
-    assert "layout.single_program" in {finding.code for finding in findings(inspection)}
 
 
 def test_a_path_that_cannot_be_opened_is_the_only_error(tmp_path: Path) -> None:

@@ -92,7 +92,7 @@ def test_a_program_that_fails_while_the_temporary_folder_is_full_is_no_verdict_o
     assert check_file(path, ALONE, SHORT).level == "unchecked"
 
 
-def test_a_fault_of_ours_is_told_as_such_everywhere_and_ends_with_3(team, monkeypatch, tmp_path):
+def test_a_fault_of_ours_is_reported_as_such_everywhere_and_ends_with_3(team, monkeypatch, tmp_path):
     bad = check_file(team("x = (\n"), MATCH, CheckOptions(play=False))
     monkeypatch.setattr(starting, "check_start", raising(KeyError("left")))
     stumbled = check_file(team(), MATCH, SHORT)

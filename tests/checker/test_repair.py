@@ -22,7 +22,7 @@ from rcj_challenges.scenario.models.scenario import Scenario
 from tests.hostile.archives import pictures
 from tests.hostile.archives.building import Member, pack, with_folders
 from tests.hostile.archives.cases import ALL, FINE, built
-from tests.hostile.archives.making import ENTRY, NAME, OF_2021, PROGRAM, SOUND, below, member_with, named, plain
+from tests.hostile.archives.making import ENTRY, NAME, OF_2021, PROGRAM, SOUND, below, named, plain
 
 MENDED = [name for name, case in ALL.items() if case.repair]
 BEYOND = [name for name, case in ALL.items() if not case.repair and case.level == "failure"]
@@ -144,22 +144,11 @@ def numbered(name: str, program: bytes = PROGRAM) -> dict[str, bytes]:
     return {f"{name}{number}/{name}{number}.py": program + b"# %d" % number for number in (1, 2, 3)}
 
 
-def test_names_that_may_be_read_wrongly_are_told_once_more_for_the_new_archive_does_not_tell_it(tmp_path: Path) -> None:
-    result, out = repaired(tmp_path, member_with(name="kopačka.csv".encode("cp852")))
-    assert "kopaƒka.csv" in contents(out)
-    assert result.done == ["wrote names as they were read, maybe wrongly; use plain letters: kopaƒka.csv"]
-
-
 def test_numbered_programs_in_folders_of_their_own_names_are_those_that_are_asked_for(tmp_path: Path) -> None:
     files = {"team_name.txt": b"Cats", "rcj_soccer_player_b1/utils.py": b"x = 1", **numbered("rcj_soccer_player_b")}
     result, out = repaired(tmp_path, plain(files))
     assert result.left == []
     assert contents(out) == {"team_name.txt": b"Cats", "robot1/utils.py": b"x = 1", **numbered("robot")}
-
-
-def test_of_two_numbered_programs_nobody_can_say_which_is_meant(tmp_path: Path) -> None:
-    files = {"team_name.txt": b"Cats", **numbered("rcj_soccer_player_b"), **numbered("rcj_soccer_player_y", b"1")}
-    assert repaired(tmp_path, plain(files))[0].left
 
 
 def test_two_unsafe_names_for_one_place_need_a_decision(tmp_path: Path) -> None:
@@ -211,12 +200,6 @@ def test_a_file_that_appears_meanwhile_is_not_overwritten(tmp_path: Path, monkey
     assert sorted(path.name for path in tmp_path.iterdir()) == ["out.zip", "team.zip"]
 
 
-def test_a_place_that_cannot_be_written_is_said(tmp_path: Path) -> None:
-    (tmp_path / "team.zip").write_bytes(plain(SOUND))
-    with pytest.raises(RepairError, match="cannot be written"):
-        repair(tmp_path / "team.zip", tmp_path / "no" / "such" / "out.zip", scenario())
-
-
 def test_a_logo_of_another_kind_becomes_a_png(tmp_path: Path) -> None:
     pytest.importorskip("PIL")
     kinds = {"jpeg": pictures.jpeg(2600, 1300), "bmp": pictures.bmp(), "gif": pictures.gif()}
@@ -236,12 +219,7 @@ def test_without_pillow_such_a_logo_is_left_out_with_a_note(tmp_path: Path, monk
     assert contents(out) == SOUND
 
 
-def test_a_picture_bomb_is_not_unpacked(tmp_path: Path) -> None:
-    result, _ = repaired(tmp_path, ALL["logo_is_a_bomb"].build())
-    assert result.done == ["left out logo.png: it is too large to be converted"]
-
-
-@pytest.mark.parametrize("frame", [(5000, 5000), (10_000, 10_000), (65_535, 65_535)])
+@pytest.mark.parametrize("frame", [(5000, 5000), (65_535, 65_535)])
 def test_a_gif_whose_frame_is_larger_than_it_says_is_not_unpacked(tmp_path: Path, frame: tuple[int, int]) -> None:
     pytest.importorskip("PIL")
     result, out = repaired(tmp_path, plain(SOUND | {"logo.png": pictures.gif(frame)}))

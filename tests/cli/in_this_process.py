@@ -49,8 +49,8 @@ def played_one_after_the_other(jobs: Sequence[Job], at_once: int, on_done: Calla
     """Play as `play_many` does, where it does not matter that each match has a process of its own."""
     outcomes = []
     for job in jobs:
-        with redirect_stdout(io.StringIO()) as told:
+        with redirect_stdout(io.StringIO()) as printed:
             assert app(["run", *job.arguments, "--seed", str(job.seed), "--json"], standalone_mode=False) == 0
-        outcomes.append(Outcome(job, json.loads(told.getvalue())))
+        outcomes.append(Outcome(job, json.loads(printed.getvalue())))
         on_done(outcomes[-1])
     return outcomes

@@ -28,7 +28,7 @@ while robot.step(32) != -1:
 
 
 @pytest.fixture
-def told(tmp_path):
+def printed(tmp_path):
     (tmp_path / "robot.py").write_text("packet = receiver.getData()\n", encoding="utf-8")
     logs = tmp_path / "logs"
 
@@ -40,7 +40,7 @@ def told(tmp_path):
 
 
 def fault(robot, half=1, detail="struct.error: unpack requires a buffer of 160 bytes", **others):
-    told = {
+    printed = {
         "robot": robot,
         "team": "yellow",
         "half": half,
@@ -49,7 +49,7 @@ def fault(robot, half=1, detail="struct.error: unpack requires a buffer of 160 b
         "detail": detail,
         "traceback": "",
     }
-    return {**told, **others}
+    return {**printed, **others}
 
 
 def test_the_end_of_a_match_and_the_log_name_the_messages_that_a_program_was_written_for(tmp_path, monkeypatch, capsys):
@@ -63,34 +63,34 @@ def test_the_end_of_a_match_and_the_log_name_the_messages_that_a_program_was_wri
         assert log.read_text(encoding="utf-8").splitlines()[-1] == "hint: " + line.partition(": ")[2]
 
 
-def test_who_reads_the_result_as_json_is_told_the_same_and_the_record_keeps_what_happened_alone(
+def test_who_reads_the_result_as_json_is_reported_the_same_and_the_record_keeps_what_happened_alone(
     tmp_path, monkeypatch, capsys
 ):
     (tmp_path / "team.py").write_text(JSON_PROGRAM, encoding="utf-8")
     assert here(monkeypatch, tmp_path, *short("team.py", "--json", "--no-replay", *DUEL)) == 0
-    told = json.loads(capsys.readouterr().out)
-    (hint,) = told["hints"]
+    printed = json.loads(capsys.readouterr().out)
+    (hint,) = printed["hints"]
     assert hint["robots"] == ["B1", "Y2"]
     assert "--set kits.v2.messages=v2.2" in hint["help"]
-    RunResult.model_validate(told)
+    RunResult.model_validate(printed)
     (result,) = tmp_path.glob("runs/*/result.json")
     assert "hints" not in json.loads(result.read_text(encoding="utf-8"))
 
 
 @pytest.mark.parametrize("output", ["--json", "--quiet"])
-def test_a_match_is_told_also_where_the_advice_fails_by_a_fault_of_ours(tmp_path, monkeypatch, capsys, output):
+def test_a_match_is_reported_also_where_the_advice_fails_by_a_fault_of_ours(tmp_path, monkeypatch, capsys, output):
     def fails(*_):
         raise LookupError("no such advice")
 
     monkeypatch.setattr("rcj_challenges.cli.advice.advice_on", fails)
     (tmp_path / "team.py").write_text(JSON_PROGRAM, encoding="utf-8")
     assert here(monkeypatch, tmp_path, *short("team.py", output, "--no-replay", *DUEL)) == 3
-    told = capsys.readouterr()
-    assert "our fault" in told.err
+    printed = capsys.readouterr()
+    assert "our fault" in printed.err
     if output == "--json":
-        RunResult.model_validate(json.loads(told.out))
+        RunResult.model_validate(json.loads(printed.out))
     else:
-        assert "record:" in told.out
+        assert "record:" in printed.out
 
 
 @pytest.mark.parametrize(
@@ -114,14 +114,14 @@ def test_run_prints_a_hint_for_a_program_that_failed(tmp_path, monkeypatch, caps
     assert [part in line for line in lines] == [True] * bool(part)
 
 
-def test_of_robots_that_fail_alike_one_line_is_enough_and_each_log_tells_it_once(tmp_path, told):
+def test_of_robots_that_fail_alike_one_line_is_enough_and_each_log_reports_it_once(tmp_path, printed):
     (tmp_path / "logs").mkdir()
-    (hint,) = told(fault("Y1"), fault("Y2"), fault("Y1", half=2))
+    (hint,) = printed(fault("Y1"), fault("Y2"), fault("Y1", half=2))
     assert hint["robots"] == ["Y1", "Y2"]
     assert "--set kits.legacy_2021.packet_has_flag=false" in hint["help"]
     for robot in ("Y1", "Y2"):
         assert (tmp_path / "logs" / f"{robot}.log").read_text(encoding="utf-8").count("hint: ") == 1
 
 
-def test_a_log_that_cannot_be_written_keeps_nothing_back(told):
-    assert len(told(fault("Y1"))) == 1  # there is no folder for it
+def test_a_log_that_cannot_be_written_keeps_nothing_back(printed):
+    assert len(printed(fault("Y1"))) == 1  # there is no folder for it

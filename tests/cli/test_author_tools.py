@@ -15,7 +15,6 @@ from typer.testing import CliRunner
 
 from rcj_challenges.cli.app import app
 from rcj_challenges.cli.new import StarterError
-from rcj_challenges.cli.output_paths import OutputError
 from rcj_challenges.cli.sheet import sheet as write_sheet
 from rcj_challenges.cli.stdio import shell_quoted
 from rcj_challenges.core.errors import RcjError
@@ -74,7 +73,7 @@ class TestValidate:
         fine = call("validate", "--strict", written())
         assert (fine.exit_code, fine.stdout[:4]) == (0, "ok  ")
 
-    def test_json_tells_problems_and_findings(self, written):
+    def test_json_reports_problems_and_findings(self, written):
         silent = written(("    says: A goal.\n", ""))
         wrong = written(("blue_goal", "blue_gaol"), name="wrong.yaml")
         done = call("validate", "--json", silent, wrong)
@@ -102,14 +101,14 @@ class TestTest:
         assert "ok    a_goal_gives_a_point (2.016 s)" in done.stdout
         assert "all 2 passed" in done.stdout
 
-    def test_a_difference_is_told_in_words_and_the_verdict_is_negative(self, written):
+    def test_a_difference_is_reported_in_words_and_the_verdict_is_negative(self, written):
         done = call("test", written(("POINTS", "2")))
         assert done.exit_code == 1
         assert "FAIL  a_goal_gives_a_point" in done.stdout
         assert "score of yellow: expected 2, is 1" in done.stdout
         assert "1 of 2 failed" in done.stdout
 
-    def test_json_tells_the_same(self, written):
+    def test_json_reports_the_same(self, written):
         done = call("test", "--json", written(("POINTS", "2")))
         report = json.loads(done.stdout)
         assert (done.exit_code, report["passed"]) == (1, False)
@@ -129,7 +128,7 @@ class TestTest:
         path = written((GOAL, text))
         assert "no tests: add expect:" in call("test", path).stdout
 
-    def test_a_file_that_cannot_be_used_is_told_with_its_line_and_the_others_are_played(self, written, tmp_path):
+    def test_a_file_that_cannot_be_used_is_reported_with_its_line_and_the_others_are_played(self, written, tmp_path):
         wrong = written(("blue_goal", "blue_gaol"), name="wrong.yaml")
         done = call("test", tmp_path / "missing.yaml", wrong, written(name="last.yaml"))
         assert done.exit_code == 2
@@ -144,7 +143,7 @@ class TestTest:
         failing = written(("POINTS", "2"), name="failing.yaml")
         assert call("test", wrong, failing).exit_code == 2
 
-    def test_json_tells_the_problems_of_a_file_that_cannot_be_used(self, written):
+    def test_json_reports_the_problems_of_a_file_that_cannot_be_used(self, written):
         wrong = written(("blue_goal", "blue_gaol"), name="wrong.yaml")
         done = call("test", "--json", wrong, written())
         report = json.loads(done.stdout)
@@ -202,11 +201,10 @@ class TestNew:
         assert error.code == "bad-name"
         assert list(tmp_path.iterdir()) == []
 
-    @pytest.mark.parametrize("preset", PRESETS)
     @pytest.mark.parametrize("name", ["slalom", "of 2026/juniors/slalom.yaml"])
-    def test_editors_find_the_schema_that_is_written_where_new_was_typed(self, tmp_path, monkeypatch, name, preset):
+    def test_editors_find_the_schema_that_is_written_where_new_was_typed(self, tmp_path, monkeypatch, name):
         monkeypatch.chdir(tmp_path)
-        call("new", name, "--from", preset)
+        call("new", name)
         call("schema")
         file = Path(name).with_suffix(".yaml")
         first = file.read_text(encoding="utf-8").splitlines()[0]
@@ -247,7 +245,7 @@ class TestNew:
         assert done.exception.code == "bad-name"
         assert list(tmp_path.iterdir()) == []
 
-    def test_a_name_that_no_system_takes_is_told_so(self, tmp_path):
+    def test_a_name_that_no_system_takes_is_reported(self, tmp_path):
         done = call("new", tmp_path / ("x" * 5000))
         assert isinstance(done.exception, StarterError)
         assert done.exception.code == "cannot-write"
@@ -284,7 +282,7 @@ class TestNamesOfDevices:
 
 
 class TestDraw:
-    def test_png_and_svg_are_told_apart_by_the_name(self, tmp_path):
+    def test_png_and_svg_are_distinguished_by_the_name(self, tmp_path):
         pytest.importorskip("resvg_py")
         assert call("draw", "match", "--out", tmp_path / "field.png").exit_code == 0
         assert call("draw", "match", "--out", tmp_path / "field.svg").exit_code == 0
@@ -296,9 +294,6 @@ class TestDraw:
         done = call("draw", "match", "--out", tmp_path / "field.png")
         assert 'pip install "rcj-challenges[png]"' in str(done.exception)
         assert not (tmp_path / "field.png").exists()
-
-    def test_a_place_that_cannot_be_written_is_named(self, tmp_path):
-        assert isinstance(call("draw", "match", "--out", tmp_path / "none" / "field.svg").exception, OutputError)
 
 
 class TestSheet:
@@ -321,12 +316,12 @@ class TestSheet:
     def test_a_terminal_shows_how_to_draw_it_and_not_the_source_of_a_drawing(self, monkeypatch, capsys):
         monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
         assert write_sheet("match", None, []) == 0
-        said = capsys.readouterr().out
-        assert "<svg" not in said
-        assert "rcj-challenge draw match --out field.svg" in said
+        output = capsys.readouterr().out
+        assert "<svg" not in output
+        assert "rcj-challenge draw match --out field.svg" in output
 
     @pytest.mark.parametrize(
-        ("path", "separator", "told"),
+        ("path", "separator", "printed"),
         [
             ("match", "/", "match"),
             ("kurse/slalom.yaml", "/", "kurse/slalom.yaml"),
@@ -339,14 +334,14 @@ class TestSheet:
             (r"\\server\kurse\a$b.yaml", "\\", r'"\\server\kurse\a$b.yaml"'),
         ],
     )
-    def test_a_path_is_told_as_the_shell_of_this_system_takes_it(self, monkeypatch, path, separator, told):
+    def test_a_path_is_reported_as_the_shell_of_this_system_takes_it(self, monkeypatch, path, separator, printed):
         """The shells of Windows know no single quotes, and a backslash is nothing special there."""
         with monkeypatch.context() as system:
             system.setattr(os, "sep", separator)
-            said = shell_quoted(path)
-        assert said == told
+            output = shell_quoted(path)
+        assert output == printed
         if separator == "/":
-            assert shlex.split(told) == [path]
+            assert shlex.split(printed) == [path]
 
 
 class TestEndings:

@@ -21,6 +21,7 @@ from rcj_challenges.cli.check import CheckUsageError
 from rcj_challenges.core.errors import HostError
 from rcj_challenges.match.runner import MatchInterruptedError, PlayedMatch
 from tests.checker.small_team import PLAYER, write_team
+from tests.cli.conftest import ONE_ROBOT
 from tests.cli.in_this_process import one_after_the_other
 from tests.cli.test_check import check
 
@@ -79,9 +80,9 @@ def test_replays_that_cannot_be_kept_are_refused_before_anything_is_played(team,
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(tempfile, "TemporaryFile", full)
-    with pytest.raises(CheckUsageError, match="No space left on device") as told:
+    with pytest.raises(CheckUsageError, match="No space left on device") as printed:
         check(good, replays=tmp_path / "replays", play=True)
-    assert told.value.exit_code == 2
+    assert printed.value.exit_code == 2
 
 
 @pytest.mark.usefixtures("nothing_is_checked")
@@ -139,9 +140,7 @@ def test_ctrl_c_ends_with_130_a_report_in_json_and_no_temporary_folder(team, tmp
     temporary = tmp_path / "temporary"
     temporary.mkdir()
     command = [*COMMAND, *map(str, paths), "--html", str(tmp_path / "report.html"), "--jobs", "2", "--json"]
-    command += [
-        f"--set=entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)
-    ]
+    command += ONE_ROBOT
     with subprocess.Popen(
         command,
         stdout=subprocess.PIPE,

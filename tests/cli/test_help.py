@@ -54,8 +54,8 @@ def test_help_loads_no_library_that_draws_frames():
         "try: main()\n"
         "finally: print('loaded:', *[m for m in ('rich', 'pygments', 'numpy', 'pydantic', 'yaml') if m in sys.modules])"
     )
-    told = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout
-    assert told.splitlines()[-1].strip() == "loaded:"
+    printed = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout
+    assert printed.splitlines()[-1].strip() == "loaded:"
 
 
 @pytest.mark.parametrize(

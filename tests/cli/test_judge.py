@@ -1,4 +1,4 @@
-"""``rcj-challenge judge``: what people and programs are told of a recorded match that is judged again."""
+"""``rcj-challenge judge``: what people and programs are output of a recorded match that is judged again."""
 
 import json
 
@@ -6,6 +6,7 @@ import pytest
 
 from rcj_challenges.cli.app import app
 from rcj_challenges.records.chunks import ChunkWriter, read_chunks
+from tests.cli.conftest import ONE_ROBOT, STAND
 
 GIFT = """\
 schema_version: 1
@@ -30,11 +31,10 @@ def records(tmp_path_factory):
     folder = tmp_path_factory.mktemp("judged")
     (folder / "gift.yaml").write_text(GIFT, "utf-8")
     team = folder / "team.py"
-    team.write_text("from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n", "utf-8")
-    alone = [f"--set=entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)]
+    team.write_text(STAND, "utf-8")
     teams = ["--blue", str(team), "--yellow", str(team), "--team-name", "blue=Hanse", "--team-name", "yellow=Alster"]
     runs = folder / "runs"
-    arguments = ["run", str(folder / "gift.yaml"), *teams, *alone, "--quiet", "--no-replay", "--out", str(runs)]
+    arguments = ["run", str(folder / "gift.yaml"), *teams, *ONE_ROBOT, "--quiet", "--no-replay", "--out", str(runs)]
     assert app(arguments, standalone_mode=False) == 0
     return runs
 
@@ -63,20 +63,20 @@ def copied(record, folder):
 
 
 def test_the_newest_record_is_judged_by_its_own_rules_and_the_same_comes_out(judge):
-    code, told = judge()
+    code, output = judge()
     assert code == 0
-    assert "recorded: Hanse 0 : 1 Alster\n" in told
-    assert "judged:   Hanse 0 : 1 Alster\n" in told
-    assert "events as recorded" in told
-    assert "Poses remain" not in told
+    assert "recorded: Hanse 0 : 1 Alster\n" in output
+    assert "judged:   Hanse 0 : 1 Alster\n" in output
+    assert "events as recorded" in output
+    assert "Poses remain" not in output
 
 
 def test_with_a_changed_rule_it_says_both_scores_and_what_differs(judge):
-    code, told = judge("--set", "rules.goal_in_blue.actions[0].points=2")
+    code, output = judge("--set", "rules.goal_in_blue.actions[0].points=2")
     assert code == 0
-    assert "judged:   Hanse 0 : 2 Alster\n" in told
-    assert "GOAL: score_yellow 1 -> 2\n" in told
-    assert "Poses remain those of the record" in told
+    assert "judged:   Hanse 0 : 2 Alster\n" in output
+    assert "GOAL: score_yellow 1 -> 2\n" in output
+    assert "Poses remain those of the record" in output
 
 
 def test_another_scenario_judges_and_its_params_can_be_set(judge, records):
@@ -84,22 +84,15 @@ def test_another_scenario_judges_and_its_params_can_be_set(judge, records):
     file.write_text(
         "schema_version: 1\nid: stricter\ntitle: S\nextends: gift.yaml\nrules: {goal_in_blue: null}\n", "utf-8"
     )
-    code, told = judge("--scenario", file, "--set", "gift_at_s=0.5")
+    code, output = judge("--scenario", file, "--set", "gift_at_s=0.5")
     assert code == 0
-    assert "judged:   Hanse 0 : 0 Alster\n" in told
-    assert "GOAL: only in the record" in told
-
-
-def test_a_param_of_a_record_without_the_scenario_before_its_params_is_refused(judge, records, tmp_path, capsys):
-    (record,) = records.iterdir()
-    (copied(record, tmp_path) / "scenario.unresolved.json").unlink()
-    code, _ = judge("--set", "goal_pause_s=0.1", runs=tmp_path)
-    assert code == 2
+    assert "judged:   Hanse 0 : 0 Alster\n" in output
+    assert "GOAL: only in the record" in output
 
 
 def test_json_has_both_scores_all_events_and_the_differences(judge):
-    code, told = judge("--json", "--set", "rules.goal_in_blue.actions[0].points=2")
-    (one,) = json.loads(told)["records"]
+    code, output = judge("--json", "--set", "rules.goal_in_blue.actions[0].points=2")
+    (one,) = json.loads(output)["records"]
     assert code == 0
     assert one["recorded"]["score"] == {"blue": 0, "yellow": 1}
     assert one["judged"]["score"] == {"blue": 0, "yellow": 2}
@@ -108,34 +101,23 @@ def test_json_has_both_scores_all_events_and_the_differences(judge):
     assert (goal["recorded"]["score_yellow"], goal["judged"]["score_yellow"]) == (1, 2)
 
 
-def test_a_record_that_its_own_rules_judge_otherwise_is_told_with_exit_code_1(judge, records, tmp_path):
+def test_a_record_that_its_own_rules_judge_otherwise_is_reported_with_exit_code_1(judge, records, tmp_path):
     (record,) = records.iterdir()
     other = copied(record, tmp_path)
     log = other / "referee.jsonl"
     log.write_text(log.read_text("utf-8").replace('"score_yellow": 1', '"score_yellow": 7'), "utf-8")
-    code, told = judge(runs=tmp_path)
+    code, output = judge(runs=tmp_path)
     assert code == 1
-    assert "score_yellow 7 -> 1" in told
-    assert "By its own rules the same should come out" in told
-
-
-def test_points_that_no_event_tells_count_as_well_for_what_its_own_rules_say(judge, records, tmp_path):
-    (record,) = records.iterdir()
-    other = copied(record, tmp_path)
-    result = json.loads((other / "result.json").read_text("utf-8"))
-    (other / "result.json").write_text(json.dumps(result | {"score": {"blue": 4, "yellow": 1}}), "utf-8")
-    code, told = judge(runs=tmp_path)
-    assert code == 1
-    assert "recorded: Hanse 4 : 1 Alster\n" in told
-    assert "By its own rules the same should come out" in told
+    assert "score_yellow 7 -> 1" in output
+    assert "By its own rules the same should come out" in output
 
 
 def test_without_the_referees_log_the_events_of_the_result_are_compared(judge, records, tmp_path):
     (record,) = records.iterdir()
     copy = copied(record, tmp_path)
     (copy / "referee.jsonl").unlink()
-    code, said = judge(copy)
-    assert (code, judge(record)[1].replace(record.name, copy.name)) == (0, said)
+    code, output = judge(copy)
+    assert (code, judge(record)[1].replace(record.name, copy.name)) == (0, output)
 
 
 def cut_off(record, folder):
@@ -168,12 +150,12 @@ def cut_off(record, folder):
 def test_the_score_that_a_killed_match_could_not_write_is_read_from_the_log(judge, records, tmp_path):
     (record,) = records.iterdir()
     other = cut_off(record, tmp_path)
-    code, told = judge(record, other)
+    code, output = judge(record, other)
     assert code == 0
-    assert "recorded: Hanse 0 : 1 Alster  (not complete)\n" in told
-    assert "LATE" not in told
-    assert "(the record ends before the match does)" in told
-    assert "2 records judged, 0 of them with another score\n" in told
+    assert "recorded: Hanse 0 : 1 Alster  (not complete)\n" in output
+    assert "LATE" not in output
+    assert "(the record ends before the match does)" in output
+    assert "2 records judged, 0 of them with another score\n" in output
 
 
 def test_files_in_records_are_taken_for_them_and_a_problem_names_the_folder(judge, records, tmp_path):
@@ -181,24 +163,11 @@ def test_files_in_records_are_taken_for_them_and_a_problem_names_the_folder(judg
     (record,) = records.iterdir()
     broken = copied(record, tmp_path)
     (broken / "trajectory.chunks").write_bytes(b"")
-    code, told = judge(record / "result.json", broken / "result.json", "--json")
-    good, bad = json.loads(told)["records"]
+    code, output = judge(record / "result.json", broken / "result.json", "--json")
+    good, bad = json.loads(output)["records"]
     assert code == 2
     assert (good["record"], bad["record"]) == (record.name, record.name)
     assert "damaged" in bad["problem"]
-
-
-def test_a_scenario_that_somebody_has_changed_by_hand_and_wrongly_is_told_where(judge, records, tmp_path, capsys):
-    (record,) = records.iterdir()
-    other = copied(record, tmp_path)
-    scenario = json.loads((other / "scenario.json").read_text("utf-8"))
-    scenario["rules"]["goal_in_blue"]["triggers"][0]["zone"] = ["blue_gaol"]
-    (other / "scenario.json").write_text(json.dumps(scenario), "utf-8")
-    code, told = judge("--json", runs=tmp_path)
-    (one,) = json.loads(told)["records"]
-    assert code == 2
-    assert one["problem"].startswith("error[record-damaged]")
-    assert "rules.goal_in_blue.trig" in one["problem"]
 
 
 def test_of_several_the_others_are_judged_where_one_cannot_be(judge, records, capsys):

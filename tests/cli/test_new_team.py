@@ -8,6 +8,7 @@ from rcj_challenges.cli.app import app
 from rcj_challenges.cli.new import StarterError
 from rcj_challenges.controllers.debugging import PORT
 from rcj_challenges.core.errors import RcjError
+from tests.cli.conftest import ONE_ROBOT
 from tests.cli.in_this_process import here
 
 
@@ -23,8 +24,8 @@ def team(tmp_path, monkeypatch):
 
 
 def test_a_new_team_plays_and_passes_the_check(team, monkeypatch):
-    alone = [f"--set=entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)]
-    match = ["run", "match", "--yellow", "my_team", "--blue", "my_team", "--duration", "0.3", "--halves", "1", *alone]
+    teams = ("--yellow", "my_team", "--blue", "my_team")
+    match = ["run", "match", *teams, "--duration", "0.3", "--halves", "1", *ONE_ROBOT]
     assert here(monkeypatch, team.parent, *match, "--quiet", "--no-replay") == 0
     (result,) = team.parent.glob("runs/*/result.json")
     assert json.loads(result.read_bytes())["faults"] == []
@@ -41,7 +42,7 @@ def test_it_has_what_vs_code_needs_to_run_debug_and_watch(team):
     assert tasks["tasks"][0]["problemMatcher"]["background"]["endsPattern"] in f"Y1 waits for VS Code on port {PORT}"
 
 
-def test_it_is_called_after_its_folder_and_tells_five_commands(team):
+def test_it_is_called_after_its_folder_and_reports_five_commands(team):
     assert (team / "team_name.txt").read_text("utf-8") == "My team\n"
     readme = (team / "README.md").read_text("utf-8")
     assert readme.startswith("# My team\n")

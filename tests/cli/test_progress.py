@@ -81,22 +81,6 @@ def test_the_clock_that_is_shown_is_that_of_the_half():
     assert shown.getvalue().splitlines()[-1].startswith(" 0:08.0  Blue")
 
 
-def progress(remaining_s):
-    return Progress(half_of(load("match").scenario), 1900, 1875, {"blue": 0, "yellow": -1}, "play", 49.0, remaining_s)
-
-
-def test_the_board_says_it_in_the_same_words():
-    shown = io.StringIO()
-    board = Scoreboard(
-        Console(file=shown, width=200, force_terminal=True, force_interactive=True), load("match").scenario
-    )
-    board.half_started(progress(0).half)
-    board.progressed(progress(61))
-    board.finished({})
-    assert "49 x real time, done in about 61 s" in shown.getvalue()
-    assert "left" not in shown.getvalue()
-
-
 def after_half_time():
     """Half-time is over: Hanse plays in yellow now and leads by 2 : 1, Alster in blue."""
     half = replace(

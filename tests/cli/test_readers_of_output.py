@@ -11,8 +11,7 @@ from pathlib import Path
 import pytest
 
 from rcj_challenges.cli import output_paths, stdio
-
-STAND = "from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
+from tests.cli.conftest import STAND
 
 
 def test_a_match_goes_on_when_nobody_reads_its_lines_any_more(tmp_path: Path) -> None:
@@ -24,8 +23,8 @@ def test_a_match_goes_on_when_nobody_reads_its_lines_any_more(tmp_path: Path) ->
         assert playing.stderr is not None
         assert playing.stdout.readline()
         playing.stdout.close()
-        told = playing.stderr.read()
-    assert (playing.returncode, told) == (0, "")
+        printed = playing.stderr.read()
+    assert (playing.returncode, printed) == (0, "")
     (result,) = Path(tmp_path, "runs").glob("*/result.json")
     assert json.loads(result.read_text(encoding="utf-8"))["complete"]
 
@@ -38,7 +37,7 @@ def printing(monkeypatch: pytest.MonkeyPatch, errors: str, encoding: str = "cp12
 
 
 @pytest.mark.parametrize("errors", ["strict", "surrogateescape"])  # the second is Python's choice on Windows
-def test_a_path_with_letters_that_the_output_lacks_is_told_all_the_same(monkeypatch, errors: str) -> None:
+def test_a_path_with_letters_that_the_output_lacks_is_reported_all_the_same(monkeypatch, errors: str) -> None:
     file = printing(monkeypatch, errors)
     stdio.replace_unencodable()
     print("Grün → Łódź.mp4", flush=True)
@@ -62,9 +61,9 @@ def test_a_document_is_utf_8_wherever_it_goes(monkeypatch: pytest.MonkeyPatch) -
 
 
 @pytest.mark.parametrize(
-    ("told", "raised"), [(errno.EINVAL, BrokenPipeError), (errno.EPIPE, BrokenPipeError), (errno.ENOSPC, OSError)]
+    ("printed", "raised"), [(errno.EINVAL, BrokenPipeError), (errno.EPIPE, BrokenPipeError), (errno.ENOSPC, OSError)]
 )
-def test_a_reader_who_is_gone_is_known_however_the_system_tells_it(monkeypatch, told: int, raised: type) -> None:
+def test_a_reader_who_is_gone_is_known_however_the_system_reports_it(monkeypatch, printed: int, raised: type) -> None:
     """Windows says of such a pipe that the argument is invalid."""
     read_fd, write_fd = os.pipe()
     try:
@@ -80,7 +79,7 @@ def test_a_reader_who_is_gone_is_known_however_the_system_tells_it(monkeypatch, 
             assert os.read(read_fd, 100).splitlines() == ["grün \\u270f".encode("cp850")]
 
             def refuse(*_: object) -> int:
-                raise OSError(told, os.strerror(told))
+                raise OSError(printed, os.strerror(printed))
 
             with monkeypatch.context() as gone:
                 gone.setattr(os, "write", refuse)

@@ -5,8 +5,9 @@ import json
 import pytest
 
 from rcj_challenges.records.result import read_result
+from tests.cli.conftest import STAND
 from tests.cli.in_this_process import here
-from tests.cli.test_run import DUEL, STAND, short
+from tests.cli.test_run import DUEL, short
 
 
 @pytest.fixture
@@ -27,10 +28,10 @@ def test_an_interruption_that_an_import_makes_an_error_of_is_one(tmp_path, monke
 
     monkeypatch.setattr("rcj_challenges.match.stage.build_stage", numpy)
     assert here(monkeypatch, tmp_path, *short(team, *DUEL)) == 130
-    told = capsys.readouterr().out
+    result_printed = capsys.readouterr().out
     (folder,) = (tmp_path / "runs").iterdir()
-    assert "interrupted before the first half" in told
-    assert f"record: {folder.relative_to(tmp_path)}" in told
+    assert "interrupted before the first half" in result_printed
+    assert f"record: {folder.relative_to(tmp_path)}" in result_printed
     assert read_result(folder).stopped == "KeyboardInterrupt"
 
 
@@ -50,11 +51,11 @@ def test_result_of_an_interrupted_match_is_printed_once(tmp_path, monkeypatch, c
     monkeypatch.setattr(moment, interrupt)
     assert here(monkeypatch, tmp_path, *short(team, "--json", *DUEL)) == 130
     printed, lines = capsys.readouterr()
-    told = json.loads(printed)
+    result_printed = json.loads(printed)
     (folder,) = (tmp_path / "runs").iterdir()
     is_played = moment != "rcj_challenges.match.stage.build_stage"
     assert ("interrupted after half 1 of 1: " in lines) is is_played
     assert f"record: {folder.relative_to(tmp_path)}\n" in lines
     result = json.loads((folder / "result.json").read_text("utf-8"))
-    assert told == {**result, "hints": [], "folder": str(folder.relative_to(tmp_path))}
+    assert result_printed == {**result, "hints": [], "folder": str(folder.relative_to(tmp_path))}
     assert result["complete"] is is_played

@@ -84,7 +84,7 @@ def test_a_kill_leaves_no_match_and_no_program(tmp_path: Path, started) -> None:
 
 @POSIX
 @pytest.mark.parametrize("name", ["SIGTERM", pytest.param("SIGINT", marks=pytest.mark.nightly)])
-def test_an_interruption_tells_how_many_were_played(tmp_path: Path, started, name: str) -> None:
+def test_an_interruption_reports_how_many_were_played(tmp_path: Path, started, name: str) -> None:
     process, pids = started
     process.send_signal(getattr(signal, name))
     _, complaint = process.communicate(timeout=120)

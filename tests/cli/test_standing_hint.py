@@ -10,6 +10,7 @@ from rcj_challenges.expect.scripted_match import half_of
 from rcj_challenges.match.motionless import WATCHED_S, MotionlessObserver
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.roster import Roster
+from tests.cli.conftest import ONE_ROBOT
 from tests.cli.in_this_process import here
 
 WITHOUT_POSITION = """\
@@ -51,7 +52,7 @@ def test_who_neither_drives_nor_turns_stands(move, stands):
     assert ("B1" in standing_after(move)) == stands
 
 
-def test_a_half_that_is_too_short_tells_nothing():
+def test_a_half_that_is_too_short_reports_nothing():
     observer = MotionlessObserver(MATCH)
     observer.half_started(half_of(MATCH))
     assert observer.robots() == []
@@ -75,8 +76,8 @@ def without(line, instead):
 )
 def test_hint_for_a_robot_that_never_moves_names_the_reason(tmp_path, monkeypatch, capsys, program, named):
     (tmp_path / "team.py").write_text(program, encoding="utf-8")
-    alone = [f"--set=entrants.{seat}.robots.{seat[0].upper()}{n}=null" for seat in ("blue", "yellow") for n in (2, 3)]
-    match = ["run", "match", "--blue", "team.py", "--yellow", "team.py", "--duration", "11", "--halves", "1", *alone]
+    teams = ("--blue", "team.py", "--yellow", "team.py")
+    match = ["run", "match", *teams, "--duration", "11", "--halves", "1", *ONE_ROBOT]
     assert here(monkeypatch, tmp_path, *match, "--no-replay", "--json") == 0
     result = json.loads(capsys.readouterr().out)
     (hint,) = result["hints"]
