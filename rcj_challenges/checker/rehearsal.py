@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 import time
 from collections.abc import Sequence
 from contextlib import ExitStack, suppress
@@ -11,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from rcj_challenges.checker.advice.hints import read_log
 from rcj_challenges.controllers.team import Team, TeamError, open_team
 from rcj_challenges.core.play import RefereeOutput, Snapshot
 from rcj_challenges.core.timing import ticks_from_s
@@ -26,7 +26,6 @@ SEED = 1
 
 _LEAST_PATIENCE_STEPS = 2.0
 _MAX_OVER = 4.0
-_MAX_LOG_BYTES = 100_000  # at each end
 _STARTED_TICKS = 48  # output arrives every 16 ticks; by then that of the start has arrived
 OWN_TEAM = "your own team"
 _STANDING_ROBOTS = "robots that stand still"
@@ -107,16 +106,7 @@ class Rehearsed:
 
     def log(self, robot: str) -> str:
         """Return what a program printed, and what the match wrote about it: of much the beginning and the end."""
-        try:
-            with (self.folder / LOGS / f"{robot}.log").open("rb") as file:
-                head = file.read(_MAX_LOG_BYTES)
-                size = file.seek(0, os.SEEK_END)
-                file.seek(max(len(head), size - _MAX_LOG_BYTES))
-                rest = file.read(_MAX_LOG_BYTES)
-        except OSError:
-            return ""
-        gap = b"\n...\n" if size > len(head) + len(rest) else b""
-        return (head + gap + rest).decode("utf-8", "replace")
+        return read_log(self.folder / LOGS, robot)
 
 
 def late_from_ticks(simulated_s: float) -> int:

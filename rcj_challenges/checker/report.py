@@ -173,7 +173,7 @@ def check_report(
         sandbox: ``auto``, ``strict`` or ``off``.
         files: of each submission that was checked.
         left_out: what was not looked at.
-        interrupted: whether somebody ended the check.
+        interrupted: whether the check was interrupted.
     """
     counts = {level: sum(file.level == level for file in files) for level in RANKS}
     return CheckReport(

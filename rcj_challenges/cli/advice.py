@@ -12,7 +12,6 @@ if TYPE_CHECKING:
     from rcj_challenges.controllers.team import SuperTeam, Team
     from rcj_challenges.scenario.models.scenario import Scenario
 
-_MAX_LETTERS = 100_000  # of the beginning and of the end of a log
 _ONLY_SPECIAL = ("crash", "start", "protocol")
 """Faults whose general help adds nothing to the fault itself."""
 
@@ -36,21 +35,21 @@ def advice_on(
     faults = [fault for fault in faults if fault["team"] in teams]
     if not faults and not standing:
         return []
-    from rcj_challenges.checker.advice.hints import HELP_BY_FAULT, hint_for, standing_help, whereabouts_in
+    from rcj_challenges.checker.advice.hints import HELP_BY_FAULT, hint_for, read_log, standing_help, whereabouts_in
 
     numbers = {robot: number for seat in scenario.entrants.values() for number, robot in enumerate(seat.robots)}
     seats = {robot: seat for seat, entrant in scenario.entrants.items() for robot in entrant.robots}
     robots: dict[str, dict[str, None]] = {}
     for fault in faults:
         team = teams[fault["team"]].driving(numbers[fault["robot"]])
-        log = _text(logs, fault["robot"])
+        log = read_log(logs, fault["robot"])
         hint = hint_for(scenario, team, fault, log, whereabouts_in(log))
         general = "" if fault["kind"] in _ONLY_SPECIAL else HELP_BY_FAULT.get(fault["kind"], "")
         if help_ := hint.help if hint is not None else general:
             robots.setdefault(help_, {})[fault["robot"]] = None
     for robot in standing:
         team = teams[seats[robot]].driving(numbers[robot])
-        help_ = f"it did not move: {standing_help(scenario, team, robot, _text(logs, robot))}"
+        help_ = f"it did not move: {standing_help(scenario, team, robot, read_log(logs, robot))}"
         robots.setdefault(help_, {})[robot] = None
     hints = [{"robots": list(alike), "help": help_} for help_, alike in robots.items()]
     _write_into_logs(hints, logs)
@@ -63,15 +62,3 @@ def _write_into_logs(hints: Sequence[Mapping[str, Any]], logs: Path) -> None:
             # A full disk is no reason to keep back the result of a match.
             with contextlib.suppress(OSError), (logs / f"{robot}.log").open("a", encoding="utf-8") as log:
                 log.write(f"hint: {hint['help']}\n")
-
-
-def _text(logs: Path, robot: str) -> str:
-    """Return the beginning of a log, where a program asks for its devices, and its end, where a fault stands."""
-    try:
-        with (logs / f"{robot}.log").open("rb") as log:
-            text = log.read(_MAX_LETTERS)
-            size = log.seek(0, 2)
-            log.seek(max(len(text), size - _MAX_LETTERS))
-            return (text + log.read()).decode("utf-8", "replace")
-    except OSError:
-        return ""

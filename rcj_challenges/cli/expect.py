@@ -5,27 +5,19 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from rcj_challenges.cli.stdio import print_json, say
 from rcj_challenges.cli.validate import flat
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.timing import s_from_ticks
-from rcj_challenges.expect.runner import TestResult, run_test
+from rcj_challenges.expect.runner import run_test
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.scenario.reading.inherited_tests import TESTS
 from rcj_challenges.scenario.tree import file_of
 
 _WALL_DIGITS = 4
-
-
-@dataclass(frozen=True)
-class _Played:
-    name: str
-    result: TestResult
-    wall_s: float
 
 
 def run_tests(paths: Sequence[str], overrides: Sequence[str], *, as_json: bool = False) -> int:
@@ -49,7 +41,7 @@ def run_tests(paths: Sequence[str], overrides: Sequence[str], *, as_json: bool =
             code = ScenarioError.exit_code
             say("" if as_json else str(error), sys.stderr)
         else:
-            reports.append(_report(path, loaded, [_play(loaded, name) for name in loaded.scenario.expect]))
+            reports.append(_report(path, loaded))
             code = max(code, 0 if reports[-1]["passed"] else 1)
             if not as_json:
                 _show(reports[-1])
@@ -63,42 +55,35 @@ def run_tests(paths: Sequence[str], overrides: Sequence[str], *, as_json: bool =
 
 def _unusable(path: str, error: ScenarioError) -> dict[str, Any]:
     problems = [flat(problem) for problem in error.diagnostics]
-    return {
-        "file": path,
-        "title": None,
-        "passed": False,
-        "problems": problems,
-        "tests": [],
-        "left_out": {},
-        "untested_rules": [],
-    }
+    nothing: dict[str, Any] = {"tests": [], "left_out": {}, "untested_rules": []}
+    return {"file": path, "title": None, "passed": False, "problems": problems, **nothing}
 
 
-def _play(loaded: Loaded, name: str) -> _Played:
-    began = time.perf_counter()
-    result = run_test(loaded, name)
-    return _Played(name, result, time.perf_counter() - began)
-
-
-def _report(path: str, loaded: Loaded, played: list[_Played]) -> dict[str, Any]:
-    fired = {rule for one in played for rule in one.result.fired}
+def _report(path: str, loaded: Loaded) -> dict[str, Any]:
+    """Play all tests of a file; return what came out."""
+    tests: list[dict[str, Any]] = []
+    fired: set[str] = set()
+    for name in loaded.scenario.expect:
+        began = time.perf_counter()
+        result = run_test(loaded, name)
+        fired.update(result.fired)
+        tests.append(
+            {
+                "name": name,
+                "passed": not result.differences,
+                "inherited_from": _inherited_from(loaded, name),
+                "differences": list(result.differences),
+                "simulated_s": s_from_ticks(result.ticks),
+                "wall_s": round(time.perf_counter() - began, _WALL_DIGITS),
+                "rules": list(result.fired),
+            }
+        )
     return {
         "file": path,
         "title": loaded.scenario.title,
-        "passed": not any(one.result.differences for one in played),
+        "passed": all(test["passed"] for test in tests),
         "problems": [],
-        "tests": [
-            {
-                "name": one.name,
-                "passed": not one.result.differences,
-                "inherited_from": _inherited_from(loaded, one.name),
-                "differences": list(one.result.differences),
-                "simulated_s": s_from_ticks(one.result.ticks),
-                "wall_s": round(one.wall_s, _WALL_DIGITS),
-                "rules": list(one.result.fired),
-            }
-            for one in played
-        ],
+        "tests": tests,
         "left_out": {name: f"{one.where}: {one.message}" for name, one in loaded.left_out.items()},
         "untested_rules": [name for name in loaded.scenario.rules if name not in fired],
     }

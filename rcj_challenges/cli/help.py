@@ -55,7 +55,7 @@ class Group(TyperGroup):
         for heading, rows in groups.items():
             if rows:
                 with formatter.section(heading):
-                    formatter.write_dl([(name.ljust(widest), said) for name, said in rows])
+                    formatter.write_dl([(name.ljust(widest), text) for name, text in rows])
 
     def format_epilog(self, ctx: Any, formatter: Any) -> None:
         """Write the examples as they are typed."""

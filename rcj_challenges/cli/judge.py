@@ -217,9 +217,9 @@ def _lines(judged: _Judged, options: JudgeOptions) -> Iterator[str]:
     yield from map(_line, found[:_MAX_SHOWN])
     if len(found) > _MAX_SHOWN:
         yield f"  … and {len(found) - _MAX_SHOWN} more: --json has them all"
-    gone, new = (sum(getattr(one, side) is None for one in found) for side in ("after", "before"))
-    changed = len(found) - gone - new
-    otherwise = f", {gone} only in the record, {new} only now, {changed} changed" if found else ""
+    missing, new = (sum(getattr(one, side) is None for one in found) for side in ("after", "before"))
+    changed = len(found) - missing - new
+    otherwise = f", {missing} only in the record, {new} only now, {changed} changed" if found else ""
     yield f"  {'' if found else 'all '}{counted(judged.alike, 'event')} as recorded{otherwise}"
     if not (judged.is_as_recorded or options.other_rules):
         yield "  By its own rules the same should come out: were its files changed, or did another version play it?"

@@ -171,13 +171,7 @@ def _report(
 ) -> None:
     """Write hints and the replay page, and print how the match ended: whatever happens to hints and page.
 
-    Args:
-        options: as given.
-        console: where to print it.
-        plan: what was played.
-        outcome: how it ended.
-        standing: the robots that never moved.
-        trouble: why the match could not be shown while it was played; None: it could.
+    ``trouble`` is why the match could not be shown while it was played.
 
     Raises:
         HostError: something cannot be written; the match counts all the same.

@@ -32,12 +32,12 @@ def locate_team(given: str) -> Path:
     if os.path.exists(path) or path.name != given or path.suffix:  # noqa: PTH110 - pathlib's raises for long names
         return path
     near = nearest_name(given.casefold(), shipped_teams())
-    meant = f"did you mean {near}? " if near else ""
+    suggestion = f"did you mean {near}? " if near else ""
     raise UnknownTeamError(
         Diagnostic(
             "unknown-team",
             f"no file, folder or sample team '{sanitize(given)}'",
-            f"{meant}'rcj-challenge teams' lists the sample teams",
+            f"{suggestion}'rcj-challenge teams' lists the sample teams",
         )
     )
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Mapping
-from pathlib import PurePosixPath, PureWindowsPath
+from pathlib import Path, PurePosixPath, PureWindowsPath
 from posixpath import relpath
 from typing import Any
 
@@ -45,6 +46,7 @@ _THREADS_ALONE = (
     "keep that loop in the program itself"
 )
 _MAX_CODE_LETTERS = 80
+_MAX_LOG_BYTES = 100_000  # at each end
 _PLACE = re.compile(r'^  File "(?P<file>[^"]+)", line (?P<line>[0-9]{1,7})\b', re.MULTILINE)
 _NO_MODULE = re.compile(r"^ModuleNotFoundError: No module named '(?P<name>\w{1,100})")
 _NO_FILE = re.compile(r"^FileNotFoundError: \[Errno 2\] No such file or directory: '(?P<path>[^']{1,300})'")
@@ -76,6 +78,25 @@ def hint_for(
     if kind in ("step_timeout", "start_timeout") and whereabouts:
         return _timeout_hint(team, whereabouts)
     return None
+
+
+def read_log(logs: Path, robot: str) -> str:
+    """Return the beginning of a robot's log, where its program asks for devices, and the end, where a fault stands.
+
+    Args:
+        logs: the folder with the robots' logs.
+        robot: its name.
+    """
+    try:
+        with (logs / f"{robot}.log").open("rb") as file:
+            head = file.read(_MAX_LOG_BYTES)
+            size = file.seek(0, os.SEEK_END)
+            file.seek(max(len(head), size - _MAX_LOG_BYTES))
+            rest = file.read(_MAX_LOG_BYTES)
+    except OSError:
+        return ""
+    gap = b"\n...\n" if size > len(head) + len(rest) else b""
+    return (head + gap + rest).decode("utf-8", "replace")
 
 
 def whereabouts_in(log: str) -> str:
