@@ -32,7 +32,6 @@ SENSORS = "sensors"
 REPLAY = "replay.html"
 
 _OTHER_FOLDER = "give another folder with --out"
-_MAX_RUNS_A_SECOND = 10_000
 
 _WAIT_FOR_OTHERS_S = 2.0
 """Virus scanners and indexers look into what was just written for a few tenths of a second."""
@@ -137,20 +136,19 @@ def make_run_folder(out: Path, name: str) -> Path:
     Raises:
         RecordError: the folder cannot be made.
     """
-    try:
-        make_out_folder(out)
-        for number in range(1, _MAX_RUNS_A_SECOND):
-            folder = out / (name if number == 1 else f"{name}-{number}")
-            try:
-                folder.mkdir()
-            except FileExistsError:
-                continue
+    make_out_folder(out)
+    folder, number = out / name, 1
+    while True:
+        try:
+            folder.mkdir()
+        except FileExistsError:
+            number += 1
+            folder = out / f"{name}-{number}"
+        except OSError as error:
+            message = f"cannot make a folder for the record in {sanitize(out)}: {format_error(error)}"
+            raise RecordError("cannot-write-record", message, _OTHER_FOLDER) from error
+        else:
             return folder
-    except OSError as error:
-        message = f"cannot make a folder for the record in {sanitize(out)}: {format_error(error)}"
-        raise RecordError("cannot-write-record", message, _OTHER_FOLDER) from error
-    message = f"cannot make a folder for the record in {sanitize(out)}: there are too many called {name}"
-    raise RecordError("cannot-write-record", message, _OTHER_FOLDER)
 
 
 @contextmanager
@@ -168,18 +166,14 @@ def replaced(path: Path) -> Iterator[BinaryIO]:
             yield file
             file.flush()
             os.fsync(file.fileno())
-        _put(temporary, path)
+        try:
+            when_free(lambda: temporary.replace(path))
+        except OSError as error:
+            error.filename = str(path)  # that is the file that is open elsewhere, or must not be changed
+            raise
     except BaseException:
         with suppress(OSError):
             temporary.unlink()
-        raise
-
-
-def _put(temporary: Path, path: Path) -> None:
-    try:
-        when_free(lambda: temporary.replace(path))
-    except OSError as error:
-        error.filename = str(path)  # that is the file that is open elsewhere, or must not be changed
         raise
 
 

@@ -191,10 +191,6 @@ class _Handler(BaseHTTPRequestHandler):
             return path
         return None
 
-    def _may_steer(self) -> bool:
-        given = self.headers.get("Authorization", "").encode("utf-8", "replace")
-        return hmac.compare_digest(given, f"Bearer {self.server.served.token}".encode())
-
     # --- answers ----------------------------------------------------------------------------------------------------
 
     def _feed(self) -> None:
@@ -208,13 +204,11 @@ class _Handler(BaseHTTPRequestHandler):
         self._head(200, {"Content-Type": "application/octet-stream", "Transfer-Encoding": "chunked"})
         at = min(int(start), served.feed.size_bytes)
         while (chunk := served.feed.read(at, _KEEP_ALIVE_S)) is not None:
-            self._send_chunk(chunk or KEEP_ALIVE)
+            sent = chunk or KEEP_ALIVE
+            self.wfile.write(b"%x\r\n%b\r\n" % (len(sent), sent))
             at += len(chunk)
         self.wfile.write(b"0\r\n\r\n")
         return None
-
-    def _send_chunk(self, chunk: bytes) -> None:
-        self.wfile.write(b"%x\r\n%b\r\n" % (len(chunk), chunk))
 
     def _replay(self) -> None:
         replay = self.server.served.replay
@@ -228,7 +222,8 @@ class _Handler(BaseHTTPRequestHandler):
             self._answer(200, page, _HTML)
 
     def _steer(self) -> None:
-        if not self._may_steer():
+        given = self.headers.get("Authorization", "").encode("utf-8", "replace")
+        if not hmac.compare_digest(given, f"Bearer {self.server.served.token}".encode()):
             return self._refuse(
                 403, "only the person who started the match may steer it: use the address with the token"
             )

@@ -226,10 +226,11 @@ def page_text(
     """
     viewer = files("rcj_challenges.views.replay") / "viewer"
     style = "".join((viewer / name).read_text("utf-8") for name in kind.styles)
-    script = _script([(viewer / f"{name}.js").read_text("utf-8") for name in kind.scripts])
+    sources = "\n".join((viewer / f"{name}.js").read_text("utf-8") for name in kind.scripts)
+    script = f'"use strict";\n(() => {{\nconst PALETTE_CSS = {inert_json(PALETTE)};\n{sources}\n}})();\n'
     parts = {
         "CSP": _policy(script, style, kind),
-        "TITLE": escaped(_title(facts)),
+        "TITLE": escaped(f"{' - '.join(team['title'][:60] for team in facts['teams'])}: {facts['about'][0][1]}"),
         "STYLE": style,
         "FACTS": inert_json(facts),
         "HALVES": "\n".join(
@@ -243,11 +244,6 @@ def page_text(
     return "".join(parts.get(piece, piece) if index % 2 else piece for index, piece in enumerate(pieces))
 
 
-def _script(sources: list[str]) -> str:
-    joined = "\n".join(sources)
-    return f'"use strict";\n(() => {{\nconst PALETTE_CSS = {inert_json(PALETTE)};\n{joined}\n}})();\n'
-
-
 def _policy(script: str, style: str, kind: PageKind) -> str:
     scripts = f"'sha256-{_hash(script)}' {kind.scripts_from}".strip()
     policy = (
@@ -259,11 +255,6 @@ def _policy(script: str, style: str, kind: PageKind) -> str:
 
 def _hash(text: str) -> str:
     return base64.b64encode(hashlib.sha256(text.encode()).digest()).decode("ascii")
-
-
-def _title(facts: dict[str, Any]) -> str:
-    names = " - ".join(team["title"][:60] for team in facts["teams"])
-    return f"{names}: {facts['about'][0][1]}"
 
 
 def inert_json(value: Any) -> str:

@@ -78,7 +78,7 @@ def robot_facts(robot: SensedRobot) -> dict[str, Any]:
             {
                 "name": device.name,
                 "kind": device.kind,
-                "columns": _panel_width(device),
+                "columns": -(-device.width // _stride(device)) + device_of_class(device.kind).SHOWS_SPEED,
                 "facts": _page_facts(device),
             }
             for device in robot.devices
@@ -148,10 +148,6 @@ def _floats(track: SensorTrack, at: int) -> Array:
     if packet < robot.packets:
         return track.packets[:, packet, part]
     return track.motors[:, at - robot.values - FLOATS_PER_PACKET * robot.packets]
-
-
-def _panel_width(device: DeviceSpec) -> int:
-    return -(-device.width // _stride(device)) + device_of_class(device.kind).SHOWS_SPEED
 
 
 def _stride(device: DeviceSpec) -> int:

@@ -7,7 +7,6 @@ from typing import Any
 from pydantic import BaseModel
 
 from rcj_challenges.scenario.models.field import Wall
-from rcj_challenges.scenario.models.places import Gate
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.set_spots import fixed_spots
@@ -37,12 +36,16 @@ def visible_things(scenario: Scenario) -> dict[str, Any]:
         ],
         # One that moves has its posts in the frame of what it moves with; `anchor` is the place of that in the list.
         "gates": [
-            gate.model_dump(mode="json") | {"name": name, "used": name in used, "anchor": _anchor(roster, gate)}
+            gate.model_dump(mode="json")
+            | {"name": name, "used": name in used, "anchor": roster.index.get(gate.anchor or "")}
             for name, gate in scenario.gates.items()
         ],
         # Spots that rules set are left out: their positions are not in the record.
         "spots": [{"name": name, **spot.model_dump(mode="json")} for name, spot in fixed_spots(scenario).items()],
-        "seats": [_seat(scenario, name) for name in scenario.entrants],
+        "seats": [
+            {"name": name, "colour": _seat_colour(scenario, name), "letter": _letters(scenario).get(name, "")}
+            for name in scenario.entrants
+        ],
         "score_counts": shows_score(scenario),
         "counted": counted_names(scenario),
         "held_phases": [name for name, phase in scenario.phases.items() if phase.robots == "held"],
@@ -74,10 +77,6 @@ def _used_gates(scenario: Scenario, roster: Roster) -> set[str]:
         if name in scenario.gates or name in scenario.groups
     }
     return {member for name in named for member in roster.expand(name) if member in scenario.gates}
-
-
-def _anchor(roster: Roster, gate: Gate) -> int | None:
-    return None if gate.anchor is None else roster.index[gate.anchor]
 
 
 def _texts(value: Any) -> tuple[str, ...]:
@@ -121,14 +120,6 @@ def _seat_colour(scenario: Scenario, name: str) -> str:
     robots = scenario.entrants[name].robots
     colours = [scenario.robots[robot].colour for robot in robots if robot in scenario.robots]
     return css_colour(colours[0] if colours else "grey")
-
-
-def _seat(scenario: Scenario, name: str) -> dict[str, Any]:
-    return {
-        "name": name,
-        "colour": _seat_colour(scenario, name),
-        "letter": _letters(scenario).get(name, ""),
-    }
 
 
 def _letters(scenario: Scenario) -> dict[str, str]:
