@@ -22,6 +22,8 @@ from rcj_challenges.views.stats.ends import attacked_ends, own_end
 from rcj_challenges.views.stats.motion import motion_of, play_mask
 from rcj_challenges.views.stats.touches import Contacts, Goals, Shot, owners, shots_of, touch_ends
 from tests.made_up_runs import (
+    GOAL_EVERY_TICKS,
+    begun_run,
     small_scenario,
     with_changes,
     write_made_up_run,
@@ -86,6 +88,53 @@ def test_a_rule_over_goals_or_balls_gives_points_at_the_ends_of_all_its_goals(ea
         "actions: [{action: score, entrant: yellow}]}}\n"
     )
     assert attacked_ends(loaded.scenario, loaded.roster)["yellow"] == BOTH
+
+
+GOAL_RULES = """schema_version: 1
+id: goals
+title: Goals
+extends: soccersim_v2
+rules:
+  goal:
+    {each}triggers: [{{trigger: enters, entity: ball, zone: yellow_goal}}]
+    conditions: [{{condition: last_touch, by: {by}}}]
+    actions: [{{action: score, entrant: {who}}}]
+"""
+
+
+@pytest.mark.parametrize(
+    ("each", "by", "who", "ends"),
+    [
+        # Against the way they start: only the rule can tell.
+        ("for_each: yellow\n    ", "each", "each", {"yellow": {-1}, "blue": set()}),
+        ("", "yellow", "yellow", {"yellow": {-1}, "blue": set()}),
+        # Of the last to touch it nothing is known beforehand: each attacks the end at which the others start.
+        ("", "robots", "{last_touch: ball}", {"yellow": {1}, "blue": {-1}}),
+    ],
+)
+def test_an_end_is_attacked_by_those_who_may_get_points_there(each, by, who, ends):
+    loaded = load_text(GOAL_RULES.format(each=each, by=by, who=who))
+    assert attacked_ends(loaded.scenario, loaded.roster) == ends
+
+
+@pytest.mark.parametrize(
+    ("zone", "end"),
+    [
+        ("shape: rect, y_min_m: 0.65", 1),
+        ("shape: rect, y_max_m: -0.65", -1),
+        ("shape: circle, centre_m: [0, 0.7], radius_m: 0.1", 1),
+        ("shape: circle, centre_m: [0, -0.7], radius_m: 0.1", -1),
+        ("shape: polygon, points_m: [[0, 0.6], [0.2, 0.74], [-0.2, 0.74]]", 1),
+        ("shape: polygon, points_m: [[0, -0.6], [0.2, -0.74], [-0.2, -0.74]]", -1),
+        ("shape: half_plane, through_m: [0, 0.7], normal: [0, 1]", 1),
+        ("shape: half_plane, through_m: [0, -0.7], normal: [0, -1]", -1),
+    ],
+)
+def test_a_zone_in_which_a_team_gets_points_lies_at_the_end_that_it_attacks(zone, end):
+    team = "blue" if end == 1 else "yellow"  # against the way they start
+    rules = GOAL_RULES.format(each="", by=team, who=team).replace("yellow_goal", "there")
+    loaded = load_text(f"{rules}zones: {{there: {{{zone}}}}}\n")
+    assert attacked_ends(loaded.scenario, loaded.roster)[team] == {end}
 
 
 # --- touches -------------------------------------------------------------------------------------------------------------
@@ -384,6 +433,26 @@ def test_every_figure_has_its_definition(tmp_path: Path) -> None:
         for robot in team["robots"].values():
             assert set(robot) == set(told["definitions"])
     assert all(len(definition["text"]) > 40 for definition in told["definitions"].values())
+
+
+def test_points_of_a_run_that_was_killed_are_those_of_its_log(tmp_path: Path) -> None:
+    writer = begun_run(tmp_path, 2 * GOAL_EVERY_TICKS + 50)  # its result tells of whole halves only
+    killed = Path(shutil.copytree(writer.folder, tmp_path / "killed"))
+    writer.finish({"complete": False})
+    teams = run_stats(killed).teams
+    assert (teams["Alster"].points, teams["Hanse"].points) == (2, 0)
+    # The log goes on for longer than the poses: like judge and the page, the figures end with these.
+    log = killed / "referee.jsonl"
+    (goal, *_) = (line for line in log.read_text("utf-8").splitlines() if '"kind": "score"' in line)
+    with log.open("a", encoding="utf-8") as stream:
+        stream.write(json.dumps(json.loads(goal) | {"tick": 2 * GOAL_EVERY_TICKS + 60}) + "\n")
+        late = {"kind": "event", "half": 1, "tick": 2 * GOAL_EVERY_TICKS + 60, "event": "LATE", "payload": {}}
+        stream.write(json.dumps(late) + "\n")
+    stats = run_stats(killed)
+    assert stats.teams["Alster"].points == 2
+    assert "LATE" not in stats.calls
+    (killed / "referee.jsonl").unlink()
+    assert run_stats(killed).teams["Alster"].points == 0
 
 
 # --- bad input -----------------------------------------------------------------------------------------------------------

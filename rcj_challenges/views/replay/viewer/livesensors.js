@@ -4,7 +4,7 @@
 const FIRST_ROOM = 256;
 
 class LiveSensed {
-  /** facts: which columns there are (views/replay/sensing.py); the first of the table is the tick. */
+  /** facts: which columns there are (views/replay/sensor_blocks.py); the first of the table is the tick. */
   constructor(facts) {
     this.facts = facts;
     this.rows = 0;
