@@ -88,11 +88,6 @@ def test_every_snapshot_is_read_back_equal(played: list, tmp_path_factory: pytes
     shutil.rmtree(writer.folder)
 
 
-def test_equal_runs_have_equal_bytes(tmp_path: Path) -> None:
-    first, second = (write_made_up_run(tmp_path / name, ticks=60) for name in "ab")
-    assert (first / FILE).read_bytes() == (second / FILE).read_bytes()
-
-
 def test_a_run_that_stopped_loses_less_than_a_second(tmp_path: Path) -> None:
     writer = _begun(tmp_path)
     for tick in range(93):

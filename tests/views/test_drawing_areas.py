@@ -90,16 +90,7 @@ def test_offset_from_a_spot_is_a_point():
     ]
 
 
-def test_place_beside_something_that_moves_is_not_drawn():
-    assert places(put("{relative_to: Y1, offset_m: [0.1, 0.05]}")) == []
-
-
 # --- layouts ----------------------------------------------------------------------------------------------------------
-
-
-def test_layout_that_no_rule_places_has_no_place():
-    layout = "placements: {unused: [{entity: ball, at: {point: [0.2, -0.3]}}]}\n"
-    assert places("{action: end}", head=layout) == []
 
 
 # --- spots that rules set ---------------------------------------------------------------------------------------------

@@ -105,11 +105,6 @@ def test_rules_that_only_keep_books_are_left_out_unless_they_have_a_sentence():
     assert "[it]" in sheet(RULE)
 
 
-def test_rules_that_say_the_same_say_it_once():
-    text = sheet(f"rules: {{a: {{{IT}, {END}, says: Over.}}, b: {{{IT}, {END}, says: Over.}}}}\n")
-    assert section(text, "Rules") == "- Over."
-
-
 def test_limits_phases_and_exclusions_of_a_rule_stand_with_it():
     rule = f"cooldown_s: 3, max_executions: 2, phases: [pause], exclusive: x, {IT}, {END}"
     text = sheet(f"phases: {{pause: {{}}}}\nrules: {{a: {{{rule}}}, b: {{{rule}}}}}\n")
@@ -126,15 +121,6 @@ def test_limits_phases_and_exclusions_of_a_rule_stand_with_it():
 def test_rules_that_give_no_points_are_not_ranked_unless_the_scenario_says_how():
     assert section(sheet(RULE), "Scoring") == "No rule gives points."
     assert "Fewer points are better." in sheet(f"{RULE}result: {{rank: [{{score: ascending}}]}}\n")
-
-
-def test_ranking_by_time_says_what_a_team_has_that_does_not_finish():
-    rank = "[{score: descending}, {time: ascending, plus: [{counter: touched, weight: 5}]}]"
-    text = sheet(f"match: {{halves: 1, half_s: 90}}\ncounters: {{touched: {{}}}}\nresult: {{rank: {rank}}}\n{RULE}")
-    assert (
-        "More points are better. If that is equal: a shorter time is better: how long the half lasted until a rule "
-        "ended it, 5 s added for each count of the counter “touched”. A team that does not finish has the whole 90 s."
-    ) in text
 
 
 # --- robots, field and programs -----------------------------------------------------------------------------------------

@@ -48,13 +48,6 @@ def test_packets_of_2021_are_unpacked_as_the_sheet_says():
     assert numbers[-1] is False
 
 
-def test_only_robots_with_a_receiver_receive_packets():
-    assert "sends B1, B2, B3, Y1 and Y3 a packet" in received("robots: {Y2: {without: [supervisor receiver]}}\n")
-    deaf = ", ".join(f"{name}: {{without: [supervisor receiver]}}" for name in ("B1", "B2", "B3", "Y1", "Y2", "Y3"))
-    written = received(f"robots: {{{deaf}}}\nbroadcast: {{fields: {{now: {{word: time_s}}}}}}\n")
-    assert written == "No robot has a receiver of the referee's packets."
-
-
 @pytest.mark.parametrize(
     ("preset", "every_ticks", "words"),
     [
@@ -65,14 +58,6 @@ def test_only_robots_with_a_receiver_receive_packets():
 )
 def test_broadcast_comes_when_the_sheet_says(preset, every_ticks, words):
     assert words in received(f"broadcast: {{every_ticks: {every_ticks}, fields: {{now: {{word: time_s}}}}}}\n", preset)
-
-
-@pytest.mark.parametrize(
-    ("messages", "words"), [("v2.1", 'packet.endswith(b"}") is true'), ("v2.2", "key “waiting_for_kickoff” is")]
-)
-def test_broadcast_is_told_from_the_packet_by_its_end_or_its_key(messages, words):
-    fields = "broadcast: {fields: {now: {word: time_s}}}\n"
-    assert words in received(f"kits: {{v2: {{messages: {messages}}}}}\n{fields}")
 
 
 @pytest.mark.parametrize(
@@ -89,20 +74,9 @@ def test_values_that_programs_compare_with_are_written_as_json(field, words):
     assert words in received(f"{more}broadcast: {{fields: {{it: {field}}}}}\n")
 
 
-def test_values_for_some_robots_are_in_a_table_of_their_own():
-    written = received("broadcast: {fields: {a: 1}, only: {Y1: {b: 2}}}\n")
-    assert written.index("| a | 1 |") < written.index("Only for Y1;") < written.index("| b | 2 |")
-
-
 def test_robots_with_an_emitter_can_send_to_the_referee_if_a_rule_listens():
     rule = "rules: {it: {triggers: [{trigger: tells}], actions: [{action: end}], says: Told.}}\n"
     title = "What programs can send to the referee"
     written = section(sheet(rule + "robots: {Y1: {without: [team emitter]}}\n"), title)
     assert "what B1, B2, B3, Y2 and Y3 send with the team emitter on channel 1: text of up to 200 letters" in written
     assert section(sheet(RULE), title) == ""
-
-
-def test_events_are_explained_by_all_rules_that_announce_them():
-    rule = "{triggers: [{trigger: half_started}], actions: [{action: emit, event: OUT}], says: %s}"
-    text = sheet(f"rules: {{a: {rule % 'A ball is out.'}, b: {rule % 'A robot is out.'}}}\n")
-    assert "| OUT | A ball is out. Or: A robot is out. |" in text
