@@ -85,7 +85,7 @@ def test_of_programs_that_are_called_otherwise_it_is_said_which_renaming_would_d
         (tmp_path / "mine" / name).write_text("import robot1\n" if name == files[0] else "x = 1\n", encoding="utf-8")
     assert here(monkeypatch, tmp_path, "run", scenario, "--yellow", "mine") == 2
     printed = capsys.readouterr()
-    assert help in printed.err + printed.out
+    assert help_ in printed.err + printed.out
     assert "did you mean" not in printed.err + printed.out
 
 
