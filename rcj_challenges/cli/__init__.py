@@ -13,6 +13,7 @@ import gc
 import os
 import sys
 import time
+from types import ModuleType
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -184,8 +185,22 @@ def _ignore_signals(handled: list[int]) -> None:
         signal.signal(number, signal.SIG_IGN)
 
 
+class _NoPlugins(ModuleType):
+    """Stands in for pydantic's search for plug-ins, which imports 35 modules even if it is switched off."""
+
+    get_plugins = staticmethod(tuple)
+
+    def __getattr__(self, name: str) -> object:
+        """Return what another version of pydantic has there, from the module itself."""
+        if name.startswith("__"):
+            raise AttributeError(name)
+        del sys.modules[self.__name__]
+        return getattr(__import__(self.__name__, fromlist=[name]), name)
+
+
 def _speed_up_start() -> None:
     """Skip work that the start does not need."""
+    sys.modules.setdefault("pydantic.plugin._loader", _NoPlugins("pydantic.plugin._loader"))
     # Pydantic would look for plug-ins in the metadata of every installed package.
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
     # numpy would start a thread for each further core, and nothing here multiplies large matrices.
