@@ -17,6 +17,8 @@ from rcj_challenges.cli.stdio import print_json, print_lines
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.diagnostics import render_error
 from rcj_challenges.core.errors import RcjError
+from rcj_challenges.core.sanitize import sanitize
+from rcj_challenges.core.timing import s_from_ticks
 
 if TYPE_CHECKING:
     from rcj_challenges.match.rejudge import Difference, Judgement, Score
@@ -197,7 +199,6 @@ def _as_json(judged: _Judged) -> dict[str, Any]:
 
 def _lines(judged: _Judged, options: JudgeOptions) -> Iterator[str]:
     """Yield the lines about a judgement: scores, then each event that differs."""
-    from rcj_challenges.core.sanitize import sanitize
     from rcj_challenges.views.naming import changes_sides
     from rcj_challenges.views.scoreboard import ranking_lines, score_line
 
@@ -226,8 +227,6 @@ def _lines(judged: _Judged, options: JudgeOptions) -> Iterator[str]:
 
 
 def _line(one: Difference) -> str:
-    from rcj_challenges.core.sanitize import sanitize
-    from rcj_challenges.core.timing import s_from_ticks
     from rcj_challenges.views.sentences import clock
 
     when = f"  half {one.half} {clock(s_from_ticks(one.tick)):>7}  {sanitize(one.event, 60)}: "

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.cli.stdio import as_host_error, output_error, print_json, print_lines, shell_quoted
 from rcj_challenges.cli.team_args import UsageError, assignments, known, open_teams
+from rcj_challenges.core.errors import HostError, interruption_behind
+from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.core.timing import TICK_S
 
 if TYPE_CHECKING:
@@ -64,7 +66,6 @@ def run_scenario(options: RunOptions) -> int:
         raise KeyboardInterrupt("the match had not begun, and nothing is recorded") from error
     from rcj_challenges.cli import INTERRUPTED
     from rcj_challenges.cli.live import on_air, stay_on_air
-    from rcj_challenges.core.errors import interruption_behind
     from rcj_challenges.match.motionless import MotionlessObserver
     from rcj_challenges.match.observers import ObserverGroup
     from rcj_challenges.match.runner import MatchInterruptedError, play_match
@@ -177,8 +178,6 @@ def _report(
         HostError: something cannot be written; the match counts all the same.
     """
     from rcj_challenges.cli.advice import advice_on
-    from rcj_challenges.core.errors import HostError, interruption_behind
-    from rcj_challenges.core.sanitize import sanitize
     from rcj_challenges.records.folder import LOGS
 
     hints: list[dict[str, Any]] = []
@@ -286,8 +285,6 @@ def _score_lines(scenario: Scenario, result: dict[str, Any]) -> list[str]:
 
 def _fault_lines(faults: Sequence[dict[str, Any]]) -> list[str]:
     """Return one line for robots that failed alike at the same tick, whichever half it was: mostly all six do."""
-    from rcj_challenges.core.sanitize import sanitize
-
     alike: dict[tuple[str, int, str], dict[str, None]] = {}
     for fault in faults:
         alike.setdefault((fault["kind"], fault["tick"], fault["detail"]), {})[fault["robot"]] = None

@@ -17,6 +17,7 @@ from rcj_challenges.cli.stdio import print_json, print_progress
 from rcj_challenges.cli.team_args import open_teams
 from rcj_challenges.core.amounts import counted, times
 from rcj_challenges.core.errors import RcjError
+from rcj_challenges.core.measures import number_words
 from rcj_challenges.core.sanitize import sanitize
 
 if TYPE_CHECKING:
@@ -287,8 +288,6 @@ def _report(outcomes: Sequence[Outcome], rank: Sequence[Criterion], options: Sim
 
 def _score_table(report: dict[str, Any]) -> Table:
     from rich.table import Table
-
-    from rcj_challenges.core.measures import number_words
 
     table = Table("entrant", "least", "median", "mean", "most", title=counted(report["played"], "match", "matches"))
     for entrant, spread in report["spread"].items():

@@ -14,6 +14,9 @@ from rcj_challenges.cli.options import Json, Runs, RunsFolder
 from rcj_challenges.cli.stdio import print_json, print_lines
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.diagnostics import render_error
+from rcj_challenges.core.measures import number_words
+from rcj_challenges.core.sanitize import sanitize
+from rcj_challenges.core.timing import TICK_S
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -90,7 +93,6 @@ def show_stats(runs: Sequence[Path | None], out: Path, *, as_json: bool, explain
 
 
 def _print(console: Console, stats: Stats, *, explain: bool) -> None:
-    from rcj_challenges.core.sanitize import sanitize
     from rcj_challenges.views.stats.figures import DEFINITIONS, figure_keys
 
     _print_table(console, stats)
@@ -107,7 +109,6 @@ def _print_table(console: Console, stats: Stats) -> None:
     from rich.box import SIMPLE_HEAD
     from rich.table import Table
 
-    from rcj_challenges.core.timing import TICK_S
     from rcj_challenges.views.sentences import clock
     from rcj_challenges.views.stats.figures import figure_keys
 
@@ -134,8 +135,6 @@ def _print_table(console: Console, stats: Stats) -> None:
 
 def _blocks(stats: Stats, keys: Sequence[str]) -> list[list[tuple[str, dict[str, str], str]]]:
     """Return the rows of each team and those of the balls: name, figures by key, style."""
-    from rcj_challenges.core.measures import number_words
-    from rcj_challenges.core.sanitize import sanitize
     from rcj_challenges.views.stats.figures import figures
 
     blocks = []
@@ -169,8 +168,6 @@ def _parts(widths: Sequence[int], room: int) -> list[list[int]]:
 
 def _print_calls(console: Console, stats: Stats) -> None:
     """Print referee calls and faults, a line for each robot that has any."""
-    from rcj_challenges.core.sanitize import sanitize
-
     for name, team in stats.teams.items():
         for label, robot in sorted(team.robots.items()):
             counts = [f"{event} {count}" for event, count in sorted(robot.calls.items())]

@@ -14,6 +14,7 @@ from rcj_challenges.cli import OK, OUR_FAULT
 from rcj_challenges.cli.help import ORGANIZE, Command
 from rcj_challenges.cli.options import AtOnce, Json, Runs, RunsFolder, Sandbox
 from rcj_challenges.cli.stdio import print_json, print_progress
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 
 if TYPE_CHECKING:
     from rcj_challenges.scenario.models.robots import Entrant
@@ -93,7 +94,6 @@ def _located(teams: Sequence[str]) -> list[Path]:
         DiagnosticError: one does not exist.
     """
     from rcj_challenges.cli.teams import locate_team
-    from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 
     paths = [locate_team(team) for team in teams]
     help_ = "give a submission, a folder of ZIPs, or the name of a sample team"
@@ -109,7 +109,6 @@ def _recorded(folder: Path, teams: Sequence[Path], place: Workplace, sandbox: st
     Raises:
         RcjError: it is not complete, or a program cannot be found.
     """
-    from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
     from rcj_challenges.records.folder import SCENARIO, read_file
     from rcj_challenges.records.lines import parsed
     from rcj_challenges.records.result import has_time_fault, read_result

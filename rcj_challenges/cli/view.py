@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 from rcj_challenges.cli.stdio import print_lines
+from rcj_challenges.core.sanitize import sanitize
 
 _NARROW = 70
 """Narrower terminals get lines instead of a table."""
@@ -32,7 +33,6 @@ def rebuild_replay(run: Path | None, out: Path) -> int:
     Raises:
         RecordError: there is no such record, or nothing in it can be shown.
     """
-    from rcj_challenges.core.sanitize import sanitize
     from rcj_challenges.records.run_record import read_run
     from rcj_challenges.views.replay import write_replay
     from rcj_challenges.views.replay.browse import find_run
@@ -52,7 +52,6 @@ def list_records(out: Path) -> int:
     """
     from rich.table import Column, Table
 
-    from rcj_challenges.core.sanitize import sanitize
     from rcj_challenges.views.console import console_for
     from rcj_challenges.views.replay.browse import list_runs
     from rcj_challenges.views.scoreboard import score_line
