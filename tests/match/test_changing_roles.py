@@ -7,7 +7,6 @@ from rcj_challenges.controllers.team import open_team
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.scenario.load import load_text
 from rcj_challenges.views.sheet import sheet_markdown
-from rcj_challenges.views.stats import run_stats
 
 DUEL = """schema_version: 1
 id: duel
@@ -69,13 +68,6 @@ def test_points_and_counters_count_for_the_team_that_drove(played):
     ranked = [(entry["place"], entry["team"], entry["values"]) for entry in played.result["ranking"]]
     assert ranked == [(1, "blue", [111, 2]), (2, "yellow", [111, 1])]
     assert [half["sides"]["blue"] for half in played.result["halves"]] == ["blue", "yellow"]
-
-
-def test_statistics_take_different_programs_for_different_robots(played):
-    stats = run_stats(played.folder)
-    assert {team: sorted(of.robots) for team, of in stats.teams.items()} == {
-        "Ada": ["B1", "Y1", "Y2"], "Ben": ["B1", "Y1", "Y2"],
-    }  # fmt: skip
 
 
 def test_the_sheet_asks_each_team_for_all_programs(duel):

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from tests.referee.building import acted, at_tick_10
+from tests.referee.building import acted, at_tick_10, place
 
 LEFT, MIDDLE, RIGHT, OUTSIDE = (-0.3, 0.0), (0.0, 0.0), (0.3, 0.0), (0.0, 0.7)
 HOT = "draws: {hot: {values: [left, right], not_last: true}}"
@@ -28,59 +28,53 @@ def events(play) -> list[tuple[str, int]]:
     return [(event.name, event.tick) for event in play.events]
 
 
-def move(play, place: tuple[float, float]) -> None:
-    """Let the ball be somewhere else in the next tick."""
-    play.place("ball", *place)
-    play.play(1)
-
-
 class TestZones:
     @pytest.mark.parametrize(("hot", "ticks"), [("left", [("ONE", 2), ("TWO", 3)]), ("right", [("ONE", 4)])])
     def test_the_drawn_one_is_entered_and_left_and_no_other(self, stage, hot, ticks):
         play = stage(HOT, hears(ENTERS, LEAVES), draws={"hot": hot})
-        for place in (MIDDLE, LEFT, MIDDLE, RIGHT):
-            move(play, place)
+        for where in (MIDDLE, LEFT, MIDDLE, RIGHT):
+            place(play, "ball", *where)
         assert events(play) == ticks
 
     def test_a_change_of_the_draw_is_no_edge(self, stage):
         stays = "{trigger: stays_in, entity: ball, zone: hot, limit_s: 0.32}"
         play = stage(HOT, hears(ENTERS, LEAVES, stays), AGAIN, draws={"hot": "right"})
-        move(play, LEFT)
+        place(play, "ball", *LEFT)
         play.play(11)
         # It lies in what is drawn at tick 10: nothing fires by that, and its stay begins then.
         assert events(play) == []
         play.play(15)
         assert events(play) == [("THREE", 21)]
-        move(play, MIDDLE)
+        place(play, "ball", *MIDDLE)
         assert events(play)[1:] == [("TWO", 28)]
 
     def test_after_a_new_draw_the_other_one_is_followed_at_once(self, stage):
         play = stage(HOT, hears(ENTERS), AGAIN, draws={"hot": "left"})
         play.play(10)
-        move(play, LEFT)
+        place(play, "ball", *LEFT)
         assert events(play) == []
-        move(play, RIGHT)
+        place(play, "ball", *RIGHT)
         assert events(play) == [("ONE", 12)]
 
     def test_what_is_drawn_again_and_stays_the_same_disturbs_no_stay(self, stage):
         stays = "{trigger: stays_in, entity: ball, zone: hot, limit_s: 0.48}"
         same = "draws: {hot: {values: [left]}}"
         play = stage(same, hears(stays), AGAIN)
-        move(play, LEFT)
+        place(play, "ball", *LEFT)
         play.play(20)
         assert events(play) == [("ONE", 17)]
 
     def test_beside_others_it_is_one_of_them(self, stage):
         either = "{trigger: enters, entity: ball, zone: [hot, middle]}"
         play = stage(HOT, hears(either), draws={"hot": "left"})
-        move(play, OUTSIDE)
-        for place in (LEFT, MIDDLE, RIGHT, LEFT):
-            move(play, place)
+        place(play, "ball", *OUTSIDE)
+        for where in (LEFT, MIDDLE, RIGHT, LEFT):
+            place(play, "ball", *where)
         # From the left part straight into the middle is no entry: it was in one of them before.
         assert events(play) == [("ONE", 2), ("ONE", 5)]
 
-    @pytest.mark.parametrize(("hot", "place", "fires"), [("left", LEFT, 1), ("left", RIGHT, 0), ("right", RIGHT, 1)])
-    def test_a_condition_asks_for_the_one_that_is_drawn_now(self, stage, hot, place, fires):
+    @pytest.mark.parametrize(("hot", "where", "fires"), [("left", LEFT, 1), ("left", RIGHT, 0), ("right", RIGHT, 1)])
+    def test_a_condition_asks_for_the_one_that_is_drawn_now(self, stage, hot, where, fires):
         rule = "conditions: [{condition: in_zone, entity: ball, zone: hot}],"
         play = stage(
             HOT,
@@ -88,14 +82,14 @@ class TestZones:
             AGAIN,
             draws={"hot": ("right" if hot == "left" else "left", hot)},
         )
-        move(play, place)
+        place(play, "ball", *where)
         play.play(25)
         assert len(play.events) == fires
 
     def test_holds_is_asked_again_when_a_draw_makes_it_true(self, stage):
         holds = "{trigger: holds, condition: {condition: in_zone, entity: ball, zone: hot}}"
         play = stage(HOT, hears(holds), AGAIN, draws={"hot": "right"})
-        move(play, LEFT)
+        place(play, "ball", *LEFT)
         play.play(15)
         assert events(play) == [("ONE", 11)]
 
@@ -108,10 +102,10 @@ class TestZones:
             hears(ENTERS, LEAVES),
             draws={"hot": "right"},
         )
-        move(play, LEFT)
+        place(play, "ball", *LEFT)
         play.play(35)
         assert events(play) == []
-        move(play, MIDDLE)
+        place(play, "ball", *MIDDLE)
         assert [name for name, _ in events(play)] == ["TWO"]
 
 
@@ -126,14 +120,14 @@ class TestGates:
     def test_the_drawn_one_is_crossed_and_no_other(self, stage, door, tick):
         play = stage(self.DOORS, hears(self.CROSSES % ""), draws={"door": door})
         for y in (-0.4, 0.0, 0.4):
-            move(play, (0.0, y))
+            place(play, "ball", 0.0, y)
         assert events(play)[-1:] == [("ONE", tick)]
 
     def test_direction_counts_as_with_any_gate(self, stage):
         play = stage(self.DOORS, hears(*(self.CROSSES % f", direction: {way}" for way in ("forward", "backward"))),
                      draws={"door": "east"})  # fmt: skip
         for y in (0.4, 0.0):
-            move(play, (0.0, y))
+            place(play, "ball", 0.0, y)
         assert events(play) == [("TWO", 1), ("ONE", 2)]
 
 

@@ -126,10 +126,11 @@ def test_a_wall_gives_back_half_of_the_speed(speed, offset):
     assert share_given_back(stage, speed) == pytest.approx(0.5, abs=0.1)
 
 
-@pytest.mark.parametrize("restitution", [0.2, 0.8])
-def test_restitution_is_what_the_scenario_says(restitution):
+# Without restitution the ball's spin still takes it off the wall.
+@pytest.mark.parametrize(("restitution", "off"), [(0.0, 0.15), (0.2, 0.1), (0.8, 0.1)])
+def test_restitution_is_what_the_scenario_says(restitution, off):
     stage = ball_stage(0.5, 0.3, field={"restitution": restitution})
-    assert share_given_back(stage, 0.5) == pytest.approx(restitution, abs=0.1)
+    assert share_given_back(stage, 0.5) == pytest.approx(restitution, abs=off)
 
 
 @pytest.mark.parametrize("friction", [1.5, 2.0])
@@ -142,11 +143,6 @@ def test_so_it_is_on_the_roughest_field(friction, restitution):
             assert share_given_back(stage, speed) == pytest.approx(restitution, abs=0.05)
             stage.play(0.1)
             assert -stage.velocity("ball")[0] > 0.5 * restitution * speed
-
-
-def test_without_restitution_only_the_balls_spin_takes_it_off_the_wall():
-    stage = ball_stage(0.5, 0.3, field={"restitution": 0.0})
-    assert share_given_back(stage, 0.5) < 0.15
 
 
 def test_it_leaves_a_wall_at_the_angle_at_which_a_rolling_ball_does():
@@ -199,13 +195,6 @@ def test_there_is_no_gap_at_the_posts(x):
     for snapshot in stage.play(2):
         x_ball, y_ball, _ = snapshot.substeps[-1][6]
         assert abs(x_ball) < 0.2 or y_ball < 0.75
-
-
-def test_a_ball_in_the_goal_stays_between_its_sides():
-    stage = ball_stage(0.0, 0.8)
-    stage.roll("ball", 1.0, 0.0)
-    for snapshot in stage.play(2):
-        assert abs(snapshot.substeps[-1][6][0]) < 0.2 - BALL_R + 0.006
 
 
 # --- where simulators differ ------------------------------------------------------------------------------------------
