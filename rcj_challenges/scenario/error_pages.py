@@ -72,7 +72,7 @@ Keys are spelled as in the reference; the help lists those that are allowed here
 so that it belongs to another mapping.""",
     "unknown-word": """
 A keyword for a trigger, condition, action, shape, device or the like is unknown.
-The help lists the keywords that are allowed here, or suggests the one that is meant here.""",
+The help lists the keywords that are allowed here, or suggests the nearest one.""",
     "wrong-name": """
 A name contains characters that are not allowed.
 Names consist of letters from a to z in either case, digits and _, and do not begin with a digit.""",

@@ -105,7 +105,7 @@ def test_folder_is_not_a_scenario(tmp_path):
 
 
 @pytest.mark.parametrize("source", ["scenarios/match.yaml", "Match", "match.yml", "scenarios\\match.yaml", "matsch"])
-def test_unknown_file_is_refused_with_the_shipped_scenario_that_may_be_meant(source, tmp_path, monkeypatch):
+def test_unknown_file_is_refused_with_the_nearest_shipped_scenario(source, tmp_path, monkeypatch):
     # Documents write "scenarios/match.yaml"; an installed wheel has no such folder.
     monkeypatch.chdir(tmp_path)
     (problem,) = refused(source)

@@ -20,12 +20,12 @@ def test_a_counter_or_a_score_may_stand_there(section):
 
 
 @pytest.mark.parametrize("section", ["timers", "phases"])
-def test_a_counter_that_is_not_there_is_told(section):
+def test_unknown_counter_as_a_duration_is_refused(section):
     body = f"{COUNTERS}{section}: {{a: {{lasts_s: {{counter: m}}}}}}\n"
     assert complaints(body) == [f"unknown-name {section}.a.lasts_s.counter"]
 
 
-def test_of_a_timer_for_each_it_is_said_whose_counter_is_meant():
+def test_timer_for_each_needs_the_owner_of_its_counter():
     timers = "timers: {{a: {{per: robots, lasts_s: {{counter: own{}}}}}}}\n"
     assert scenario(COUNTERS + timers.format(", entity: each")).timers["a"].lasts_s.entity == "each"
     assert scenario(COUNTERS + timers.format(", entity: Y1")).timers["a"].lasts_s.entity == "Y1"

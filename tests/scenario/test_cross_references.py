@@ -283,7 +283,7 @@ def test_a_test_in_the_file_names_what_exists():
         "{trigger: enters, entity: each, zone: pitch}",
     ],
 )
-def test_a_group_of_for_each_that_is_misspelt_is_told_where_it_is_written_only(uses):
+def test_misspelt_group_of_for_each_is_reported_only_where_it_is_written(uses):
     groups = "zones: {a: {shape: circle, centre_m: [0, 0], radius_m: 0.1}}\ngroups: {doors: [a]}\n"
     rule = f"rules:\n  r: {{for_each: dors, triggers: [{uses}], actions: [{{action: end}}]}}\n"
     assert complaints(groups + rule) == ["unknown-name rules.r.for_each -> doors"]
@@ -298,7 +298,7 @@ def test_a_default_that_names_something_is_checked_too():
     assert ("entity" in problem.help, "puck" in problem.help) == (True, True)
 
 
-def test_a_kit_that_nobody_uses_may_list_robots_that_are_not_there():
+def test_unused_kit_may_list_unknown_robots():
     assert loaded("kits: {old: {packet_lists: [X1]}}\n")
 
 

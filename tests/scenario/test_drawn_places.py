@@ -71,7 +71,7 @@ class TestLint:
             "never-read",
         ]
 
-    def test_a_distance_that_none_of_them_is_far_enough_for_is_told(self):
+    def test_distance_larger_than_the_field_is_reported_for_drawn_zones(self):
         far = "distance, entity: ball, to: hot, at_least: %s"
         assert "never-reached" in kinds(conditioned("{trigger: half_started}", far % 9))
         assert "never-reached" not in kinds(conditioned("{trigger: half_started}", far % 1))

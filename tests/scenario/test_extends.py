@@ -64,7 +64,7 @@ def test_extends_is_one_name(tmp_path, value):
     assert complaint(write(tmp_path, "mine.yaml", f"extends: {value}\n"))
 
 
-def test_a_misspelt_file_in_another_folder_is_told_with_its_folder(tmp_path):
+def test_suggested_file_in_another_folder_has_its_folder(tmp_path):
     (tmp_path / "base").mkdir()
     write(tmp_path, "base/arena.yaml", "title: B\n")
     text = complaint(write(tmp_path, "mine.yaml", "extends: base/arna.yaml\n"))
@@ -89,14 +89,14 @@ def test_a_shipped_scenario_is_extended_by_its_name_as_a_preset_is():
     assert [path.stem for path in loaded.bases] == ["fast_shooter"]
 
 
-def test_what_is_not_shipped_is_told_with_what_is():
+def test_unknown_preset_is_refused_with_the_nearest_one():
     with pytest.raises(ScenarioError, match=r"did you mean 'match'"):
         load_text("extends: mach\n")
     with pytest.raises(ScenarioError, match="did you mean 'fast_shooter'"):
         load_text("extends: fast-shooter\n")
 
 
-def test_a_shipped_scenario_that_is_looked_for_as_a_file_is_told_by_its_name(tmp_path):
+def test_shipped_scenario_as_a_path_is_refused_with_its_name(tmp_path):
     assert complaint(write(tmp_path, "mine.yaml", "extends: match.yaml\n")).endswith("by its name alone: match")
 
 
@@ -138,7 +138,7 @@ def test_a_file_of_ones_own_is_not_passed_over_for_a_shipped_example_of_that_nam
     assert load("slalom").path == scenarios_folder() / "examples" / "slalom.yaml"
 
 
-def test_a_shipped_example_is_found_where_nobody_may_look_for_a_file(tmp_path, monkeypatch):
+def test_shipped_example_is_found_in_an_unreadable_folder(tmp_path, monkeypatch):
     def refuse(path, *_, **__):
         raise PermissionError(13, "Permission denied", str(path))
 
@@ -173,7 +173,7 @@ def test_a_file_may_extend_the_shipped_one_of_its_own_name(tmp_path):
     assert load(write(tmp_path, "slalom.yaml", own)).scenario.id == "own"
 
 
-def test_of_an_unknown_name_all_that_is_shipped_is_told():
+def test_unknown_name_is_refused_with_all_shipped_scenarios():
     with pytest.raises(ScenarioError, match=r"did you mean 'slalom'\?.* examples hot_spot, keeper.*; variants fast_"):
         load("slalon")
 

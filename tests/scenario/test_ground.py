@@ -134,7 +134,7 @@ def test_a_turned_box_covers_other_ground():
 
 
 @pytest.mark.parametrize("end", ["[0, 0]", "[0, 1.0e-200]"])
-def test_a_wall_of_no_length_overlaps_nothing_and_is_told_once(end):
+def test_wall_of_no_length_is_reported_once_and_overlaps_nothing(end):
     body = obstacle(f"shape: wall, from_m: [0, 0], to_m: {end}")  # where the ball lies
     assert complaints(body) == ["empty-shape obstacles.post.to_m"]
 

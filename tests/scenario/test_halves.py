@@ -64,7 +64,7 @@ def test_lengths_of_the_command_line_are_as_many_as_halves(overrides):
 
 
 @pytest.mark.parametrize(("key", "own"), [("halves", "{halves: 3}"), ("half_s", "{half_s: [5, 6, 7]}")])
-def test_it_is_told_in_the_file_of_the_author_not_in_its_base(key, own, tmp_path):
+def test_wrong_number_of_lengths_is_reported_in_the_authors_file_not_in_its_base(key, own, tmp_path):
     (tmp_path / "base.yaml").write_text(f"{HEAD}match: {{halves: 2, half_s: [20, 10]}}\n", encoding="utf-8")
     mine = tmp_path / "mine.yaml"
     mine.write_text(f"extends: base.yaml\nid: mine\nmatch: {own}\n", encoding="utf-8")

@@ -86,11 +86,6 @@ def test_robot_removed_without_its_seat_is_reported_once_and_the_help_works():
     assert loaded(NO_B3)
 
 
-def test_kind_of_a_misused_name_is_part_of_the_message():
-    (problem,) = errors("timers: {nap: {lasts_s: 1}}\n" + rule(action="{action: set_phase, phase: nap}"))
-    assert "'nap', which is a timer" in problem.message
-
-
 @pytest.mark.parametrize(
     "trigger",
     [

@@ -76,7 +76,7 @@ def test_all_inherited_tests_are_removed_at_once_and_own_ones_stay(mine, text):
     assert not [one for one in lint(loaded) if one.code == "inherited-test-left-out"]
 
 
-def test_what_is_left_out_is_told_where_tests_are_played(mine, capsys):
+def test_left_out_tests_are_listed_when_tests_are_run(mine, capsys):
     path = mine("match: {half_s: 60}\n")
     assert run_tests([path], [], as_json=False) == 0
     told = capsys.readouterr().out

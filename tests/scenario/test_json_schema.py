@@ -205,17 +205,6 @@ def test_the_schema_is_written_where_asked(tmp_path, monkeypatch, capsys):
         write_schema(tmp_path / "deep")
 
 
-def test_a_stale_schema_is_noticed(tmp_path, monkeypatch, capsys):
-    from rcj_challenges.scenario import json_schema
-
-    assert not schema_is_fresh(tmp_path)
-    (tmp_path / FILE).write_text(schema_text() + " ", encoding="utf-8")
-    assert not schema_is_fresh(tmp_path)
-    monkeypatch.setattr(json_schema, "schemas_folder", lambda: tmp_path)
-    assert check_schema() == 1
-    assert "stale" in capsys.readouterr().err
-
-
 REPEATED = {"triggers": [{"trigger": "half_started"}], "actions": [{"action": "end"}]}
 
 

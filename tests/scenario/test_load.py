@@ -11,7 +11,7 @@ from rcj_challenges.scenario.errors import ScenarioError, nearest
 from rcj_challenges.scenario.load import load, load_resolved, load_text
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.resources import names_in, scenarios_folder
-from tests.scenario.writing import HEAD, loaded, problems_of
+from tests.scenario.writing import HEAD, problems_of
 
 SHIPPED = names_in(scenarios_folder())
 
@@ -25,17 +25,6 @@ def test_the_resolved_scenario_is_json_and_reads_as_the_same(name):
     assert again.roster == first.roster
     assert json.dumps(again.resolved) == text
     assert (again.name, again.path) == (name, None)
-
-
-def test_the_resolved_scenario_holds_defaults_params_and_overrides_but_no_base():
-    resolved = load("match", ["goal_pause_s=4"]).resolved
-    assert resolved["phases"]["goal_pause"] == {
-        "lasts_s": 4.0, "next": "play", "waiting_for_kickoff": True, "clock": "runs", "robots": None,
-    }  # fmt: skip
-    assert resolved["extends"] is None
-    assert resolved["limits"]["step_s"] == 5.0
-    assert resolved["rules"]["kickoff_blue"]["triggers"][0]["from"] == "goal_pause"
-    assert resolved["params"]["goal_pause_s"] == 4
 
 
 def test_what_a_record_holds_is_checked_too():
@@ -91,7 +80,7 @@ def test_the_nearest_match(word, known, hint):
         (f"sub/{'x' * 300}", "shipped are "),
     ],
 )
-def test_a_file_of_ones_own_that_may_be_meant_is_told_as_it_is_written(tmp_path, monkeypatch, asked, suggested):
+def test_nearest_own_file_is_suggested_as_it_is_written(tmp_path, monkeypatch, asked, suggested):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "sub").mkdir()
     for name in ("quiet.yaml", "arena.yml", "sub/slalons.yaml"):
@@ -99,11 +88,6 @@ def test_a_file_of_ones_own_that_may_be_meant_is_told_as_it_is_written(tmp_path,
     with pytest.raises(ScenarioError) as error:
         load(asked)
     assert error.value.diagnostics[0].help.startswith(suggested)
-
-
-def test_kinds_of_values_stay_as_written():
-    found = loaded("draws: {d: {values: [1, 1.0, true, '1', one]}}\n").scenario.draws["d"].values
-    assert [type(value) for value in found] == [int, float, bool, str, str]
 
 
 @pytest.mark.parametrize(

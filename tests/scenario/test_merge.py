@@ -6,7 +6,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.reading.merge import Merger
 from rcj_challenges.scenario.reading.yaml_strict import parse_text
@@ -27,11 +26,6 @@ def merged(*texts):
 def test_mappings_merge_by_key_and_keep_the_rest_of_the_base():
     data, _ = merged("match: {halves: 2, half_s: 600}", "match: {half_s: 60}")
     assert data == {"match": {"halves": 2, "half_s": 60}}
-
-
-def test_lists_and_single_values_replace():
-    data, _ = merged("groups: {g: [a, b, c]}\ntitle: Base", "groups: {g: [d]}\ntitle: Mine")
-    assert data == {"groups": {"g": ["d"]}, "title": "Mine"}
 
 
 def test_overridden_entries_keep_the_place_of_the_base_and_new_ones_follow():
@@ -81,21 +75,6 @@ def test_null_removes_a_named_entry_and_its_place_is_remembered():
     assert data == {"robots": {"B2": {"number": 2}}}
     assert ("robots", "B1") in merger.removed
     assert not merger.problems
-
-
-def test_the_match_with_one_rule_less_and_one_changed(tmp_path):
-    shipped = load("match")
-    (tmp_path / "match.yaml").write_bytes(shipped.path.read_bytes())
-    variant = tmp_path / "variant.yaml"
-    variant.write_text(
-        "extends: ./match.yaml\nid: variant\nrules: {match_start: null, goal_in_blue: {priority: 5}}\n",
-        encoding="utf-8",
-    )
-    found = load(variant).scenario
-    assert list(found.rules) == [name for name in shipped.scenario.rules if name != "match_start"]
-    assert found.rules["goal_in_blue"].priority == 5
-    assert found.rules["goal_in_blue"].actions == shipped.scenario.rules["goal_in_blue"].actions
-    assert found.id == "variant"
 
 
 @pytest.mark.parametrize(

@@ -123,7 +123,7 @@ class TestWhereItStands:
 
 
 class TestWhatIsSaid:
-    def test_the_place_of_the_use_and_how_it_was_reckoned(self):
+    def test_error_has_the_place_of_the_use_and_the_formula(self):
         (problem,) = errors("params: {pause_s: 3}\nphases: {p: {lasts_s: {param: pause_s, times: -2, plus: 1}}}\n")
         assert problem.where == InFile("a.yaml", 6, 31, "phases.p.lasts_s")
         assert problem.message.endswith("found -5 (param 'pause_s' times -2 plus 1)")

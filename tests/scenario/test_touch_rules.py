@@ -5,7 +5,7 @@ import pytest
 from rcj_challenges.rules.refs import Ref, refs_of
 from rcj_challenges.scenario.touch_rules import with_other
 from tests.scenario.test_cross_references import WORLD
-from tests.scenario.writing import kinds, loaded, problems_of
+from tests.scenario.writing import loaded, problems_of
 from tests.whole_scenarios.models import all_models
 
 TOUCH = "{trigger: touches, entity: each, other: %s}"
@@ -73,7 +73,7 @@ def test_what_may_be_touched_must_be_of_the_kind_that_is_needed(action, touched,
     assert refers(f"{{action: {action}}}", "", touched) == [code]
 
 
-def test_who_touches_is_not_the_other_one():
+def test_other_is_never_the_entity_that_touches():
     """Of the robots Y1 is the only one that a rule for Y1 cannot find to be touched."""
     world = "groups: {rest: [B1, B2, B3, Y2, Y3]}\ncounters: {hits: {per: rest}}\nrules:\n  r:\n    %s\n"
     body = "triggers: [{trigger: touches, entity: %s, other: robots}], actions: [{action: count, counter: hits, entity: other}]"
@@ -90,14 +90,14 @@ def test_a_rule_with_another_trigger_does_not_know_it():
         assert refers(trigger=", {trigger: half_started}", **part) == ["unbound-name"]
 
 
-def test_nobody_knows_it_outside_of_rules():
+def test_other_is_unknown_outside_of_rules():
     broadcast = "broadcast: {fields: {at: {position_of: other}}}\n"
     assert [problem.code for problem in problems_of(loaded, broadcast)] == ["unbound-name"]
     layout = "placements: {all: [{entity: ball, at: {relative_to: other}}]}\n"
     assert [problem.code for problem in problems_of(loaded, layout)] == ["unbound-name"]
 
 
-def test_an_entrant_may_be_called_so_and_is_meant_then():
+def test_an_entrant_may_be_called_other():
     body = "entrants: {other: {radio_channel: 5, robots: {Z1: robot.py}}}\nrobots: {Z1: {colour: red, number: 1, kit: v2, start: {x_m: 0, y_m: 0.2, yaw_rad: 0}}}\n"
     touch = "rules: {r: {triggers: [{trigger: touches, entity: ball, other: walls}], actions: [{action: score, entrant: other}]}}\n"
     assert problems_of(loaded, body + touch) == []
@@ -122,25 +122,3 @@ def test_wherever_each_may_stand_other_is_replaced_too(model, key):
 
 
 # --- lint -------------------------------------------------------------------------------------------------------------
-
-TWO = """rules:
-  one:
-    for_each: yellow
-    triggers: [{trigger: touches, entity: each, other: %s}]
-    conditions: [%s]
-    actions: [{action: place, entity: %s, at: start}]
-    says: One.
-  two:
-    for_each: yellow
-    triggers: [{trigger: touches, entity: each, other: blue}]
-    conditions: [%s]
-    actions: [{action: place, entity: %s, at: {spot: centre}}]
-    says: Two.
-result: {rank: [{time: ascending}]}
-flags: {safe: {per: robots, initial: true}}
-"""
-
-
-def test_nothing_touches_itself_so_that_who_touches_and_who_is_touched_are_two():
-    body = (TWO % ("robots", "", "other", "", "each")).replace("yellow", "Y1").replace("other: blue", "other: robots")
-    assert "two-rules-move-one-thing" not in kinds(body)

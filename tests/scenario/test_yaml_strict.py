@@ -9,10 +9,9 @@ import yaml
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.core.diagnostics import InFile
 from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.reading import yaml_strict
-from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES, MAX_DEPTH, parse_bytes, parse_text
+from rcj_challenges.scenario.reading.yaml_strict import MAX_DEPTH, parse_bytes, parse_text
 from rcj_challenges.scenario.tree import Entries, Leaf, Mark, child, plain
 from tests.scenario.writing import problems_of
 
@@ -66,10 +65,6 @@ def test_a_written_null_is_not_an_empty_value(text):
     assert not child(parse_text("key: ''", "f"), "key").empty
 
 
-def test_quoted_scalars_are_always_text():
-    assert plain(parse_text('["1", \'2\', "true", \'null\', ""]', "f")) == ["1", "2", "true", "null", ""]
-
-
 @pytest.mark.parametrize("text", [".inf", "-.Inf", "+.INF", ".nan", ".NaN", "1e999", "-1e400"])
 def test_a_number_that_is_not_finite_is_refused(text):
     assert complaints(f"key: {text}") == ["1:6 invalid-yaml"]
@@ -87,11 +82,6 @@ def test_every_key_and_value_keeps_its_line_and_column():
     flow = child(tree.entries["b"], 1)
     assert flow.key_marks["c"] == Mark("f.yaml", 4, 6)
     assert child(flow.entries["c"], 1).mark == Mark("f.yaml", 4, 13)
-
-
-def test_columns_count_characters_not_bytes():
-    tree = parse_text('{"größe": x}', "f")
-    assert child(tree, "größe").mark == Mark("f", 1, 11)
 
 
 @pytest.mark.parametrize(
@@ -133,25 +123,10 @@ def test_nesting_has_a_limit():
     assert len(complaints("\n".join(" " * i + "a:" for i in range(500)))) == 1
 
 
-def test_size_has_a_limit():
-    with pytest.raises(ScenarioError, match="scenario-too-large"):
-        parse_bytes(b"# " + b"x" * MAX_BYTES, "f.yaml")
-
-
 def test_windows_files_read_the_same():
     text = "a: 1\nb:\n  - größer\n"
-    unix = parse_bytes(text.encode(), "f")
     windows = parse_bytes(b"\xef\xbb\xbf" + text.replace("\n", "\r\n").encode(), "f")
-    assert windows == unix
-
-
-def test_a_file_in_another_encoding_is_named_with_the_place():
-    with pytest.raises(ScenarioError) as caught:
-        parse_bytes("a: 1\nb: für\n".encode("latin-1"), "f.yaml")
-    (problem,) = caught.value.diagnostics
-    assert (problem.code, problem.where) == ("not-utf8", InFile("f.yaml", 2, 5))
-    with pytest.raises(ScenarioError, match="not-utf8"):
-        parse_bytes("a: 1".encode("utf-16"), "f.yaml")
+    assert windows == parse_bytes(text.encode(), "f")
 
 
 # --- properties -------------------------------------------------------------------------------------------------------

@@ -199,7 +199,7 @@ class _Explainer:
         model, node = self._model_at(above), node_at(self.root, above)
         allowed = list(fields(model)) if model else []
         given = node.key_marks if isinstance(node, Entries) else {}
-        # One that stands beside it is not meant; one that a base has may be.
+        # A key that stands beside it is not the intended one; a key that a base has may be.
         others = [one for one in allowed if one not in given or given[one].file != given[key].file]
         near = next((one for one in OTHER_KEYS.get(key, ()) if one in others), None) or nearest(key, others)
         help_ = f"did you mean '{near}'? " if near else ""
