@@ -240,3 +240,17 @@ class TestLint:
     def test_a_param_in_a_value_is_used(self):
         text = GOALS.replace("worth: 3", "worth: {param: goal_points}") + "params: {goal_points: 4}\n"
         assert not [one for one in lint(loaded(text)) if one.code == "never-used"]
+
+
+def test_unknown_param_in_rows_with_other_keys_is_reported_once():
+    rule = """
+rules:
+  goal:
+    repeat_for: {a: {x: 1}, b: {y: 2}}
+    triggers: [{trigger: half_started}]
+    actions: [{action: score, entrant: {param: ths}}]
+"""
+    assert complaints(rule) == [
+        "wrong-repeat rules.goal.repeat_for.b.y",
+        "unknown-param rules.goal.actions[0] (score).entrant -> this",
+    ]

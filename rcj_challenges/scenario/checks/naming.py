@@ -119,5 +119,7 @@ def removal_help(name: str, sections: Iterable[str], removed: Mapping[Path, Mark
         removed: where entries of a base were removed.
     """
     at = next((removed[section, name] for section in sections if (section, name) in removed), None)
-    where = f"{at.file}:{at.line}" if at is not None and at.line else at.file if at is not None else ""
-    return f"'{name}' was removed in {where}; replace or remove what names it too" if at is not None else ""
+    if at is None:
+        return ""
+    where = f"{at.file}:{at.line}" if at.line else at.file
+    return f"'{name}' was removed in {where}; name another one here, or remove this too ('{name}: null' if it is a key)"

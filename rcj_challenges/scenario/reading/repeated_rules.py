@@ -133,14 +133,11 @@ class _Reader:
             self._add((), node.mark, f"must have {amount}, found {format_node(node)}", _FORMS)
             return []
         self._check_keys(rows)
-        keys = {key for row in rows for key in row.written.entries}
+        keys = dict.fromkeys(key for row in rows for key in row.written.entries if key != THIS)
         for row in rows:
+            own = {key: self._value(inner, (row.step, key)) for key, inner in row.written.entries.items()}
             # What a name lacks is reported once, not again wherever it is used.
-            row.values = {THIS: Leaf(row.name, row.mark)}
-            row.values |= {
-                key: self._value(inner, (row.step, key)) for key, inner in row.written.entries.items() if key != THIS
-            }
-            row.values |= {key: Leaf(None, row.mark) for key in keys - row.values.keys()}
+            row.values = {THIS: Leaf(row.name, row.mark), **{key: own.get(key, Leaf(None, row.mark)) for key in keys}}
         return [row for row in rows if self._is_free(row, taken)]
 
     def _row(self, node: Items | Entries, step: Step, inner: Node) -> _Row | None:
