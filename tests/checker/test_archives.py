@@ -248,6 +248,7 @@ def test_what_is_neither_file_nor_folder_is_not_waited_for(tmp_path: Path) -> No
         inspect(tmp_path / "pipe.zip", scenario())
 
 
+@pytest.mark.nightly
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no paths of this length")
 def test_a_record_with_folders_too_deep_to_be_searched_is_an_error(tmp_path: Path) -> None:
     import os

@@ -242,7 +242,6 @@ def test_without_play_no_program_is_run(pack):
 @pytest.mark.parametrize(
     ("scenario", "team", "robots"),
     [
-        ("fast_shooter", "fast_shooter", ["Y3"]),
         ("pass_the_ball", "pass_the_ball", ["Y1", "Y2", "B1", "B2"]),
         ("scenarios/examples/slalom.yaml", "slalom", ["Y3"]),
     ],

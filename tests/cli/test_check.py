@@ -95,7 +95,8 @@ def test_json_prints_the_report_and_nothing_else(good, bad, capsys, monkeypatch)
     assert report["summary"] == {"files": 2, "passed": 1, "warning": 0, "failure": 1, "unchecked": 0}
 
 
-def test_several_submissions_give_a_table_and_a_summary(tmp_path, good, bad, capsys):
+def test_several_submissions_give_a_table_and_a_summary(good, bad, capsys, monkeypatch):
+    monkeypatch.setattr(many, "check_many", one_after_the_other)
     assert check(good, bad) == 1
     out, err = capsys.readouterr()
     assert "2 submissions: 1 ok, 0 warnings, 1 failure" in out

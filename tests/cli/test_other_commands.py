@@ -75,7 +75,8 @@ def test_a_browser_is_given_a_page_as_its_system_finds_it_also_in_a_folder_with_
     assert address_of(page, "darwin") == address_of(page, "linux") == page.as_uri()
 
 
-def test_simulate_plays_every_seed_and_reports_the_spread(tmp_path, capsys):
+def test_simulate_plays_every_seed_and_reports_the_spread(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(batch, "play_many", played_one_after_the_other)
     team = tmp_path / "team.py"
     team.write_text(STAND, "utf-8")
     code = run(
