@@ -124,7 +124,7 @@ def test_a_match_that_cannot_be_played_is_no_verdict(team, monkeypatch, error, e
     assert report(checked).exit_code == exit_code
 
 
-def test_where_no_process_can_be_started_nothing_is_said_about_the_teams(team, monkeypatch):
+def test_submissions_are_unchecked_if_no_process_can_be_started(team, monkeypatch):
     paths = [team(name="a.zip"), team(name="b.zip")]
     monkeypatch.setattr(many.subprocess, "Popen", raising(OSError(errno.EAGAIN, "Resource temporarily unavailable")))
     checked = check_many(paths, MATCH, SHORT, 2, lambda _: None)

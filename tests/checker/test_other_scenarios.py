@@ -31,7 +31,7 @@ def layout(path, scenario=MATCH):
     return inspect(path, scenario.scenario).stages[1].findings
 
 
-def test_programs_for_a_shipped_challenge_are_reported_which_one_fits_before_any_renaming(submission):
+def test_programs_for_a_shipped_challenge_get_its_name_before_any_renaming(submission):
     (found,) = layout(submission("pass_ball_yellow/pass_ball_yellow.py", "pass_ball_blue/pass_ball_blue.py"))
     assert (found.code, found.level) == ("layout.missing", "failure")
     assert found.help.startswith("it looks like one for pass_the_ball: rcj-challenge check ")
@@ -44,7 +44,7 @@ def test_where_several_fit_all_are_named(submission):
     assert "--scenario fast_shooter" in found.help
 
 
-def test_programs_that_fit_no_shipped_scenario_are_reported_only_how_to_be_called(submission):
+def test_programs_that_fit_no_shipped_scenario_get_only_the_names_that_they_need(submission):
     (found,) = layout(submission("players/everything.py"))
     assert "looks like one for" not in found.help
     assert found.help.startswith("add or rename the program")
@@ -77,7 +77,7 @@ while robot.step(64) != -1:
 """
 
 
-def test_a_program_of_2021_is_reported_the_scenario_of_its_robots_before_what_follows_from_it(submission):
+def test_program_of_2021_gets_the_scenario_of_its_robots_as_the_first_help(submission):
     paths = [f"robot{number}/robot{number}.py" for number in (1, 2, 3)]
     findings = check_file(submission(*paths, program=FOR_2021), QUICK, CheckOptions()).stages[4].findings
     assert [finding.code for finding in findings] == ["start.no_device", *["start.crash"] * (len(findings) - 1)]

@@ -62,7 +62,7 @@ def findings(report, name, level=None):
     return [finding for finding in stage(report, name).findings if level in (None, finding.level)]
 
 
-def test_a_sane_team_passes_and_every_robot_of_both_sides_is_reported_of():
+def test_sound_team_passes_and_every_robot_of_both_sides_is_in_the_report():
     report = check_file(teams_folder() / "ball_chaser", MATCH, replace(SHORT, play_s=6.0))
     assert (report.level, report.team, report.file) == ("passed", "Ball Chaser", "ball_chaser")
     assert [stage.level for stage in report.stages] == ["passed"] * 6
@@ -144,7 +144,7 @@ def test_a_hang_costs_its_limit_once(pack):
     assert all(f'File "{ENTRY}", line 10' in found.details for found in failures)
 
 
-def test_a_program_that_is_slow_on_every_step_fails_and_is_reported_what_a_half_allows(pack):
+def test_program_that_is_slow_on_every_step_fails(pack):
     slow = alone("limits.step_s=5", "limits.half_s=10")
     work = "    x = 0\n    while x < 120_000:\n        x += 1\n"
     report = check_file(pack(BEGIN + "while robot.step(32) != -1:\n" + work), slow, SHORT)
@@ -161,7 +161,7 @@ def test_robots_that_stand_still_and_touch_no_ball_are_a_warning(pack):
     assert report.level == "warning"
 
 
-def test_a_robot_that_sleeps_the_match_away_is_reported_and_not_to_look_for_its_motors(pack):
+def test_robot_that_sleeps_through_the_match_is_reported_without_advice_about_motors(pack):
     program = BEGIN.replace("8)", "0)") + "import time\nrobot.step(32)\ntime.sleep(500)\n" + LOOP
     report = check_file(pack(program), ALONE, replace(SHORT, play_s=3.0))
     warnings = [finding for finding in findings(report, "play", "warning") if finding.code != "play.no_touch"]

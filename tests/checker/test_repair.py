@@ -79,7 +79,7 @@ def test_a_mechanical_defect_is_put_right(tmp_path: Path, name: str) -> None:
 
 
 @pytest.mark.parametrize("name", BEYOND)
-def test_what_needs_thought_is_left_and_told(tmp_path: Path, name: str) -> None:
+def test_defects_that_need_a_decision_are_listed(tmp_path: Path, name: str) -> None:
     case = ALL[name]
     result, out = repaired(tmp_path, built(name), case.scenario)
     assert result.left

@@ -63,9 +63,7 @@ def test_the_end_of_a_match_and_the_log_name_the_messages_that_a_program_was_wri
         assert log.read_text(encoding="utf-8").splitlines()[-1] == "hint: " + line.partition(": ")[2]
 
 
-def test_who_reads_the_result_as_json_is_reported_the_same_and_the_record_keeps_what_happened_alone(
-    tmp_path, monkeypatch, capsys
-):
+def test_hints_are_in_the_printed_json_and_not_in_the_record(tmp_path, monkeypatch, capsys):
     (tmp_path / "team.py").write_text(JSON_PROGRAM, encoding="utf-8")
     assert here(monkeypatch, tmp_path, *short("team.py", "--json", "--no-replay", *DUEL)) == 0
     printed = json.loads(capsys.readouterr().out)
@@ -78,7 +76,7 @@ def test_who_reads_the_result_as_json_is_reported_the_same_and_the_record_keeps_
 
 
 @pytest.mark.parametrize("output", ["--json", "--quiet"])
-def test_a_match_is_reported_also_where_the_advice_fails_by_a_fault_of_ours(tmp_path, monkeypatch, capsys, output):
+def test_result_is_printed_when_the_hints_fail(tmp_path, monkeypatch, capsys, output):
     def fails(*_):
         raise LookupError("no such advice")
 

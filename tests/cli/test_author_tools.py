@@ -334,7 +334,7 @@ class TestSheet:
             (r"\\server\kurse\a$b.yaml", "\\", r'"\\server\kurse\a$b.yaml"'),
         ],
     )
-    def test_a_path_is_reported_as_the_shell_of_this_system_takes_it(self, monkeypatch, path, separator, printed):
+    def test_paths_are_quoted_for_the_shell_of_this_system(self, monkeypatch, path, separator, printed):
         """The shells of Windows know no single quotes, and a backslash is nothing special there."""
         with monkeypatch.context() as system:
             system.setattr(os, "sep", separator)

@@ -55,7 +55,7 @@ def test_a_match_is_played_where_no_stream_is_open(tmp_path: Path, match: list[s
 
 @POSIX
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a file that is always full")
-def test_wrong_input_is_wrong_input_also_where_it_cannot_be_told(tmp_path: Path) -> None:
+def test_wrong_input_exits_with_2_when_stderr_is_full(tmp_path: Path) -> None:
     assert in_shell('exec "$@" 2>/dev/full', [*COMMAND, "run", "no_such_scenario"], tmp_path).returncode == 2
 
 

@@ -120,7 +120,7 @@ def outcome(seed, score=None, *, wrong_input=True):
 
 
 @pytest.mark.parametrize(("wrong_input", "code"), [(True, 2), (False, 3)], ids=["this computer's", "ours"])
-def test_what_simulate_has_played_is_reported_also_if_the_disk_is_full_then(monkeypatch, capsys, wrong_input, code):
+def test_simulate_prints_the_matches_played_before_the_disk_was_full(monkeypatch, capsys, wrong_input, code):
     outcomes = [outcome(1, 7), outcome(2, wrong_input=wrong_input), outcome(3, wrong_input=wrong_input)]
     monkeypatch.setattr(batch, "play_many", lambda *_: outcomes)
     assert run("simulate", "match", "--seeds", "1..3", "--json") == code

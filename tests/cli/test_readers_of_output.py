@@ -14,7 +14,7 @@ from rcj_challenges.cli import output_paths, stdio
 from tests.cli.conftest import STAND
 
 
-def test_a_match_goes_on_when_nobody_reads_its_lines_any_more(tmp_path: Path) -> None:
+def test_match_continues_when_its_output_is_no_longer_read(tmp_path: Path) -> None:
     Path(tmp_path, "team.py").write_text(STAND, encoding="utf-8")
     teams = ["--blue", "team.py", "--yellow", "team.py"]
     command = [sys.executable, "-m", "rcj_challenges", "run", "match", *teams, "--halves", "1", "--duration", "2"]
@@ -37,7 +37,7 @@ def printing(monkeypatch: pytest.MonkeyPatch, errors: str, encoding: str = "cp12
 
 
 @pytest.mark.parametrize("errors", ["strict", "surrogateescape"])  # the second is Python's choice on Windows
-def test_a_path_with_letters_that_the_output_lacks_is_reported_all_the_same(monkeypatch, errors: str) -> None:
+def test_letters_that_the_output_cannot_encode_are_replaced(monkeypatch, errors: str) -> None:
     file = printing(monkeypatch, errors)
     stdio.replace_unencodable()
     print("Grün → Łódź.mp4", flush=True)
@@ -63,7 +63,7 @@ def test_a_document_is_utf_8_wherever_it_goes(monkeypatch: pytest.MonkeyPatch) -
 @pytest.mark.parametrize(
     ("printed", "raised"), [(errno.EINVAL, BrokenPipeError), (errno.EPIPE, BrokenPipeError), (errno.ENOSPC, OSError)]
 )
-def test_a_reader_who_is_gone_is_known_however_the_system_reports_it(monkeypatch, printed: int, raised: type) -> None:
+def test_closed_pipe_is_detected_however_the_system_reports_it(monkeypatch, printed: int, raised: type) -> None:
     """Windows says of such a pipe that the argument is invalid."""
     read_fd, write_fd = os.pipe()
     try:

@@ -77,9 +77,7 @@ DUEL = [
         ),
     ],
 )
-def test_of_programs_that_are_called_otherwise_it_is_said_which_renaming_would_do(
-    tmp_path, monkeypatch, capsys, scenario, files, help_
-):
+def test_message_about_misnamed_programs_proposes_a_renaming(tmp_path, monkeypatch, capsys, scenario, files, help_):
     for name in files:
         (tmp_path / "mine" / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / "mine" / name).write_text("import robot1\n" if name == files[0] else "x = 1\n", encoding="utf-8")
@@ -173,7 +171,7 @@ def test_open_shows_the_page_when_the_match_is_over(tmp_path, monkeypatch, capsy
 
 
 @pytest.mark.parametrize("how", ["--json", "--quiet"])
-def test_the_result_is_reported_also_if_there_is_no_room_for_the_replay_page(tmp_path, monkeypatch, capsys, team, how):
+def test_result_is_printed_when_the_disk_is_full_for_the_replay_page(tmp_path, monkeypatch, capsys, team, how):
     def full(folder):
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(folder / "replay.html"))
 
@@ -199,7 +197,7 @@ class Filling(io.StringIO):
         return super().write(text)
 
 
-def test_a_disk_that_is_full_of_what_a_match_reports_does_not_end_it(tmp_path, monkeypatch, capsys, team):
+def test_full_disk_for_printed_lines_does_not_end_a_match(tmp_path, monkeypatch, capsys, team):
     """``run match > told.txt``: what is told may go missing, the match counts."""
     monkeypatch.setattr(sys, "stdout", Filling())
     assert here(monkeypatch, tmp_path, *short(team, *DUEL)) == 2
@@ -276,7 +274,7 @@ def started(tmp_path, team, *more):
 @pytest.mark.parametrize(
     "name", ["SIGINT", *(pytest.param(n, marks=pytest.mark.nightly) for n in ("SIGTERM", "SIGHUP"))]
 )
-def test_who_interrupts_a_match_gets_130_and_a_readable_record(tmp_path, team, name):
+def test_interrupted_match_exits_with_130_and_leaves_a_readable_record(tmp_path, team, name):
     process = started(tmp_path, team, *DUEL)
     pids = children_of(process.pid)
     process.send_signal(getattr(signal, name))

@@ -113,7 +113,7 @@ child.main()
 """
 
 
-def test_the_lifeline_of_a_match_is_nobody_elses_standard_input() -> None:
+def test_lifeline_of_a_match_is_not_its_standard_input() -> None:
     """On Windows whoever asks anything about a pipe waits until the thread that reads it has got something."""
     with subprocess.Popen([sys.executable, "-c", READS], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
         try:

@@ -48,7 +48,7 @@ def standing_after(move):
     ],
     ids=["stands", "drives", "turns", "is put elsewhere"],
 )
-def test_who_neither_drives_nor_turns_stands(move, stands):
+def test_robot_that_neither_drives_nor_turns_is_motionless(move, stands):
     assert ("B1" in standing_after(move)) == stands
 
 

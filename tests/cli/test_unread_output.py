@@ -39,13 +39,13 @@ def unread(name: str):
 
 
 @pytest.mark.parametrize("stream", ["stdout", "stderr"])
-def test_a_test_that_fails_is_reported_by_the_exit_code_though_nobody_reads_of_it(files, stream):
+def test_failed_test_gives_its_exit_code_when_output_is_not_read(files, stream):
     with unread(stream):
         assert run_tests(files("fails"), []) == 1
         assert run_tests(files("wrong", "fails"), []) == 2
 
 
 @pytest.mark.parametrize("stream", ["stdout", "stderr"])
-def test_a_file_that_is_wrong_is_reported_by_the_exit_code_though_nobody_reads_of_it(files, stream):
+def test_invalid_file_gives_its_exit_code_when_output_is_not_read(files, stream):
     with unread(stream):
         assert validate_files(files("sound", "wrong"), [], strict=False, as_json=False) == 2

@@ -77,7 +77,7 @@ def test_many_matches_are_not_begun_where_none_can_be_recorded(tmp_path: Path, d
     assert "a file is not a folder" in complaint
 
 
-def test_a_folder_without_a_result_is_reported_what_it_lacks(tmp_path: Path, command) -> None:
+def test_message_about_a_folder_without_a_result_says_what_is_missing(tmp_path: Path, command) -> None:
     (tmp_path / "moved").mkdir()
     for reads in ("stats", "replay", "view"):
         code, _, complaint = command(reads, "moved")
