@@ -245,6 +245,12 @@ SECTIONS = [
     ("result: {rank: [{time: ascending, plus: [{counter: goal, weight: 1}]}]}\n", "unknown-name result.rank[0].plus[0].counter -> goals"),
     ("broadcast: {fields: {a: {flag: armd}}}\n", "unknown-name broadcast.fields.a.flag -> armed"),
     ("broadcast: {fields: {a: {position_of: each}}}\n", "unbound-name broadcast.fields.a.position_of"),
+    ("timers: {x: {lasts_s: {counter: m}}}\n", "unknown-name timers.x.lasts_s.counter"),
+    ("phases: {x: {lasts_s: {counter: m}}}\n", "unknown-name phases.x.lasts_s.counter"),
+    ("timers: {x: {per: robots, lasts_s: {counter: pushes}}}\n", "missing-entity timers.x.lasts_s.counter"),
+    ("timers: {x: {lasts_s: {counter: pushes, entity: each}}}\n", "unbound-name timers.x.lasts_s.entity"),
+    ("timers: {x: {per: balls, lasts_s: {counter: pushes, entity: each}}}\n", "wrong-kind timers.x.lasts_s.entity"),
+    ("timers: {x: {per: robots, lasts_s: {counter: pushes, entity: each}}}\n", ""),
     ("rules: {r: {for_each: robts, triggers: [{trigger: half_started}], actions: [{action: end}]}}\n",
      "unknown-name rules.r.for_each -> robots"),
 ]  # fmt: skip
@@ -256,7 +262,7 @@ def test_sections_that_name_something_unknown(body, expected, tmp_path):
         "extends: soccersim_v2\nschema_version: 1\nid: b\ntitle: B\n" + WORLD, encoding="utf-8"
     )
     (tmp_path / "mine.yaml").write_text("extends: base.yaml\n" + body, encoding="utf-8")
-    assert [in_short(problem) for problem in problems_of(load, tmp_path / "mine.yaml")] == [expected]
+    assert " + ".join(in_short(problem) for problem in problems_of(load, tmp_path / "mine.yaml")) == expected
 
 
 def test_a_test_in_the_file_names_what_exists():

@@ -8,7 +8,37 @@ import pytest
 
 from rcj_challenges.scenario.lint.registry import LINT_RULES, lint
 from rcj_challenges.scenario.load import load, load_resolved, load_text
-from tests.scenario.linting import SOUND, codes, lint_of, rule
+
+SOUND = """schema_version: 1
+id: sound
+title: Sound
+extends: soccersim_v2
+match: {half_s: 60}
+"""
+
+
+GOAL = """  goal:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    actions: [{action: score, entrant: yellow}]
+    says: A goal.
+"""
+
+
+def lint_of(*sections, rules=""):
+    """Return the warnings about a sound scenario with more sections and rules."""
+    text = SOUND + "".join(f"{section}\n" for section in sections) + "rules:\n" + GOAL + rules
+    return lint(load_text(text, file="it.yaml"))
+
+
+def codes(*sections, rules=""):
+    """Return the codes of these warnings."""
+    return [one.code for one in lint_of(*sections, rules=rules)]
+
+
+def rule(name, trigger, actions="{action: emit, event: TOLD}", more=""):
+    """Return a rule with a sentence."""
+    return f"  {name}: {{triggers: [{trigger}], actions: [{actions}], says: It is so.{more}}}\n"
+
 
 ROOT = Path(__file__).resolve().parents[2]
 SHIPPED = sorted((ROOT / "scenarios").rglob("*.yaml"))
