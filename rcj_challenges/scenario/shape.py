@@ -161,7 +161,7 @@ def tags(shape: Shape) -> dict[str, Shape]:
     for member in members(kind):
         model = bare(member).kind
         if isinstance(discriminator, str):
-            found.update(dict.fromkeys(get_args(fields(model)[discriminator]), member))
+            found.update(dict.fromkeys(get_args(model.model_fields[discriminator].annotation), member))
         else:
             found.update({extra.tag: member for extra in get_args(member)[1:] if isinstance(extra, Tag)})
     return found
