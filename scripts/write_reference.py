@@ -63,18 +63,19 @@ match: {half_s: 60}
 """
 """What stands above every example."""
 
-_INTRO = f"""# Reference: the keywords of a scenario
+_INTRO = f"""# Reference: scenario keywords
 
-Generated from the models by `python scripts/write_reference.py`; do not edit. [authoring.md](authoring.md) shows the
-way from an idea to a published challenge, [recipes.md](recipes.md) has complete examples.
+This page is generated from the models by `python scripts/write_reference.py`; do not edit it.
+[authoring.md](authoring.md) leads from an idea to a published challenge; [recipes.md](recipes.md) has complete
+examples.
 
-Lengths are in metres, times in seconds, angles in radians; x runs along the short side of the field, y along the long
-side, the origin is the centre, and blue defends the goal at +y. Names carry their unit: `_m`, `_s`, `_rad`, `_mps`.
-Durations are rounded up to ticks of 0.032 s. A field marked *required* has no default. Any single value
-may be `{{param: NAME}}`; a number may also be `{{param: NAME, times: -1, plus: 0.02}}`: the param times a number plus a
-number (omit either). Named things are in mappings, with their names as keys.
+Lengths are in metres, times in seconds and angles in radians. The origin is the centre of the field, x runs along its
+short side and y along its long side; blue defends the goal at +y. Field names carry their unit: `_m`, `_s`, `_rad`,
+`_mps`. Durations are rounded up to ticks of 0.032 s. A field marked *required* has no default. Any single value may be
+`{{param: NAME}}`; a number may also be `{{param: NAME, times: -1, plus: 0.02}}`: the param multiplied by `times`, plus
+`plus` (either can be omitted). Named things are entries of mappings, with their names as keys.
 
-Every example becomes a complete scenario with these lines above it, and runs as a test:
+With these lines above it, each example is a complete scenario; all of them run as tests:
 
 ```yaml
 {STAGE}```
@@ -146,7 +147,7 @@ def _tagged(union: Any) -> tuple[Word, ...]:
 CHAPTERS = (
     Chapter(
         "Match, field, balls",
-        "The scene: halves, field, balls.",
+        "The setting: halves, field and balls.",
         (
             Word("match", field.Match),
             Word("field", field.FieldModel),
@@ -156,7 +157,11 @@ CHAPTERS = (
         "ground",
     ),
     Chapter(
-        "Obstacles", "Section `obstacles`: things on the floor, by name.", _tagged(field.Obstacle), "ground", "shape"
+        "Obstacles",
+        "Section `obstacles`: boxes, cylinders and walls on the floor, by name.",
+        _tagged(field.Obstacle),
+        "ground",
+        "shape",
     ),
     Chapter(
         "Robots and entrants",
@@ -179,7 +184,7 @@ CHAPTERS = (
     ),
     Chapter(
         "Zones",
-        "Section `zones`: regions of the floor; an entity is in one if its centre is.",
+        "Section `zones`: regions of the floor; an entity is in a zone if its centre is.",
         _tagged(places.Zone),
         "ground",
         "shape",
@@ -187,14 +192,14 @@ CHAPTERS = (
     Chapter(
         "Gates, spots, groups",
         "Section `gates`: lines to cross. Section `spots`: named points. Section `groups`: several robots, "
-        "balls, obstacles, zones, gates or spots under one name; `robots`, `balls`, `obstacles`, `walls` and each "
-        "colour of a robot always exist.",
+        "balls, obstacles, zones, gates or spots under one name; the groups `robots`, `balls`, "
+        "`obstacles`, `walls` and one for each robot colour always exist.",
         (Word("gates", places.Gate), Word("spots", places.Spot, example="spot")),
         "ground",
     ),
     Chapter(
         "Placements",
-        "Section `placements`: layouts by name, each a list of these, carried out in order.",
+        "Section `placements`: layouts by name; each is a list of the following entries, carried out in order.",
         (
             Word("placements", places.Placing),
             Word("mirror", Mirror),
@@ -203,7 +208,7 @@ CHAPTERS = (
         ),
         "places",
     ),
-    Chapter("Where things go", "The forms of `at:`; the word `start` alone is also allowed.", _tagged(At), "places"),
+    Chapter("Where things go", "The forms of `at`; the bare word `start` is also allowed.", _tagged(At), "places"),
     Chapter(
         "What rules remember",
         "Sections `draws`, `counters`, `flags`, `timers`, `sequences`.",
@@ -229,12 +234,13 @@ CHAPTERS = (
         "conditions",
         "condition",
     ),
-    Chapter("Actions", "What a rule does when it fires, in order.", _tagged(AnyAction), "actions", "action"),
+    Chapter("Actions", "What a rule does, in order, when it fires.", _tagged(AnyAction), "actions", "action"),
     Chapter(
         "Values",
         "A payload or a broadcast may contain literals and any of these values, except `lowest`, `highest` and "
         "`weight`. "
-        "`points` and `count` accept numbers, `counter`, `flag`, `timer` and times by `word` (in whole "
+        "`points` and `count` accept numbers, `counter`, `flag`, `timer`, times given by `word` "
+        "(in whole "
         "seconds, rounded down, unless `fraction: true` is given), `distance` (0 while it is null), `way`, "
         "`told` (0 if it is not a number), and `draw` and `word` if they are numbers; or a list of these to be "
         "summed, each with an optional `weight` beside its own keys. Conditions compare with numbers, "
@@ -249,7 +255,7 @@ CHAPTERS = (
     ),
     Chapter(
         "Broadcast, result, limits",
-        "What programs receive, how entrants are ranked, what programs may use.",
+        "What programs receive, how entrants are ranked, and what programs may use.",
         (
             Word("broadcast", scenario.Broadcast),
             Word("result", scenario.Result),
@@ -262,7 +268,8 @@ CHAPTERS = (
     ),
     Chapter(
         "Tests",
-        "Section `expect`: tests. A script moves things; the referee's decisions are compared with the expected ones.",
+        "Section `expect`: tests, in which a script moves things and the referee's decisions are "
+        "compared with the expected ones.",
         (
             Word("expect", scenario.Expectation),
             Word("given", scenario.Given),
@@ -317,7 +324,7 @@ def page() -> str:
             if example is None:
                 continue
             if example.text in shown:
-                lines.append(f"\nThe example of `{shown[example.text]}` shows it.")
+                lines.append(f"\nSee the example of `{shown[example.text]}`.")
             else:
                 shown[example.text] = word.name
                 lines += ["\n```yaml", example.text.rstrip(), "```"]
@@ -357,7 +364,7 @@ _NAMED: tuple[tuple[Any, str], ...] = (
     (field.Obstacle, "[obstacle](#obstacles)"), (places.Layout, "list of [placements](#placements)"),
     (robots.EntryPoints, "path, or list of paths"),
 )  # fmt: skip
-_SCALARS = {str: "text", int: "whole number", float: "number", bool: "true or false"}
+_SCALARS = {str: "text", int: "whole number", float: "number", bool: "true/false"}
 
 
 def _type_text(shape: Any) -> str:
@@ -370,16 +377,17 @@ def _type_text(shape: Any) -> str:
     arguments = get_args(kind)
     if is_union(kind):
         kinds = dict.fromkeys(_type_text(member) for member in members(shape))
-        text = " or ".join(one for one in kinds if one != "whole number" or "number" not in kinds)
+        *most, last = (one for one in kinds if one != "whole number" or "number" not in kinds)
+        text = f"{', '.join(most)} or {last}" if most else last
     elif is_model(kind):
         word = next((word.name for chapter in CHAPTERS for word in chapter.words if word.model is kind), None)
         is_value = kind in (CounterValue, FlagValue, DrawValue)
         text = f"[{word}](#{word}{'-value' * is_value})" if word else f"{{{', '.join(fields(kind))}}}"
     elif get_origin(kind) is dict:
-        text = f"mapping: name to {_type_text(arguments[1])}"
+        text = f"mapping of names to {_plural(_type_text(arguments[1]))}"
     elif get_origin(kind) is tuple:
         repeated = len(arguments) == 2 and arguments[1] is Ellipsis
-        text = f"list of {'' if repeated else f'{len(arguments)}: '}{_type_text(arguments[0])}"
+        text = f"{'' if repeated else f'{len(arguments)}-element '}list of {_plural(_type_text(arguments[0]))}"
     elif get_origin(kind) is Literal:
         text = " or ".join(f"`{str(word).lower() if isinstance(word, bool) else word}`" for word in arguments)
     else:
@@ -387,9 +395,13 @@ def _type_text(shape: Any) -> str:
     return text
 
 
+def _plural(text: str) -> str:
+    return re.sub(r"(^|, | or |element )(name|number|value|event|path|list|mapping|duration)\b", r"\1\2s", text)
+
+
 def _bounds(info: FieldInfo, shape: Any) -> str:
     bounds = keywords([info, *(get_args(shape)[1:] if hasattr(shape, "__metadata__") else ())], shape)
-    signs = {"exclusiveMinimum": "over", "minimum": "at least", "exclusiveMaximum": "under", "maximum": "at most"}
+    signs = {"exclusiveMinimum": "above", "minimum": "at least", "exclusiveMaximum": "below", "maximum": "at most"}
     if any(without_none(shape) == one for one, _ in _NAMED):
         return ""
     told = [f"{word} {bounds[key]:g}" for key, word in signs.items() if key in bounds]

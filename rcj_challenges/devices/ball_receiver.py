@@ -19,14 +19,14 @@ had no infra-red; one fitted to them gets bytes.)"""
 
 
 class BallReceiverDevice(ReceiverDevice):
-    """The infrared receiver for the ball: strength and direction of each packet."""
+    """The infrared receiver for the ball: it reports the strength and direction of each packet."""
 
     device: Literal["ball_receiver"]
     channel: int = described(4, "channel number that getChannel returns")
     range_m: Positive = described(
         0.6, "greatest 3-D distance between the centres of ball and robot at which it receives, in m"
     )
-    strength_noise: NotNegative = described(0.0, "standard deviation of the strength as a share of it")
+    strength_noise: NotNegative = described(0.0, "standard deviation of the strength, as a share of its value")
     direction_noise_rad: NotNegative = described(0.0, "standard deviation of the direction's bearing in rad")
 
     EXAMPLE = """

@@ -13,7 +13,7 @@ _BY_VELOCITY = math.inf
 
 
 class MotorDevice(Device):
-    """A wheel's motor."""
+    """The motor of a wheel."""
 
     device: Literal["motor"]
     wheel: Literal["left", "right"] = described(..., "the wheel it turns; left is the robot's +y side")

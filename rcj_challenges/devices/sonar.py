@@ -30,11 +30,13 @@ class SonarDevice(Device):
 
     device: Literal["sonar"]
     bearing_rad: float = described(..., "direction in the robot's frame in rad; 0 front, 1.5708 left (+y)")
-    offset_m: NotNegative = described(0.0385, "where the ray starts, from the centre along the bearing, in m")
+    offset_m: NotNegative = described(
+        0.0385, "distance from the robot's centre to the start of the ray, along the bearing, in m"
+    )
     height_m: Positive = described(0.0575, "height of the ray above the floor in m")
     range_m: Positive = described(1.0, "range in m; beyond it, the reading is the out-of-range value", le=20)
     noise: NotNegative = described(
-        0.05, "standard deviation as a share of the value at 1 m and beyond; proportionally less at shorter distances"
+        0.05, "standard deviation as a share of the reading at 1 m and beyond; proportionally less at shorter distances"
     )
     lost_from_rad: Positive = described(
         0.3927, "smallest angle to the surface's normal at which no echo returns, in rad"

@@ -9,14 +9,14 @@ from rcj_challenges.rules.phrasing import metres
 
 
 class TeamReceiverDevice(ReceiverDevice):
-    """Receives the team's radio, on the team's channel."""
+    """Receives team radio on the team's channel."""
 
     device: Literal["team_receiver"]
     range_m: Positive = described(10.0, "range in m; the shorter of this and the emitter's range applies")
 
     EXAMPLE = """
 robots:
-  # Y1 receives team-mates within half a metre only.
+  # Y1 only receives team-mates within half a metre.
   Y1: {devices: {team receiver: {device: team_receiver, range_m: 0.5}}}
 """
     SENTENCE = "team radio, receives from up to 0.5 m"

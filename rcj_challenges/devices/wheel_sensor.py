@@ -13,7 +13,9 @@ class WheelSensorDevice(Device):
 
     device: Literal["wheel_sensor"]
     wheel: Literal["left", "right"] = described(..., "the wheel it measures; left is the robot's +y side")
-    direction: OneOrMinusOne = described(1, "1: the value grows while the robot drives along its +x; -1: it falls")
+    direction: OneOrMinusOne = described(
+        1, "1: the value increases while the robot drives along its +x; -1: it decreases"
+    )
 
     CLASS = "position_sensor"
     ACCEPTS = frozenset({"sampling"})

@@ -14,7 +14,7 @@ from rcj_challenges.tracking.places import Board, CompiledFacing
 
 
 class Towards(Strict):
-    """Faces an entity, a spot or a point, at its position after all placements of the tick."""
+    """Faces an entity, a spot or a point, as positioned after all placements of the tick."""
 
     towards: Annotated[Name | Point, ANCHOR] = described(..., "an entity, a spot, each, a draw's name, or [x, y] in m")
 

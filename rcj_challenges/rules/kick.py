@@ -25,14 +25,15 @@ class DrawnSpeed(Strict):
 
 
 class Kick(Strict):
-    """Makes a placed ball roll away; a mirror of its place also mirrors the aim. In tests the ball stays."""
+    """Makes a placed ball roll away; mirroring its place also mirrors the aim. In tests, the ball stays where it is."""
 
-    towards: At = described(..., "where it rolls to: any form of `at`; random places are drawn each time")
+    towards: At = described(..., "where it rolls to: any form of `at`; random places are redrawn each time")
     speed_mps: (
         _KickSpeed | Annotated[tuple[_KickSpeed, _KickSpeed], Field(strict=False)] | DrawnSpeed | CounterValue
     ) = described(
         ...,
-        "initial speed in m/s, over 0 and at most 3; [least, most]: a random speed in between; {draw: NAME}: "
+        "initial speed in m/s, above 0 and at most 3; [lowest, highest]: a random speed in "
+        "between; {draw: NAME}: "
         "the drawn value; {counter: NAME}: the counter's value when the ball is placed (capped at 3; at 0 or "
         "less the ball lies still)",
         union_mode="left_to_right",

@@ -30,7 +30,8 @@ class Message(Strict):
     )
     is_a: Literal["number", "position"] | None = described(
         None,
-        "number: it must be one number; position: it must be two numbers, x and y in m, each at most 10; if "
+        "number: it must be one number; position: it must be two numbers, x and y in m, at most "
+        "10 m from the centre along each axis; if "
         "omitted: anything",
     )
 

@@ -12,9 +12,9 @@ from rcj_challenges.tracking.state import RefereeState
 
 
 class Mirror(Strict):
-    """Mirrors the place and the aim, but not the facing, always or while a flag is set."""
+    """Mirrors the place and the aim but not the facing, either always or only while a flag is set."""
 
-    axis: Literal["x", "y", "both"] = described(..., "x: x becomes -x; y: y becomes -y; both")
+    axis: Literal["x", "y", "both"] = described(..., "x: x becomes -x; y: y becomes -y; both: both change sign")
     when: Annotated[Name | None, FLAG] = described(
         None, "a flag: mirrored if it is set when the action runs; if omitted: always"
     )

@@ -13,7 +13,9 @@ from rcj_challenges.rules.phrasing import metres, metres_alike
 from rcj_challenges.rules.places import At, place_of
 from rcj_challenges.rules.places.start import Start
 
-NoiseM = Annotated[Point, Field(description="half width of uniform noise on x and y, in m, 0 to 5")]
+NoiseM = Annotated[
+    Point, Field(description="half-widths of the uniform noise added to x and y, in m, each from 0 to 5")
+]
 ClearanceM = Annotated[
     NotNegative,
     Field(description="smallest gap to the outline of any other body, in m; the field's walls do not count"),
@@ -29,11 +31,11 @@ Attempts = Annotated[
 WithoutRoom = Annotated[
     Literal["retry", "stay"],
     Field(
-        description="if there is no room: retry in each tick in which the rule is active, without repeating events, or "
-        "stay where it is"
+        description="if there is no room; retry: try again in each tick in which the rule is active, without "
+        "repeating events; stay: leave the entity where it is"
     ),
 ]
-Roll = Annotated[Kick | None, Field(description="balls only: it rolls away from there; if omitted: it lies still")]
+Roll = Annotated[Kick | None, Field(description="balls only: makes the ball roll away; if omitted: it lies still")]
 
 
 class _Placement(Protocol):

@@ -45,7 +45,7 @@ rules:
     actions: [{action: release, entity: each}]
   penalty:
     triggers: [{trigger: touches, entity: B1, other: walls}]
-    # A number, or the value of a counter or a draw: here a second longer each time.
+    # A number, or the value of a counter or a draw: here, one second longer each time.
     actions: [{action: count, counter: penalty_s}, {action: hold, entity: B1, for_s: {counter: penalty_s}}]
 expect:
   the_touch_of_a_team_mate_frees_a_robot:

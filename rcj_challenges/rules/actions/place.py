@@ -22,7 +22,7 @@ class Place(Action):
     )
     entity: Annotated[Names | None, ENTITIES] = described(None, "what is placed: entities, groups, or each")
     at: At | None = described(None, "where")
-    facing: Facing = described("start", "which way it faces afterwards")
+    facing: Facing = described("start", "direction in which it faces afterwards")
     noise_m: NoiseM = (0.0, 0.0)
     mirror: Mirror | None = described(
         None, "mirrors the place and the aim of a kick; with a layout: all its places and aims"

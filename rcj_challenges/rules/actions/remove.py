@@ -25,7 +25,7 @@ class Remove(Action):
         "later action decides",
     )
     back_at: At = described("start", "where it comes back to")
-    facing: Facing = described("start", "which way it faces when it comes back")
+    facing: Facing = described("start", "direction in which it faces when it comes back")
 
     NOTES = (
         WAITING_NOTE,

@@ -14,7 +14,7 @@ from rcj_challenges.rules.values.reported import ReportedValue
 
 
 class SetSpot(Action):
-    """Set a spot to where something is now. In each half it starts where the file puts it.
+    """Set a spot to where something is now. In each half, the spot starts where the file puts it.
 
     What is off the field leaves it where it is, and so does a message that is no position. What is placed in the same
     tick is still where it was before.
@@ -36,12 +36,12 @@ class SetSpot(Action):
         "{told: NAME} (the position that a robot has sent by radio), or a random point: {uniform_in: ZONES}, "
         "{on_line: [[x, y], [x, y]]}",
     )
-    mirror: Mirror | None = described(None, "sets it to the mirror image of that place")
+    mirror: Mirror | None = described(None, "sets the spot to the mirror image of that place")
 
     IS_BOOKKEEPING = True
     EXAMPLE = """
 spots:
-  # Its place in every half until a rule sets it.
+  # Its position in every half until a rule sets it.
   kicked_from: {x_m: 0, y_m: 0}
 counters: {longest_pass_m: {}}
 rules:

@@ -10,7 +10,7 @@ from rcj_challenges.rules.refs import ENTITIES
 
 
 class WayIs(Compared):
-    """The length of an entity's path in this half, in m, without placements. Also for entities off the field."""
+    """The length of an entity's path in this half in m, not counting placements; also for entities off the field."""
 
     condition: Literal["way"]
     entity: Annotated[Names, ENTITIES] = described(..., "an entity, each, or a group with `of`")

@@ -12,7 +12,7 @@ from rcj_challenges.rules.refs import Ref
 
 
 class Choice(PlaceWord):
-    """One of several spots or points, equally likely, or the one that a draw selected."""
+    """One of several spots or points, chosen with equal probability, or the one that a draw selected."""
 
     choice: Annotated[tuple[Name | Point, ...], Ref("spot", frozenset({"spot"}), groups=True, drawn=True)] = Field(
         ..., strict=False, min_length=1, description="spots, groups of spots, draws that select a spot, or points"

@@ -10,8 +10,8 @@ from rcj_challenges.rules.phrasing import within_words
 # Distances are compared to the nanometre, so that spots at equal distances stand in the order of the file.
 _EQUAL_DIGITS = 9
 CLEARANCE_DESCRIPTION = (
-    "a spot is free if the thing fits there and no centre of a robot or ball (its own included) is within this "
-    "distance, in m"
+    "a spot is free if the entity fits there and no centre of a robot or ball (including its "
+    "own) is within this distance, in m"
 )
 
 

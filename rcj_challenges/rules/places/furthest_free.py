@@ -18,7 +18,8 @@ class FurthestFree(PlaceWord):
     from_: Annotated[Name | Point | None, ANCHOR] = Field(
         None,
         alias="from",
-        description="the entity, spot or point to be far from, each, or a draw's name; if omitted: the moved entity",
+        description="what to be far from: an entity, spot, point, each, or a draw's name; if omitted: the "
+        "entity being placed",
     )
     choose_among: int = described(1, "choose at random among this many of the furthest", ge=1, le=100)
     clearance_m: NotNegative = described(USUALLY_FREE_M, CLEARANCE_DESCRIPTION)

@@ -14,7 +14,7 @@ class NearestFree(PlaceWord):
 
     nearest_free: Annotated[Names, SPOTS] = described(..., "spots, or a group of spots")
     to: Annotated[Name | Point | None, ANCHOR] = described(
-        None, "the entity, spot or point to be near, each, or a draw's name; if omitted: the moved entity"
+        None, "what to be near: an entity, spot, point, each, or a draw's name; if omitted: the entity being placed"
     )
     choose_among: int = described(1, "choose at random among this many of the nearest", ge=1, le=100)
     clearance_m: NotNegative = described(USUALLY_FREE_M, CLEARANCE_DESCRIPTION)

@@ -5,7 +5,7 @@ from rcj_challenges.rules.fields import Point, described
 
 
 class AtPoint(PlaceWord):
-    """A fixed point of the floor."""
+    """A fixed point on the floor."""
 
     point: Point = described(..., "[x, y] in m")
 

@@ -20,7 +20,7 @@ class RelativeTo(PlaceWord):
         "offset from it, [x, y] in m; a mirror applies to a spot together with its offset, but for an entity "
         "only to the offset",
     )
-    turns: bool = described(False, "True: the offset is in the entity's own frame, x forward, and no mirror changes it")
+    turns: bool = described(False, "True: the offset is in the entity's own frame, x forward, and is never mirrored")
 
     KEY = "relative_to"
     EXAMPLE = """

@@ -16,7 +16,7 @@ _SPOT = Ref(
 
 
 class AtSpot(PlaceWord):
-    """A spot, by its name."""
+    """A spot, referred to by name."""
 
     spot: Annotated[Name, _SPOT] = described(..., "name of the spot, or of a draw that selects one")
 

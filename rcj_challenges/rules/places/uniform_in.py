@@ -10,7 +10,7 @@ from rcj_challenges.rules.refs import Ref
 
 
 class UniformIn(PlaceWord):
-    """A random point in a zone, or in several taken as one; all points are equally likely."""
+    """A random point in a zone or in the union of several; all points are equally likely."""
 
     uniform_in: Annotated[Names, Ref("zone", frozenset({"zone"}), groups=True)] = described(
         ..., "a bounded zone; with a list or group: in any of them"

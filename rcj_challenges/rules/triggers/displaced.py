@@ -25,7 +25,7 @@ class Displaced(Trigger):
         alias="from",
         description="measured from where it was last placed (noise included), or from [x, y] in m",
     )
-    distance_m: Positive = described(..., "fires beyond this, in m")
+    distance_m: Positive = described(..., "distance in m beyond which it fires")
     axis: Literal["either", "distance"] = described(
         "distance", "distance: the straight line; either: the larger of the shifts in x and in y"
     )

@@ -11,7 +11,7 @@ from rcj_challenges.rules.refs import PHASE
 
 
 class PhaseEntered(Trigger):
-    """Fires when a phase is entered (one tick after `set_phase`); for the first of a half, use `half_started`."""
+    """Fires when a phase is entered (one tick after ``set_phase``); at the start of a half, use ``half_started``."""
 
     trigger: Literal["phase_entered"]
     phase: Annotated[Name, PHASE] = described(..., "the phase entered")

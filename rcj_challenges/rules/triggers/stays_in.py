@@ -22,7 +22,7 @@ class StaysIn(Trigger):
     zone: Annotated[Names, ZONES] = described(
         ..., "a zone, each, or a draw's name; with a list or group: in any of them"
     )
-    limit_s: DurationS = described(..., "fires as soon as the stay is longer than this, in s")
+    limit_s: DurationS = described(..., "time in s; it fires as soon as the stay is longer")
     grace_s: NotNegative = described(0.0, "absences of up to this time, in s, count as inside")
 
     MEASURED = "the time in s of the stay"

@@ -17,7 +17,7 @@ class TimerExpired(Trigger):
 
     trigger: Literal["timer_expired"]
     timer: Annotated[Name, TIMER] = described(
-        ..., "the timer; for a per-entity timer: with for_each, the member's own; otherwise any"
+        ..., "the timer; if it is kept per entity: with for_each, that of the member; otherwise, any of them"
     )
 
     MEASURED = "the length in s of the timer"

@@ -27,7 +27,9 @@ class Touches(Trigger):
         "conditions and actions can use other for the touched thing",
     )
     every_s: DurationS | None = described(
-        None, "interval in s at which it fires again while the contact lasts; if omitted: only when it begins"
+        None,
+        "interval in s at which it fires again while the contact lasts; if omitted: it fires "
+        "only once, when the contact begins",
     )
 
     EXAMPLE = """
@@ -45,13 +47,13 @@ rules:
     for_each: yellow
     triggers: [{trigger: touches, entity: each, other: blue}]
     actions: [{action: emit, event: FOUL, payload: {robot_name: {word: robot_name}}}]
-  # Without for_each, a rule fires once in a tick, however many robots touch the ball. With for_each it would fire for
+  # Without for_each, a rule fires once per tick, however many robots touch the ball. With for_each it would fire for
   # each of them, since all see the flag as it was at the start of the tick. {last_touch: ball} names one of them.
   first_touch:
     triggers: [{trigger: touches, entity: robots, other: ball}]
     conditions: [{condition: flag, flag: touched, negate: true}]
     actions: [{action: score, entrant: {last_touch: ball}}, {action: set_flag, flag: touched}]
-  # It fires again while the contact lasts: a robot that leans on the other one is warned every 2 s.
+  # It fires again while the contact lasts: a robot that leans on another is warned every 2 s.
   leans:
     triggers: [{trigger: touches, entity: B1, other: Y1, every_s: 2}]
     actions: [{action: emit, event: LEANS}]

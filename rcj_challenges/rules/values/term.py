@@ -11,14 +11,16 @@ from rcj_challenges.rules.fields import described
 
 
 class Term(ValueWord):
-    """A part of a sum: any value that is a number, with a weight beside its own keys."""
+    """A part of a sum: any value that is a number, with a weight next to its own keys."""
 
-    weight: float = described(1.0, "factor of the value; for a flag: the amount that counts if it is set")
+    weight: float = described(
+        1.0, "factor by which the value is multiplied; for a flag: the amount that counts if it is set"
+    )
 
 
 @cache
 def term_of(value: type[ValueWord]) -> type[Term]:
-    """Return the model of a value with a weight beside its own keys."""
+    """Return the model of a value with a weight next to its own keys."""
     doc = f"A part of a sum: the value `{value.KEY}` times a weight."
     bases: Any = (Term, value)
     model: Any = create_model(f"Weighted{value.__name__}", __base__=bases, __module__=__name__, __doc__=doc)

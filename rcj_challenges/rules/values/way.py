@@ -9,7 +9,7 @@ from rcj_challenges.rules.refs import ENTITY
 
 
 class WayValue(ValueWord):
-    """The length of an entity's path in this half in m, to the millimetre, without placements.
+    """The length of an entity's path in this half in m, to the millimetre, not counting placements.
 
     Where rules put it is no way. Since a moment: this less a counter that was set to it then.
     """

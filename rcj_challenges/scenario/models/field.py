@@ -12,9 +12,9 @@ class Match(Strict):
 
     halves: int = described(1, "how many halves are played", ge=1, le=10)
     half_s: DurationS | Annotated[tuple[DurationS, ...], Field(strict=False, min_length=1)] = described(
-        600.0, "simulated length of a half in s; or a list with a length for each half"
+        600.0, "simulated length of each half in s, or a list with one length per half"
     )
-    swap_sides: bool = described(False, "whether two entrants change sides after each half; scores follow the team")
+    swap_sides: bool = described(False, "whether the two entrants change sides after each half; scores follow the team")
 
 
 class Goal(Strict):
@@ -23,7 +23,7 @@ class Goal(Strict):
     end: Literal["positive_y", "negative_y"] = described(..., "the end of the field at which it stands")
     colour: Colour = described(..., "its colour in pictures and the replay: a CSS colour name or #rrggbb")
     width_m: Positive = described(0.4, "inner width of the opening in m")
-    depth_m: Positive = described(0.1, "from the end line to the back wall in m")
+    depth_m: Positive = described(0.1, "distance from the end line to the back wall in m")
     wall_height_m: Positive = described(0.121, "height of the goal's walls above the floor in m")
 
 
@@ -50,7 +50,7 @@ class FieldModel(Strict):
 class Ball(Strict):
     """A ball: a rolling sphere that sends infrared signals to the robots' ball receivers."""
 
-    start_m: Point = described((0.0, 0.0), "where it lies at the start of a half, [x, y] in m")
+    start_m: Point = described((0.0, 0.0), "position at the start of a half, [x, y] in m")
     radius_m: Positive = described(0.021, "radius in m", le=0.2)
     mass_kg: Positive = described(0.05, "mass in kg", le=5)
     colour: Colour = described("#e8590c", "colour in pictures: a CSS colour name or #rrggbb")
@@ -61,7 +61,7 @@ class Ball(Strict):
 
 
 class _Obstacle(Strict):
-    centre_m: Point = described(..., "where its centre stands at the start of a half, [x, y] in m")
+    centre_m: Point = described(..., "position of its centre at the start of a half, [x, y] in m")
     height_m: Positive = described(0.09, "height above the floor in m", le=1)
     movable: bool = described(False, "whether robots can push it")
     mass_kg: Positive = described(0.5, "mass in kg, if movable", le=50)

@@ -4,13 +4,13 @@ from rcj_challenges.rules.fields import Strict, WallTimeS, described
 
 
 class Limits(Strict):
-    """What a program may use. One that exceeds a limit is killed and its wheels stop; others are not affected."""
+    """What a program may use. Over a limit, it is killed and its robot's wheels stop; others are not affected."""
 
-    start_s: WallTimeS = described(30.0, "CPU and idle time from its launch to its first step, in s")
+    start_s: WallTimeS = described(30.0, "CPU and idle time from launch to the first step, in s")
     step_s: WallTimeS = described(5.0, "CPU and idle time in one step, in s")
     half_s: WallTimeS = described(120.0, "CPU and idle time in all steps of a half, in s")
     processor_s: float | None = described(
-        None, "CPU time in a half, in s, outside its steps too; default: start_s + 2 * half_s", gt=0, le=86_400
+        None, "CPU time in a half in s, including time outside steps; default: start_s + 2 * half_s", gt=0, le=86_400
     )
     memory_mb: int = described(1024, "memory in MB", ge=64, le=65_536)
     output_mb: float = described(32.0, "what it may print in a half, in MB", gt=0, le=1024)

@@ -32,7 +32,7 @@ class RectZone(_Zone):
 
 
 class CircleZone(_Zone):
-    """A circle: all points nearer to its centre than its radius."""
+    """A circle: all points closer to the centre than the radius."""
 
     shape: Literal["circle"]
     centre_m: Point = described(..., "centre, [x, y] in m")
@@ -52,7 +52,7 @@ class HalfPlaneZone(_Zone):
     """All points beyond a line, on the side to which the normal points."""
 
     shape: Literal["half_plane"]
-    through_m: Point = described(..., "a point of the line, [x, y] in m")
+    through_m: Point = described(..., "a point on the line, [x, y] in m")
     normal: Point = described(..., "direction that points into the zone, [x, y]; its length does not matter")
 
 
@@ -60,7 +60,7 @@ Zone = Annotated[RectZone | CircleZone | PolygonZone | HalfPlaneZone, Field(disc
 
 
 class Gate(Strict):
-    """A directed line segment. Seen from ``from_m`` to ``to_m``, crossing it from right to left is ``forward``."""
+    """A directed line segment. Looking from ``from_m`` to ``to_m``, crossing it from right to left is ``forward``."""
 
     from_m: Point = described(..., "one post, [x, y] in m; relative to the anchor if there is one")
     to_m: Point = described(..., "the other post, [x, y] in m")
@@ -84,11 +84,9 @@ class Placing(Strict):
 
     NOTES = (WAITING_NOTE,)
 
-    entity: Annotated[Names, MEMBERS] = described(
-        ..., "what is placed: entities or groups; several are placed one after the other"
-    )
+    entity: Annotated[Names, MEMBERS] = described(..., "what is placed: entities or groups, one after the other")
     at: At = described(..., "where")
-    facing: Facing = described("start", "which way it faces afterwards")
+    facing: Facing = described("start", "direction in which it faces afterwards")
     noise_m: NoiseM = (0.0, 0.0)
     mirror: Mirror | None = described(None, "mirrors the place and the aim of a kick")
     min_clearance_m: ClearanceM = 0.0

@@ -14,7 +14,7 @@ class Chassis(Strict):
 
     # Their source: reference, section 2.
 
-    size_m: Positive = described(0.075, "edge of the cube in m", le=0.5)
+    size_m: Positive = described(0.075, "edge length of the cube in m", le=0.5)
     mass_kg: Positive = described(0.2, "mass of the cube in kg", le=20)
     wheel_radius_m: Positive = described(0.02, "radius of the wheels in m", le=0.2)
     wheel_width_m: Positive = described(0.01, "width of the wheels in m", le=0.1)
@@ -24,25 +24,25 @@ class Chassis(Strict):
 
 
 class Kit(Strict):
-    """A kit of robots: chassis, messages and devices. Presets contain ``v2`` and ``legacy_2021``."""
+    """A robot kit: chassis, messages and devices. The presets define ``v2`` and ``legacy_2021``."""
 
     messages: Literal["v2.1", "v2.2", "2021"] = described(
-        "v2.1", "what the referee's packets look like: one byte, JSON text, or the 2021 struct of positions"
+        "v2.1", "format of the referee's packets: one byte (v2.1), JSON text (v2.2), or the 2021 struct of positions"
     )
-    packet_every_ticks: int = described(1, "number of ticks between two packets of the referee", ge=1, le=1000)
+    packet_every_ticks: int = described(1, "number of ticks from one referee packet to the next", ge=1, le=1000)
     packet_lists: Annotated[tuple[Name, ...], ONE_ROBOT] = Field(
         (), strict=False, description="robots whose positions a 2021 packet lists, in order"
     )
     packet_has_flag: bool = described(
-        True, "whether a 2021 packet ends with waiting_for_kickoff (not in the first demo)"
+        True, "whether 2021 packets end with waiting_for_kickoff (those of the first demo did not)"
     )
     control_step_ms: int = described(
         32,
-        "the usual step of programs for this kit in ms, printed on the rule sheet; a program may use another one",
+        "usual control step of programs for this kit in ms, printed on the rule sheet; programs may use others",
         ge=1,
     )
     looks_along: Literal["+x", "-x"] = described(
-        "+x", "the end that is shown as the front in pictures and views; yaw, devices and rules always use +x"
+        "+x", "end shown as the front in pictures and views; yaw, devices and rules always use +x"
     )
     chassis: Chassis = described(Chassis.model_construct(), "the body")
     devices: dict[DeviceName, AnyDevice] = described({}, "devices by the name that programs pass to getDevice")
@@ -54,11 +54,13 @@ class StartPose(Strict):
     x_m: float = described(..., "x in m")
     y_m: float = described(..., "y in m")
     yaw_rad: float = described(..., "yaw in rad, counter-clockwise from +x; 1.57 faces +y")
-    noise_m: Annotated[Point, Field(description="half width of uniform noise on x and y, in m, 0 to 5")] = (0.0, 0.0)
+    noise_m: Annotated[
+        Point, Field(description="half-widths of the uniform noise added to x and y, in m, each from 0 to 5")
+    ] = (0.0, 0.0)
 
 
 class Robot(Strict):
-    """One robot: its colour, its kit, where it starts, and how its devices differ from the kit."""
+    """One robot: its colour, its kit, where it starts, and how its devices differ from those of the kit."""
 
     colour: Name = described(
         ..., "its team colour, a CSS colour name such as blue; also the name of the group of all robots of that colour"
@@ -67,7 +69,7 @@ class Robot(Strict):
     kit: Annotated[Name, SectionRef("kit", ("kits",))] = described(..., "name of its kit")
     start: StartPose = described(..., "where it starts")
     devices: dict[DeviceName, AnyDevice] = described(
-        {}, "devices to add to those of its kit, or to change: an entry without 'device' changes only the given keys"
+        {}, "devices to add to those of its kit, or to change: an entry without `device` changes only the given keys"
     )
     without: tuple[DeviceName, ...] = Field((), strict=False, description="devices of the kit that this robot lacks")
     idle: bool = described(False, "True: no program drives it and its wheels are braked, so it is an obstacle")
@@ -78,13 +80,14 @@ EntryPoints = EntryPoint | Annotated[tuple[EntryPoint, ...], Field(strict=False,
 
 
 class Entrant(Strict):
-    """A competitor and the robots that its programs drive. ``check`` requires these programs in a ZIP."""
+    """A competitor and the robots that its programs drive. ``check`` requires a ZIP to contain these programs."""
 
     robots: Annotated[dict[Name, EntryPoints], Ref("robot", frozenset({"robot"}), keys=True)] = described(
         ...,
-        "program by robot: a path inside the submission, or a list of paths, of which the first that exists is used",
+        "program for each robot: a path inside the submission, or a list of paths, of which the "
+        "first that exists is used",
     )
     radio_channel: int = described(
         2, "team radio channel of all robots that it drives, whatever their colour", ge=1, le=1000
     )
-    title: str = described("", "name of the seat on screen if no team name is given", max_length=64)
+    title: str = described("", "name shown for the seat if no team name is given", max_length=64)

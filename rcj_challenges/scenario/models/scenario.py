@@ -32,7 +32,7 @@ _SCORES = SectionRef("entrant", ("entrants",), keys=True)
 
 
 class Rule(Strict):
-    """If one of its triggers fires and all conditions hold, its actions run in order."""
+    """A rule: if one of its triggers fires and all its conditions hold, its actions run in order."""
 
     triggers: tuple[AnyTrigger, ...] = Field(
         ..., strict=False, min_length=1, description="moments at which the rule may fire; one is enough"
@@ -53,19 +53,22 @@ class Rule(Strict):
     ) = Field(
         None,
         exclude=True,  # when a scenario has been loaded, the rules that came of it stand in its place
-        description="copies the rule for each name: a rule goal becomes goal_yellow and goal_blue; in a copy "
-        "{param: this} is the name and {param: KEY} its value for KEY",
+        description="copies the rule for each name: with [yellow, blue], a rule goal becomes goal_yellow and "
+        "goal_blue; in each copy, {param: this} is the name and {param: KEY} the value that the "
+        "name has for KEY",
         examples=[["yellow", "blue"], {"yellow": {"zone": "blue_goal"}, "blue": {"zone": "yellow_goal"}}],
     )
     phases: Annotated[
         Literal["any"] | Annotated[tuple[Name, ...], Field(strict=False, min_length=1)],
         SectionRef("phase", ("phases",), words=frozenset({"play", "any"})),
     ] = Field(("play",), description="the phases in which the rule is active; any: all of them")
-    priority: int = described(0, "lower fires first; equal priorities fire in file order", ge=-1000, le=1000)
+    priority: int = described(
+        0, "rules with lower numbers fire first, those with equal numbers in file order", ge=-1000, le=1000
+    )
     exclusive: Name | None = described(
         None,
-        "a name shared by several rules, of which only the first fires in a tick; rules with for_each compete "
-        "per member, and never with rules without it",
+        "a name shared by several rules, of which at most one fires per tick; rules with "
+        "for_each compete per member and never with rules without it",
     )
     cooldown_s: DurationS | None = described(
         None, "time after firing during which it cannot fire again, in s; counted per member with for_each"
@@ -93,7 +96,7 @@ class Broadcast(Strict):
         "by the name of a robot or group: values by key that are added to the object for these robots only; if "
         "a robot gets the same key twice, the later one counts",
     )
-    every_ticks: int = described(1, "number of ticks between two broadcasts", ge=1, le=10_000)
+    every_ticks: int = described(1, "number of ticks from one broadcast to the next", ge=1, le=10_000)
 
 
 class RankByScore(Strict):
@@ -143,7 +146,7 @@ class Result(Strict):
 
 
 class Keyframe(Strict):
-    """A moment of the script: placements, moves, touches, faults of programs, messages to the referee."""
+    """A moment of the script: placements, moves, touches, program faults, messages to the referee."""
 
     at_s: float = described(..., "time in the half in s", ge=0, le=86_400)
     place: Annotated[
@@ -184,13 +187,13 @@ class ExpectedEvent(Strict):
     """An event that the test expects."""
 
     event: EventName = described(..., "its name")
-    at_s: float | None = described(None, "when, in s; if omitted: at any time", ge=0)
-    tolerance_s: float = described(0.033, "how far off it may be, in s", ge=0)
-    payload: dict[Name, Scalar] = described({}, "the part of its payload that is checked")
+    at_s: float | None = described(None, "time in s; if omitted: any time", ge=0)
+    tolerance_s: float = described(0.033, "largest permitted deviation in s", ge=0)
+    payload: dict[Name, Scalar] = described({}, "the part of the payload that is checked")
 
 
 class Given(Strict):
-    """The state at the start of a test, before the first rule, as if some time had been played before."""
+    """The state at the start of a test, before the first rule, as if part of the match had already been played."""
 
     score: Annotated[dict[Name, float], _SCORES] = described({}, "entrant -> points; if omitted: 0")
     counters: Annotated[dict[Name, float | dict[Name, float]], _COUNTERS] = described(
@@ -210,7 +213,7 @@ ToldNumbers = Annotated[tuple[float, ...], Field(strict=False, min_length=2, max
 
 
 class Expectation(Strict):
-    """A test in the file: scripted poses and touches for the referee, and what must follow from them."""
+    """A test: scripted poses and touches for the referee, and what it is expected to make of them."""
 
     seed: int = described(1, "seed of the draws", ge=0)
     half: int = described(1, "the half that is played; entrants keep their names in all halves", ge=1)
@@ -231,7 +234,9 @@ class Expectation(Strict):
         "first few times; after that they are random (to compare a spot at the end, use poses)",
     )
     given: Given = described(Given.model_construct(), "score, counters and flags when the half begins")
-    keyframes: tuple[Keyframe, ...] = Field(..., strict=False, min_length=1, description="the script, in order of time")
+    keyframes: tuple[Keyframe, ...] = Field(
+        ..., strict=False, min_length=1, description="the script, in chronological order"
+    )
     lasts_s: DurationS = described(..., "how long the test lasts, in s")
     events: tuple[ExpectedEvent, ...] | None = Field(
         None, strict=False, description="all events in order, except those in `ignore`; if omitted: not checked"
@@ -243,10 +248,10 @@ class Expectation(Strict):
     )
     score: Annotated[dict[Name, float], _SCORES] = described({}, "score by entrant at the end")
     counters: Annotated[dict[Name, float | dict[Name, float]], _COUNTERS] = described(
-        {}, "counters at the end; for a per-entity counter the sum, or {entity: value, …}"
+        {}, "counters at the end; for a per-entity counter, the sum or {entity: value, …}"
     )
     flags: Annotated[dict[Name, bool | dict[Name, bool]], _FLAGS] = described(
-        {}, "flags at the end; for a per-entity flag whether any is set, or {entity: true or false, …}"
+        {}, "flags at the end; for a per-entity flag, whether any is set, or {entity: true or false, …}"
     )
     phase: Annotated[Name | None, PHASE] = described(None, "the phase at the end")
     ranking: Annotated[
@@ -262,13 +267,14 @@ class Expectation(Strict):
         "share a place",
     )
     held: Annotated[dict[Name, bool] | None, Ref("robot", frozenset({"robot"}), keys=True)] = described(
-        None, "robot -> whether it is held at the end, true or false, by a rule or by the phase"
+        None, "robot -> true or false: whether a rule or the phase holds it at the end"
     )
     told: Annotated[
         dict[Name, dict[Name, Scalar | ToldNumbers]] | None, Ref("robot", frozenset({"robot"}), groups=True, keys=True)
     ] = described(
         None,
-        "robot or group -> key -> the value in its last broadcast, for a position [x, y] or [x, y, yaw]; "
+        "robot or group -> key -> the value in its last broadcast (a position is [x, y] or [x, "
+        "y, yaw]); "
         "omitted keys are not compared",
     )
     ended: Literal["half", "match", "none"] | None = described(
@@ -280,37 +286,39 @@ class Expectation(Strict):
         dict[Name, Annotated[tuple[float, float], Field(strict=False)]],
         Ref("entity or spot", MOVING | frozenset({"spot"}), keys=True),
     ] = described({}, "entity or spot -> [x, y] at the end in m")
-    tolerance_m: float = described(0.001, "how far off a pose may be, in m", ge=0)
+    tolerance_m: float = described(0.001, "largest permitted deviation of a pose in m", ge=0)
     tolerance_counters: float | None = described(
-        None, "how far off a counter may be, such as one that stores a time; if omitted: not at all", ge=0
+        None, "largest permitted deviation of a counter, such as one that stores a time; if omitted: none", ge=0
     )
 
 
 class Scenario(Strict):
     """A challenge: field, robots, rules and everything else that decides a result."""
 
-    schema_version: One = described(..., "version of this format: 1")
-    id: Name = described(..., "short name; the folders of records are named after it")
-    title: str = described(..., "its title", min_length=1, max_length=120)
+    schema_version: One = described(..., "version of this format; always 1")
+    id: Name = described(..., "short name, after which record folders are named")
+    title: str = described(..., "title for display", min_length=1, max_length=120)
     description: str = described(
         "",
-        "what the challenge is about, for the rule sheet; {NAME} is replaced by the value of that param",
+        "what the challenge is about, for the rule sheet; {NAME} is replaced with the value of that param",
         max_length=4000,
     )
     extends: str | None = described(
-        None, "a shipped preset (soccersim_v2, soccersim_2021, empty_field) or scenario (match, …), or a relative path"
+        None,
+        "the base: a shipped preset (soccersim_v2, soccersim_2021, empty_field), a shipped "
+        "scenario (match, …), or a relative path",
     )
     params: dict[Name, Scalar] = described(
-        {}, "named values: use {param: NAME} anywhere, or {param: NAME, times: -1, plus: 0.1} to compute with it"
+        {}, "named values; use {param: NAME} anywhere, or {param: NAME, times: -1, plus: 0.1} to calculate with them"
     )
-    match: Match = described(Match.model_construct(), "halves and their length")
-    field: FieldModel = described(FieldModel.model_construct(), "the field, its walls and goals")
+    match: Match = described(Match.model_construct(), "number and length of the halves")
+    field: FieldModel = described(FieldModel.model_construct(), "the field with its walls and goals")
     # Bounds far above any challenge: every pair of bodies is looked at, here and in the physics.
     balls: dict[Name, Ball] = described({}, "balls by name", max_length=64)
     obstacles: dict[Name, Obstacle] = described({}, "obstacles by name", max_length=256)
     kits: dict[Name, Kit] = described({}, "robot kits by name")
     robots: dict[Name, Robot] = described(..., "robots by name", max_length=64)
-    entrants: dict[Name, Entrant] = described(..., "who competes, by the name of the seat")
+    entrants: dict[Name, Entrant] = described(..., "competitors, by the name of their seat")
     zones: dict[Name, Zone] = described({}, "zones by name")
     gates: dict[Name, Gate] = described({}, "gates by name")
     spots: dict[Name, Spot] = described({}, "spots by name")
@@ -323,12 +331,13 @@ class Scenario(Strict):
     timers: dict[Name, Timer] = described({}, "clocks that rules start")
     sequences: dict[Name, Sequence] = described({}, "steps that must happen in order")
     placements: dict[Name, Layout] = described({}, "layouts by name")
-    phases: dict[Name, Phase] = described({}, "phases besides play")
+    phases: dict[Name, Phase] = described({}, "phases other than `play`")
     first_phase: Annotated[Name, PHASE] = described("play", "the phase in which a half begins")
     rules: dict[Name, Rule] = described({}, "the rules, in the order in which they are judged")
     broadcast: Broadcast | None = described(None, "what programs receive in addition to the official packet")
     result: Result = described(Result.model_construct(), "how entrants are ranked")
     limits: Limits = described(Limits.model_construct(), "how much time, memory and disk space a program may use")
     expect: dict[Name, Expectation] = described(
-        {}, "tests of the rules, each named after what must happen; 'inherited: null' removes those of the base"
+        {},
+        "tests of the rules, each named after what must happen; `inherited: null` removes those of the base scenario",
     )

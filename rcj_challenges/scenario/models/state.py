@@ -25,7 +25,8 @@ class Draw(Strict):
     )
     not_again: Literal["half", "match"] | None = described(
         None,
-        "half: within a half, no value is repeated until all have been drawn; match: the same over all halves; "
+        "half: within a half, no value is repeated until all have been drawn; match: the same "
+        "across all halves; "
         "a value set by a rule counts as drawn; if omitted: every draw uses all values",
     )
     keep: Literal["half", "match"] = described("half", "match: the value is kept for the next half and is not redrawn")
@@ -38,14 +39,14 @@ class Counter(Strict):
     falls under its negative: it stays there.
     """
 
-    initial: float = described(0.0, "value at the start of a half, or with keep: match at the start of the match")
+    initial: float = described(0.0, "value at the start of a half or, with keep: match, at the start of the match")
     per: Annotated[Name | None, KEEPERS] = described(
         None, "a group of entities, fixed obstacles, zones or gates: each member has its own counter"
     )
     keep: Literal["half", "match"] | None = described(
         None,
-        "match: the value is kept for the next half and stays with the robot, not the team; half, or omitted: "
-        "it starts again",
+        "match: the value is kept for the next half and stays with the robot, not the team; "
+        "half, or omitted: it is reset",
     )
 
 
@@ -74,13 +75,13 @@ class Timer(Strict):
 
 
 class AnyStep(Strict):
-    """A step that can be made at any of several places."""
+    """A step that can be completed at any of several places."""
 
     any_of: Annotated[tuple[Name, ...], STEP] = Field(..., strict=False, min_length=1, description="zones or gates")
 
 
 class Sequence(Strict):
-    """Steps to make in order: zones to enter, gates to cross forward.
+    """Steps to complete in order: zones to enter, gates to cross forward.
 
     It starts again when it is complete (a cyclic one goes on), when the action `sequence` says so, and, unless it shall
     go on, when a rule puts its entity somewhere or takes it off the field.
@@ -105,12 +106,12 @@ class Sequence(Strict):
     )
     wrong_step: Literal["break", "ignore"] = described(
         "ignore",
-        "effect of a wrong step (neither the last one reached nor the next): ignore: none; break: the sequence "
-        "starts again, if its first step was reached",
+        "effect of a step that is neither the last one reached nor the next; ignore: none; "
+        "break: the sequence starts again if its first step has been reached",
     )
     when_placed: Literal["begins_anew", "goes_on"] | None = described(
         None,
-        "effect of placing or removing its entity: goes_on: the completed steps are kept; begins_anew, or "
+        "effect of placing or removing its entity; goes_on: the completed steps are kept; begins_anew, or "
         "omitted: they are lost",
     )
 
@@ -128,10 +129,10 @@ class Phase(Strict):
         "counter gives at least one tick); if omitted: a rule must end it",
     )
     next: Annotated[Name, PHASE] = described("play", "the phase that follows")
-    waiting_for_kickoff: bool = described(False, "the flag that programs receive during this phase")
+    waiting_for_kickoff: bool = described(False, "value of the kick-off flag that programs receive during this phase")
     clock: Literal["runs", "stops"] = described("runs", "whether the clock of the half runs")
     robots: Literal["free", "held"] | None = described(
         None,
-        "held: all wheels are braked; programs keep running, and their last commands take effect when the "
-        "phase is over; free, or omitted: robots drive",
+        "held: all wheels are braked; programs keep running, and their last commands take effect "
+        "when the phase is over; free, or omitted: robots can drive",
     )
