@@ -23,7 +23,7 @@ UNITS = {"s": 1, "MB": 1, "GB": 1024, "": 1}
         ("output", "output_mb", 1),
         ("files written into its own folder", "scratch_mb", 1),
         ("threads", "processes", 1),
-        ("one packet of the radio", "message_kb", 1024),
+        ("one radio packet", "message_kb", 1024),
     ],
 )
 def test_a_limit_is_what_the_page_for_programs_says(what, limit, scale):

@@ -12,80 +12,79 @@ _TITLES = {
     "time": "Time: programs that make others wait",
     "endings": "Endings: programs that crash or exit",
     "output": "Output",
-    "memory and files": "Memory, disk and the files of others",
+    "memory and files": "Memory, disk and files",
     "processes and system": "Processes, network and the system",
     "protocol": "The protocol between a program and the match",
     "module": "The controller module and Python itself",
 }
 _PLATFORM_NAMES = {"linux": "Linux", "darwin": "macOS", "win32": "Windows"}
 _ENDS = {
-    "start_timeout": "stopped at the time limit of the start",
-    "step_timeout": "stopped at the time limit of a step",
-    "half_timeout": "stopped at the time limit of a half",
-    "output_flood": "stopped for what it wrote",
-    "memory": "ended for lack of memory",
+    "start_timeout": "stopped at the start time limit",
+    "step_timeout": "stopped at the step time limit",
+    "half_timeout": "stopped at the half time limit",
+    "output_flood": "stopped for writing too much",
+    "memory": "stopped for using too much memory",
     "crash": "crash",
     "exit": "exit",
-    "protocol": "ended for its message",
+    "protocol": "stopped for an invalid message",
 }
 
 _HEAD = """\
 # Hostile and broken programs, and what stops them
 
-A team's program may do anything. These {count} programs try; each is a small file in `tests/hostile/programs/`, and each is
-played in a real match: in three robots of one team, against a normal team that uses all its sensors. Each time the test
-asserts:
+A team's program may try anything, and these {count} programs do. Each is a small file in `tests/hostile/programs/`, and each is
+played in a real match, by robots of one team against a normal team that uses all its sensors. Each time, the test asserts:
 
-- the match ends in time, complete, and no other robot has a fault;
-- all poses of all robots and of the ball are, bit for bit, those of the match in which that program sets speed 0 from the same
-  tick on; so are all events but that of its own fault;
-- the programs of the normal team have seen and printed exactly the same;
-- no file, process, thread or open file is left, nothing outside the private folders has changed, and the match's own process has
-  the same limits, priority, session and environment as before;
-- the fault, with its tick and its cause, is in the reflog, in `result.json` and in that robot's log.
+- the match is completed in time, and no other robot has a fault;
+- all poses of the robots and the ball are, bit for bit, those of a match in which that program sets speed 0 from the same tick on;
+  so are all events except its own fault;
+- the normal team's programs have seen and printed exactly the same as in that match;
+- no file, process, thread or file descriptor is left behind, nothing outside the private folders has changed, and the match's own
+  process has the same limits, priority, session and environment as before;
+- the fault, with its tick and cause, is in the reflog, in `result.json` and in that robot's log.
 
-`python -m pytest tests/hostile/test_programs.py` plays them, as root or as any other user. Programs marked ☾ are variants of
-others, and are played only in the nightly tests; `-m "nightly or not nightly"` plays all. Programs that need a layer of isolation
-that this computer lacks are skipped with that reason. Programs marked ⚑ are also played with `--sandbox off`, to show that
-their attempt succeeds there, and that it is the named layers that stop them.
+`python -m pytest tests/hostile/test_programs.py` runs them, as root or as any other user. Programs marked ☾ are variants of others
+and run only in the nightly tests; `-m "nightly or not nightly"` runs all. If this computer lacks an isolation layer that a program
+needs, the program is skipped, and the reason is given. Programs marked ⚑ also run with `--sandbox off`, to show that their attempt
+succeeds there and that the named layers are what stops them.
 
-**Layers**: — means that no layer of isolation is needed: each program has its own process, the match validates every message, never
-waits longer than the limits, and uses only what it has checked. The other names are those in `result.json`.
+**Layers**: a dash means that no isolation layer is needed: each program has its own process, and the match validates every message,
+never waits longer than the limits, and uses only what it has checked. The names of layers are those in `result.json`.
 """
 
 _TAIL = """\
 
 ## What is not prevented
 
-- **Processor time.** Threads of a program may compute while other programs do: on a computer with few cores this makes a match
+- **Processor time.** A program's threads may compute while other programs do: on a computer with few cores, this makes a match
   slower, but does not change it. One hostile team costs at most 10 minutes per half, whatever it does
   ([isolation.md](isolation.md#time)).
-- **The real clock** can be read with ctypes. Nothing in a match depends on it.
-- **Talk between programs.** Two programs that want to exchange bits can do so, within a half and from one half to the next: by how
-  much they compute, by the time that reading a shared file takes, by process and file numbers that the whole system shares.
-  Rules and code review must forbid it.
-- **Memory of the system**: buffers of pipes and socket pairs (about 60 MB for each program at the usual sizes) do not count as its memory, nor do
-  its files if the temporary folder is in memory. [isolation.md](isolation.md#what-organizers-should-do) recommends a limit around the
-  whole tournament.
-- **Messages within a team**: a robot's radio messages reach its team-mates, which may do anything with them.
-- Without the layers `filesystem` and `system_calls` (macOS, Windows, old kernels) a program can read and write what the user who
-  runs the match can, start processes and use the network. Run untrusted programs there only as a user who owns nothing.
+- **The real clock** can be read with `ctypes`. Nothing in a match depends on it.
+- **Covert channels.** Two programs that want to exchange bits can do so, within a half and from one half to the next: through how
+  much they compute, the time that reading a shared file takes, or process and file numbers that the whole system shares.
+  The rules must forbid it, and a code review can find it.
+- **System memory.** A program's memory does not include the buffers of its pipes and socket pairs (about 60 MB at the usual sizes),
+  or its files if the temporary folder is in memory. [isolation.md](isolation.md#what-organizers-should-do) recommends a memory
+  limit for the whole tournament.
+- **Messages within a team.** A robot's radio messages reach its team-mates, which may do anything with them.
+- **Missing layers.** Without `filesystem` and `system_calls` (macOS, Windows, old kernels), a program can read and write what the
+  user who runs the match can, start processes and use the network. There, run untrusted programs only as a user who owns nothing.
 
 ## Inputs
 
-Untrusted files can be hostile before any program runs. Everything that is read is bounded by size and count; the largest input within all
-bounds is checked in at most 5 s of processor time (`python -m benchmarks.inputs`), and a larger one is refused with a code.
+Untrusted files can be hostile before any program runs. Everything that is read is limited in size and number. The largest input within
+all limits is checked in at most 5 s of processor time (`python -m benchmarks.inputs`); a larger one is refused with a code.
 
-| input | bound | code |
+| input | limit | code |
 |---|---|---|
 | archive or folder | 10 MB, 50 MB unpacked, 5000 files, 1000 folders, 12 levels deep | `archive.too_large`, `archive.bomb`, `archive.too_many`, `archive.too_many_folders`, `archive.too_deep` |
 | Python that `check` reads | 64 kB per file, 192 kB in all, 5000 imported modules and names, usual encodings | `sources.large`, `sources.unread`, `sources.too_many_imports`, `sources.odd_encoding` |
-| scenario | 1 MB, 10 000 values per file (20 000 with its bases), 256 entries of a mapping, 512 of a list | `scenario-too-large` |
-| misspelt names | compared with 150 known ones, 32 letters of each | |
-| file of a record | a pipe or a device in its place is refused | `record-not-a-file` |
-| request to the live view | an address that cannot be read, a length of more than 12 digits | 400, 413 |
+| scenario | 1 MB, 10 000 values per file (20 000 with its bases), 256 entries per mapping, 512 per list | `scenario-too-large` |
+| misspelt names | compared with 150 known names, using 32 characters of each | |
+| file in a record | regular files only; pipes and devices are refused | `record-not-a-file` |
+| request to the live view | a readable address, a length of at most 12 digits | 400, 413 |
 
-Control characters and direction marks in texts of scenarios are written as escapes in the terminal, the drawing and the sheet.
+Control characters and direction marks in scenario texts are shown as escapes in the terminal, the drawing and the rule sheet.
 """
 
 

@@ -1,6 +1,6 @@
 #: about = "endings"
-#: tries = "to end itself with the signal by which the match asks where it hangs"
-#: holds = "a process ended by a signal has crashed"
+#: tries = "to end itself with the signal that the match uses to ask where it hangs"
+#: holds = "a program ended by a signal counts as crashed"
 #: platforms = ["linux", "darwin"]
 #: tick = 10
 #: ends = "crash at 10"

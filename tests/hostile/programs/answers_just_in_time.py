@@ -1,6 +1,6 @@
 #: about = "time"
 #: tries = "to use almost the whole time limit in every step"
-#: holds = "the time limit of a half"
+#: holds = "the half time limit"
 #: tick = 10
 #: ends = "half_timeout"
 #: limits = {half_s = 1.0}

@@ -1,5 +1,5 @@
 #: about = "protocol"
-#: tries = "to request a step of four billion ticks, after missing as many"
+#: tries = "to request a step of four billion ticks after missing just as many"
 #: holds = "the match continues without it"
 #: tick = 10
 #: ends = "plays on"

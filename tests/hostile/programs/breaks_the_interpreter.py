@@ -1,5 +1,5 @@
 #: about = "endings"
-#: tries = "to break its interpreter: it writes to address 1, with ctypes"
+#: tries = "to break its interpreter by writing to address 1 with ctypes"
 #: holds = "each program has its own process; its log shows the line"
 #: platforms = ["linux", "darwin"]
 #: tick = 10

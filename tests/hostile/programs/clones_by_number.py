@@ -1,5 +1,5 @@
 #: about = "processes and system"
-#: tries = "to start a process by system call numbers, including those of another architecture"
+#: tries = "to start a process with system call numbers, including those of another architecture"
 #: holds = "the filter checks numbers and the architecture, not names"
 #: layers = ["system_calls"]
 #: platforms = ["linux"]

@@ -1,6 +1,6 @@
 #: about = "time"
-#: tries = "to slow others down: two more threads that compute for ever"
-#: holds = "nothing in a match depends on how long a program thinks"
+#: tries = "to slow others down with two more threads that compute for ever"
+#: holds = "no result depends on how long a program computes"
 #: tick = 10
 #: ends = "plays on"
 #: said = ["plays on"]

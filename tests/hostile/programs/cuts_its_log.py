@@ -1,6 +1,6 @@
 #: about = "output"
-#: tries = "to destroy its log, and to move the position at which the match continues to write by a terabyte"
-#: holds = "a program has no access to its log: the match writes what it prints"
+#: tries = "to destroy its log, and to move the position at which the match writes next by a terabyte"
+#: holds = "a program has no access to its log: the match writes to it"
 #: platforms = ["linux", "darwin"]
 #: tick = 10
 #: ends = "plays on"

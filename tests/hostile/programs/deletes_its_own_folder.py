@@ -1,6 +1,6 @@
 #: about = "memory and files"
 #: tries = "to delete its own files, folder and home, so that the current folder does not exist"
-#: holds = "the copy is its own; the match does not need it"
+#: holds = "the folder is its own copy; the match does not need it"
 #: platforms = ["linux", "darwin"]
 #: tick = 10
 #: ends = "plays on"

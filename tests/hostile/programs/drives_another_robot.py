@@ -1,6 +1,6 @@
 #: about = "protocol"
 #: tries = "to command motors that are not its own, by guessing numbers"
-#: holds = "a pipe belongs to one robot, and the numbers are those of its devices"
+#: holds = "a pipe belongs to one robot, and device numbers refer only to that robot's devices"
 #: tick = 10
 #: ends = "protocol at 10"
 #: cause = "device 65535 is not a motor"

@@ -1,6 +1,6 @@
 #: about = "endings"
 #: tries = "to vanish with os._exit in the middle of a line of output"
-#: holds = "its end is an exit, reported with its status"
+#: holds = "it counts as an exit, reported with its status"
 #: tick = 10
 #: ends = "exit at 10"
 #: cause = "exit status 77"

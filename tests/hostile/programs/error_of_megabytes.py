@@ -1,6 +1,6 @@
 #: about = "endings"
-#: tries = "to flood log and result with the text of its error"
-#: holds = "the text of a fault is cut at 1000 letters, its traceback at 20 kB"
+#: tries = "to flood the log and the result with the text of its error"
+#: holds = "the text of a fault is cut off at 1000 characters, its traceback at 20 kB"
 #: tick = 10
 #: ends = "crash at 10"
 #: cause = "^ValueError: xxx.{0,1000}$"

@@ -1,6 +1,6 @@
 #: about = "time"
-#: tries = "to hang the report of its own error: its __str__ loops"
-#: holds = "the time limit of a step"
+#: tries = "to hang the report of its own error with a __str__ that loops"
+#: holds = "the step time limit"
 #: tick = 10
 #: ends = "step_timeout at 10"
 

@@ -1,5 +1,5 @@
 #: about = "endings"
-#: tries = "to break the report of its error: text, type, context and frames raise when they are read"
+#: tries = "to break the report of its error: text, type, context and frames raise errors when they are read"
 #: holds = "the report falls back to parts that cannot be broken"
 #: tick = 10
 #: ends = "crash at 10"

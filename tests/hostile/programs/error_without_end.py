@@ -1,6 +1,6 @@
 #: about = "endings"
-#: tries = "to keep the report busy: a circle of a thousand errors, each the cause of the next, with nested groups"
-#: holds = "the report is bounded; the time limit covers the rest"
+#: tries = "to keep the report busy with a circle of a thousand errors, each the cause of the next, with nested groups"
+#: holds = "the report is limited in length; the time limit covers the rest"
 #: tick = 10
 #: ends = "crash at 10"
 #: variant = true

@@ -1,5 +1,5 @@
 #: about = "memory and files"
-#: tries = "to hold gigabytes in buffers of socket pairs and pipes, which are outside the memory limit"
+#: tries = "to hold gigabytes in the buffers of socket pairs and pipes, which the memory limit does not cover"
 #: holds = "buffers cannot be enlarged, and the limit on open files bounds their number"
 #: platforms = ["linux"]
 #: layers = ["system_calls", "resource_limits"]

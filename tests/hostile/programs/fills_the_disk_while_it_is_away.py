@@ -1,5 +1,5 @@
 #: about = "memory and files"
-#: tries = "to fill the disk from a thread, during a step that lasts longer than the match, so that the match never waits for it"
+#: tries = "to fill the disk from a thread during a step that lasts longer than the match, so that the match never waits for it"
 #: holds = "programs in long steps are checked too"
 #: tick = 10
 #: ends = "output_flood at 64"

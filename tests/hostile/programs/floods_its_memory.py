@@ -1,5 +1,5 @@
 #: about = "memory and files"
-#: tries = "to take all memory there is, and to catch the MemoryError"
+#: tries = "to take all available memory, and to catch the MemoryError"
 #: holds = "a limit on its address space"
 #: platforms = ["linux", "win32"]
 #: layers = ["resource_limits"]

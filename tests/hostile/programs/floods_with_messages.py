@@ -1,6 +1,6 @@
 #: about = "protocol"
 #: tries = "to send messages without end"
-#: holds = "the match accepts one message per tick; the next is out of order"
+#: holds = "the match accepts one message per tick; the next one is out of order"
 #: tick = 10
 #: ends = "protocol at 11"
 #: cause = "answers tick 10 at tick 11"

@@ -1,6 +1,6 @@
 #: about = "time"
-#: tries = "to continue when the match is over: it computes, steps, prints and writes files without end"
-#: holds = "it has a second to clean up; then it is ended, and no more output is kept than it may print"
+#: tries = "to continue after the match, computing, stepping, printing and writing files without end"
+#: holds = "it has a second to clean up, then it is ended; its output stays limited"
 #: tick = 10
 #: ends = "plays on"
 #: limits = {output_mb = 0.2}

@@ -1,5 +1,5 @@
 #: about = "memory and files"
-#: tries = "to hide deleted files in a second table of open files, made by close_range and by clone"
+#: tries = "to hide deleted files in a second table of open files, made with close_range and clone"
 #: holds = "all threads share one table; calls that would copy it are refused"
 #: platforms = ["linux"]
 #: layers = ["system_calls"]

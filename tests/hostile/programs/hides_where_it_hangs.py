@@ -1,5 +1,5 @@
 #: about = "module"
-#: tries = "to hide where it hangs: the fault handler is switched off and writes elsewhere"
+#: tries = "to hide where it hangs, by switching the fault handler off and redirecting it"
 #: holds = "the fault and its tick are reported in any case"
 #: platforms = ["linux", "darwin"]
 #: tick = 10

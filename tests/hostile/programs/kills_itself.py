@@ -1,6 +1,6 @@
 #: about = "endings"
 #: tries = "to kill itself"
-#: holds = "a process ended by a signal has crashed"
+#: holds = "a program ended by a signal counts as crashed"
 #: platforms = ["linux", "darwin"]
 #: tick = 10
 #: ends = "crash at 10"

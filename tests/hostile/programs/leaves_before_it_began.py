@@ -1,6 +1,6 @@
 #: about = "endings"
 #: tries = "to exit with os._exit(0) while it is being imported"
-#: holds = "its end is an exit at tick 0"
+#: holds = "it counts as an exit at tick 0"
 #: tick = 0
 #: ends = "exit at 0"
 #: cause = "exit status 0"

@@ -1,5 +1,5 @@
 #: about = "memory and files"
-#: tries = "to make the match count, change or delete other files, by links out of its folder"
+#: tries = "to make the match count, change or delete other files, through links out of its folder"
 #: holds = "links are counted and removed as links, never followed"
 #: platforms = ["linux", "darwin"]
 #: tick = 10

@@ -1,6 +1,6 @@
 #: about = "memory and files"
 #: tries = "to find passwords and paths in the environment that it inherits"
-#: holds = "it gets an environment of its own"
+#: holds = "it gets its own environment"
 #: tick = 10
 #: ends = "plays on"
 #: said = ["nothing of interest"]

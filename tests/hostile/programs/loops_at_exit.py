@@ -1,5 +1,5 @@
 #: about = "time"
-#: tries = "to hang at its end: exit handlers, threads and __del__ that never return"
+#: tries = "to hang at its end, with exit handlers, threads and __del__ methods that never return"
 #: holds = "no code of a program runs after it has reported its end"
 #: tick = 10
 #: ends = "exit at 10"

@@ -1,5 +1,5 @@
 #: about = "output"
-#: tries = "to make the match read gigabytes of nothing: a gap in its output"
+#: tries = "to make the match read gigabytes of zeros through a gap in its output"
 #: holds = "no more of its output is read than it may print"
 #: platforms = ["linux", "darwin"]
 #: tick = 10

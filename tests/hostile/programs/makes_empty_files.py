@@ -1,5 +1,5 @@
 #: about = "memory and files"
-#: tries = "to use up the inodes of the disk: hundreds of empty files and folders"
+#: tries = "to use up the disk's inodes with hundreds of empty files and folders"
 #: holds = "every file and folder counts as one block"
 #: tick = 10
 #: ends = "output_flood at 10"

@@ -1,6 +1,6 @@
 #: about = "memory and files"
 #: tries = "to hide gigabytes in memory that belongs to no process: memfd, System V and POSIX shared memory"
-#: holds = "these calls are refused, and /dev/shm cannot be seen"
+#: holds = "these calls are refused, and /dev/shm is invisible"
 #: platforms = ["linux"]
 #: layers = ["system_calls", "filesystem"]
 #: tick = 10

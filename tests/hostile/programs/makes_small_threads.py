@@ -1,5 +1,5 @@
 #: about = "processes and system"
-#: tries = "to start more threads than it may, all of them small"
+#: tries = "to start more small threads than it may"
 #: holds = "its threads are counted while the match waits"
 #: platforms = ["linux"]
 #: tick = 10

@@ -1,5 +1,5 @@
 #: about = "memory and files"
-#: tries = "to leave pipes, sockets, devices and files with impossible names"
+#: tries = "to leave behind pipes, sockets, devices and files with impossible names"
 #: holds = "they are in its own folder, which is deleted without being read"
 #: platforms = ["linux", "darwin"]
 #: tick = 10

@@ -1,5 +1,5 @@
 #: about = "memory and files"
-#: tries = "to break the clean-up: nested folders, 1200 deep, with a path longer than any call accepts"
+#: tries = "to break the clean-up with 1200 nested folders, whose path is longer than any call accepts"
 #: holds = "counting and cleaning up need neither recursion nor long paths"
 #: platforms = ["linux", "darwin"]
 #: tick = 10

@@ -1,5 +1,5 @@
 #: about = "endings"
-#: tries = "to overflow the stack of its process, with the interpreter's limit out of the way"
+#: tries = "to overflow the stack of its process after raising the interpreter's recursion limit"
 #: holds = "each program has its own process"
 #: platforms = ["linux", "darwin"]
 #: tick = 10

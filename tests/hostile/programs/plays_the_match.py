@@ -1,5 +1,5 @@
 #: about = "protocol"
-#: tries = "to send messages that only the match sends: hello and observations"
+#: tries = "to send messages that only the match may send: hello and observations"
 #: holds = "any violation of the protocol ends it"
 #: tick = 10
 #: ends = "protocol at 10"

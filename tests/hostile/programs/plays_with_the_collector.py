@@ -1,5 +1,5 @@
 #: about = "module"
-#: tries = "to upset the garbage collector: cycles, weak references, resurrection, callbacks that raise, objects of the match's code"
+#: tries = "to upset the garbage collector: cycles, weak references, resurrection, callbacks that raise errors, objects from the match's code"
 #: holds = "it has its own process"
 #: tick = 10
 #: ends = "plays on"

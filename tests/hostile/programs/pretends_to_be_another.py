@@ -1,5 +1,5 @@
 #: about = "module"
-#: tries = "to be another robot: it changes its name, its number and its tick in the module"
+#: tries = "to pretend to be another robot by changing its name, number and tick in the module"
 #: holds = "its identity depends on its pipe, and an answer names its tick"
 #: tick = 10
 #: ends = "protocol at 12"

@@ -1,6 +1,6 @@
 #: about = "endings"
-#: tries = "to exit with statuses that mean something else"
-#: holds = "whatever its status, it has ended"
+#: tries = "to exit with statuses that have other meanings"
+#: holds = "whatever its status, the program has ended"
 #: tick = 10
 #: ends = "crash|exit at 10"
 #: variant = true

@@ -1,5 +1,5 @@
 #: about = "output"
-#: tries = "to spoil log and terminal: escapes, binary, lone surrogates, right-to-left marks, a line of 4 MB, no line end"
+#: tries = "to corrupt the log and the terminal: escapes, binary data, lone surrogates, right-to-left marks, a line of 4 MB, no line end"
 #: holds = "a log is a separate file of bytes; readers decode it as UTF-8 with replacements"
 #: tick = 10
 #: ends = "plays on"

@@ -1,5 +1,5 @@
 #: about = "protocol"
-#: tries = "to replace its connection by /dev/null"
+#: tries = "to replace its connection with /dev/null"
 #: holds = "a program without its connection is ended"
 #: tick = 10
 #: ends = "protocol at 10"

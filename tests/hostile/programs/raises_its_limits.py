@@ -1,6 +1,6 @@
 #: about = "processes and system"
-#: tries = "to lift its limits, to set those of the match, and to raise its priority"
-#: holds = "limits and priorities cannot be changed any more, even by root"
+#: tries = "to lift its own limits, to change those of the match, and to raise its priority"
+#: holds = "limits and priorities can no longer be changed, even by root"
 #: layers = ["system_calls"]
 #: platforms = ["linux"]
 #: tick = 10

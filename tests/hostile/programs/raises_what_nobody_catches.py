@@ -1,5 +1,5 @@
 #: about = "endings"
-#: tries = "to get past every except: it raises a direct subclass of BaseException"
+#: tries = "to get past every except by raising a direct subclass of BaseException"
 #: holds = "whatever a program raises is a crash, reported with its line"
 #: tick = 10
 #: ends = "crash at 10"

@@ -1,6 +1,6 @@
 #: about = "memory and files"
 #: tries = "to read the environment, memory, descriptors and command line of the match that started it"
-#: holds = "other processes cannot be seen"
+#: holds = "other processes are invisible"
 #: layers = ["filesystem"]
 #: platforms = ["linux"]
 #: tick = 10

@@ -1,6 +1,6 @@
 #: about = "memory and files"
-#: tries = "to read the code of the other team, in the folders of their programs"
-#: holds = "only its own folder can be seen"
+#: tries = "to read the other team's code in the folders of its programs"
+#: holds = "only its own folder is visible"
 #: layers = ["filesystem"]
 #: platforms = ["linux"]
 #: tick = 10

@@ -1,6 +1,6 @@
 #: about = "memory and files"
-#: tries = "to read and change the record of the match, which it finds through the link of its own output"
-#: holds = "the record cannot be seen"
+#: tries = "to read and change the match record, which it finds through the link of its own output"
+#: holds = "the record is invisible"
 #: layers = ["filesystem"]
 #: platforms = ["linux"]
 #: tick = 10

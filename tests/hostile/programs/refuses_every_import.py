@@ -1,5 +1,5 @@
 #: about = "module"
-#: tries = "to suppress the report of its error: no import succeeds any more, and audit hooks refuse everything"
+#: tries = "to suppress the report of its error: every import fails, and audit hooks refuse everything"
 #: holds = "the report falls back to parts that need no import"
 #: tick = 10
 #: ends = "crash at 10"

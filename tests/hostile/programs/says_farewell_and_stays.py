@@ -1,6 +1,6 @@
 #: about = "protocol"
-#: tries = "to report its end with terminal escapes and megabytes of traceback, and to play on"
-#: holds = "after this report it is ended; the text is sanitized"
+#: tries = "to report its end with terminal escapes and megabytes of traceback, and then to play on"
+#: holds = "it is ended after this report; the text is sanitized"
 #: tick = 10
 #: ends = "crash at 10"
 #: cause = "^(?!.*[\\x00-\\x1f]).*bye"

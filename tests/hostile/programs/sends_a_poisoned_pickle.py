@@ -1,5 +1,5 @@
 #: about = "module"
-#: tries = "to run code in its team-mates' processes by sending a pickle on the radio"
+#: tries = "to run code in its team-mates' processes by sending a pickle over the radio"
 #: holds = "only its own team receives it, and a program that loads it does so in its own process"
 #: tick = 10
 #: ends = "plays on"

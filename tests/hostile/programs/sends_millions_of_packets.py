@@ -1,6 +1,6 @@
 #: about = "module"
-#: tries = "to slow down the match with tens of thousands of radio packets in every step"
-#: holds = "the number of packets in a step is limited; those beyond are dropped with a warning"
+#: tries = "to slow the match down with tens of thousands of radio packets in every step"
+#: holds = "the number of packets per step is limited; those beyond the limit are dropped with a warning"
 #: tick = 10
 #: ends = "plays on"
 #: said = ["the packet is dropped", "plays on"]

@@ -1,6 +1,6 @@
 #: about = "module"
-#: tries = "to slow down the match with tens of thousands of settings of its devices in every step"
-#: holds = "only the last setting of a device in a step is sent"
+#: tries = "to slow the match down with tens of thousands of device settings in every step"
+#: holds = "only the last setting of each device in a step is sent"
 #: tick = 10
 #: ends = "plays on"
 #: said = ["plays on"]

@@ -1,5 +1,5 @@
 #: about = "processes and system"
-#: tries = "to set the computer's clock (to its present time), and to read it instead of the simulated one"
+#: tries = "to set the computer's clock (to the current time), and to read it instead of the simulated one"
 #: holds = "setting it is refused; reading it is useless, because nothing in a match depends on it"
 #: layers = ["system_calls"]
 #: platforms = ["linux"]

@@ -1,6 +1,6 @@
 #: about = "time"
 #: tries = "to sleep for a billion years of simulated time"
-#: holds = "the clock is simulated: the match does not wait, the robot misses ticks"
+#: holds = "the clock is simulated: the match does not wait, and the robot misses ticks"
 #: tick = 10
 #: ends = "plays on"
 #: said = ["slept until 1e\\+|it is over"]

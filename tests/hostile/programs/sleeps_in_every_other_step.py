@@ -1,5 +1,5 @@
 #: about = "time"
-#: tries = "to make the match wait as long as possible: it alternates computing and real sleep, also within a step"
+#: tries = "to make the match wait as long as possible, by alternating computation and real sleep, also within a step"
 #: holds = "CPU time and idle time are charged together"
 #: tick = 10
 #: ends = "half_timeout"

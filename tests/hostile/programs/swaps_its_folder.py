@@ -1,6 +1,6 @@
 #: about = "memory and files"
-#: tries = "to replace its own folder by a link, so that the match counts, changes or deletes what is there"
-#: holds = "the folder above its own cannot be changed"
+#: tries = "to replace its own folder with a link, so that the match counts, changes or deletes what the link points to"
+#: holds = "the folder that contains its own cannot be changed"
 #: layers = ["filesystem"]
 #: platforms = ["linux"]
 #: tick = 10

@@ -1,5 +1,5 @@
 #: about = "processes and system"
-#: tries = "to open sockets: TCP, UDP, IPv6, raw, netlink, unix, unix in the abstract name space, name resolution"
+#: tries = "to open sockets: TCP, UDP, IPv6, raw, netlink, Unix, abstract Unix; and to resolve names"
 #: holds = "sockets are refused"
 #: layers = ["system_calls"]
 #: platforms = ["linux"]

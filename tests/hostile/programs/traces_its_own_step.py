@@ -1,6 +1,6 @@
 #: about = "module"
-#: tries = "to stop inside step, with a trace function that never returns"
-#: holds = "the time limit of a step"
+#: tries = "to hang inside step, with a trace function that never returns"
+#: holds = "the step time limit"
 #: tick = 10
 #: ends = "step_timeout at 10"
 #: variant = true

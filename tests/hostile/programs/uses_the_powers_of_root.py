@@ -1,5 +1,5 @@
 #: about = "processes and system"
-#: tries = "to make an administrator's system calls, with harmless arguments: mount, chroot, name spaces, host name, modules, log"
+#: tries = "to make an administrator's system calls, with harmless arguments: mount, chroot, namespaces, host name, modules, log"
 #: holds = "they are refused, even if the match runs as root"
 #: layers = ["system_calls"]
 #: platforms = ["linux"]

@@ -1,6 +1,6 @@
 #: about = "module"
-#: tries = "to be the referee or a second robot, and to use the channels of others"
-#: holds = "a program has one robot, and its radio has its team's channels"
+#: tries = "to be the referee or a second robot, and to use other channels"
+#: holds = "a program has one robot, and its radio has only its team's channels"
 #: tick = 10
 #: ends = "plays on"
 #: said = ["this second Supervisor is the same robot", "the same: True True", "is not for this team"]

@@ -1,5 +1,5 @@
 #: about = "memory and files"
-#: tries = "to fill the disk with deleted and closed files of which it keeps one page mapped"
+#: tries = "to fill the disk with deleted and closed files of which it keeps one page mapped into memory"
 #: holds = "mapped files without a name are counted too"
 #: platforms = ["linux"]
 #: tick = 10
