@@ -211,7 +211,7 @@ CHAPTERS = (
     Chapter("Where things go", "The forms of `at`; the bare word `start` is also allowed.", _tagged(At), "places"),
     Chapter(
         "What rules remember",
-        "Sections `draws`, `counters`, `flags`, `timers`, `sequences`.",
+        "Sections `draws`, `counters`, `flags`, `timers` and `sequences`.",
         (
             Word("draws", state.Draw),
             Word("counters", state.Counter),
@@ -224,7 +224,10 @@ CHAPTERS = (
     ),
     Chapter("Phases", "Section `phases`: phases other than `play`.", (Word("phases", state.Phase),), "rules"),
     Chapter(
-        "Rules", "Section `rules`, in the order in which they are judged.", (Word("rules", scenario.Rule),), "rules"
+        "Rules",
+        "Section `rules`: rules, in the order in which they are judged.",
+        (Word("rules", scenario.Rule),),
+        "rules",
     ),
     Chapter("Triggers", "Moments at which a rule may fire.", _tagged(AnyTrigger), "triggers", "trigger"),
     Chapter(

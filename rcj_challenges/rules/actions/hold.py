@@ -18,7 +18,7 @@ class Hold(Action):
     """
 
     action: Literal["hold"]
-    entity: Annotated[Names, ROBOTS] = described(..., "which robots are held: robots, groups, or each")
+    entity: Annotated[Names, ROBOTS] = described(..., "what is held: robots, groups, or each")
     for_s: Lasts | None = described(
         None,
         "how long in s, time off the field included: a number, {draw: NAME} or {counter: NAME}, read when the "

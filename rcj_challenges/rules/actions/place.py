@@ -14,7 +14,7 @@ from rcj_challenges.rules.values.draw import DrawValue
 
 
 class Place(Action):
-    """Place entities: either a single placement, or a layout by its name."""
+    """Place entities: either a single placement or a layout, given by name."""
 
     action: Literal["place"]
     layout: Annotated[Name | DrawValue | None, SectionRef("layout", ("placements",))] = described(

@@ -15,7 +15,7 @@ class Release(Action):
     """
 
     action: Literal["release"]
-    entity: Annotated[Names, ROBOTS] = described(..., "which robots are released: robots, groups, or each")
+    entity: Annotated[Names, ROBOTS] = described(..., "what is released: robots, groups, or each")
 
     EXAMPLE = Hold.EXAMPLE
     SENTENCE = "it is let go"

@@ -29,8 +29,8 @@ class Score(Action):
     entrant: Annotated[Name | LastToucher, _RECEIVER] = described(
         ...,
         "the entrant that gets them, by its seat in this half; each, other: the entrant of that robot; "
-        "{last_touch: ball}: the entrant of the robot that was the last to touch the ball since it was placed, "
-        "if any",
+        "{last_touch: ball}: the entrant of the robot that was the last to touch the ball since "
+        "the ball was placed, if any",
         union_mode="left_to_right",
     )
     points: Points = described(

@@ -15,7 +15,9 @@ class SequenceAction(Action):
     entity: Annotated[Name | None, ENTITY] = described(
         None, "for a sequence kept per entity: which entity, or each; if omitted: all of them"
     )
-    do: Literal["reset"] = described("reset", "reset: back to before the first step, or on it if the entity is there")
+    do: Literal["reset"] = described(
+        "reset", "reset: back to before the first step, or to the first step if the entity is there"
+    )
 
     IS_BOOKKEEPING = True
     EXAMPLE = """

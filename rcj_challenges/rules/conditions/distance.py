@@ -12,7 +12,7 @@ from rcj_challenges.rules.refs import MEASURED_TO, MOVING, Ref
 
 
 class Distance(Compared):
-    """The distance of an entity's centre from another thing, a place or a point, in m; off the field it never holds."""
+    """The distance in m of an entity's centre from another thing, a place or a point; it never holds off the field."""
 
     condition: Literal["distance"]
     entity: Annotated[

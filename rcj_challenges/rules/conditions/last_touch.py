@@ -9,7 +9,7 @@ from rcj_challenges.rules.refs import ROBOTS, THING
 
 
 class LastTouch(Condition):
-    """Which robot was the last to touch something since it was placed."""
+    """Which robot was the last to touch a thing since that thing was placed."""
 
     condition: Literal["last_touch"]
     entity: Annotated[Name, THING] = described("ball", "what was touched: an entity, a fixed obstacle, or each")

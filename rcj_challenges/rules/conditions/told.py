@@ -10,7 +10,7 @@ from rcj_challenges.rules.refs import ROBOTS
 
 
 class Told(Condition, Message):
-    """A robot's last message to the referee in this half; it does not hold before the first message.
+    """A robot's last message to the referee in this half; the condition does not hold before the first one.
 
     Without `text` and `is_a`: whether it has sent any message.
     """

@@ -12,7 +12,7 @@ from rcj_challenges.rules.refs import ANCHOR, SPOTS
 
 
 class FurthestFree(PlaceWord):
-    """The furthest free spot, or a random one of the furthest."""
+    """The furthest free spot, or one chosen at random among the furthest."""
 
     furthest_free: Annotated[Names, SPOTS] = described(..., "spots, or a group of spots")
     from_: Annotated[Name | Point | None, ANCHOR] = Field(

@@ -10,7 +10,7 @@ from rcj_challenges.rules.refs import ANCHOR, SPOTS
 
 
 class NearestFree(PlaceWord):
-    """The nearest free spot, or a random one of the nearest."""
+    """The nearest free spot, or one chosen at random among the nearest."""
 
     nearest_free: Annotated[Names, SPOTS] = described(..., "spots, or a group of spots")
     to: Annotated[Name | Point | None, ANCHOR] = described(

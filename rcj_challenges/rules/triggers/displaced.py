@@ -16,7 +16,7 @@ from rcj_challenges.tracking.trackers import PositionTracker
 
 
 class Displaced(Trigger):
-    """Fires when an entity has been moved further than a distance from where it was placed."""
+    """Fires when an entity has been moved further than a given distance from where it was placed."""
 
     trigger: Literal["displaced"]
     entity: Annotated[Names, ENTITIES] = described(..., ENTITY_DESCRIPTION)

@@ -13,7 +13,7 @@ from rcj_challenges.tracking.trackers import NEVER, TickTracker
 
 
 class Holds(Trigger):
-    """Fires when a condition has held for a time, and again at intervals with `every_s`."""
+    """Fires when a condition has held for a given time and, with ``every_s``, again at intervals."""
 
     trigger: Literal["holds"]
     condition: AnyCondition = described(..., "the condition")

@@ -14,7 +14,7 @@ from rcj_challenges.rules.triggers.sequence_completed import (
 
 
 class SequenceBroken(Trigger):
-    """Fires at a wrong step in a sequence with ``wrong_step: break``, which then starts again.
+    """Fires on a wrong step in a sequence with ``wrong_step: break``; the sequence then starts again.
 
     Before the first step, none is wrong; afterwards all are but the last reached and the next.
     """

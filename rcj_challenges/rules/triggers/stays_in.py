@@ -15,7 +15,7 @@ from rcj_challenges.tracking.trackers import NEVER, DueTracker, PositionTracker
 
 
 class StaysIn(Trigger):
-    """Fires when an entity has been in a zone for longer than a limit."""
+    """Fires when an entity has been in a zone for longer than a time limit."""
 
     trigger: Literal["stays_in"]
     entity: Annotated[Names, ENTITIES] = described(..., ENTITY_DESCRIPTION)

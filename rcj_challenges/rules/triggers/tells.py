@@ -9,7 +9,7 @@ from rcj_challenges.rules.refs import ROBOTS
 
 
 class Tells(Trigger, Message):
-    """Fires when a robot has sent the referee a message by radio, on the referee's channel.
+    """Fires when a robot has sent the referee a radio message on the referee's channel.
 
     One message of each robot in a tick, in the order sent. In messages and sentences ``measured`` is the number in the
     message.

@@ -9,7 +9,7 @@ from rcj_challenges.tracking.clock_events import Alarm
 
 
 class TimeReached(Trigger):
-    """Fires when the clock of the half reaches a time, and again at intervals with `every_s`."""
+    """Fires when the clock of the half reaches a given time and, with ``every_s``, again at intervals."""
 
     trigger: Literal["time_reached"]
     at_s: DurationS = described(..., "time since the start of the half in s")

@@ -13,7 +13,7 @@ from rcj_challenges.tracking.trackers import TickTracker
 
 
 class TipsOver(Trigger):
-    """Fires when a robot tilts further than an angle."""
+    """Fires when a robot tilts beyond a given angle."""
 
     trigger: Literal["tips_over"]
     entity: Annotated[

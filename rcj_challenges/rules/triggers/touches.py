@@ -14,7 +14,7 @@ from rcj_challenges.tracking.trackers import TickTracker
 
 
 class Touches(Trigger):
-    """Fires when two bodies come into contact that were not in contact in the previous sub-step."""
+    """Fires when two bodies that were not in contact in the previous sub-step come into contact."""
 
     trigger: Literal["touches"]
     entity: Annotated[Names, THINGS] = described(

@@ -11,13 +11,13 @@ from rcj_challenges.rules.refs import MEASURED_TO
 
 
 class DistanceValue(ValueWord):
-    """The distance between the centres of two things in m, to the millimetre; null while one is off the field."""
+    """The distance in m between the centres of two things, to the millimetre; null while one is off the field."""
 
     distance: Annotated[tuple[Name | Point, Name | Point], Field(strict=False), MEASURED_TO] = described(
         ...,
-        "two of: an entity, a fixed obstacle, each, a spot, a draw's name, a group (the nearest member), [x, y] in m; "
-        "one of them may be a wall, a gate or a zone: then its nearest point counts, and inside a zone the "
-        "distance is 0",
+        "two of the following: an entity, a fixed obstacle, each, a spot, a draw's name, a group (the nearest "
+        "member), [x, y] in m; one of them may be a wall, a gate or a zone: then its nearest point counts, and inside a "
+        "zone the distance is 0",
     )
 
     KEY = "distance"

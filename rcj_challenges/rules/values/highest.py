@@ -11,7 +11,7 @@ from rcj_challenges.rules.values.of_others import of_others
 
 
 class HighestOfOthers(ValueWord):
-    """The highest value of a counter kept per entity among all other entities; see ``lowest``."""
+    """The highest value, among all other entities, of a counter kept per entity; see ``lowest``."""
 
     highest: Annotated[Name, COUNTER] = described(
         ..., "a counter kept per entity: the highest value of all members but `each`; without for_each: of all members"

@@ -10,7 +10,7 @@ from rcj_challenges.rules.refs import THING
 
 
 class LastTouchValue(ValueWord):
-    """The name of the last robot to touch something since it was placed; null if none has touched it."""
+    """The name of the last robot to touch a thing since that thing was placed; null if none has touched it."""
 
     last_touch: Annotated[Name, THING] = described(..., "what was touched: an entity, a fixed obstacle, or each")
 

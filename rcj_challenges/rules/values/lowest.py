@@ -11,7 +11,7 @@ from rcj_challenges.rules.values.of_others import of_others
 
 
 class LowestOfOthers(ValueWord):
-    """The lowest value of a counter kept per entity among all other entities.
+    """The lowest value, among all other entities, of a counter kept per entity.
 
     Entities off the field do not count. If no other one is left, or `each` is off the field, no comparison holds, and
     every negated one does.

@@ -4,7 +4,7 @@ from rcj_challenges.rules.fields import Strict, WallTimeS, described
 
 
 class Limits(Strict):
-    """What a program may use. Over a limit, it is killed and its robot's wheels stop; others are not affected."""
+    """What a program may use. Beyond a limit, it is killed and its robot's wheels stop; other programs continue."""
 
     start_s: WallTimeS = described(30.0, "CPU and idle time from launch to the first step, in s")
     step_s: WallTimeS = described(5.0, "CPU and idle time in one step, in s")

@@ -38,7 +38,7 @@ class Rule(Strict):
         ..., strict=False, min_length=1, description="moments at which the rule may fire; one is enough"
     )
     conditions: tuple[AnyCondition, ...] = Field(
-        (), strict=False, description="what must hold at that moment: all of them (for 'or', use any_of)"
+        (), strict=False, description="conditions that must all hold at that moment (for 'or', use any_of)"
     )
     actions: tuple[AnyAction, ...] = Field(..., strict=False, min_length=1, description="what happens, in order")
     for_each: Annotated[Name | None, KEEPERS] = described(
@@ -86,7 +86,7 @@ class Rule(Strict):
 
 
 class Broadcast(Strict):
-    """What programs receive after the official packet: one JSON object per tick on the same channel."""
+    """What programs receive after the official packet: a JSON object on the same channel."""
 
     fields: dict[Name, Value] = described(..., "values by key, sent to all robots")
     only: Annotated[
@@ -115,7 +115,7 @@ class PlusPart(Strict):
 
 
 class RankByTime(Strict):
-    """Rank by the time at which the half ended, summed over halves, plus penalties."""
+    """Rank by the time at which each half ended, summed over all halves, plus penalties."""
 
     time: Literal["ascending", "descending"] = described(
         ..., "ascending: lower is better; descending: higher is better"
@@ -126,7 +126,7 @@ class RankByTime(Strict):
 
 
 class RankByCounter(Strict):
-    """Rank by a counter, summed over halves; a counter kept per entity is summed over the team's robots."""
+    """Rank by a counter, summed over all halves; a counter kept per entity is summed over the team's robots."""
 
     counter: Annotated[Name, COUNTER] = described(..., "a counter")
     order: Literal["ascending", "descending"] = described(
@@ -135,7 +135,7 @@ class RankByCounter(Strict):
 
 
 class Result(Strict):
-    """How entrants are ranked, first criterion first."""
+    """How entrants are ranked, with the most important criterion first."""
 
     rank: tuple[RankByScore | RankByTime | RankByCounter, ...] = Field(
         (RankByScore.model_construct(score="descending"),),
@@ -148,7 +148,7 @@ class Result(Strict):
 class Keyframe(Strict):
     """A moment of the script: placements, moves, touches, program faults, messages to the referee."""
 
-    at_s: float = described(..., "time in the half in s", ge=0, le=86_400)
+    at_s: float = described(..., "time since the start of the half in s", ge=0, le=86_400)
     place: Annotated[
         dict[Name, Annotated[tuple[float, ...], Field(strict=False, min_length=2, max_length=3)]],
         Ref("entity", MOVING, keys=True),
@@ -223,7 +223,7 @@ class Expectation(Strict):
     ] = described(
         {},
         "results of draws: a value is kept until a rule draws again; with a list, each draw takes the next "
-        "value, and after the last one draws are random",
+        "value, and after the last one, draws are random",
     )
     spots: Annotated[
         dict[Name, Point | Annotated[tuple[Point, ...], Field(strict=False, min_length=1)]] | None,
@@ -279,7 +279,7 @@ class Expectation(Strict):
     )
     ended: Literal["half", "match", "none"] | None = described(
         None,
-        "what is over at the end: half: the half was ended by a rule or by time; match: a rule has ended the "
+        "what is over at the end; half: the half was ended by a rule or by time; match: a rule has ended the "
         "match; none: the half continues",
     )
     poses: Annotated[

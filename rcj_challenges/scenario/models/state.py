@@ -121,7 +121,7 @@ class Sequence(Strict):
 
 
 class Phase(Strict):
-    """A part of the half with its own rules. ``play`` always exists."""
+    """A part of a half with its own rules. ``play`` always exists."""
 
     lasts_s: Lasts | None = described(
         None,
