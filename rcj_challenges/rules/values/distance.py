@@ -16,8 +16,8 @@ class DistanceValue(ValueWord):
     distance: Annotated[tuple[Name | Point, Name | Point], Field(strict=False), MEASURED_TO] = described(
         ...,
         "two of the following: an entity, a fixed obstacle, each, a spot, a draw's name, a group (the nearest "
-        "member), [x, y] in m; one of them may be a wall, a gate or a zone: then its nearest point counts, and inside a "
-        "zone the distance is 0",
+        "member), [x, y] in m; one of them may be a wall, a gate or a zone: then its nearest point counts, and inside "
+        "a zone the distance is 0",
     )
 
     KEY = "distance"
