@@ -19,9 +19,9 @@ _TITLES = {
 }
 _PLATFORM_NAMES = {"linux": "Linux", "darwin": "macOS", "win32": "Windows"}
 _ENDS = {
-    "start_timeout": "stopped at the start time limit",
-    "step_timeout": "stopped at the step time limit",
-    "half_timeout": "stopped at the half time limit",
+    "start_timeout": "stopped at the time limit for the start",
+    "step_timeout": "stopped at the time limit for a step",
+    "half_timeout": "stopped at the time limit for a half",
     "output_flood": "stopped for writing too much",
     "memory": "stopped for using too much memory",
     "crash": "crash",
@@ -82,7 +82,7 @@ all limits is checked in at most 5 s of processor time (`python -m benchmarks.in
 | scenario | 1 MB, 10 000 values per file (20 000 with its bases), 256 entries per mapping, 512 per list | `scenario-too-large` |
 | misspelt names | compared with 150 known names, using 32 characters of each | |
 | file in a record | regular files only; pipes and devices are refused | `record-not-a-file` |
-| request to the live view | a readable address, a length of at most 12 digits | 400, 413 |
+| request to the live view | a valid address, a content length of at most 12 digits | 400, 413 |
 
 Control characters and direction marks in scenario texts are shown as escapes in the terminal, the drawing and the rule sheet.
 """

@@ -1,6 +1,6 @@
 #: about = "time"
 #: tries = "to use almost the whole time limit in every step"
-#: holds = "the half time limit"
+#: holds = "the time limit for a half"
 #: tick = 10
 #: ends = "half_timeout"
 #: limits = {half_s = 1.0}

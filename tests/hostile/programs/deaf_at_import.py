@@ -1,6 +1,6 @@
 #: about = "time"
 #: tries = "to ignore every signal and never start"
-#: holds = "the start time limit, then SIGKILL, which cannot be ignored"
+#: holds = "the time limit for the start, then SIGKILL, which cannot be ignored"
 #: tick = 0
 #: ends = "start_timeout at 0"
 #: limits = {start_s = 3}

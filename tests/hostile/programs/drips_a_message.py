@@ -1,6 +1,6 @@
 #: about = "protocol"
 #: tries = "to keep the match busy with a message that arrives byte by byte"
-#: holds = "the step time limit covers the whole message"
+#: holds = "the time limit for a step covers the whole message"
 #: tick = 10
 #: ends = "step_timeout at 10"
 #: cause = "more than 0.5 s for one step"

@@ -1,6 +1,6 @@
 #: about = "time"
 #: tries = "to hang the report of its own error with a __str__ that loops"
-#: holds = "the step time limit"
+#: holds = "the time limit for a step"
 #: tick = 10
 #: ends = "step_timeout at 10"
 

@@ -1,6 +1,6 @@
 #: about = "protocol"
 #: tries = "to keep the match waiting for the second half of a message"
-#: holds = "the step time limit"
+#: holds = "the time limit for a step"
 #: tick = 10
 #: ends = "step_timeout at 10"
 #: cause = "more than 0.5 s for one step"

@@ -1,6 +1,6 @@
 #: about = "time"
 #: tries = "to loop for ever before its first step"
-#: holds = "the start time limit"
+#: holds = "the time limit for the start"
 #: tick = 0
 #: ends = "start_timeout at 0"
 #: limits = {start_s = 3}

@@ -1,6 +1,6 @@
 #: about = "time"
 #: tries = "to loop for ever in __del__"
-#: holds = "the step time limit"
+#: holds = "the time limit for a step"
 #: tick = 10
 #: ends = "step_timeout at 10"
 #: said = ["in __del__"]

@@ -1,6 +1,6 @@
 #: about = "time"
 #: tries = "to run one operation that takes minutes, during which no Python handler can run"
-#: holds = "the step time limit; signals end it from outside"
+#: holds = "the time limit for a step; signals end it from outside"
 #: tick = 10
 #: ends = "step_timeout at 10"
 

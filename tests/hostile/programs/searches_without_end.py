@@ -1,6 +1,6 @@
 #: about = "time"
 #: tries = "to evaluate a regular expression that takes longer than the age of the universe"
-#: holds = "the step time limit"
+#: holds = "the time limit for a step"
 #: tick = 10
 #: ends = "step_timeout at 10"
 #: variant = true

@@ -1,6 +1,6 @@
 #: about = "time"
 #: tries = "to stop itself with SIGSTOP, so that none of its handlers can run"
-#: holds = "the step time limit, then SIGKILL"
+#: holds = "the time limit for a step, then SIGKILL"
 #: platforms = ["linux", "darwin"]
 #: tick = 10
 #: ends = "step_timeout at 10"

@@ -1,6 +1,6 @@
 #: about = "module"
 #: tries = "to hang inside step, with a trace function that never returns"
-#: holds = "the step time limit"
+#: holds = "the time limit for a step"
 #: tick = 10
 #: ends = "step_timeout at 10"
 #: variant = true
