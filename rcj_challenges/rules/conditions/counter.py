@@ -21,7 +21,8 @@ class CounterIs(Compared):
     counter: Annotated[Name, READABLE] = described(..., "a counter, or an entrant: its score")
     entity: Annotated[Names | None, WHOSE_OF] = described(
         None,
-        "for a counter kept per entity: which entity; each: the current one; if omitted, without for_each: the sum; "
+        "for a counter kept per entity: which entity; each: the current member; if omitted and "
+        "there is no for_each: the sum; "
         "with `of` also a group or a list",
     )
     of: Quantifier | None = described(

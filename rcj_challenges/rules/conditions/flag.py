@@ -17,7 +17,8 @@ class FlagIs(Condition):
     flag: Annotated[Name, FLAG] = described(..., "a flag")
     entity: Annotated[Names | None, WHOSE_OF] = described(
         None,
-        "for a flag kept per entity: which entity; each: the current one; if omitted, without for_each: any of them; "
+        "for a flag kept per entity: which entity; each: the current member; if omitted and "
+        "there is no for_each: any of them; "
         "with `of` also a group or a list",
     )
     of: Quantifier | None = described(

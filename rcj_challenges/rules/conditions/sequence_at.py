@@ -17,7 +17,8 @@ class SequenceAt(Condition):
     sequence: Annotated[Name, SEQUENCE] = described(..., "a sequence")
     entity: Annotated[Names | None, ENTITIES] = described(
         None,
-        "for a sequence kept per entity: which entity; each: the current one; if omitted, without for_each: "
+        "for a sequence kept per entity: which entity; each: the current member; if omitted and "
+        "there is no for_each: "
         "any of them; "
         "with `of` also a group or a list",
     )

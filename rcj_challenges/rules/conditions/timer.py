@@ -19,7 +19,8 @@ class TimerIs(Compared):
     timer: Annotated[Name, TIMER] = described(..., "a timer")
     entity: Annotated[Names | None, WHOSE_OF] = described(
         None,
-        "for a timer kept per entity: which entity; each: the current one; if omitted, without for_each: the longest; "
+        "for a timer kept per entity: which entity; each: the current member; if omitted and "
+        "there is no for_each: the longest; "
         "with `of` also a group or a list",
     )
     of: Quantifier | None = described(

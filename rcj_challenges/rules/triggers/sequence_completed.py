@@ -8,8 +8,8 @@ from rcj_challenges.rules.refs import ENTITIES, SEQUENCE
 from rcj_challenges.tracking.sequences import SequenceTracker
 
 WHOSE_SEQUENCE = (
-    "for a sequence kept per entity: which entity; each: the current one; a group: any member; if omitted, "
-    "without for_each: any of them"
+    "for a sequence kept per entity: which entity; each: the current member; a group: any "
+    "member; if omitted and there is no for_each: any of them"
 )
 
 

@@ -14,7 +14,8 @@ class CounterValue(ValueWord):
     counter: Annotated[Name, READABLE] = described(..., "a counter, or an entrant: its score")
     entity: Annotated[Name | None, WHOSE] = described(
         None,
-        "for a counter kept per entity: which entity; each: the current one; if omitted, without for_each: the sum",
+        "for a counter kept per entity: which entity; each: the current member; if omitted and "
+        "there is no for_each: the sum",
     )
 
     KEY = "counter"

@@ -15,7 +15,8 @@ class FlagValue(ValueWord):
     flag: Annotated[Name, FLAG] = described(..., "a flag")
     entity: Annotated[Name | None, WHOSE] = described(
         None,
-        "for a flag kept per entity: which entity; each: the current one; if omitted, without for_each: any of them",
+        "for a flag kept per entity: which entity; each: the current member; if omitted and "
+        "there is no for_each: any of them",
     )
 
     KEY = "flag"

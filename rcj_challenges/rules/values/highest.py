@@ -14,7 +14,8 @@ class HighestOfOthers(ValueWord):
     """The highest value, among all other entities, of a counter kept per entity; see ``lowest``."""
 
     highest: Annotated[Name, COUNTER] = described(
-        ..., "a counter kept per entity: the highest value of all members but `each`; without for_each: of all members"
+        ...,
+        "a counter kept per entity: the highest value of all members but `each` or, without for_each, of all members",
     )
 
     KEY = "highest"

@@ -18,7 +18,8 @@ class LowestOfOthers(ValueWord):
     """
 
     lowest: Annotated[Name, COUNTER] = described(
-        ..., "a counter kept per entity: the lowest value of all members but `each`; without for_each: of all members"
+        ...,
+        "a counter kept per entity: the lowest value of all members but `each` or, without for_each, of all members",
     )
 
     KEY = "lowest"

@@ -17,7 +17,8 @@ class TimerValue(ValueWord):
     timer: Annotated[Name, TIMER] = described(..., "a timer")
     entity: Annotated[Name | None, WHOSE] = described(
         None,
-        "for a timer kept per entity: which entity; each: the current one; if omitted, without for_each: the longest",
+        "for a timer kept per entity: which entity; each: the current member; if omitted and "
+        "there is no for_each: the longest",
     )
 
     KEY = "timer"

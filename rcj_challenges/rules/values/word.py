@@ -14,14 +14,15 @@ from rcj_challenges.tracking.state import RefereeState
 
 
 class WordValue(ValueWord):
-    """A fact about the match, by keyword."""
+    """A fact about the match, named by a keyword."""
 
     word: Literal[
         "robot_name", "entity_name", "each_name", "other_name", "team_name", "entrant", "score", "halftime", "match_id",
         "total_match_time_s", "time_s", "time_left_s", "measured", "limit", "phase", "seed_id",
     ] = described(...,
-        "the keyword; times have fractions; measured, limit: those of the trigger (for holds in s); each_name: the "
-        "name of the for_each member; other_name: the name of the touched thing, in rules about touches")  # fmt: skip
+        "the keyword; times include fractions of a second; measured, limit: the value that the trigger measured and "
+        "its limit (for holds, in s); each_name: the name of the for_each member; other_name: the name of the touched "
+        "thing, in rules about touches")  # fmt: skip
     of: Annotated[Name | None, ENTRANT] = described(
         None, "for team_name and score: the entrant; if omitted: that of the current entity"
     )

@@ -71,10 +71,10 @@ class Rule(Strict):
         "for_each compete per member and never with rules without it",
     )
     cooldown_s: DurationS | None = described(
-        None, "time after firing during which it cannot fire again, in s; counted per member with for_each"
+        None, "time in s after a firing during which the rule cannot fire again; counted per member with for_each"
     )
     max_executions: int | None = described(
-        None, "how often it may fire in a half; counted per member with for_each", ge=1
+        None, "maximum number of firings per half; counted per member with for_each", ge=1
     )
     says: str = described(
         "",
