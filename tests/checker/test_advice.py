@@ -179,7 +179,7 @@ def test_a_program_for_other_messages_gets_the_setting_that_it_needs(advise, sce
 
 
 @pytest.mark.parametrize(("program", "tick"), [(READS, 400), ("", 2)])
-def test_a_crash_that_comes_late_or_without_the_referees_packets_says_nothing_about_messages(advise, program, tick):
+def test_a_late_crash_or_one_without_referee_packets_gives_no_advice_about_messages(advise, program, tick):
     assert code(advise(NO_BYTES, program, scenario=V22, tick=tick)) == "bytes_or_text"
 
 

@@ -88,7 +88,7 @@ def test_the_whole_check_names_each_defect_of_real_submissions(tmp_path: Path, c
 
 
 @pytest.mark.parametrize("build", FINE.values(), ids=FINE)
-def test_an_archive_without_a_flaw_passes_without_a_word_to_do(tmp_path: Path, build) -> None:
+def test_a_flawless_archive_passes_without_advice(tmp_path: Path, build) -> None:
     inspection = inspected(tmp_path, build())
     assert [stage.name for stage in inspection.stages] == ["archive", "layout", "identity"]
     assert {finding.code for finding in findings(inspection) if finding.level != "passed"} == set()
@@ -103,7 +103,7 @@ def test_many_of_one_kind_are_counted(tmp_path: Path) -> None:
     assert found[-1].message == "and 490 more of this kind (archive.name_forbidden)"
 
 
-def test_what_cannot_be_read_leaves_later_stages_out_and_says_so(tmp_path: Path) -> None:
+def test_an_unreadable_archive_skips_later_stages_with_a_note(tmp_path: Path) -> None:
     stages = inspected(tmp_path, plain(SOUND)[:-40]).stages
     assert [stage.skipped for stage in stages] == ["", *["the archive could not be read"] * 2]
     assert [stage.failed for stage in stages] == [True, False, False]

@@ -26,12 +26,12 @@ UNITS = {"s": 1, "MB": 1, "GB": 1024, "": 1}
         ("one radio packet", "message_kb", 1024),
     ],
 )
-def test_a_limit_is_what_the_page_for_programs_says(what, limit, scale):
+def test_limits_match_the_page_for_programs(what, limit, scale):
     amount, unit = re.search(rf"^\| {re.escape(what)} \| (\d+) ?(s|MB|GB|)\b", PAGE, re.MULTILINE).groups()
     assert int(amount) * UNITS[unit] * scale == getattr(load("match").scenario.limits, limit)
 
 
-def test_the_page_for_programs_says_how_to_play_with_text_messages():
+def test_the_page_for_programs_describes_text_messages():
     (override,) = set(re.findall(r"--set (kits\.v2\.messages=v2\.2)", PAGE))
     assert load("match", [override]).scenario.kits["v2"].messages == "v2.2"
     assert "kits: {v2: {messages: v2.2}}" in PAGE

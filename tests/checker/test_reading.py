@@ -42,7 +42,7 @@ def test_interrupted_check_leaves_no_reader_behind(monkeypatch: pytest.MonkeyPat
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="processor time is limited by POSIX alone")
-def test_a_reader_whose_check_was_killed_comes_to_its_end_by_itself() -> None:
+def test_a_reader_exits_by_itself_after_its_check_was_killed() -> None:
     ask = "import reader, resource; reader.limit_itself(); print(*resource.getrlimit(resource.RLIMIT_CPU))"
     done = subprocess.run(
         [sys.executable, "-c", ask], cwd=Path(reader.__file__).parent, capture_output=True, text=True, check=True

@@ -226,7 +226,7 @@ def test_output_of_a_program_that_fails_at_its_start_is_shown_on_request(pack, t
     assert "no &lt;ball&gt;" in html_page(check_report("alone", "Alone", "auto", [report]), tmp_path)
 
 
-def test_without_being_asked_for_no_output_is_quoted_and_nothing_is_left(pack, tmp_path):
+def test_output_is_not_quoted_by_default_and_no_files_remain(pack, tmp_path):
     path = pack(BEGIN + "print('secret')\n" + LOOP)
     report = check_file(path, ALONE, SHORT)
     assert "secret" not in json.dumps(report.model_dump(mode="json"))

@@ -91,7 +91,7 @@ def test_without_a_clear_renaming_none_is_planned(files):
     ("files", "code", "repair"),
     [({"main.py": MAIN} | LIBRARIES, "layout.misnamed", True), (FLAT, "layout.missing", False)],
 )
-def test_the_finding_says_whether_the_renaming_can_be_done(tmp_path, files, code, repair):
+def test_the_finding_states_whether_the_renaming_is_possible(tmp_path, files, code, repair):
     path = tmp_path / "team.zip"
     path.write_bytes(plain(files | {"team_name.txt": b"Cats"}))
     stage = inspect(path, load("match").scenario).stages[1]

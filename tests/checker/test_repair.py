@@ -220,7 +220,7 @@ def test_without_pillow_such_a_logo_is_left_out_with_a_note(tmp_path: Path, monk
 
 
 @pytest.mark.parametrize("frame", [(5000, 5000), (65_535, 65_535)])
-def test_a_gif_whose_frame_is_larger_than_it_says_is_not_unpacked(tmp_path: Path, frame: tuple[int, int]) -> None:
+def test_a_gif_with_a_frame_larger_than_declared_is_not_unpacked(tmp_path: Path, frame: tuple[int, int]) -> None:
     pytest.importorskip("PIL")
     result, out = repaired(tmp_path, plain(SOUND | {"logo.png": pictures.gif(frame)}))
     assert len(result.done) == 1

@@ -113,7 +113,7 @@ def test_the_committed_schema_is_fresh():
     assert committed.read_text("utf-8") == schema_text()
 
 
-def test_every_report_is_what_the_schema_says_and_can_be_read_back():
+def test_every_report_matches_the_schema_and_can_be_read_back():
     made = report(file_report(findings=[finding()], logo=PNG, matches=[match_report()]), file_report("other.zip"))
     data = json.loads(json.dumps(made.model_dump(mode="json")))
     jsonschema.validate(data, json.loads(schema_text()))
@@ -144,7 +144,7 @@ def test_the_exit_code_is_that_of_the_most_serious_verdict():
         ),
     ],
 )
-def test_the_verdict_says_whether_it_plays_and_what_a_repair_would_mend(findings, skipped, expected):
+def test_the_verdict_states_whether_it_plays_and_what_a_repair_would_fix(findings, skipped, expected):
     assert verdict(file_report(findings=findings, skipped=skipped)) == expected
 
 

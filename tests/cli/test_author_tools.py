@@ -123,7 +123,7 @@ class TestTest:
         assert done.exit_code == 0
         assert "no test sets off: goal" in done.stdout
 
-    def test_a_file_without_tests_says_how_to_write_some(self, written):
+    def test_for_a_file_without_tests_the_message_shows_how_to_write_some(self, written):
         text = GOAL.partition("expect:")[0]
         path = written((GOAL, text))
         assert "no tests: add expect:" in call("test", path).stdout
@@ -289,7 +289,7 @@ class TestDraw:
         assert (tmp_path / "field.png").read_bytes().startswith(b"\x89PNG\r\n\x1a\n")
         assert (tmp_path / "field.svg").read_text(encoding="utf-8").startswith("<svg")
 
-    def test_without_the_extra_the_message_says_what_to_install(self, tmp_path, monkeypatch):
+    def test_without_the_extra_the_message_names_what_to_install(self, tmp_path, monkeypatch):
         monkeypatch.setitem(sys.modules, "resvg_py", None)
         done = call("draw", "match", "--out", tmp_path / "field.png")
         assert 'pip install "rcj-challenges[png]"' in str(done.exception)

@@ -76,7 +76,7 @@ def test_a_good_submission_is_played_and_ends_with_0(tmp_path, good):
     assert sorted(path.name for path in (tmp_path / "replays").iterdir()) == ["good-blue.html", "good-yellow.html"]
 
 
-def test_a_bad_submission_ends_with_1_and_says_what_to_do(bad, capsys):
+def test_a_bad_submission_exits_with_1_and_prints_help(bad, capsys):
     assert check(bad, play=True) == 1
     out, err = capsys.readouterr()
     assert "rcj_soccer_team_blue/rcj_soccer_team_blue.py:1:5" in out

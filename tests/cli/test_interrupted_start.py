@@ -66,7 +66,7 @@ def test_other_commands(tmp_path: Path) -> None:
     assert (done.returncode, done.stdout, done.stderr) == (130, "", "interrupted\n")
 
 
-def test_an_interruption_is_heard_before_anything_large_is_loaded(tmp_path: Path) -> None:
+def test_an_interruption_is_handled_before_anything_large_is_loaded(tmp_path: Path) -> None:
     """What Python itself does until then, nobody can help."""
     listed = (
         "import sys; before = set(sys.modules); import rcj_challenges.cli; print(*sorted(set(sys.modules) - before))"

@@ -71,7 +71,7 @@ def test_the_newest_record_is_judged_by_its_own_rules_and_the_same_comes_out(jud
     assert "Poses remain" not in output
 
 
-def test_with_a_changed_rule_it_says_both_scores_and_what_differs(judge):
+def test_with_a_changed_rule_both_scores_and_the_difference_are_printed(judge):
     code, output = judge("--set", "rules.goal_in_blue.actions[0].points=2")
     assert code == 0
     assert "judged:   Hanse 0 : 2 Alster\n" in output

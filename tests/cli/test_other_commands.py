@@ -46,7 +46,7 @@ def test_a_damaged_record_is_listed_with_what_is_wrong(runs, capsys, monkeypatch
     assert "cannot be read" in capsys.readouterr().out
 
 
-def test_replay_writes_the_page_of_the_newest_record_anew(runs, capsys):
+def test_replay_rewrites_the_page_of_the_newest_record(runs, capsys):
     (folder,) = runs.iterdir()
     (folder / "replay.html").unlink(missing_ok=True)
     assert run("replay", "--out", runs) == 0
@@ -59,7 +59,7 @@ def test_a_record_that_is_not_there_is_reported(runs):
         run("replay", "nowhere", "--out", runs)
 
 
-def test_view_opens_the_page_and_says_where_it_is(runs, capsys, monkeypatch):
+def test_view_opens_the_page_and_prints_its_path(runs, capsys, monkeypatch):
     opened = []
     monkeypatch.setattr("webbrowser.open", lambda address, *_, **__: bool(opened.append(address)) or True)
     assert run("view", "--out", runs) == 0

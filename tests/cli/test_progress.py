@@ -98,7 +98,7 @@ def test_teams_keep_their_places_in_the_score_when_they_change_sides():
     assert " Hanse 2 : 1 Alster  (" in shown.getvalue()
 
 
-def test_the_board_says_who_plays_in_which_colour_now():
+def test_the_board_shows_which_team_plays_in_which_colour():
     shown = io.StringIO()
     board = Scoreboard(
         Console(file=shown, width=200, force_terminal=True, force_interactive=True), load("match").scenario

@@ -53,7 +53,7 @@ def test_a_full_disk_is_reported_with_the_file_and_what_helps(tmp_path: Path, du
 
 
 @POSIX
-def test_a_record_that_somebody_deletes_meanwhile_is_no_fault_of_ours(tmp_path: Path, duel: list[str]) -> None:
+def test_a_record_deleted_meanwhile_is_no_internal_error(tmp_path: Path, duel: list[str]) -> None:
     process = subprocess.Popen(
         [*COMMAND, "run", *duel, "--duration=20", "--quiet"], cwd=tmp_path, stderr=subprocess.PIPE, text=True
     )
@@ -77,7 +77,7 @@ def test_many_matches_are_not_begun_where_none_can_be_recorded(tmp_path: Path, d
     assert "a file is not a folder" in complaint
 
 
-def test_message_about_a_folder_without_a_result_says_what_is_missing(tmp_path: Path, command) -> None:
+def test_message_about_a_folder_without_a_result_names_what_is_missing(tmp_path: Path, command) -> None:
     (tmp_path / "moved").mkdir()
     for reads in ("stats", "replay", "view"):
         code, _, complaint = command(reads, "moved")

@@ -138,7 +138,7 @@ def test_an_editor_stops_at_a_breakpoint_in_the_teams_own_file_reads_a_variable_
     assert said == "fault: None\n"
 
 
-def test_breakpoint_in_a_program_that_is_not_debugged_does_nothing_and_says_so_once(tmp_path):
+def test_breakpoint_in_a_program_that_is_not_debugged_only_prints_one_notice(tmp_path):
     played = FakeMatch(tmp_path).play(SHARED, 3)
     assert played.fault is None
     assert played.said.count("went on") >= 2

@@ -150,7 +150,7 @@ def test_a_strict_run_has_every_layer(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("platform", ["darwin", "win32", "freebsd14"])
-def test_other_platforms_say_what_they_lack(platform: str) -> None:
+def test_other_platforms_report_missing_isolation(platform: str) -> None:
     assert set(isolation.missing_layers(platform)) == {"no_new_privileges", "filesystem", "system_calls"}
     always = {"clean_environment", "private_folder", "ends_with_parent"}
     assert set(isolation.active_layers("off", platform)) == always

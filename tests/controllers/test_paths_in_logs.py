@@ -141,7 +141,7 @@ def test_the_folder_that_python_is_in_is_not_named(
     assert reduce(lambda said, name: said.replace(*name), names, f"['{path}']") == f"['{told}']"
 
 
-def test_a_write_says_that_all_of_it_is_written(tmp_path: Path) -> None:
+def test_a_write_returns_its_full_length(tmp_path: Path) -> None:
     """Who writes bytes is told how many; fewer, and he would write the rest once more."""
     program = "import sys\ndata = __file__.encode() * 1000\nprint(sys.stdout.buffer.write(data) == len(data))\n"
     assert printed(tmp_path, program) == f"{FOLDER}robot.py" * 1000 + "True"

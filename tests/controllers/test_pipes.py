@@ -227,7 +227,7 @@ def test_a_large_frame_is_received_whole(line: Line) -> None:
     talker.join()
 
 
-def test_what_was_said_before_hanging_up_is_still_heard(line: Line) -> None:
+def test_messages_sent_before_closing_are_still_received(line: Line) -> None:
     line.says(framed(b"last words"))
     line.hangs_up()
     assert line.channel.receive(5) == b"last words"
@@ -236,7 +236,7 @@ def test_what_was_said_before_hanging_up_is_still_heard(line: Line) -> None:
             line.channel.receive(5)
 
 
-def test_a_side_that_went_deaf_is_still_heard(line: Line) -> None:
+def test_a_side_that_stopped_reading_is_still_read(line: Line) -> None:
     line.goes_deaf()
     line.says(framed(b"why"))
     line.channel.send(framed(b"unheard"))

@@ -177,7 +177,7 @@ def test_what_an_exit_status_of_windows_means(
     assert processes.is_crash(seen) is is_crash
 
 
-def test_a_program_that_failed_stays_dead_and_says_the_same_again(match: FakeMatch) -> None:
+def test_a_failed_program_stays_dead_and_repeats_its_failure(match: FakeMatch) -> None:
     with match.pool() as pool:
         team = match.team("faults/crashes_at_import")
         program = pool.add(SPEC, team, team.entry_for("Y1", "robot.py"))
@@ -215,7 +215,7 @@ def test_a_crash_is_reported_whatever_the_team_called_its_files(match: FakeMatch
     assert "line 3, in <module>" in played.fault.traceback
 
 
-def test_what_a_program_said_last_counts_though_it_arrives_after_its_end(
+def test_the_last_output_of_a_program_counts_though_it_arrives_after_its_end(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def late(fd: int, size: int) -> bytes:

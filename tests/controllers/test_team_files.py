@@ -257,7 +257,7 @@ def refusal(path: Path) -> str:
     return "; ".join(filter(None, (str(caught.value), caught.value.help)))
 
 
-def test_nothing_at_the_path_is_said_plainly(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_path_that_does_not_exist_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert refusal(tmp_path / "nothing").endswith("nothing: there is no such file or folder")
     with monkeypatch.context() as windows:
         windows.setattr(os, "sep", "\\")
@@ -267,7 +267,7 @@ def test_nothing_at_the_path_is_said_plainly(tmp_path: Path, monkeypatch: pytest
 
 
 @pytest.mark.parametrize("unread", [".", "robots", "robots/robot1.py"])
-def test_what_in_a_folder_may_not_be_read_is_named(
+def test_an_unreadable_file_in_a_folder_is_named(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, unread: str
 ) -> None:
     folder = tmp_path / "team"

@@ -61,7 +61,7 @@ def line() -> Iterator[Line]:
 
 
 @POSIX
-def test_it_looks_again_and_again_and_lets_everybody_else_go_first(line: Line, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_waiting_polls_repeatedly_and_yields_to_other_processes(line: Line, monkeypatch: pytest.MonkeyPatch) -> None:
     looks: list[int] = []
 
     def let_others_run() -> None:

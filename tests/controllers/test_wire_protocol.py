@@ -174,7 +174,7 @@ def test_a_request_with_more_than_a_robot_can_want_is_refused_before_it_is_read(
 
 
 @given(st.integers(0, 2**63))
-def test_what_a_program_says_of_how_much_it_printed_changes_nothing_that_it_asks_for(printed_bytes: int) -> None:
+def test_the_reported_output_size_of_a_program_does_not_change_its_requests(printed_bytes: int) -> None:
     connection, wire = program_end(CODEC.encode(Observation(0, [0.0] * SPEC.values, [])), printed_bytes=printed_bytes)
     connection.exchange(32)
     assert PRINTED.unpack_from(wire.asked, PRINTED_AT) == (printed_bytes,)
@@ -188,7 +188,7 @@ def test_packets_beyond_what_a_step_may_send_are_dropped() -> None:
 
 
 @given(ticks, requests)
-def test_the_match_receives_exactly_what_a_program_asks_for(tick: int, request: Request) -> None:
+def test_the_match_receives_exactly_the_requests_of_a_program(tick: int, request: Request) -> None:
     assert CODEC.decode(body_of(sent_by_program(tick, request)), tick) == request
 
 
@@ -210,7 +210,7 @@ def test_no_message_of_arbitrary_bytes_does_more_than_break_the_protocol(body: b
 
 
 @given(requests, st.data())
-def test_a_request_with_a_changed_byte_is_refused_or_asks_only_for_what_can_be(
+def test_a_request_with_a_changed_byte_is_refused_or_valid(
     request: Request, data: st.DataObject
 ) -> None:
     body = bytearray(body_of(sent_by_program(7, request)))
@@ -254,7 +254,7 @@ def test_a_request_that_is_cut_or_followed_by_more_is_refused(request: Request, 
         (GOOD._replace(emissions=((11, 3, bytes(MESSAGE_BYTES + 1)),)), "a radio packet of 4001 bytes"),
     ],
 )
-def test_what_cannot_be_asked_for_is_refused_with_a_reason(request_: Request, says: str) -> None:
+def test_an_impossible_request_is_refused_with_a_reason(request_: Request, says: str) -> None:
     with pytest.raises(ProtocolError) as caught:
         CODEC.decode(body_of(sent_by_program(0, request_)), 0)
     assert str(caught.value) == says
@@ -265,7 +265,7 @@ def test_a_request_that_answers_another_tick_is_refused() -> None:
         CODEC.decode(body_of(sent_by_program(4, GOOD)), 5)
 
 
-def test_what_a_program_says_of_its_end_is_made_harmless() -> None:
+def test_the_end_message_of_a_program_is_sanitized() -> None:
     body = body_of(_wire.fault_frame("crash", "bad\x1b[31m\n\u202eline  at 0x7f00deadbeef", "a\n\x07b"))
     assert CODEC.decode(body, 0) == Ended("crash", "bad [31m line at 0x…", "a\n b")
 
@@ -332,7 +332,7 @@ def test_the_document_of_the_protocol_names_every_form() -> None:
 
 
 @pytest.mark.parametrize(("over", "soon"), [(False, False), (False, True), (True, True)])
-def test_a_program_knows_whether_its_next_step_ends_soon(over: bool, soon: bool) -> None:
+def test_observation_sets_whether_the_next_step_ends_soon(over: bool, soon: bool) -> None:
     connection, wire = program_end(CODEC.encode(Observation(1, [0.0] * SPEC.values, [], over=over, soon=soon)))
     connection.exchange(32)
     assert (wire.next_is_soon, connection.over) == (soon and not over, over)

@@ -38,7 +38,7 @@ _SHARED: list[Bench] = []
 
 
 @given(st.floats(0.1, 0.55), st.floats(-math.pi, math.pi), st.floats(-math.pi, math.pi))
-def test_direction_and_strength_say_where_the_ball_is(distance: float, bearing: float, yaw: float) -> None:
+def test_direction_and_strength_give_the_position_of_the_ball(distance: float, bearing: float, yaw: float) -> None:
     if not _SHARED:
         _SHARED.append(Bench())
         _SHARED[0].enable("Y1", "ball receiver")
@@ -53,7 +53,7 @@ def test_direction_and_strength_say_where_the_ball_is(distance: float, bearing: 
     assert z < 0
 
 
-def test_it_is_heard_up_to_0_6_in_space(bench: Bench) -> None:
+def test_the_ball_is_received_up_to_0_6_m_away(bench: Bench) -> None:
     bench.place("Y1", -0.3, 0)
     bench.place("ball", -0.3 + 0.5997, 0)  # with the 16.6 mm of height: 0.59993
     assert len(ball_heard(bench)) == 1
@@ -107,7 +107,7 @@ def test_an_obstacle_hides_the_ball() -> None:
     assert len(ball_heard(bench)) == 1
 
 
-def test_several_balls_are_heard_in_their_order_and_do_not_hide_each_other() -> None:
+def test_several_balls_are_received_in_order_and_do_not_hide_each_other() -> None:
     balls = {"second": {"start_m": [0.2, 0.2]}, "silent": {"start_m": [0.3, 0.3], "emits": False}}
     bench = Bench(change={"balls": balls})
     bench.enable("Y1", "ball receiver")
@@ -140,7 +140,7 @@ def test_the_packet_is_never_empty(messages: str, data: bytes) -> None:
     assert packet.data == data
 
 
-def test_a_parked_ball_is_not_heard_and_a_parked_robot_hears_none() -> None:
+def test_a_parked_ball_is_not_received_and_a_parked_robot_receives_none() -> None:
     # A range that reaches as far as things are parked: being parked alone must be enough.
     bench = Bench(change={"kits": {"v2": {"devices": {"ball receiver": {"range_m": 1e9}}}}})
     bench.enable("Y1", "ball receiver")
@@ -161,7 +161,7 @@ def test_a_parked_robot_hides_nothing(bench: Bench) -> None:
     assert len(ball_heard(bench)) == 1
 
 
-def test_a_receiver_tuned_elsewhere_does_not_hear_the_ball(bench: Bench) -> None:
+def test_a_receiver_on_another_channel_does_not_receive_the_ball(bench: Bench) -> None:
     bench.place("Y1", 0, 0)
     bench.place("ball", 0.2, 0)
     bench.tune("Y1", "ball receiver", 5)
@@ -170,7 +170,7 @@ def test_a_receiver_tuned_elsewhere_does_not_hear_the_ball(bench: Bench) -> None
     assert len(ball_heard(bench)) == 1
 
 
-def test_a_ball_receiver_on_all_channels_hears_the_ball_and_no_radio(bench: Bench) -> None:
+def test_a_ball_receiver_on_all_channels_receives_the_ball_and_no_radio(bench: Bench) -> None:
     bench.place("Y1", 0, 0)
     bench.place("ball", 0.2, 0)
     bench.tune("Y1", "ball receiver", -1)

@@ -161,7 +161,7 @@ def test_a_scanner_that_was_disabled_starts_again_at_the_front() -> None:
     assert sum(cell != 0.0 for cell in scan(bench)) == 116
 
 
-def test_the_noise_has_the_spread_that_the_scenario_says() -> None:
+def test_the_noise_has_the_spread_of_the_scenario() -> None:
     bench = lidar_bench(rotating=False, noise_m=0.01)
     bench.place("Y3", 0, 0, 0)
     exact = scan_without_turning(0, 0)

@@ -75,7 +75,7 @@ def test_wheel_sensors_of_2021_have_the_sign_of_their_motors() -> None:
     assert bench.read("Y1", "right wheel sensor") == pytest.approx([4 * 0.32], rel=0.02)
 
 
-def test_gps_noise_has_the_spread_that_the_scenario_says() -> None:
+def test_gps_noise_has_the_spread_of_the_scenario() -> None:
     bench = Bench(change={"kits": {"v2": {"devices": {"gps": {"noise_m": 0.01}}}}})
     bench.place("Y1", 0.1, 0.2)
     bench.enable("Y1", "gps")

@@ -33,7 +33,7 @@ def test_there_is_one_packet_a_tick_of_one_byte() -> None:
     assert struct.unpack("?", b"\x00") == (False,)
 
 
-def test_a_receiver_that_is_disabled_or_tuned_away_does_not_hear_the_referee() -> None:
+def test_a_receiver_that_is_disabled_or_on_another_channel_does_not_receive_the_referee() -> None:
     bench = Bench()
     for robot in ("Y1", "Y2", "Y3"):
         bench.enable(robot, RECEIVER)
@@ -115,7 +115,7 @@ def test_an_empty_broadcast_is_not_sent() -> None:
     assert told(bench, "Y2") == [b"\x00"] * 3
 
 
-def test_a_receiver_that_is_enabled_later_hears_its_private_broadcast() -> None:
+def test_a_receiver_enabled_later_receives_its_private_broadcast() -> None:
     bench = Bench()
     secret = RefereeOutput(broadcast={}, private_broadcasts={bench.roster.index["Y1"]: {"way": "left"}})
     bench.enable("Y2", RECEIVER)
@@ -125,7 +125,7 @@ def test_a_receiver_that_is_enabled_later_hears_its_private_broadcast() -> None:
     assert told(bench, "Y1") == [b"\x00", b'{"way": "left"}']
 
 
-def test_robots_off_the_field_hear_the_referee_too() -> None:
+def test_robots_off_the_field_receive_the_referee_too() -> None:
     bench = Bench()
     for name in ("B1", "Y3"):
         bench.enable(name, RECEIVER)

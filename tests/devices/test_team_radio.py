@@ -37,7 +37,7 @@ def test_what_is_sent_on_observation_k_is_in_observation_k_plus_1(bench: Bench) 
     assert heard(bench, "Y2") == []
 
 
-def test_all_team_mates_hear_it_but_never_the_sender_nor_the_other_team(bench: Bench) -> None:
+def test_all_team_mates_receive_a_message_but_not_the_sender_or_the_other_team(bench: Bench) -> None:
     bench.send("Y2", b"pass")
     bench.sense()
     assert {robot: heard(bench, robot) for robot in (*BLUE, *YELLOW)} == {
@@ -109,7 +109,7 @@ def test_nothing_hides_a_radio(bench: Bench) -> None:
 @pytest.mark.parametrize(
     ("emitter_m", "receiver_m"), [(0.5, 10.0), (10.0, 0.5)], ids=["of the emitter", "of the receiver"]
 )
-def test_beyond_the_shorter_range_it_is_not_heard(emitter_m: float, receiver_m: float) -> None:
+def test_a_message_is_not_received_beyond_the_shorter_range(emitter_m: float, receiver_m: float) -> None:
     devices = {"team emitter": {"range_m": emitter_m}, "team receiver": {"range_m": receiver_m}}
     bench = Bench(change={"kits": {"v2": {"devices": devices}}})
     for robot, x in (("Y1", 0.0), ("Y2", 0.45), ("Y3", -0.55)):
@@ -180,7 +180,7 @@ def test_a_team_never_has_the_referees_channel() -> None:
     assert next(d.facts["channel"] for d in specs[0].devices if d.name == "team emitter") == 2
 
 
-def test_a_receiver_on_all_channels_hears_its_team_on_all_of_them_and_the_referee(bench: Bench) -> None:
+def test_a_receiver_on_all_channels_receives_its_team_and_the_referee_on_all(bench: Bench) -> None:
     bench.tune("Y2", "team receiver", -1)
     bench.send("Y1", b"nine", channel=9)
     bench.send("Y3", b"three")

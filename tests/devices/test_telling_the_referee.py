@@ -39,13 +39,13 @@ def emitter_of(spec: RobotSpec) -> dict[str, object]:
     return next(device.facts for device in spec.devices if device.kind == "emitter")
 
 
-def test_9_4_it_hears_in_the_tick_after_it_was_sent(bench: Bench) -> None:
+def test_9_4_referee_receives_a_message_in_the_tick_after_it_was_sent(bench: Bench) -> None:
     bench.send("Y1", b"FOUND", channel=1)
     assert told(bench) == {"Y1": "FOUND"}
     assert told(bench) == {}
 
 
-def test_no_robot_hears_it_and_what_goes_to_the_team_the_referee_does_not_hear(bench: Bench) -> None:
+def test_robots_and_referee_do_not_receive_messages_for_each_other(bench: Bench) -> None:
     bench.send("Y1", b"FOUND", channel=1)
     bench.send("Y2", b"hello")
     assert told(bench) == {"Y1": "FOUND"}
@@ -57,13 +57,13 @@ def test_no_robot_hears_it_and_what_goes_to_the_team_the_referee_does_not_hear(b
     assert {p.data for packets in heard.values() for p in packets} == {b"hello", b"\0"}  # the team's and the referee's
 
 
-def test_of_each_robot_it_hears_one_message_a_tick_in_the_order_sent(bench: Bench) -> None:
+def test_referee_receives_one_message_per_robot_and_tick_in_the_order_sent(bench: Bench) -> None:
     bench.send("B2", b"1", b"2", channel=1)
     bench.send("Y3", b"3", channel=1)
     assert [told(bench) for _ in range(3)] == [{"B2": "1", "Y3": "3"}, {"B2": "2"}, {}]
 
 
-def test_a_robot_that_is_off_the_field_or_silenced_is_not_heard(bench: Bench) -> None:
+def test_messages_of_a_robot_off_the_field_or_silenced_are_not_received(bench: Bench) -> None:
     bench.send("Y1", b"a", b"b", channel=1)
     bench.send("Y2", b"a", b"b", channel=1)
     assert told(bench) == {"Y1": "a", "Y2": "a"}
@@ -88,7 +88,7 @@ def test_the_emitter_may_be_set_to_its_channel_only_where_a_rule_listens(bench: 
     assert silent.devices.messages_to_referee(1) == ()
 
 
-def test_what_the_referee_has_not_heard_yet_leaves_the_team_its_radio(bench: Bench) -> None:
+def test_messages_waiting_for_the_referee_do_not_block_the_team_radio(bench: Bench) -> None:
     # It hears one message a tick: who tells more keeps it waiting, and only it.
     bench.send("Y1", *[b"x"] * (BACKLOG_PACKETS + 10), channel=1)
     bench.send("Y1", b"hello")

@@ -47,7 +47,7 @@ def differences(ranking, happens="", given=""):
         ("given: {counters: {laps: {Y1: 3}}}, ", "", "[yellow, blue]"),
     ],
 )
-def test_entrants_are_ranked_as_result_says(given, happens, ranking):
+def test_entrants_are_ranked_by_result(given, happens, ranking):
     assert differences(ranking, happens, given) == ()
 
 

@@ -39,7 +39,7 @@ def result(blue, yellow, *events):
     }
 
 
-def test_the_summary_tells_the_spread_by_entrant():
+def test_the_summary_has_the_spread_by_entrant():
     outcomes = [Outcome(Job(seed, ()), result(seed, 2, "GOAL")) for seed in (1, 2, 6)]
     told = summary(outcomes)
     assert told["spread"]["blue"] == {"least": 1, "median": 2, "mean": 3.0, "most": 6}

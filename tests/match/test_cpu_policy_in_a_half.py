@@ -73,7 +73,7 @@ def test_failed_program_does_not_busy_wait(play):
     assert awake(play(4, B1=(1, 2))[1])[:3] == [["B1"], ["B2"], ["B2"]]
 
 
-def test_no_program_busy_waits_if_the_policy_says_so(play):
+def test_no_program_busy_waits_if_the_policy_forbids_it(play):
     assert not any(awake(play(4, lambda *_: False)[1]))
 
 

@@ -67,7 +67,7 @@ def test_each_half_lasts_as_long_as_its_own_length(play):
     assert [half.info.ticks for half in run.trajectory.halves] == [32, 16, 10]
 
 
-def test_the_live_page_knows_the_length_of_each_half():
+def test_the_live_page_has_the_length_of_each_half():
     facts = live_facts(scenario(LONG_AND_SHORT).scenario, {}, 1)
     assert (facts["halves_planned"], facts["half_ticks_planned"]) == (3, [32, 16, 10])
 
@@ -114,7 +114,7 @@ def test_a_rule_can_end_the_match_when_a_half_is_over_and_then_no_half_follows(p
         (["draws.first_kickoff.keep=half", "draws.first_kickoff.not_again=match"], 2),
     ],
 )
-def test_where_teams_keep_their_sides_the_file_decides_who_kicks_off_the_second_half(place, overrides, teams):
+def test_without_change_of_sides_the_file_decides_the_kick_off_of_the_second_half(place, overrides, teams):
     sides_kept = ("match.halves=2", "match.half_s=0.032", "match.swap_sides=false")
     kickoffs = place.play(*sides_kept, *overrides).events("KICKOFF")
     assert len(kickoffs) == 2

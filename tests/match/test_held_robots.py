@@ -114,7 +114,7 @@ def test_a_robot_held_by_a_rule_stands_on_when_a_phase_lets_all_go(run):
     assert ways(run, "Y1")[on : on + 3].min() > 1e-4
 
 
-def test_the_record_says_which_robots_rules_hold_from_which_tick(run):
+def test_the_record_lists_robots_held_by_rules_from_each_tick(run):
     lines = [json.loads(line) for line in (run.folder / "referee.jsonl").read_text("utf-8").splitlines()]
     first, last = ticks_from_s(1.4), ticks_from_s(1.9)
     assert [line for line in lines if line["kind"] == "held"] == [
@@ -123,7 +123,7 @@ def test_the_record_says_which_robots_rules_hold_from_which_tick(run):
     ]
 
 
-def test_programs_run_on_and_sensors_tell_the_truth(run):
+def test_programs_of_held_robots_run_on_with_correct_sensor_values(run):
     assert "held 20 0.0 10.0" in run.log("Y1")  # the wheel has not turned; what the motor is commanded is 10 rad/s
 
 
@@ -137,7 +137,7 @@ def test_in_a_free_phase_they_drive(countdown):
     assert ways(free, "Y1")[10:20].min() > 1e-3
 
 
-def test_a_second_half_begins_as_its_first_phase_says_and_no_rule_holds_a_robot(countdown):
+def test_a_second_half_begins_with_its_first_phase_and_no_robot_held_by_a_rule(countdown):
     # The first half ends within the phase that stops the robots.
     few = [*alone("blue"), "entrants.yellow.robots.Y3=null"]
     both = countdown("match.halves=2", "match.half_s=2.2", "first_phase=play", *few)

@@ -49,7 +49,7 @@ def by(gift):
     return judged
 
 
-def test_its_own_rules_say_the_same_again(gift, by):
+def test_rejudging_with_the_same_rules_gives_the_same_result(gift, by):
     again = by()
     assert again.events == gift.result["events"]
     assert gift.result["score"] == {"blue": 1, "yellow": 1}

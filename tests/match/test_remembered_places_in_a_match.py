@@ -42,7 +42,7 @@ def run(shared_place):
     return shared_place.play("match.halves=2", scenario=SHOT)
 
 
-def test_it_tells_how_far_the_ball_has_come_and_the_ball_is_brought_back(run):
+def test_the_distance_of_the_ball_is_reported_and_the_ball_is_brought_back(run):
     ball = run.trajectory.entities.index("ball")
     for line, half in zip(run.events("FAR"), run.trajectory.halves, strict=True):
         assert line["payload"]["far"] == pytest.approx(0.5, abs=0.02)
@@ -50,7 +50,7 @@ def test_it_tells_how_far_the_ball_has_come_and_the_ball_is_brought_back(run):
         assert half.substeps[48, -1, ball, :2].tolist() == pytest.approx(there, abs=0.001)
 
 
-def test_it_tells_the_way_of_the_ball_without_the_jump_to_where_it_was_kicked(run):
+def test_the_way_of_the_ball_excludes_the_jump_to_where_it_was_kicked(run):
     ball = run.trajectory.entities.index("ball")
     for line, half in zip(run.events("FAR"), run.trajectory.halves, strict=True):
         told_at = 47  # 1.5 s

@@ -10,6 +10,6 @@ def test_the_physics_is_not_loaded_before_programs_are_started():
     assert told.strip() == "False"
 
 
-def test_the_result_tells_how_much_of_the_time_was_start_up(play):
+def test_the_result_has_the_start_up_time(play):
     run = play("match.half_s=1")
     assert 0 < run.result["start_up_s"] < run.result["wall_s"]

@@ -53,7 +53,7 @@ def test_each_benchmark_is_tried() -> None:
 
 @pytest.mark.nightly
 @pytest.mark.parametrize("name", sorted(SMALLEST.keys() - WITH_BARS))
-def test_a_benchmark_of_a_part_tells_its_figures(name: str) -> None:
+def test_a_benchmark_of_a_part_prints_its_figures(name: str) -> None:
     told = measured(name)
     assert told
     assert max(numbers(told)) > 0

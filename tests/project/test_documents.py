@@ -54,7 +54,7 @@ def test_the_lock_file_names_the_public_index_only():
     }
 
 
-def test_the_lock_file_knows_every_dependency():
+def test_the_lock_file_contains_every_dependency():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     lock = tomllib.loads((ROOT / "uv.lock").read_text(encoding="utf-8"))
     locked = {package["name"] for package in lock["package"]}

@@ -12,7 +12,7 @@ ROOT = Path(__file__).parents[2]
 
 @pytest.mark.nightly
 @pytest.mark.skipif(find_spec("sphinx") is None, reason="needs the extra [docs]")
-def test_site_is_built_without_warnings_and_its_search_knows_every_page(tmp_path):
+def test_site_is_built_without_warnings_and_every_page_is_in_its_search_index(tmp_path):
     command = [sys.executable, "-m", "sphinx", "-q", "-W", "-c", ROOT / "docs" / "site", ROOT, tmp_path]
     built = subprocess.run(command, capture_output=True, text=True, check=False)
     assert built.returncode == 0, built.stderr

@@ -47,7 +47,7 @@ def sources() -> Iterator[Path]:
                 yield path
 
 
-def test_whoever_opens_a_text_file_says_in_which_encoding() -> None:
+def test_text_files_are_opened_with_an_explicit_encoding() -> None:
     silent = [
         f"{path.relative_to(ROOT).as_posix()}:{call.lineno}"
         for path in sources()

@@ -54,7 +54,7 @@ def test_every_word_has_an_example():
 
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda example: f"{example.file}-{example.words[0]}")
-def test_every_example_is_a_scenario_and_comes_out_as_it_says(example: Example):
+def test_every_example_is_a_scenario_with_its_declared_outcome(example: Example):
     assert differences(load_text(example.whole, file=f"{example.file}.yaml")) == {}
 
 
@@ -68,7 +68,7 @@ def test_the_reference_is_what_the_models_and_the_examples_say():
 
 
 @pytest.mark.parametrize("recipe", RECIPES, ids=lambda path: path.stem)
-def test_every_recipe_is_free_of_lint_and_comes_out_as_it_says(recipe):
+def test_every_recipe_is_free_of_lint_and_has_its_declared_outcome(recipe):
     loaded = load(recipe)
     assert loaded.scenario.id == recipe.stem
     assert [str(finding) for finding in lint(loaded)] == []
@@ -100,7 +100,7 @@ EXAMPLE_CHALLENGES = sorted((ROOT / "scenarios" / "examples").glob("*.yaml"))
 
 
 @pytest.mark.parametrize("path", EXAMPLE_CHALLENGES, ids=lambda path: path.stem)
-def test_the_example_challenges_come_out_as_they_say_and_every_rule_is_tested(path):
+def test_the_example_challenges_pass_their_tests_and_every_rule_is_tested(path):
     loaded = load(path)
     trials = [run_test(loaded, name) for name in loaded.scenario.expect]
     assert [trial.differences for trial in trials if trial.differences] == []

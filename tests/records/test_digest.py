@@ -66,12 +66,12 @@ def test_a_whole_number_is_the_same_with_and_without_a_fraction() -> None:
     assert inputs(text, ("x=15",)) != inputs(text, ("x=15.5",))
 
 
-def test_a_fraction_that_programs_are_told_is_not_the_same_as_none() -> None:
+def test_integer_and_fraction_in_a_payload_have_different_digests() -> None:
     rule = "rules: {a: {triggers: [{trigger: half_started}], actions: [{action: emit, event: A, payload: {v: %s}}]}}\n"
     assert inputs(rule % "15") != inputs(rule % "15.0")
 
 
-def test_a_value_that_is_the_default_is_the_same_as_none() -> None:
+def test_explicit_default_value_has_the_digest_of_an_omitted_one() -> None:
     assert inputs("counters: {n: {}}\n") == inputs("counters: {n: {initial: 0}}\n")
     assert inputs("counters: {n: {}}\n") != inputs("counters: {n: {initial: 1}}\n")
 

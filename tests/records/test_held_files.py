@@ -69,7 +69,7 @@ def test_who_keeps_a_file_open_is_not_waited_for_without_end(tmp_path: Path, ref
     assert "--out" in unwritable.diagnostics[0].help
 
 
-def test_what_is_refused_for_another_reason_is_asked_once(tmp_path: Path, refuse) -> None:
+def test_a_file_refused_for_another_reason_is_tried_once(tmp_path: Path, refuse) -> None:
     refused = refuse(Path, "replace", None, float("inf"))
     with pytest.raises(PermissionError), replaced(tmp_path / "result.json") as file:
         file.write(b"new")

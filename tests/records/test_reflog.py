@@ -38,7 +38,7 @@ def test_half_a_surrogate_pair_does_not_stop_the_record() -> None:
     assert json.loads(json_line({"team_name": "\ud83d"})) == {"team_name": "\ud83d"}
 
 
-def test_a_failed_program_stands_before_what_the_rules_said_in_that_tick() -> None:
+def test_a_failed_program_is_logged_before_the_rules_of_that_tick() -> None:
     fault = Fault("Y1", "crash", 6, 1, "ZeroDivisionError: division by zero")
     events = events_of(made_up_snapshot(7, 1, faults=(fault,)), RefereeOutput(events=(Event(7, "GOAL"),)))
     assert [event.name for event in events] == ["PROGRAM_FAULT", "GOAL"]

@@ -69,7 +69,7 @@ def test_of_a_file_that_lost_its_end_the_first_half_is_whole(good: Path, tmp_pat
     assert f"1.9 s of half 1, {second.ticks * 0.032:.1f} s of half 2" in problem
 
 
-def test_of_a_run_that_somebody_broke_off_it_is_said_in_words(good: Path, tmp_path: Path) -> None:
+def test_an_interrupted_run_is_described_in_words(good: Path, tmp_path: Path) -> None:
     folder = Path(shutil.copytree(good, tmp_path / "run"))
     result = json.loads((folder / "result.json").read_bytes())
     broken_off = json.dumps({**result, "complete": False, "stopped": "KeyboardInterrupt"})

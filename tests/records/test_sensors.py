@@ -128,7 +128,7 @@ def test_endless_printing_is_cut_and_the_readings_go_on(tmp_path: Path, monkeypa
     assert len(track.ticks) == 20
 
 
-def test_a_recording_does_not_grow_beyond_its_size_and_says_where_it_stops(
+def test_a_recording_stops_at_its_size_limit_and_notes_where(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(sensors, "MAX_BYTES_A_HALF", 20_000)

@@ -47,7 +47,7 @@ def test_runs_of_the_same_second_never_share_a_folder(tmp_path: Path) -> None:
     assert {"20210618-120000-match", "20210618-120000-match-2"} <= {folder.name for folder in folders}
 
 
-def test_a_folder_that_cannot_be_made_is_said_so(tmp_path: Path) -> None:
+def test_a_folder_that_cannot_be_created_is_reported(tmp_path: Path) -> None:
     (tmp_path / "runs").write_text("a file", encoding="utf-8")
     with pytest.raises(RecordError) as refused:
         RecordWriter(tmp_path / "runs", small_header(small_scenario()))
@@ -92,7 +92,7 @@ def test_from_the_first_moment_there_is_a_result_that_is_not_complete(tmp_path: 
     writer.finish({"complete": False})
 
 
-def test_a_finished_run_tells_who_played_how_it_ended_and_on_what(run: Path) -> None:
+def test_result_of_a_finished_run_has_teams_sides_events_and_versions(run: Path) -> None:
     result = read_result(run)
     assert result.complete
     assert {team: entrant.name for team, entrant in result.entrants.items()} == {"blue": "Hanse", "yellow": "Alster"}
@@ -134,7 +134,7 @@ def test_the_score_is_that_of_the_changes_also_after_the_last_tick(tmp_path: Pat
     assert half.ended == "mercy"
 
 
-def test_a_run_that_an_error_stops_is_closed_and_says_so(tmp_path: Path) -> None:
+def test_a_run_stopped_by_an_error_is_closed_and_marked(tmp_path: Path) -> None:
     scenario = small_scenario(1, 1)
     header = small_header(scenario)
     with pytest.raises(KeyboardInterrupt), RecordWriter(tmp_path, header) as writer:  # noqa: PT012

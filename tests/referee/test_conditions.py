@@ -181,7 +181,7 @@ class TestConditionCounter:
 
 
 @pytest.mark.parametrize(("compared", "first", "then"), [(", at_least: 0.32", False, True), ("", True, False)])
-def test_timer_is_asked_how_long_it_has_run_or_whether_it_runs(stage, ask, compared, first, then):
+def test_timer_is_compared_by_its_time_or_tested_for_running(stage, ask, compared, first, then):
     lasts_s = 0.64 if compared else 0.32
     play = stage(f"timers: {{egg: {{lasts_s: {lasts_s}, starts: true}}}}", asking(f"timer, timer: egg{compared}"))
     play.play(8)
@@ -191,7 +191,7 @@ def test_timer_is_asked_how_long_it_has_run_or_whether_it_runs(stage, ask, compa
 class TestConditionLastTouch:
     ASKED = asking("last_touch, by: yellow")
 
-    def test_it_asks_who_touched_the_ball_last(self, stage, ask):
+    def test_last_toucher_of_the_ball_is_tested(self, stage, ask):
         play = stage(self.ASKED)
         assert not ask(play)
         play.touch("ball", "Y1")

@@ -86,7 +86,7 @@ class TestZones:
         play.play(25)
         assert len(play.events) == fires
 
-    def test_holds_is_asked_again_when_a_draw_makes_it_true(self, stage):
+    def test_holds_is_evaluated_again_when_a_draw_makes_it_true(self, stage):
         holds = "{trigger: holds, condition: {condition: in_zone, entity: ball, zone: hot}}"
         play = stage(HOT, hears(holds), AGAIN, draws={"hot": "right"})
         place(play, "ball", *LEFT)

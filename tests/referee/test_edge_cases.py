@@ -142,5 +142,5 @@ class TestRemove:
         (", for_s: 3.2", "", []),
         ("", ", for_s: 0.64", [40]),
     ])  # fmt: skip
-    def test_a_robot_off_already_comes_back_as_the_later_one_says(self, stage, first, second, back):
+    def test_a_robot_already_off_returns_as_the_later_removal_states(self, stage, first, second, back):
         assert self.removals(stage, first, second) == back

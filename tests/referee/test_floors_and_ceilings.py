@@ -46,7 +46,7 @@ class TestHowFarAScoreGoes:
         assert [firing.scored["blue"] for firing in play.firings] == given
         assert play.referee.scores["blue"] == after
 
-    def test_it_is_said_what_was_really_taken(self, stage):
+    def test_the_points_really_taken_are_reported(self, stage):
         play = stage(
             "rules: {foul: {triggers: [{trigger: time_reached, at_s: 0.32}], says: '{points}', "
             "actions: [{action: score, entrant: blue, points: -5, keeps_at_least: 0}]}}",

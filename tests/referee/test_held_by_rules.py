@@ -77,7 +77,7 @@ class TestActionHold:
         assert found == dict.fromkeys(range(1, 6), "B2,Y1") | dict.fromkeys(range(6, 11), "B2")
 
     @pytest.mark.parametrize(("value", "ticks"), [("0.32", 10), ("0", 0), ("-1", 0), ("0.001", 1), ("1000000", 200)])
-    def test_a_counter_says_how_long_when_it_is_read(self, stage, value, ticks):
+    def test_a_counter_sets_the_hold_time_when_it_is_read(self, stage, value, ticks):
         hold = "{action: hold, entity: Y1, for_s: {counter: penalty_s}}"
         more = "{action: count, counter: penalty_s, to: 9}"
         play = stage(f"counters: {{penalty_s: {{initial: {value}}}}}", on_fault("Y1", hold, more))
@@ -97,7 +97,7 @@ class TestActionHold:
             lasting.append(len(held(play, 100)))
         assert lasting == [32, 63, 32]  # 1 s, 2 s and 1 s, rounded up to ticks
 
-    def test_a_draw_says_how_long(self, stage):
+    def test_a_draw_sets_the_hold_time(self, stage):
         hold = "{action: hold, entity: Y1, for_s: {draw: penalty_s}}"
         play = stage("draws: {penalty_s: {values: [0.64, 0.64]}}", on_fault("Y1", hold))
         play.fail("Y1")

@@ -25,7 +25,7 @@ def stay_together(play, first, second, seconds):
 
 
 class TestTouchThatLasts:
-    def test_it_is_heard_when_it_begins_and_at_each_interval_counted_from_there(self, stage):
+    def test_lasting_touch_fires_when_it_begins_and_at_each_interval_after(self, stage):
         play = stage(BUMPS)
         stay_together(play, "Y1", "ball", 2)
         # 0.5 s are 15.6 ticks, and that does not add up.
@@ -47,7 +47,7 @@ class TestTouchThatLasts:
         # Y1 at 1 and 17, Y2 at 11.
         assert event_ticks(play, "BUMP") == [1, 11, 17]
 
-    def test_in_another_phase_it_is_not_heard_and_its_time_starts_again_after_it(self, stage):
+    def test_lasting_touch_does_not_fire_in_another_phase_and_restarts_after_it(self, stage):
         play = stage("""
 phases: {pause: {lasts_s: 0.64, next: play}}
 rules:

@@ -38,7 +38,7 @@ class TestConditionLooks:
         assert ask(play) is holds
 
     @pytest.mark.parametrize("front", ["+x", "-x"])
-    def test_it_goes_by_the_yaw_whichever_end_is_shown_as_the_front(self, stage, ask, front):
+    def test_direction_is_the_yaw_whichever_end_is_shown_as_the_front(self, stage, ask, front):
         kit = f"kits: {{v2: {{looks_along: '{front}'}}}}"
         play = stage(ASKING % "{condition: looks, entity: Y1, heading_rad: 0}", kit)
         play.place("Y1", 0.0, 0.0, 0.0)

@@ -49,7 +49,7 @@ class TestStartAndEnd:
             ("team_name_blue", "Phase Moon"), ("match_id", 99), ("halftime", 1),
         ]  # fmt: skip
 
-    def test_the_end_tells_the_result(self, match_play):
+    def test_the_end_reports_the_result(self, match_play):
         play = match_play()
         play.play(3)
         play.finish()

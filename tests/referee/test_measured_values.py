@@ -81,7 +81,7 @@ class TestValueLastTouch:
         touch(play, "ball", "B1", ticks=3)
         assert payload(play) == {"who": "B1"}
 
-    def test_a_broadcast_has_it_though_no_rule_asks_for_touches(self, stage):
+    def test_a_broadcast_has_touches_though_no_rule_uses_them(self, stage):
         play = stage("broadcast: {fields: {who: {last_touch: ball}}}")
         assert play.output.broadcast == {"who": None}
         play.touch("ball", "Y2")
@@ -104,7 +104,7 @@ class TestPointsAndParamsInSentences:
     @pytest.mark.parametrize(
         ("points", "said"), [("3", "3"), ("0.5", "0.5"), ("-2.0", "-2"), ("{param: goal}", "7"), ("1234567", "1234567")]
     )
-    def test_it_says_how_many_points_its_rule_gives(self, points, said):
+    def test_the_points_of_the_rule_are_a_measured_value(self, points, said):
         actions = f"[{{action: score, entrant: yellow, points: {points}}}]"
         assert self.said(actions, "A goal; {points} points.", "{goal: 7}") == f"A goal; {said} points."
 

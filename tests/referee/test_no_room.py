@@ -61,7 +61,7 @@ HERE = "spots: {here: {x_m: 0, y_m: 0.2}}"
         ),
     ],
 )
-def test_the_log_says_why_there_is_no_room(stage, sections, poses, note):
+def test_the_log_states_why_there_is_no_room(stage, sections, poses, note):
     play = stage(*sections)
     for entity, (x_m, y_m) in poses.items():
         play.place(entity, x_m, y_m)
@@ -85,7 +85,7 @@ def test_a_place_far_outside_the_field_is_no_room(stage, where):
     assert [firing.suppressed for firing in play.firings] == [None, "no_room"]
 
 
-def test_where_there_is_room_in_the_end_it_is_said_that_there_was_none_before(stage):
+def test_a_late_placement_is_reported_with_the_earlier_lack_of_room(stage):
     # B1 takes the first spot, and so Y1 stays where it is; that is too near to the first spot for B1, which moves on.
     play = stage(
         "spots: {first: {x_m: 0.3, y_m: 0}, second: {x_m: 0.5, y_m: 0}}",
@@ -104,7 +104,7 @@ rules:
     assert notes(play) == ["Y1 stays where it is for want of room: there was none when it was put"]
 
 
-def test_what_comes_back_and_finds_no_room_is_said_too(stage):
+def test_a_return_without_room_is_reported_too(stage):
     play = stage(at_tick_10("{action: remove, entity: Y1, for_s: 0.32, back_at: {point: [0, 0]}}"))
     play.play(15)
     assert notes(play) == []
@@ -139,7 +139,7 @@ expect:
 """
 
 
-def test_a_test_that_fails_says_what_waits_for_room():
+def test_a_failing_test_names_what_waits_for_room():
     differences = list(run_test(load_text(FILE % ", poses: {Y1: [0, 0]}"), "it").differences)
     assert len(differences) == 2
     assert differences[0].startswith("Y1: expected at (0, 0)")

@@ -184,7 +184,7 @@ class TestOutlines:
     @pytest.mark.parametrize(
         "ends", ["from_m: [-0.3, -0.3], to_m: [0.3, 0.3]", "from_m: [0.3, 0.3], to_m: [-0.3, -0.3]"]
     )
-    def test_an_oblique_wall_is_as_thick_and_as_long_as_it_says(self, small, ends):
+    def test_an_oblique_wall_has_its_declared_thickness_and_length(self, small, ends):
         scenario = small(f"obstacles: {{wall: {{shape: wall, {ends}, thickness_m: 0.04}}}}")
         bodies, roster = Bodies(scenario, Roster.of(scenario)), Roster.of(scenario)
 

@@ -56,7 +56,7 @@ def test_a_half_whose_clock_stood_still_can_be_tested_to_its_end():
 
 
 @pytest.mark.parametrize(("value", "back"), [("0.64", 20), ("0", 1), ("-3", 1)])
-def test_a_counter_says_when_it_comes_back(stage, value, back):
+def test_a_counter_sets_the_time_of_return(stage, value, back):
     remove = "{action: remove, entity: Y1, for_s: {counter: away_s}}"
     play = stage(f"counters: {{away_s: {{initial: {value}}}}}", on_fault("Y1", remove))
     play.fail("Y1")

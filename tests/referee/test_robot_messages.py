@@ -32,7 +32,7 @@ def told(play, *messages, robot="Y1"):
 
 
 class TestTriggerTells:
-    def test_each_message_sets_it_off_in_the_tick_in_which_it_is_heard(self, stage):
+    def test_each_message_fires_the_rule_in_the_tick_of_its_reception(self, stage):
         play = stage(hearing())
         assert told(play, "a", "b", "b") == 3
         play.play(10)
@@ -185,7 +185,7 @@ class TestMessages:
         assert text == text.strip()
 
     @given(NUMBERS)
-    def test_a_number_is_heard_as_it_was_sent(self, number):
+    def test_a_number_is_received_as_it_was_sent(self, number):
         assert number_in(message_text(repr(number).encode())) == number
 
     @given(NUMBERS.filter(lambda number: abs(number) > 1e-3), NUMBERS)

@@ -80,7 +80,7 @@ class TestGates:
             ("", ", entity: Y1", [""]),
         ],
     )
-    def test_the_event_is_heard_of_the_gate_as_well_as_of_the_robot(self, stage, each, entity, told):
+    def test_rules_over_gates_and_over_robots_both_react_to_the_event(self, stage, each, entity, told):
         hears = f"""
   hears:
     {each}
@@ -93,7 +93,7 @@ class TestGates:
         assert sorted(event.payload["each"] or "" for event in play.events_named("TOLD")) == told
 
     @pytest.mark.parametrize("heard_of", ["[Y1, west]", "[west, Y1]", "[posts, robots]"])
-    def test_a_rule_that_hears_the_gate_or_the_robot_gets_the_robot(self, stage, heard_of):
+    def test_each_is_the_robot_if_the_rule_is_over_gates_or_robots(self, stage, heard_of):
         play = stage(
             GATES,
             f"""
@@ -166,7 +166,7 @@ class TestZones:
         assert play.firings[-1].says == "Y1 has come to the ball in left."
 
 
-def test_a_sentence_tells_names_as_people_write_them(stage):
+def test_a_sentence_formats_names_as_people_write_them(stage):
     play = stage("""
     zones: {far_end: {shape: rect, y_min_m: 0.6}}
     groups: {ends: [far_end]}

@@ -106,7 +106,7 @@ class TestTriggersSequenceCompletedAndBroken:
             (", entity: [B1, Y2]", ["B1", "Y2"]),
         ],
     )
-    def test_entity_says_whose_and_left_out_it_is_any(self, stage, whose, heard):
+    def test_entity_selects_the_sequence_and_without_it_any_matches(self, stage, whose, heard):
         completed, broken = stage(PLAIN, WHOSE % whose), stage(BREAKS, (WHOSE % whose).replace("completed", "broken"))
         for robot in ("B1", "Y1", "Y2"):
             walk(completed, robot, A, B, C)
@@ -114,7 +114,7 @@ class TestTriggersSequenceCompletedAndBroken:
         for play in (completed, broken):
             assert [who for _, who in said(play)] == heard
 
-    def test_a_rule_over_zones_or_gates_hears_those_of_all(self, stage):
+    def test_a_rule_over_zones_or_gates_reacts_to_sequences_of_all_robots(self, stage):
         over = "groups: {places: [a, c]}\n" + (WHOSE % "").replace("done:", "done:\n    for_each: places")
         play = stage(PLAIN, over)
         walk(play, "Y1", A, B, C)
@@ -136,7 +136,7 @@ class TestConditionSequenceAt:
             (", of: any, entity: blue", [False, False, True]),
         ],
     )
-    def test_whose_step_is_asked_for(self, stage, ask, whose, answers):
+    def test_step_of_the_selected_sequence_is_tested(self, stage, ask, whose, answers):
         play = stage(PLAIN, ASKING % f"{{condition: sequence_at, sequence: way, step: a{whose}}}")
         found = [ask(play)]
         for robot in ("Y1", "B2"):
@@ -161,7 +161,7 @@ class TestConditionSequenceAt:
 
 class TestActionSequence:
     @pytest.mark.parametrize(("whose", "done"), [("", []), (", entity: Y1", ["B1"]), (", entity: each", ["Y1"])])
-    def test_entity_says_whose_starts_again_and_left_out_all_do(self, stage, whose, done):
+    def test_entity_selects_the_restarted_sequence_and_without_it_all_restart(self, stage, whose, done):
         restarts = (
             "rules: {restarts: {for_each: blue, triggers: [{trigger: program_fault, robot: each}], "
             f"actions: [{{action: sequence, sequence: way{whose}}}]}}}}"

@@ -34,7 +34,7 @@ def found(stage, action: str, *sections: str, **facts) -> tuple[float, float]:
 
 
 class TestActionSetSpot:
-    def test_until_a_rule_sets_it_the_spot_is_where_the_file_says_in_each_half(self, stage):
+    def test_the_spot_has_its_position_in_the_file_in_each_half_until_a_rule_sets_it(self, stage):
         play = stage(PITCH, once(300, set_to("ball")), FAR)
         play.place("ball", 0.3, 0.2)
         assert payload(play) == {"far": 0.3}

@@ -233,7 +233,7 @@ class TestLine4:
                 fail(play, "B1")
             assert event_ticks(play) == [1]
 
-    def test_4_6_only_a_firing_whose_actions_ran_counts(self, stage):
+    def test_4_6_only_a_firing_that_ran_its_actions_counts(self, stage):
         play = stage(f"""
         rules:
           worn: {{exclusive: only, max_executions: 1, triggers: [{{trigger: program_fault}}], actions: [{EMIT}]}}

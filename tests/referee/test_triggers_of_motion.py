@@ -144,7 +144,7 @@ class TestSequenceWhoseEntityIsPutElsewhere:
         assert play.names() == names
 
     @pytest.mark.parametrize(("phases", "done"), [("", []), ("phases: any, ", ["DONE"])])
-    def test_after_a_phase_in_which_no_rule_hears_it_it_starts_again(self, stage, phases, done):
+    def test_sequence_starts_again_after_a_phase_in_which_no_rule_follows_it(self, stage, phases, done):
         pause = rule("trigger: tips_over, entity: Y1", "{action: set_phase, phase: pause}", name="fell")
         play = stage(GOES_ON.replace("{triggers", "{" + phases + "triggers", 1), pause,
                      "phases: {play: {}, pause: {lasts_s: 1, next: play}}")  # fmt: skip

@@ -120,7 +120,7 @@ class TestTriggerEventOfOne:
             ("", "", [""]),
         ],
     )
-    def test_it_is_heard_by_rules_about_the_same_robot(self, stage, each, entity, told):
+    def test_program_fault_fires_rules_about_the_same_robot(self, stage, each, entity, told):
         play = stage(
             hears("program_fault, robot: each", "for_each: robots,", "HIT"),
             rule(f"trigger: event, event: HIT{entity}", self.WHO, more=each),
@@ -139,7 +139,7 @@ class TestTriggerEventOfOne:
         assert payloads(play) == [{"who": "B2"}]
 
 
-def test_fault_of_another_robot_is_not_heard(stage):
+def test_fault_of_another_robot_does_not_fire(stage):
     assert event_ticks(fail(stage(hears("program_fault, robot: B1")), "Y2")) == []
 
 
@@ -210,7 +210,7 @@ class TestTriggerHolds:
         assert len(ticks) == 60
 
     @pytest.mark.parametrize(("for_s", "heard"), [(0, []), (0.05, [4])])
-    def test_what_a_removal_makes_true_is_heard_by_what_must_last(self, stage, for_s, heard):
+    def test_a_removal_starts_the_duration_of_a_condition_that_it_makes_true(self, stage, for_s, heard):
         empty = "{condition: in_zone, entity: [ball, Y1], zone: right, of: none}"
         play = stage(
             hears(f"holds, condition: {empty}, for_s: {for_s}"),

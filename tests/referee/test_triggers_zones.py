@@ -96,7 +96,7 @@ class TestTriggerStaysIn:
             place(play, "ball", *where, ticks=count)
         assert event_ticks(play) == ticks
 
-    def test_where_it_is_at_the_end_of_a_tick_says_whether_it_is_inside(self, stage):
+    def test_the_position_at_the_end_of_a_tick_decides_whether_it_is_inside(self, stage):
         play = stage(STAYS)
         seen(play, OUT, OUT, OUT, IN)
         play.play(44)

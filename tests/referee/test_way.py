@@ -38,7 +38,7 @@ class TestValueWay:
     def test_each_half_begins_at_0(self, stage):
         assert payload(stage(TOLD, half=2)) == {"y1": 0, "ball": 0}
 
-    def test_no_way_is_added_up_that_no_rule_asks_for(self, stage):
+    def test_way_is_summed_only_if_a_rule_uses_it(self, stage):
         play = stage(emitting("{y1: {way: Y1}}"))
         assert play.referee._state.ways.keys() == {play.roster.index["Y1"]}
         assert stage().referee._state.ways == {}

@@ -34,7 +34,7 @@ DEFINING = {
 """Fields whose names are chosen there."""
 
 
-def test_every_field_that_holds_a_name_says_what_it_names():
+def test_every_field_that_holds_a_name_declares_what_it_names():
     found = {(model, key) for model in all_models() for key, shape in fields(model).items() if names_something(shape)}
     referring = {(model, key) for model in all_models() for key, _, _ in refs_of(model)}
     assert len(found) > 70

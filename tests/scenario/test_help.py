@@ -53,7 +53,7 @@ HELP = [
 
 
 @pytest.mark.parametrize(("body", "said"), HELP)
-def test_help_says_what_to_write(body, said):
+def test_help_shows_what_to_write(body, said):
     assert any(said in problem.help for problem in errors(body)), [problem.help for problem in errors(body)]
 
 

@@ -86,7 +86,7 @@ def test_left_out_tests_are_listed_when_tests_are_run(mine, capsys):
     assert list(json.loads(capsys.readouterr().out)["files"][0]["left_out"]) == [REASON]
 
 
-def test_a_failing_test_says_from_where_it_is_inherited_and_an_own_one_does_not(mine, capsys):
+def test_a_failing_inherited_test_names_its_origin_and_an_own_one_does_not(mine, capsys):
     stricter = "rules: {scored: {actions: [{action: score, entrant: yellow, points: 2}]}}\n"
     own = "expect: {mine: {keyframes: [{at_s: 0.5}], lasts_s: 1, score: {yellow: 7}}}\n"
     path = mine(stricter + own)

@@ -67,7 +67,7 @@ def test_every_field_is_described():
     assert [where for where, schema in found if not schema.get("description")] == []
 
 
-def test_every_number_with_a_unit_in_its_name_says_the_unit():
+def test_every_number_with_a_unit_in_its_name_describes_the_unit():
     units = {
         "_s": (" s", "seconds", "duration"),
         "_m": (" m", "[x, y]"),

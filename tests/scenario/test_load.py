@@ -113,7 +113,7 @@ def test_groups_of_groups_of_groups_are_resolved_once_each():
     assert found.roster.groups["g0"] == ("B1", "ball")
 
 
-def test_a_scenario_in_a_folder_of_somebody_else_is_not_said_to_be_missing(tmp_path, monkeypatch):
+def test_a_scenario_in_an_unreadable_folder_is_not_reported_as_missing(tmp_path, monkeypatch):
     theirs, real = tmp_path / "theirs" / "cup.yaml", Path.stat
 
     def stat(path, **how):

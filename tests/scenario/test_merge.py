@@ -53,7 +53,7 @@ def test_of_keys_of_which_one_is_given_the_written_one_takes_the_place_of_that_o
         ("broadcast: {fields: {f: text}}", "broadcast: {fields: {f: {counter: a}}}"),
     ],
 )
-def test_an_entry_whose_kind_changes_replaces_the_bases_whole(base, over):
+def test_an_entry_of_another_kind_replaces_the_whole_entry_of_the_base(base, over):
     assert merged(base, over)[0] == plain(parse_text(over, "f"))
 
 

@@ -196,7 +196,7 @@ class TestMistakes:
         column = text.splitlines()[4].index("in_plai") + 1
         assert problem.where == InFile("a.yaml", HEAD_LINES + 5, column, "rules.pay.triggers[0] (enters)")
 
-    def test_what_is_wrong_for_one_name_says_for_which(self):
+    def test_an_error_for_one_name_states_the_name(self):
         body = GOALS.replace("zone: yellow_goal", "zone: yellow_gaol")
         assert complaints(body) == ["unknown-name rules.goal_blue.triggers[0] (enters) -> yellow_goal"]
 

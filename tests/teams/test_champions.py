@@ -88,7 +88,7 @@ def test_a_passed_ball_leaves_the_face_in_the_wanted_direction(champion):
         assert math.atan2(y, x) == pytest.approx(wanted, abs=0.001)
 
 
-def test_a_passer_knows_where_and_when_it_meets_the_ball(champion):
+def test_a_passer_computes_where_and_when_it_meets_the_ball(champion):
     touch = champion("pass_the_ball", "pass_library.touch")
     way, time = touch.meeting((0.0, 0.0), (0.2, 0.0), (0.1, -0.1), math.pi / 2, 0.06)
     assert (way, time) == pytest.approx((0.04, 0.5))

@@ -67,7 +67,7 @@ def test_a_robot_gets_to_any_place_in_time(load, team, x, y, heading, target_x, 
 
 @pytest.mark.parametrize("team", TEAMS_WITH_DRIVING)
 @given(x=ON_FIELD_X, y=ON_FIELD_Y, heading=ANGLE, target_x=ON_FIELD_X, target_y=ON_FIELD_Y)
-def test_no_motor_is_asked_for_more_than_it_can(load, team, x, y, heading, target_x, target_y):
+def test_no_motor_is_commanded_beyond_its_limit(load, team, x, y, heading, target_x, target_y):
     left, right = load(team, "driving").wheels_to_point(x, y, heading, target_x, target_y)
     assert max(abs(left), abs(right)) <= 10 + 1e-9
 

@@ -142,7 +142,7 @@ def test_a_corrected_run_has_the_worst_time_of_the_others(rule):
     )
 
 
-def test_corrected_runs_alone_are_level_in_what_no_ruling_says():
+def test_corrected_runs_alone_are_level_in_criteria_that_no_ruling_sets():
     one = season(POLES % "sum", names(1))
     outcomes = {fixture.id: Outcome((4.0,), Ruled.CORRECTED) for fixture in one.state({}).open_fixtures()}
     assert one.state(outcomes).stages[0].tables[0].rows[0].values == (8, 0)

@@ -30,7 +30,7 @@ def test_a_replaced_team_plays_only_its_own_matches_again(tmp_path):
     assert all("Team ada" in job.names.values() for job in executor.jobs)
 
 
-def test_each_match_says_which_submission_played_and_both_are_kept_with_the_time_they_came(tmp_path):
+def test_each_match_names_its_submission_and_both_are_kept_with_their_times(tmp_path):
     home = Home(tmp_path, GROUP_ONLY)
     home.play()
     home.hand_in("ada", "better")
@@ -121,7 +121,7 @@ def test_a_file_of_the_data_that_is_damaged_is_named(tmp_path):
     assert code_of(error) == "data-file-missing"
 
 
-def test_teams_with_one_name_are_told_apart_and_hostile_names_are_made_safe(tmp_path):
+def test_teams_with_one_name_are_distinguished_and_hostile_names_are_escaped(tmp_path):
     home = Home(tmp_path, GROUP_ONLY, teams=())
     for team, name in {"ada": "Robo", "bee": "ROBO", "cid": "\u202egnp\u202c \x1b[2J🤖", "dee": "מתמטיקה"}.items():
         home.hand_in(team, name=name)

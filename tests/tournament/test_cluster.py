@@ -76,7 +76,7 @@ def test_an_address_without_a_cluster_is_refused():
     assert code_of(error) == "cluster-unreachable"
 
 
-def test_without_dask_the_error_says_how_to_install_it(monkeypatch):
+def test_without_dask_the_error_explains_how_to_install_it(monkeypatch):
     monkeypatch.setitem(sys.modules, "distributed", None)
     with pytest.raises(DiagnosticError) as error:
         ClusterExecutor(Workplace("data"), "tcp://127.0.0.1:1", {}, False, print)

@@ -73,7 +73,7 @@ def desk(tmp_path, monkeypatch, capsys):
     return Desk(tmp_path, monkeypatch, capsys)
 
 
-def test_run_checks_and_plays_and_says_how_far_it_is(desk):
+def test_run_checks_plays_and_prints_progress(desk):
     code, out, _ = desk("run", "--at-once", "1")
     assert code == 0
     lines = out.splitlines()
@@ -204,7 +204,7 @@ def test_a_decision_that_cannot_be_made_is_refused_with_a_code(desk, arguments, 
     assert (status, f"error[{code}]" in err) == (2, True)
 
 
-def test_verify_tells_same_different_and_not_comparable_apart(desk):
+def test_verify_distinguishes_same_different_and_not_comparable(desk):
     desk("run")
     assert {one["verdict"] for one in desk.json("verify")} == {"same"}
     desk.ends = {0: "other"}

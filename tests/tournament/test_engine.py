@@ -84,7 +84,7 @@ def test_expected_matches_are_known_before_anything_is_played(shape):
         assert found.expected_matches == len(found.fixtures)
 
 
-def test_a_later_correction_changes_who_advances_and_the_old_final_is_no_fixture_any_more():
+def test_a_later_correction_changes_the_advancing_team_and_drops_the_old_final():
     stages = "  g: {stage: round_robin}\n  k: {stage: knock_out, from: g, places: 1-2}\n"
     one = season(stages, names(3), "tie_breaks: [points, lot]\n")
     state = play(one)

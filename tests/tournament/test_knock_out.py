@@ -86,7 +86,7 @@ def test_a_waiting_knock_out_shows_where_its_teams_come_from():
     assert {tie.teams for tie in waiting.ties} == {("", "")}
 
 
-def test_a_waiting_knock_out_names_who_has_a_bye():
+def test_a_waiting_knock_out_names_the_team_with_a_bye():
     stages = "  s: {stage: swiss, rounds: 2}\n  cup: {stage: knock_out, from: s, places: 1-3}\n"
     first, second, final = stage(season(stages, names(4)).state({}), "cup").ties
     assert first.sources == ("place 1 of s", "bye")

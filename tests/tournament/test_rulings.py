@@ -36,7 +36,7 @@ def rule(home, number, kind, reason="as the referee saw it", **more):
     return fixture
 
 
-def test_a_corrected_score_counts_and_says_why(tmp_path):
+def test_a_corrected_score_counts_and_shows_its_reason(tmp_path):
     home = Home(tmp_path)
     fixture = rule(home, 0, RulingKind.CORRECTED, scores=[9, 1])
     outcome = home.state().outcomes[fixture.id]
@@ -108,7 +108,7 @@ def rule_all(home, changes, **more):
         rule(home, number, RulingKind.CORRECTED, scores=scores, **more)
 
 
-def test_a_ruling_that_changes_who_advanced_is_refused_after_the_next_stage_began_unless_it_cascades(tmp_path):
+def test_a_ruling_that_changes_the_advancing_teams_is_refused_once_the_next_stage_began_unless_it_cascades(tmp_path):
     home = Home(tmp_path)
     home.play()
     before = home.tables()

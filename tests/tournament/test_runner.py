@@ -30,7 +30,7 @@ def test_a_run_that_was_interrupted_goes_on_where_it_was_and_ends_with_the_same_
     assert broken.tables() == whole.tables()
 
 
-def test_a_match_whose_machine_failed_counts_for_nobody_and_the_next_run_plays_it(tmp_path):
+def test_a_match_lost_to_a_machine_failure_does_not_count_and_the_next_run_plays_it(tmp_path):
     home, observer = Home(tmp_path), Silent()
     state, executor = home.play(executor=FakeExecutor(None, {1: "died"}), observer=observer)
     assert [kind for kind, _ in observer.seen] == ["played", "not_played", "played"]

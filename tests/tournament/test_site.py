@@ -178,7 +178,7 @@ def test_in_a_super_team_each_team_has_the_log_of_its_robot(data: Path, source: 
             assert names == {f"{side.seat[0].upper()}{number}.log"}
 
 
-def test_the_page_of_a_corrected_match_says_so_with_the_reason(site: Path, source: SiteSource) -> None:
+def test_the_page_of_a_corrected_match_shows_the_correction_with_its_reason(site: Path, source: SiteSource) -> None:
     ruled = [match for match in Season(source).released if match.ruled]
     assert ruled
     for match in ruled:
@@ -241,7 +241,7 @@ def test_a_result_is_hidden_until_its_release_and_with_a_premiere_until_that_is_
     assert not hidden_fixtures(fixtures, source.played, {}, NOW)
 
 
-def test_nothing_tells_the_result_of_a_match_that_is_not_released(season: MadeUpSeason, tmp_path: Path) -> None:
+def test_no_page_reveals_the_result_of_an_unreleased_match(season: MadeUpSeason, tmp_path: Path) -> None:
     outcomes = season.outcomes({"groups": 1})
     known = next(iter(outcomes))
     source = season.source(outcomes)

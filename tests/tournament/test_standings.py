@@ -72,7 +72,7 @@ def test_two_of_three_that_are_level_in_their_own_table_are_compared_by_their_ow
     assert ranked("abc", "ab 3:0, ca 2:1, bc 2:0", "points", "head_to_head") == "a b c"
 
 
-def test_head_to_head_ranks_nobody_if_not_all_have_met():
+def test_head_to_head_is_skipped_if_not_all_teams_have_met():
     assert ranked("abcd", "ab 5:0, bc 1:0, cd 1:0, da 1:0", "points", "head_to_head") == "abcd"
 
 

@@ -78,7 +78,7 @@ def test_of_a_tournament_that_has_not_begun_nothing_was_played_and_nothing_is_ma
     assert not home.data.exists()
 
 
-def test_where_nothing_can_be_written_the_error_says_so(tmp_path):
+def test_an_unwritable_place_is_reported(tmp_path):
     (tmp_path / "file").write_text("", encoding="utf-8")
     with pytest.raises(DiagnosticError) as error:
         open_store(tmp_path / "file" / "data")
@@ -130,7 +130,7 @@ def set_up_to(path, count):
 
 
 @pytest.mark.parametrize("count", range(len(METADATA.tables) + 1))
-def test_a_store_whose_making_was_interrupted_is_completed(tmp_path, count):
+def test_a_store_whose_creation_was_interrupted_is_completed(tmp_path, count):
     set_up_to(tmp_path / STORE_FILE, count)
     with Store(tmp_path, writing=False) as store:
         assert store.rulings() == []

@@ -149,7 +149,7 @@ def test_a_tournament_that_cannot_be_played_is_refused(text, expected, tmp_path)
         ("  k: {stage: knock_out, third_place: true}\n  f: {stage: round_robin, from: k, places: 1-3}\n", False),
     ],
 )
-def test_a_shared_place_that_decides_who_advances_needs_a_lot_or_a_play_off(stages, is_refused, tmp_path):
+def test_a_shared_place_that_decides_advancement_needs_a_lot_or_a_play_off(stages, is_refused, tmp_path):
     text = HEAD + TEAMS + "stages:\n" + stages
     if is_refused:
         assert refused(text, tmp_path) == [("undecided-places", "stages.f.places")]

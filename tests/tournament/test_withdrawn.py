@@ -31,7 +31,7 @@ def test_all_matches_of_a_team_that_has_left_a_round_robin_are_annulled():
     assert [(row.team, row.played) for row in places] == [("t02", 2), ("t03", 2), ("t04", 2)]
 
 
-def test_what_it_has_not_played_is_lost_if_the_file_says_so():
+def test_unplayed_matches_of_a_withdrawn_team_are_lost_if_the_file_demands_it():
     one, outcomes = left_after(LEAGUE, LOST, 4, "t01", 1)
     state = play(one, by_strength, outcomes)
     own = {fixture: state.outcomes[fixture.id] for fixture in state.stages[0].fixtures if "t01" in teams_of(fixture)}

@@ -19,7 +19,7 @@ from tests.views.browser_stage import Stage
         ("fetch('http://127.0.0.1:9/').catch(() => 0)", "asked for http://127.0.0.1:9/"),
     ],
 )
-def test_what_a_page_complains_of_or_asks_for_is_heard(
+def test_errors_and_requests_of_a_page_are_collected(
     script: str, complaint: str, watch: Callable[..., Any], browser_stage: Stage, tmp_path: Path
 ) -> None:
     page = tmp_path / "page.html"

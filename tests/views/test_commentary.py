@@ -40,15 +40,15 @@ def said(output, half, scenario=MATCH):
     return [(remark.text, remark.seat) for remark in commentator.remarks(output)]
 
 
-def test_a_goal_is_told_with_team_score_and_time(half):
+def test_a_goal_is_printed_with_team_score_and_time(half):
     assert said(GOAL, half) == [("GOAL  Die Kicker 2 : 1  (blue, 0:16.3)", "blue")]
 
 
-def test_an_event_is_told_by_the_sentence_of_its_rule(half):
+def test_an_event_is_printed_as_the_sentence_of_its_rule(half):
     assert said(KICKOFF, half) == [(" 0:00.0  Yellow kicks off.", "")]
 
 
-def test_points_without_an_event_are_told_and_lost_ones_with_their_number(half):
+def test_points_without_an_event_are_printed_and_lost_points_with_their_number(half):
     firing = Firing(50, "no_such_rule", None, "enters", scored={"yellow": -3})
     change = ScoreChange(50, {"blue": 1, "yellow": -2})
     assert said(RefereeOutput((), (firing,), changes=(change,)), half) == [
@@ -68,7 +68,7 @@ def test_a_rule_that_scores_and_emits_two_events_scores_once(half):
     assert [seat for _, seat in said(output, half, scenario)] == ["blue", ""]
 
 
-def test_what_a_suppressed_rule_would_have_said_is_not_told(half):
+def test_the_sentence_of_a_suppressed_rule_is_not_printed(half):
     (firing,) = GOAL.firings
     assert said(RefereeOutput((), (replace(firing, suppressed="cooldown"),)), half) == []
 
@@ -107,7 +107,7 @@ def test_the_board_holds_in_80_columns_with_the_longest_names(half):
     assert any("0:20.0 / 10:00.0" in line and "goal pause" in line for line in lines)
 
 
-def test_colours_are_those_of_the_teams_and_off_if_nobody_wants_them(half, monkeypatch):
+def test_team_colours_are_printed_unless_no_color_is_set(half, monkeypatch):
     terminal = {"force_terminal": True, "force_interactive": True, "color_system": "standard"}
     monkeypatch.delenv("NO_COLOR", raising=False)
     assert "\x1b[1;34mGOAL" in shown_by(Scoreboard, half, **terminal)

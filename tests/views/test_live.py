@@ -93,7 +93,7 @@ def _messages(data: bytes) -> list[Any]:
 # --- who is let in -----------------------------------------------------------------------------------------------------
 
 
-def test_the_page_is_for_everybody_on_this_machine_and_asks_nobody_else(show: LiveShow, ask: Ask) -> None:
+def test_the_page_needs_no_token_and_connects_to_no_other_server(show: LiveShow, ask: Ask) -> None:
     status, headers, body = ask()
     page = body.decode()
     assert status == 200
@@ -114,7 +114,7 @@ def test_it_listens_on_loopback_only(show: LiveShow) -> None:
 @pytest.mark.parametrize(
     "host", ["evil.example", "evil.example:{port}", "127.0.0.1", "127.0.0.1:1", "localhost.evil:{port}", ""]
 )
-def test_whoever_asks_for_another_host_is_refused(host: str, show: LiveShow, ask: Ask) -> None:
+def test_a_request_for_another_host_is_refused(host: str, show: LiveShow, ask: Ask) -> None:
     # A name of another site that resolves to this machine (DNS rebinding).
     order = {"Host": host.format(port=show.port)}
     assert ask(**order)[0] == 403
@@ -212,7 +212,7 @@ def test_the_65th_connection_is_refused_and_the_first_goes_on(show: LiveShow, as
             spectator.close()
 
 
-def test_a_taken_port_is_said_with_what_to_do(show: LiveShow) -> None:
+def test_a_taken_port_is_reported_with_help(show: LiveShow) -> None:
     with pytest.raises(PortTakenError) as error:
         LiveShow(SCENARIO, {}, 1, port=show.port)
     assert error.value.diagnostics[0].code == "port-taken"
@@ -239,7 +239,7 @@ def test_it_ends_although_spectators_are_connected(ask: Ask, show: LiveShow) -> 
 @pytest.mark.parametrize(
     "given", [None, "", "Bearer ", "Bearer wrong", "Bearer {token}x", "Basic {token}", "{token}", "Bearer é"]
 )
-def test_nobody_steers_without_the_token(given: str | None, show: LiveShow, ask: Ask) -> None:
+def test_steering_without_the_token_is_refused(given: str | None, show: LiveShow, ask: Ask) -> None:
     headers = {} if given is None else {"Authorization": given.format(token=_token(show))}
     before = show.pace.state
     for order in (b'{"do": "pause"}', b'{"do": "speed", "speed": 8}', b'{"do": "step"}'):
@@ -266,7 +266,7 @@ def test_who_has_the_token_steers(show: LiveShow, ask: Ask) -> None:
         (b'{"do": "speed", "speed": "8"}', "speed: a number"), (b"\xff\xfe", "Expecting value"), (b"[" * 1000, ""),
     ],
 )  # fmt: skip
-def test_what_is_no_order_is_said_and_changes_nothing(order: bytes, why: str, show: LiveShow, ask: Ask) -> None:
+def test_an_invalid_order_is_reported_and_changes_nothing(order: bytes, why: str, show: LiveShow, ask: Ask) -> None:
     before = show.pace.state
     status, _, body = ask("POST", "/steer", order, Authorization=f"Bearer {_token(show)}")
     assert status == 400
@@ -461,7 +461,7 @@ def test_goals_faults_phases_and_jumps_are_sent_with_their_tick() -> None:
     assert (failed["tick"], failed["faults"][0]["robot"], failed["events"][0]["name"]) == (300, "Y1", "PROGRAM_FAULT")
 
 
-def test_what_the_rules_say_after_the_last_tick_counts() -> None:
+def test_events_after_the_last_tick_are_shown() -> None:
     feed = Feed()
     observer = LiveObserver(SCENARIO, feed, Pace(MAX_SPEED))
     half = half_info(SCENARIO, 1, 2, HEADER)

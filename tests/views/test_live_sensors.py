@@ -200,7 +200,7 @@ def test_logos_are_in_the_page_before_the_match_begins() -> None:
     assert "logo" not in by_team["yellow"]
 
 
-def test_why_a_logo_is_not_shown_is_said_to_the_end(tmp_path: Path) -> None:
+def test_the_reason_why_a_logo_is_not_shown_is_printed_in_full(tmp_path: Path) -> None:
     folder = write_made_up_run(tmp_path, ticks=50, halves=1)
     logos = {"blue": b"GIF89a<script>alert(1)</script>", "nobody": logo(1)}
     with LiveShow(SCENARIO, dict(HEADER.team_names), 1, logos=logos) as show:

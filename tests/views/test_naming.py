@@ -24,15 +24,15 @@ TWICE = {"blue": "Hanse", "yellow": "Hanse"}
         ({"blue": "a" * 40 + "1", "yellow": "a" * 40 + "2"}, ["a" * 40 + "1 (blue)", "a" * 40 + "2 (yellow)"]),
     ],
 )
-def test_names_that_look_the_same_are_told_with_their_seats(names: dict[str, str], shown: list[str]) -> None:
+def test_identical_names_are_shown_with_their_seats(names: dict[str, str], shown: list[str]) -> None:
     assert list(distinct_names(names).values()) == shown
 
 
-def test_a_seat_that_a_team_leaves_is_told_as_its_first() -> None:
+def test_a_team_that_changes_sides_is_shown_with_its_first_seat() -> None:
     assert distinct_names(TWICE, sides_change=True) == {"blue": "Hanse (blue first)", "yellow": "Hanse (yellow first)"}
 
 
-def test_replay_live_page_and_pictures_tell_them_apart(tmp_path: Path) -> None:
+def test_replay_live_page_and_pictures_distinguish_teams_of_one_name(tmp_path: Path) -> None:
     folder = write_made_up_run(tmp_path, ticks=50, halves=2, names=("Hanse", "Hanse"))
     text = page.write_replay(folder).read_text("utf-8")
     assert all(f'"title":"Hanse ({seat} first)"' in text.replace(": ", ":") for seat in TWICE)
@@ -45,6 +45,6 @@ def test_replay_live_page_and_pictures_tell_them_apart(tmp_path: Path) -> None:
     assert read_result(folder).entrants["blue"].name == "Hanse"
 
 
-def test_letters_stand_only_where_they_tell_seats_apart() -> None:
+def test_letters_are_shown_only_where_they_distinguish_seats() -> None:
     assert [seat["letter"] for seat in visible_things(load("match").scenario)["seats"]] == ["B", "Y"]
     assert {seat["letter"] for seat in visible_things(load("fast_shooter").scenario)["seats"]} == {""}

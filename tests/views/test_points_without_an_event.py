@@ -62,14 +62,14 @@ def events(tmp_path_factory: pytest.TempPathFactory) -> list[dict[str, Any]]:
     return _page(tmp_path_factory.mktemp("runs"))["events"]
 
 
-def test_the_page_says_when_and_for_what_and_how_it_stands_then(events: list[dict[str, Any]]) -> None:
+def test_the_page_shows_time_reason_and_score_of_points(events: list[dict[str, Any]]) -> None:
     first = events[0]
     assert (first["tick"], first["name"], first["about"], first["standing"]) == (10, "POINTS", SAYS, "0 : 1")
     assert first["told"] == "Alster +1"
     assert first["rule"] == "second"
 
 
-def test_what_has_an_event_is_told_once_and_before_what_has_none(events: list[dict[str, Any]]) -> None:
+def test_points_with_an_event_are_listed_once_and_before_points_without_one(events: list[dict[str, Any]]) -> None:
     assert [(event["tick"], event["name"]) for event in events] == [(10, "POINTS"), (20, "GOAL"), (20, "POINTS")]
     assert events[2]["told"] == "Alster -0.5"
 

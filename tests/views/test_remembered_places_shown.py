@@ -63,11 +63,11 @@ class TestSetAsTheHalfStarts:
             "exclusive: one, ",
         ],
     )
-    def test_what_may_not_be_set_is_shown_where_the_file_says(self, more):
+    def test_a_spot_that_may_stay_unset_is_drawn_at_its_position_in_the_file(self, more):
         one = loaded(set_to("ball"), more="phases: {later: {}}\nmatch: {halves: 2}\n", rule=more)
         assert ">found: 0, 0.2 when a half starts; rules set it<" in draw_scenario(one.scenario, one.roster)
 
-    def test_nobody_has_told_a_place_when_a_half_starts(self):
+    def test_no_position_has_been_sent_when_a_half_starts(self):
         one = loaded(set_to("{told: Y1}"))
         assert ">found: 0, 0.2 when a half starts; rules set it<" in draw_scenario(one.scenario, one.roster)
 

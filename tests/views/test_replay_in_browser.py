@@ -112,7 +112,7 @@ def test_goal_names_and_colours_the_team_that_scored_after_half_time_too(show: C
     assert "0.745" in details
 
 
-def test_lack_of_progress_says_what_was_measured(show: Callable[..., Any], run: Path) -> None:
+def test_lack_of_progress_shows_what_was_measured(show: Callable[..., Any], run: Path) -> None:
     page = show(run, f"#h1t{STUCK}")
     reason = "B2 made no progress: 0.497 m in 15 s, at least 0.5 m"
     assert page.locator("#caption").inner_text() == f"LACK OF PROGRESS: {reason}"
@@ -281,7 +281,7 @@ def test_keys_move_by_frames_seconds_events_and_to_the_ends(show: Callable[..., 
     until(page, "location.hash === '#h2t78'")
 
 
-def test_time_line_says_where_a_click_leads_and_can_be_dragged(show: Callable[..., Any], run: Path) -> None:
+def test_time_line_shows_where_a_click_leads_and_can_be_dragged(show: Callable[..., Any], run: Path) -> None:
     page = show(run)
     box = page.locator("#seek").bounding_box()
     for share in (0.03, 0.9):  # no event is near

@@ -190,7 +190,7 @@ def test_a_half_of_ten_minutes_is_a_small_page_made_with_little_memory(tmp_path:
 # --- what happened -----------------------------------------------------------------------------------------------------
 
 
-def test_an_event_tells_what_the_referee_measured_and_how_it_stood(page: str) -> None:
+def test_an_event_shows_measured_values_and_the_score(page: str) -> None:
     goals = [event for event in _facts(page)["events"] if event["name"] == "GOAL"]
     first = goals[0]
     assert (first["half"], first["tick"], first["kind"]) == (1, 400, "goal")
@@ -199,7 +199,7 @@ def test_an_event_tells_what_the_referee_measured_and_how_it_stood(page: str) ->
     assert [event["standing"] for event in goals] == ["0 : 1", "0 : 2", "1 : 2", "2 : 2"]
 
 
-def test_phases_and_score_are_told_by_half(page: str) -> None:
+def test_phases_and_score_are_listed_by_half(page: str) -> None:
     first, second = _facts(page)["halves"]
     assert first["phases"][:3] == [[0, "play", False], [400, "goal_pause", True], [494, "play", False]]
     assert first["held"] == [[200, ["B1"]], [260, []]]
@@ -222,7 +222,7 @@ def test_zones_spots_and_what_stands_on_the_field_are_in_the_page(page: str) -> 
 # --- bad input ---------------------------------------------------------------------------------------------------------
 
 
-def test_a_run_that_was_killed_shows_what_was_recorded_and_says_so(tmp_path: Path) -> None:
+def test_a_killed_run_shows_its_recorded_part_and_a_notice(tmp_path: Path) -> None:
     writer = begun_run(tmp_path, 100)
     facts = _facts(write_replay(writer.folder).read_text("utf-8"))
     assert facts["halves"][0]["ticks"] == 100
@@ -285,7 +285,7 @@ def test_a_record_is_found_by_folder_file_name_or_the_beginning_of_its_name(runs
     assert find_run(None, runs).name == "20210620-100000-match"
 
 
-def test_a_record_has_its_name_also_where_somebody_stands_in_it(runs: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_record_has_its_name_when_it_is_the_current_folder(runs: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     wanted = runs / "20210619-100000-match"
     monkeypatch.chdir(wanted)
     for given_ in (Path(), Path("result.json")):
@@ -309,6 +309,6 @@ def test_a_record_has_its_name_also_where_somebody_stands_in_it(runs: Path, monk
     ],
     ids=["several", "none", "backslash", "long"],
 )
-def test_a_record_that_is_not_there_is_said_so(name: str, says: str, runs: Path) -> None:
+def test_a_missing_record_is_reported(name: str, says: str, runs: Path) -> None:
     with pytest.raises(RecordError, match=says):
         find_run(Path(name), runs)

@@ -35,7 +35,7 @@ def test_layout_of_a_packet_of_2021(text, layout):
     assert "a packet every 64 ms" in written
 
 
-def test_packets_of_2021_are_unpacked_as_the_sheet_says():
+def test_packets_of_2021_are_unpacked_as_the_sheet_describes():
     written = re.search(r'struct\.unpack\("([^"]+)", packet\)', received(SECOND, "soccersim_2021"))
     bench = Bench("soccersim_2021", {"balls": {"second": {"start_m": [0.3, 0]}}})
     bench.place("B1", 0.1, 0.2, 0.5)
@@ -56,7 +56,7 @@ def test_packets_of_2021_are_unpacked_as_the_sheet_says():
         ("soccersim_2021", 1, "One JSON object is made every 32 ms; the newest follows the next packet"),
     ],
 )
-def test_broadcast_comes_when_the_sheet_says(preset, every_ticks, words):
+def test_broadcast_arrives_when_the_sheet_states(preset, every_ticks, words):
     assert words in received(f"broadcast: {{every_ticks: {every_ticks}, fields: {{now: {{word: time_s}}}}}}\n", preset)
 
 

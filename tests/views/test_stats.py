@@ -51,7 +51,7 @@ def rolling(ticks: int, touched_at: int, start: tuple[float, float], velocity: t
 # --- which end -----------------------------------------------------------------------------------------------------------
 
 
-def test_on_a_field_without_goals_nobody_defends_one() -> None:
+def test_a_field_without_goals_has_no_attacked_ends() -> None:
     # The robots of empty_field start in halves of their own, and no rule says what a ball at an end is worth.
     text = "schema_version: 1\nid: it\ntitle: It\nextends: %s\nmatch: {half_s: 60}\n"
     ends = {}
@@ -112,7 +112,7 @@ rules:
         ("", "robots", "{last_touch: ball}", {"yellow": {1}, "blue": {-1}}),
     ],
 )
-def test_an_end_is_attacked_by_those_who_may_get_points_there(each, by, who, ends):
+def test_an_end_is_attacked_by_teams_that_may_get_points_there(each, by, who, ends):
     loaded = load_text(GOAL_RULES.format(each=each, by=by, who=who))
     assert attacked_ends(loaded.scenario, loaded.roster) == ends
 
@@ -152,7 +152,7 @@ def test_who_touched_the_ball_last_has_it_until_another_touches_it_or_it_is_put_
     assert found.tolist() == [-1, -1, 0, 0, 1, 1, 1, -1, 2, 2, 2, 2]
 
 
-def test_where_two_teams_touch_the_ball_at_once_it_stays_with_who_had_it() -> None:
+def test_ball_touched_by_two_teams_at_once_stays_with_its_owner() -> None:
     both = Contacts(np.array([3, 19, 19]), np.array([0, 0, 1]))
     assert owners(both, ["blue", "yellow"], 6, []).tolist() == [0, 0, 0, 0, 0, 0]
     assert owners(Contacts(np.array([3, 3]), np.array([0, 1])), ["blue", "yellow"], 2, []).tolist() == [-1, -1]
@@ -162,7 +162,7 @@ def test_where_two_teams_touch_the_ball_at_once_it_stays_with_who_had_it() -> No
     touched=st.lists(st.tuples(st.integers(1, 40), st.integers(0, 2)), max_size=12).map(sorted),
     put_at=st.lists(st.integers(0, 40), max_size=4),
 )
-def test_an_owner_is_always_the_last_one_who_touched_the_ball(touched: list, put_at: list) -> None:
+def test_the_owner_is_always_the_last_to_touch_the_ball(touched: list, put_at: list) -> None:
     made = contacts(*touched)
     seats = ["blue", "blue", "yellow"]
     found = owners(made, seats, 40, put_at)
@@ -253,7 +253,7 @@ def test_a_number_that_is_no_number_at_all_is_no_way_either() -> None:
     assert motion_of(half).steps_m.sum() == 0
 
 
-def test_play_is_when_nobody_waits_for_a_kick_off() -> None:
+def test_play_excludes_phases_that_wait_for_a_kick_off() -> None:
     assert play_mask(6, [(0, False), (2, True), (4, False)]).tolist() == [True, True, False, False, True, True]
     assert play_mask(2, []).tolist() == [True, True]
 
@@ -400,7 +400,7 @@ def test_possession_over_several_runs_is_a_share_of_those_that_the_team_played(r
     assert (again["Hanse"]["possession"], again["Elbe"]["possession"]) == (50.0, 50.0)
 
 
-def test_several_submissions_of_one_name_are_told(tmp_path: Path) -> None:
+def test_several_submissions_of_one_name_are_noted(tmp_path: Path) -> None:
     out = [write_made_up_run(tmp_path, ticks=50, halves=1, names=("Hanse", "Alster")) for _ in range(3)]
     for folder, programs in zip(out, ("a" * 64, "b" * 64, "b" * 64), strict=True):
         result = json.loads((folder / "result.json").read_text("utf-8"))
@@ -415,7 +415,7 @@ def test_several_submissions_of_one_name_are_told(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("halves", "apart"), [(1, ["Hanse (blue)", "Hanse (yellow)"]), (2, ["Hanse (blue first)", "Hanse (yellow first)"])]
 )
-def test_two_teams_of_one_name_in_one_match_are_two_and_told(tmp_path: Path, halves: int, apart: list[str]) -> None:
+def test_two_teams_of_one_name_in_one_match_are_counted_separately_and_noted(tmp_path: Path, halves: int, apart: list[str]) -> None:
     alike = run_stats(write_made_up_run(tmp_path, ticks=450, halves=halves, names=("Hanse", "Hanse")))
     other = run_stats(write_made_up_run(tmp_path, ticks=450, halves=halves, names=("Hanse", "Alster")))
     assert list(alike.teams) == apart
@@ -458,7 +458,7 @@ def test_points_of_a_run_that_was_killed_are_those_of_its_log(tmp_path: Path) ->
 # --- bad input -----------------------------------------------------------------------------------------------------------
 
 
-def test_of_a_damaged_run_what_is_left_is_counted_and_the_damage_is_said(tmp_path: Path) -> None:
+def test_the_readable_part_of_a_damaged_run_is_counted_and_the_damage_reported(tmp_path: Path) -> None:
     folder = write_made_up_run(tmp_path, ticks=100, halves=2)
     data = (folder / "trajectory.chunks").read_bytes()
     (folder / "trajectory.chunks").write_bytes(data[: len(data) * 2 // 3])

@@ -45,7 +45,7 @@ def test_the_table_has_a_line_for_each_team_and_robot_and_fits_80_columns(out: P
 
 
 @pytest.mark.parametrize("columns", [60, 40])
-def test_on_a_narrow_terminal_the_table_is_told_in_parts_each_with_the_names(out: Path, columns: int) -> None:
+def test_on_a_narrow_terminal_the_table_is_split_into_parts_each_with_the_names(out: Path, columns: int) -> None:
     _, wide = stats(out=out)
     code, told = stats(out=out, columns=columns)
     assert code == 0
@@ -60,7 +60,7 @@ def test_on_a_narrow_terminal_the_table_is_told_in_parts_each_with_the_names(out
     assert [figure for part in lines for figure in part] == whole
 
 
-def test_every_definition_is_told_on_request(out: Path) -> None:
+def test_every_definition_is_printed_on_request(out: Path) -> None:
     _, short = stats(out=out)
     _, long = stats("--explain", out=out)
     for definition in DEFINITIONS.values():
@@ -85,7 +85,7 @@ def test_a_run_that_is_given_twice_counts_once(out: Path) -> None:
     assert any("counted once" in note for note in told["notes"])
 
 
-def test_what_is_no_record_at_all_is_said_so(out: Path) -> None:
+def test_a_folder_that_is_no_record_is_reported(out: Path) -> None:
     with pytest.raises(RecordError, match=r"result\.json is damaged"):
         stats("20210618-09", out=out)
     with pytest.raises(RecordError, match="no record"):

@@ -45,7 +45,7 @@ def test_played_and_recorded_match_have_the_same_timeline(tmp_path):
     assert score == {"blue": 2, "yellow": 2}
 
 
-def test_scores_of_seats_are_told_by_team_after_sides_were_changed(builder):
+def test_scores_of_seats_are_mapped_to_teams_after_sides_were_changed(builder):
     news = builder.add((), (), (ScoreChange(5, {"blue": 4, "yellow": 1}),))
     assert news.score == {"yellow": 4, "blue": 1}
     assert builder.timeline.halves[2].first_score == {"yellow": 3, "blue": 1}

@@ -103,7 +103,7 @@ def premiere(watch: Callable[..., Any], data: Path) -> Callable[..., Any]:
     return open_premiere
 
 
-def test_a_premiere_counts_down_and_knows_nothing_before(premiere: Callable[..., Any]) -> None:
+def test_a_premiere_counts_down_and_has_no_replay_before_its_start(premiere: Callable[..., Any]) -> None:
     page = premiere(-90061, ready="#countdown")
     assert page.inner_text("#countdown").startswith("1 d 01:01:0")
     assert page.evaluate("window.replay === undefined")
@@ -138,7 +138,7 @@ def test_two_spectators_see_the_same_moment(premiere: Callable[..., Any]) -> Non
 
 
 @pytest.mark.nightly
-def test_between_the_halves_a_premiere_pauses_for_everybody(premiere: Callable[..., Any]) -> None:
+def test_a_premiere_pauses_between_the_halves(premiere: Callable[..., Any]) -> None:
     page = premiere(TICKS * TICK_S + HALF_TIME_S - 10)
     assert page.evaluate("replay.half") == 1
     assert page.is_visible("#problem")

@@ -52,7 +52,7 @@ RANK = [{"counter": "laps", "order": "descending"}, {"counter": "best_s", "order
         ("MATCH_FINISH", {"score_blue": 1, "total_match_time": 600, "rocks": 3}, "Over.", "rocks 3"),
     ],
 )
-def test_a_payload_is_told_where_neither_sentence_nor_scoreboard_has_it(
+def test_a_payload_is_shown_if_neither_sentence_nor_scoreboard_has_it(
     event: str, payload: dict[str, Any], says: str, told: str
 ) -> None:
     assert extra_payload_text(event, payload, says) == told
@@ -106,7 +106,7 @@ def _facts(folder: Path) -> dict[str, Any]:
     return facts
 
 
-def test_the_page_knows_what_counts_for_each_team_from_each_change_on(run: Path) -> None:
+def test_the_page_has_ranking_counters_of_each_team_at_each_change(run: Path) -> None:
     first, second = _facts(run)["halves"]
     assert first["counted"] == [
         [0, {"blue": [0, 99], "yellow": [0, 99]}],
@@ -117,7 +117,7 @@ def test_the_page_knows_what_counts_for_each_team_from_each_change_on(run: Path)
     assert second["counted"][1] == [20, {"yellow": [3, 29], "blue": [1, 29]}]
 
 
-def test_the_page_knows_who_came_where_and_by_what(run: Path) -> None:
+def test_the_page_has_the_place_of_each_team_with_its_values(run: Path) -> None:
     facts = _facts(run)
     assert facts["places"] == [
         {"place": "place 1", "team": "Alster", "values": "laps 3, best 57 s"},
@@ -226,7 +226,7 @@ def test_a_gate_that_moves_with_a_robot_is_drawn_where_the_robot_is(
     assert not _is_pink(page.evaluate(COLOUR_AT, first)), "it has gone on"
 
 
-def test_a_live_match_tells_what_counts_where_it_changes() -> None:
+def test_a_live_match_sends_ranking_counters_when_they_change() -> None:
     scenario, feed = _scenario(), Feed()
     observer = LiveObserver(scenario, feed, Pace(MAX_SPEED))
     half = half_info(scenario, 1, TICKS, small_header(scenario))

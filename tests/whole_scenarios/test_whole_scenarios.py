@@ -62,7 +62,7 @@ def test_many_slips(tmp_path: Path, first: int) -> None:
 
 @pytest.mark.nightly
 @pytest.mark.parametrize("seed", range(5000, 5000 + BY_COMMAND_BY_NIGHT))
-def test_the_commands_say_the_same(tmp_path: Path, seed: int) -> None:
+def test_the_commands_give_the_same_result(tmp_path: Path, seed: int) -> None:
     """What is refused exits with 2 and says where; what is taken is drawn, told and tested. Never 3, nor a traceback."""
     text = made_up(seed) if seed % 2 else changed(seed)
     loaded = look_at(text)

@@ -128,7 +128,7 @@ def test_a_wall_gives_back_half_of_the_speed(speed, offset):
 
 # Without restitution the ball's spin still takes it off the wall.
 @pytest.mark.parametrize(("restitution", "off"), [(0.0, 0.15), (0.2, 0.1), (0.8, 0.1)])
-def test_restitution_is_what_the_scenario_says(restitution, off):
+def test_restitution_matches_the_scenario(restitution, off):
     stage = ball_stage(0.5, 0.3, field={"restitution": restitution})
     assert share_given_back(stage, 0.5) == pytest.approx(restitution, abs=off)
 

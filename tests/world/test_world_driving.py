@@ -232,7 +232,7 @@ def test_two_robots_that_touch_with_turning_wheels_are_not_driven_apart():
 
 
 @pytest.mark.parametrize("angle_rad", [0.05, 0.1, 0.2])
-def test_no_wall_makes_a_robot_faster_than_its_motors_whose_wheel_rubs_along_it(angle_rad):
+def test_a_robot_with_a_wheel_rubbing_along_a_wall_is_not_faster_than_its_motors(angle_rad):
     stage = Stage()
     stage.put("B1", 0.55, -0.5, math.pi / 2 - angle_rad)
     stage.drive("B1", FULL, FULL)

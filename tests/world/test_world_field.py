@@ -51,7 +51,7 @@ def test_corners_may_be_square():
     assert square.ray((0.5, 0.72, 0.05), (1, 0, 0), FIXTURES) == pytest.approx(0.15)
 
 
-def test_walls_and_goals_are_as_high_as_the_scenario_says(stage):
+def test_walls_and_goals_have_the_height_of_the_scenario(stage):
     assert stage.ray((0.3, 0, 0.0899), (0, 1, 0), FIXTURES) == pytest.approx(0.75)
     assert stage.ray((0.5, 0, 0.0901), (0, 1, 0), FIXTURES) == -1
     assert stage.ray((0, 0.8, 0.1209), (1, 0, 0), FIXTURES) == pytest.approx(0.2)

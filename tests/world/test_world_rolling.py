@@ -9,7 +9,7 @@ from tests.world.physics_stage import FULL, Stage
 
 
 @pytest.mark.parametrize(("slows_mps2", "way"), [(0.05, 0.0), (0.2, 0.5), (1.0, math.pi / 4)])
-def test_it_loses_as_much_speed_in_each_second_as_the_scenario_says(slows_mps2, way):
+def test_a_rolling_ball_decelerates_as_the_scenario_states(slows_mps2, way):
     stage = Stage(balls={"ball": {"slows_mps2": slows_mps2}})
     vx, vy = 0.3 * math.cos(way), 0.3 * math.sin(way)
     stage.world.place([Placement(stage.index("ball"), -0.4, -0.4, 0.0, vx_mps=vx, vy_mps=vy)])
