@@ -70,7 +70,7 @@ def check_play(
 
 
 def _findings(rehearsal: Rehearsal, match: Rehearsed, side: str, missing: MissingDevices) -> list[Finding]:
-    """Return all findings: those that would end a program after their possible causes, and before what may be meant."""
+    """Return all findings: fatal ones after their possible causes and before hints at likely mistakes."""
     absent = _rarely_stepping(match)
     return [
         *device_findings("play", missing, rehearsal, side),

@@ -181,7 +181,7 @@ def shortened(loaded: Loaded, seconds: float) -> Loaded:
 
 
 def _opponent(rehearsal: Rehearsal, seat: str, stack: ExitStack) -> tuple[Team, str]:
-    """Return who plays in another seat: a sample team, the team against itself, or a stand-in; and its name."""
+    """Return the opponent in another seat (a sample team, the team itself or a stand-in) and its name."""
     scenario = rehearsal.loaded.scenario
     sample = sample_team(scenario, seat)
     if sample is not None:

@@ -47,7 +47,7 @@ def print_json(value: Any) -> None:
 
 
 def say(text: str, stream: object) -> None:
-    """Print harmless lines; nothing if there are none. A reader who leaves changes nothing about the exit code."""
+    """Print harmless lines; nothing if there are none. A closed output does not change the exit code."""
     if not text:
         return
     # A terminal that cannot show a character must not hide the whole message.

@@ -35,9 +35,9 @@ def put_inside_notes(
             continue
         found = next(_inside(placements, rule, scenario, roster), None)
         if found is not None:
-            tick, who, zone = found
+            tick, entity, zone = found
             yield (
-                f"note: a rule put {who} into {zone} at {s_from_ticks(tick):g} s, which does not trigger "
+                f"note: a rule put {entity} into {zone} at {s_from_ticks(tick):g} s, which does not trigger "
                 f"{name}: a placed thing has not entered the zone; use 'holds' with in_zone and for_s: 0.05"
             )
 
@@ -49,10 +49,10 @@ def _inside(
     for trigger in rule.triggers:
         if not isinstance(trigger, Enters):
             continue
-        who, zones = (roster.expand(with_each(names, rule.for_each)) for names in (trigger.entity, trigger.zone))
+        entities, zones = (roster.expand(with_each(names, rule.for_each)) for names in (trigger.entity, trigger.zone))
         for tick, put in placements:
             name = roster.entities[put.entity]
-            if put.parked or name not in who:
+            if put.parked or name not in entities:
                 continue
             # A zone that is drawn is not looked at: it may be another one at that time.
             inside = (zone for zone in zones if zone in scenario.zones)

@@ -395,6 +395,6 @@ _NOTES: Mapping[str, Callable[[Any], Any]] = {
     "start": lambda data: _adapter(Snapshot).validate_python(data),
     "placements": lambda placed: tuple(Placement(*placement) for placement in placed),
     "faults": lambda failed: _adapter(tuple[Fault, ...]).validate_python(failed),
-    "told": lambda told: _adapter(tuple[tuple[int, str], ...]).validate_python(told),
+    "told": lambda sent: _adapter(tuple[tuple[int, str], ...]).validate_python(sent),
 }
 """How each kind of note is read."""

@@ -57,19 +57,19 @@ def placement_words(phrases: Phrases, entity: Names, at: At, placement: _Placeme
     """Return a placement as a clause: ``Y1 is put on the spot “centre”, facing the ball``."""
     wide = zip("xy", metres_alike(placement.noise_m), placement.noise_m, strict=True)
     noise = ", ".join(f"± {words} in {axis}" for axis, words, wide_m in wide if wide_m)
-    who, place = phrases.all_of(entity), place_of(at)
+    subject, place = phrases.all_of(entity), place_of(at)
     rolls = _rolls(phrases, at, placement)
     if place.is_where_it_is(entity) and rolls and not noise:
-        return f"{who.does('rolls', 'roll')} on from where it is, {rolls}{_room(placement)}"
+        return f"{subject.does('rolls', 'roll')} on from where it is, {rolls}{_room(placement)}"
     parts = [
         put_words(phrases, entity, at),
         f" ({noise})" if noise else "",
         mirrored_words(phrases, placement.mirror, at),
         looks_words(phrases, entity, at, placement.facing),
         _room(placement),
-        f", and {'each rolls' if who.plural else 'rolls'} {rolls}" if rolls else "",
+        f", and {'each rolls' if subject.plural else 'rolls'} {rolls}" if rolls else "",
     ]
-    return f"{who.does('is', 'are')} {''.join(parts)}"
+    return f"{subject.does('is', 'are')} {''.join(parts)}"
 
 
 def put_words(phrases: Phrases, entity: Names, at: At) -> str:

@@ -1,4 +1,4 @@
-"""Seats and teams: who plays where in which half.
+"""Seats and teams: the team in each seat in each half.
 
 A *seat* is an entrant of the scenario (``blue``): it owns robots and a goal. A *team* is what a seat holds in the
 first half, and keeps that name for the whole match. With ``swap_sides`` two teams exchange seats after each half.

@@ -65,7 +65,7 @@ class Commentator:
             yield self._score(event, scored) if scored and event.is_first else _sentence(event)
 
     def _score(self, event: TimelineEvent, scored: Mapping[str, Score]) -> Remark:
-        seat = max(scored, key=lambda one: scored[one])  # who gained, else who lost
+        seat = max(scored, key=lambda one: scored[one])  # the seat that gained, else the one that lost
         gain = "" if scored[seat] == 1 else f"{scored[seat]:+g}, "
         return Remark(f"{_name(event)}  {self._standing(seat, event.score)}  ({seat}, {gain}{_time(event)})", seat)
 

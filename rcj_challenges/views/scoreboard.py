@@ -202,7 +202,7 @@ class PlainLines(_Commented):
         console.print(scenario.title, markup=False, highlight=False, soft_wrap=True)
 
     def half_started(self, half: HalfInfo) -> None:
-        """Print who plays where."""
+        """Print the half and the team of each seat."""
         super().half_started(half)
         self._print(f"half {half.half} of {half.halves}  {_seats(half)}")
 

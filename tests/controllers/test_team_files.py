@@ -267,9 +267,7 @@ def test_a_path_that_does_not_exist_is_reported(tmp_path: Path, monkeypatch: pyt
 
 
 @pytest.mark.parametrize("unread", [".", "robots", "robots/robot1.py"])
-def test_an_unreadable_file_in_a_folder_is_named(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, unread: str
-) -> None:
+def test_an_unreadable_file_in_a_folder_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, unread: str) -> None:
     folder = tmp_path / "team"
     (folder / "robots").mkdir(parents=True)
     (folder / "robots" / "robot1.py").write_bytes(b"x")

@@ -210,9 +210,7 @@ def test_no_message_of_arbitrary_bytes_does_more_than_break_the_protocol(body: b
 
 
 @given(requests, st.data())
-def test_a_request_with_a_changed_byte_is_refused_or_valid(
-    request: Request, data: st.DataObject
-) -> None:
+def test_a_request_with_a_changed_byte_is_refused_or_valid(request: Request, data: st.DataObject) -> None:
     body = bytearray(body_of(sent_by_program(7, request)))
     at = data.draw(st.integers(0, len(body) - 1))
     body[at] = data.draw(st.integers(0, 255))

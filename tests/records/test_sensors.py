@@ -128,9 +128,7 @@ def test_endless_printing_is_cut_and_the_readings_go_on(tmp_path: Path, monkeypa
     assert len(track.ticks) == 20
 
 
-def test_a_recording_stops_at_its_size_limit_and_notes_where(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_recording_stops_at_its_size_limit_and_notes_where(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sensors, "MAX_BYTES_A_HALF", 20_000)
     noise = np.random.default_rng(1)
     writer = SensorWriter(tmp_path, 1, [robot()])

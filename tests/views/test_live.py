@@ -204,9 +204,9 @@ def test_the_65th_connection_is_refused_and_the_first_goes_on(show: LiveShow, as
         late = socket.create_connection(("127.0.0.1", show.port), timeout=10)
         waiting.append(late)
         late.sendall(f"GET / HTTP/1.1\r\nHost: 127.0.0.1:{show.port}\r\n\r\n".encode())
-        told = b"".join(iter(lambda: late.recv(1024), b""))
-        assert told.startswith(b"HTTP/1.1 503 ")
-        assert told.endswith(b"\r\n\r\n")
+        reply = b"".join(iter(lambda: late.recv(1024), b""))
+        assert reply.startswith(b"HTTP/1.1 503 ")
+        assert reply.endswith(b"\r\n\r\n")
     finally:
         for spectator in waiting:
             spectator.close()
@@ -478,7 +478,7 @@ def test_events_after_the_last_tick_are_shown() -> None:
 
 def test_the_start_is_shown_as_the_first_tick_finds_it() -> None:
     start = RefereeOutput(placements=(Placement(ROBOTS, 0.25, -0.5, 0.0),))
-    (message,) = [told for told in _received([(made_up_snapshot(0, ROBOTS), start)]) if isinstance(told, tuple)]
+    (message,) = [sent for sent in _received([(made_up_snapshot(0, ROBOTS), start)]) if isinstance(sent, tuple)]
     row = struct.unpack(f"<{CHANNELS * ENTITIES}h", message[2])
     unit = max(1e-4, (max(SCENARIO.field.width_m, SCENARIO.field.length_m) / 2 + 3.0) / 32_767)
     assert row[ENTITIES - 1] * unit == pytest.approx(0.25, abs=2e-4)

@@ -1,4 +1,4 @@
-"""The live view of real matches: it changes nothing, counts for nobody, and ends when it is told to."""
+"""The live view of real matches: it changes nothing, counts for no team, and ends on request."""
 
 import http.client
 import json

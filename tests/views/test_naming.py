@@ -1,4 +1,4 @@
-"""Two teams of one name are told apart on every page and picture, not by their colours alone."""
+"""Two teams of one name are distinguished on every page and picture, not by their colours alone."""
 
 from pathlib import Path
 

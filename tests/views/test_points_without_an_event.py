@@ -65,13 +65,13 @@ def events(tmp_path_factory: pytest.TempPathFactory) -> list[dict[str, Any]]:
 def test_the_page_shows_time_reason_and_score_of_points(events: list[dict[str, Any]]) -> None:
     first = events[0]
     assert (first["tick"], first["name"], first["about"], first["standing"]) == (10, "POINTS", SAYS, "0 : 1")
-    assert first["told"] == "Alster +1"
+    assert first["payload_text"] == "Alster +1"
     assert first["rule"] == "second"
 
 
 def test_points_with_an_event_are_listed_once_and_before_points_without_one(events: list[dict[str, Any]]) -> None:
     assert [(event["tick"], event["name"]) for event in events] == [(10, "POINTS"), (20, "GOAL"), (20, "POINTS")]
-    assert events[2]["told"] == "Alster -0.5"
+    assert events[2]["payload_text"] == "Alster -0.5"
 
 
 def test_points_that_are_lost_are_no_goal_and_no_points_at_all_are_neither(tmp_path: Path) -> None:
@@ -85,5 +85,5 @@ def test_points_that_are_lost_are_no_goal_and_no_points_at_all_are_neither(tmp_p
     lost, both, nothing = _page(tmp_path, output)["events"]
     assert [event["kind"] for event in (lost, both, nothing)] == ["loss", "goal", "call"]
     assert (lost["standing"], both["standing"]) == ("0 : -1", "2 : -2")
-    # Where one gains and another loses, it is told in the colour of who gains.
+    # Where one gains and another loses, it has the colour of the team that gains.
     assert None is not lost["colour"] != both["colour"] is not None

@@ -37,7 +37,7 @@ _SHIPPED = ("match", "match_2021", "variants/precision_lidar_v2", "variants/fast
 """Beside the examples of the reference: what these do not show."""
 
 _MAX_LEAVES = 6
-"""So many leaves of a field are changed, one after the other, until one is told."""
+"""So many leaves of a field are changed, one after the other, until one is printed."""
 
 _NEEDS_NO_TELLING = {
     "BallReceiverDevice.channel": "what getChannel returns; nothing else is sent to it, whatever the number",
@@ -262,13 +262,13 @@ def _tells(words: Counter[str], value: Any, annotation: Any) -> bool:
     if isinstance(value, bool | str) or value in _choices(annotation):
         return bool(words)
     amounts = (value, 100 * value, 200 * value, value * TICK_MS)
-    told = {number(abs(amount)) for amount in amounts}
-    told |= {degrees(abs(value)).removesuffix("°"), seconds(abs(value)).split()[0]}
-    return bool(told & {re.sub(r"^[-±]+|[.°s]+$", "", word) for word in words})
+    printed = {number(abs(amount)) for amount in amounts}
+    printed |= {degrees(abs(value)).removesuffix("°"), seconds(abs(value)).split()[0]}
+    return bool(printed & {re.sub(r"^[-±]+|[.°s]+$", "", word) for word in words})
 
 
 def _telling(leaf: Leaf, *, drawn: bool) -> tuple[bool, list[Any]]:
-    """Return whether another value of a leaf is told, and which were tried."""
+    """Return whether another value of a leaf is printed, and which were tried."""
     tried: list[Any] = []
     for value in _others(leaf):
         changed = _changed(leaf, value)
@@ -287,8 +287,8 @@ def _telling(leaf: Leaf, *, drawn: bool) -> tuple[bool, list[Any]]:
 def test_a_changed_number_is_on_the_sheet(field):
     untold = []
     for leaf in _leaves().get(field, []):
-        told, tried = _telling(leaf, drawn=field.startswith(_DRAWN))
-        if told:
+        printed, tried = _telling(leaf, drawn=field.startswith(_DRAWN))
+        if printed:
             assert field not in _NEEDS_NO_TELLING
             return
         if tried:

@@ -295,10 +295,10 @@ def test_possession_is_the_share_of_play_since_the_last_touch(record: Callable[.
     outputs = {40: RefereeOutput(phase="pause", waiting_for_kickoff=True), 60: RefereeOutput()}
     stats = run_stats(record(100, {11: 0, 61: 1}, outputs))
     assert stats.play_ticks == 80
-    told = stats_as_json(stats)["teams"]
-    assert told["Hanse"]["possession"] == 37.5
-    assert told["Alster"]["possession"] == 50.0
-    assert told["Alster"]["touches"] == 1
+    exported = stats_as_json(stats)["teams"]
+    assert exported["Hanse"]["possession"] == 37.5
+    assert exported["Alster"]["possession"] == 50.0
+    assert exported["Alster"]["touches"] == 1
 
 
 def with_balls(*names: str) -> Scenario:
@@ -314,25 +314,25 @@ def test_of_several_balls_possession_is_the_mean_so_that_all_shares_are_100_at_m
 ) -> None:
     # 100 ticks: blue has the first ball from 21 on and the second one from 61 on; yellow has the third one from 51 on.
     stats = run_stats(record(100, {21: (0, 2), 61: (0, 3), 51: (1, 4)}, scenario=with_balls("one", "two", "three")))
-    told = stats_as_json(stats)["teams"]
-    assert told["Hanse"]["possession"] == told["Hanse"]["robots"]["B1"]["possession"] == 40.0
-    assert told["Alster"]["possession"] == pytest.approx(50 / 3, abs=0.05)
+    exported = stats_as_json(stats)["teams"]
+    assert exported["Hanse"]["possession"] == exported["Hanse"]["robots"]["B1"]["possession"] == 40.0
+    assert exported["Alster"]["possession"] == pytest.approx(50 / 3, abs=0.05)
     twice = stats_as_json(merge_stats([stats, stats]))["teams"]
     assert twice["Hanse"]["possession"] == 40.0
 
 
 def test_way_and_speeds_are_those_of_play(record: Callable[..., Path]) -> None:
     pause = {50: RefereeOutput(phase="pause", waiting_for_kickoff=True)}
-    told = stats_as_json(run_stats(record(100, {}, pause)))["teams"]["Alster"]
-    assert told["distance_m"] == pytest.approx(0.2, abs=1e-3)
-    assert told["mean_mps"] == told["max_mps"] == pytest.approx(0.125, abs=1e-3)
+    exported = stats_as_json(run_stats(record(100, {}, pause)))["teams"]["Alster"]
+    assert exported["distance_m"] == pytest.approx(0.2, abs=1e-3)
+    assert exported["mean_mps"] == exported["max_mps"] == pytest.approx(0.125, abs=1e-3)
 
 
 def test_the_own_half_is_that_of_the_goal_which_the_team_defends(record: Callable[..., Path]) -> None:
     # Yellow scores at +y, so its own half is y < 0: it drives from there over the middle at tick 75.
-    told = stats_as_json(run_stats(record(100, {})))["teams"]
-    assert told["Alster"]["own_half"] == 74.0
-    assert told["Hanse"]["own_half"] is None  # nothing gives points to blue here
+    exported = stats_as_json(run_stats(record(100, {})))["teams"]
+    assert exported["Alster"]["own_half"] == 74.0
+    assert exported["Hanse"]["own_half"] is None  # nothing gives points to blue here
 
 
 def test_calls_are_counted_for_the_robot_that_the_event_or_the_rule_names(record: Callable[..., Path]) -> None:
@@ -406,16 +406,18 @@ def test_several_submissions_of_one_name_are_noted(tmp_path: Path) -> None:
         result = json.loads((folder / "result.json").read_text("utf-8"))
         result["entrants"]["blue"]["programs"] = programs
         (folder / "result.json").write_text(json.dumps(result), encoding="utf-8")
-    told = "Hanse: 2 different submissions have this name; they are added up as one team"
+    note_text = "Hanse: 2 different submissions have this name; they are added up as one team"
     several = [run_stats(folder) for folder in out]
-    assert [note for note in merge_stats(several).notes if "submissions" in note] == [told]
+    assert [note for note in merge_stats(several).notes if "submissions" in note] == [note_text]
     assert not [note for note in merge_stats(several[1:]).notes if "submissions" in note]
 
 
 @pytest.mark.parametrize(
     ("halves", "apart"), [(1, ["Hanse (blue)", "Hanse (yellow)"]), (2, ["Hanse (blue first)", "Hanse (yellow first)"])]
 )
-def test_two_teams_of_one_name_in_one_match_are_counted_separately_and_noted(tmp_path: Path, halves: int, apart: list[str]) -> None:
+def test_two_teams_of_one_name_in_one_match_are_counted_separately_and_noted(
+    tmp_path: Path, halves: int, apart: list[str]
+) -> None:
     alike = run_stats(write_made_up_run(tmp_path, ticks=450, halves=halves, names=("Hanse", "Hanse")))
     other = run_stats(write_made_up_run(tmp_path, ticks=450, halves=halves, names=("Hanse", "Alster")))
     assert list(alike.teams) == apart
@@ -426,13 +428,13 @@ def test_two_teams_of_one_name_in_one_match_are_counted_separately_and_noted(tmp
 
 
 def test_every_figure_has_its_definition(tmp_path: Path) -> None:
-    told = stats_as_json(run_stats(write_made_up_run(tmp_path, ticks=450, halves=1)))
-    assert json.loads(json.dumps(told, allow_nan=False)) == told
-    for team in told["teams"].values():
-        assert set(team) - {"runs", "points", "robots"} == set(told["definitions"])
+    exported = stats_as_json(run_stats(write_made_up_run(tmp_path, ticks=450, halves=1)))
+    assert json.loads(json.dumps(exported, allow_nan=False)) == exported
+    for team in exported["teams"].values():
+        assert set(team) - {"runs", "points", "robots"} == set(exported["definitions"])
         for robot in team["robots"].values():
-            assert set(robot) == set(told["definitions"])
-    assert all(len(definition["text"]) > 40 for definition in told["definitions"].values())
+            assert set(robot) == set(exported["definitions"])
+    assert all(len(definition["text"]) > 40 for definition in exported["definitions"].values())
 
 
 def test_points_of_a_run_that_was_killed_are_those_of_its_log(tmp_path: Path) -> None:

@@ -47,10 +47,10 @@ def test_the_table_has_a_line_for_each_team_and_robot_and_fits_80_columns(out: P
 @pytest.mark.parametrize("columns", [60, 40])
 def test_on_a_narrow_terminal_the_table_is_split_into_parts_each_with_the_names(out: Path, columns: int) -> None:
     _, wide = stats(out=out)
-    code, told = stats(out=out, columns=columns)
+    code, text = stats(out=out, columns=columns)
     assert code == 0
-    assert "…" not in told  # no figure is cut off
-    table = told.partition("--explain")[0]
+    assert "…" not in text  # no figure is cut off
+    table = text.partition("--explain")[0]
     lines = [line.rstrip() for line in table.splitlines() if "program fault" not in line]  # which the terminal wraps
     assert max(map(len, lines)) <= columns
     heads = [line for line in table.splitlines() if line.lstrip().startswith("robot")]
@@ -71,18 +71,18 @@ def test_every_definition_is_printed_on_request(out: Path) -> None:
 def test_json_has_the_figures_with_their_definitions(out: Path) -> None:
     code, text = stats("20210618-10", "20210618-11", "--json", out=out)
     assert code == 0
-    told = json.loads(text)
-    assert told["runs"] == ["20210618-100000-small", "20210618-110000-small"]
-    assert told["teams"]["Hanse"]["runs"] == 2
-    assert told["definitions"]["possession"]["unit"] == "%"
+    document = json.loads(text)
+    assert document["runs"] == ["20210618-100000-small", "20210618-110000-small"]
+    assert document["teams"]["Hanse"]["runs"] == 2
+    assert document["definitions"]["possession"]["unit"] == "%"
 
 
 def test_a_run_that_is_given_twice_counts_once(out: Path) -> None:
     code, text = stats("20210618-10", str(out / "20210618-100000-small"), "20210618-11", "--json", out=out)
     assert code == 0
-    told = json.loads(text)
-    assert told["runs"] == ["20210618-100000-small", "20210618-110000-small"]
-    assert any("counted once" in note for note in told["notes"])
+    document = json.loads(text)
+    assert document["runs"] == ["20210618-100000-small", "20210618-110000-small"]
+    assert any("counted once" in note for note in text["notes"])
 
 
 def test_a_folder_that_is_no_record_is_reported(out: Path) -> None:

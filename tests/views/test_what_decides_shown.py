@@ -28,7 +28,7 @@ RANK = [{"counter": "laps", "order": "descending"}, {"counter": "best_s", "order
 
 
 @pytest.mark.parametrize(
-    ("event", "payload", "says", "told"),
+    ("event", "payload", "says", "text"),
     [
         ("BEST", {"best_s": 10.48}, "It is the best attempt so far.", "best 10.48 s"),
         (
@@ -53,9 +53,9 @@ RANK = [{"counter": "laps", "order": "descending"}, {"counter": "best_s", "order
     ],
 )
 def test_a_payload_is_shown_if_neither_sentence_nor_scoreboard_has_it(
-    event: str, payload: dict[str, Any], says: str, told: str
+    event: str, payload: dict[str, Any], says: str, text: str
 ) -> None:
-    assert extra_payload_text(event, payload, says) == told
+    assert extra_payload_text(event, payload, says) == text
 
 
 def _scenario(**more: Any) -> Scenario:
@@ -123,7 +123,7 @@ def test_the_page_has_the_place_of_each_team_with_its_values(run: Path) -> None:
         {"place": "place 1", "team": "Alster", "values": "laps 3, best 57 s"},
         {"place": "place 2", "team": "Hanse", "values": "laps 2, best 57 s"},
     ]
-    assert facts["events"][0]["told"] == "lap 1"
+    assert facts["events"][0]["payload_text"] == "lap 1"
 
 
 def test_a_record_that_lacks_what_was_counted_is_shown_without_it(run: Path) -> None:
@@ -146,7 +146,7 @@ def test_scoreboard_list_and_caption_show_it(show: Callable[..., Any], run: Path
     settled(page)
     assert page.locator(".counted").first.inner_text() == "laps 1\nbest 99 s"
     assert page.locator("#caption").inner_text() == "GOAL: A lap is complete. · lap 1"
-    assert page.locator(".event .told").first.inner_text() == "lap 1"
+    assert page.locator(".event .values").first.inner_text() == "lap 1"
     page.locator(".place a").first.click()
     settled(page)
     assert (
@@ -237,8 +237,8 @@ def test_a_live_match_sends_ranking_counters_when_they_change() -> None:
     change = CountersChange(TICKS, {"laps": {"B1": 1, "Y1": 2}, "best_s": 7})
     observer.after_last_tick(RefereeOutput(firings=(last,), changes=(change,)), half)
     feed.close()
-    told = re.findall(rb'"tick":(\d+),"counted":(\{.*?\]\})', feed.read(0, 0.0) or b"")
-    assert [(int(tick), json.loads(values)) for tick, values in told] == [
+    sent = re.findall(rb'"tick":(\d+),"counted":(\{.*?\]\})', feed.read(0, 0.0) or b"")
+    assert [(int(tick), json.loads(values)) for tick, values in sent] == [
         (0, {"blue": [0, 99], "yellow": [0, 99]}),
         (20, {"blue": [1, 99], "yellow": [0, 99]}),
         (TICKS, {"blue": [1, 7], "yellow": [2, 7]}),

@@ -45,8 +45,8 @@ expect:
     def describe(self, phrases: Phrases) -> str:
         if self.as_ is None:
             return f"{quoted_measure(self.draw)} is drawn again"
-        who = phrases.drawn(self.draw, self.as_)
+        value = phrases.drawn(self.draw, self.as_)
         # Of one that the rule is about people say what it becomes.
-        if who.startswith("“"):
-            return f"{quoted_measure(self.draw)} becomes {who}"
-        return f"{who} becomes {quoted_measure(self.draw)}"
+        if value.startswith("“"):
+            return f"{quoted_measure(self.draw)} becomes {value}"
+        return f"{value} becomes {quoted_measure(self.draw)}"

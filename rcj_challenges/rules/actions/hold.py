@@ -69,7 +69,7 @@ expect:
         return act
 
     def describe(self, phrases: Phrases) -> str:
-        who = phrases.all_of(self.entity)
-        until = f"until {'they are' if who.plural else 'it is'} let go"
+        subject = phrases.all_of(self.entity)
+        until = f"until {'they are' if subject.plural else 'it is'} let go"
         lasts = until if self.for_s is None else f"for {duration_words(phrases, self.for_s)}"
-        return f"{who.does('is', 'are')} held still {lasts}"
+        return f"{subject.does('is', 'are')} held still {lasts}"

@@ -63,8 +63,8 @@ expect:
         return act
 
     def describe(self, phrases: Phrases) -> str:
-        who = phrases.all_of(self.entity)
-        gone = f"{who.does('is', 'are')} taken off the field"
+        subject = phrases.all_of(self.entity)
+        gone = f"{subject.does('is', 'are')} taken off the field"
         if not self.for_s:
             return gone
         back = put_words(phrases, self.entity, self.back_at)

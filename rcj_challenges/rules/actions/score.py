@@ -90,7 +90,7 @@ expect:
         return act
 
     def _receiver(self, to: Binder) -> Callable[[], str | None]:
-        """Return what finds who gets the points: the named entrant, or the one that drives a robot."""
+        """Return the function that finds the receiver: the named entrant, or the one that drives a robot."""
         drivers = to.state.entrant_of
         if isinstance(self.entrant, LastToucher):
             touched, contacts = to.thing(self.entrant.last_touch), to.contacts
@@ -107,15 +107,15 @@ expect:
         return lambda: whose
 
     def describe(self, phrases: Phrases) -> str:
-        who, points, bounds = self.receiver(phrases), self.points, bounds_words(self, "score")
+        receiver, points, bounds = self.receiver(phrases), self.points, bounds_words(self, "score")
         if taken := subtracted_parts(self, points):
-            return f"{who} loses points: {amount_words(phrases, taken)}{bounds}"
+            return f"{receiver} loses points: {amount_words(phrases, taken)}{bounds}"
         if not isinstance(points, int | float):
-            return f"{who} gets points: {amount_words(phrases, points)}{bounds}"
-        return f"{who} {'loses' if points < 0 else 'gets'} {counted(abs(points), 'point')}{bounds}"
+            return f"{receiver} gets points: {amount_words(phrases, points)}{bounds}"
+        return f"{receiver} {'loses' if points < 0 else 'gets'} {counted(abs(points), 'point')}{bounds}"
 
     def receiver(self, phrases: Phrases) -> str:
-        """Return who gets points: ``yellow``, or ``the team of the last to touch the ball``."""
+        """Return the receiver of the points: ``yellow``, or ``the team of the last to touch the ball``."""
         if isinstance(self.entrant, LastToucher):
             return f"the team of the last to touch {phrases.thing(self.entrant.last_touch)}"
         if self.entrant not in ("each", "other") or phrases.is_entrant(self.entrant):

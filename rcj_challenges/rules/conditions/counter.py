@@ -64,9 +64,9 @@ expect:
     def describe(self, phrases: Phrases) -> str:
         if isinstance(self.equals, CounterValue):
             return self._equal(phrases, self.equals)
-        who = asked(phrases, self, "counter", self.counter)
-        if who is not None:
-            return f"{who.does('has', 'have')} a counter {quoted_measure(self.counter)} of {self.compared(phrases)}"
+        subject = asked(phrases, self, "counter", self.counter)
+        if subject is not None:
+            return f"{subject.does('has', 'have')} a counter {quoted_measure(self.counter)} of {self.compared(phrases)}"
         counter = kept(phrases, self, "counter", self.counter)
         if self.negate and (opposite := self.opposite(phrases)):
             return f"{counter} is {opposite}"
@@ -77,8 +77,8 @@ expect:
         if phrases.is_entrant(self.counter) and phrases.is_entrant(equals.counter):
             scores = f"the scores of {plain(self.counter)} and {plain(equals.counter)}"
             return f"{scores} {'differ' if self.negate else 'are equal'}"
-        who, other = asked(phrases, self, "counter", self.counter), amount_words(phrases, equals)
-        if who is not None:
-            return f"{who.does('has', 'have')} a counter {quoted_measure(self.counter)} equal to {other}"
+        subject, other = asked(phrases, self, "counter", self.counter), amount_words(phrases, equals)
+        if subject is not None:
+            return f"{subject.does('has', 'have')} a counter {quoted_measure(self.counter)} equal to {other}"
         differs = "differs from" if self.negate else "is equal to"
         return f"{kept(phrases, self, 'counter', self.counter)} {differs} {other}"

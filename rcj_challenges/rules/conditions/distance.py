@@ -99,11 +99,11 @@ expect:
         return tuple((self.to, float(limit)) for limit in limits if isinstance(limit, int | float) and limit > 0)
 
     def describe(self, phrases: Phrases) -> str:
-        who = phrases.quantified(self.of, self.entity, negate=self.negate)
+        subject = phrases.quantified(self.of, self.entity, negate=self.negate)
         point = phrases.point(self.to, self.entity)
-        opposite = self.opposite(phrases, " m") if who.negated else None
+        opposite = self.opposite(phrases, " m") if subject.negated else None
         if opposite is None:
-            return f"{who.does('is', 'are')} {self.compared(phrases, ' m', f' from {point}')}"
+            return f"{subject.does('is', 'are')} {self.compared(phrases, ' m', f' from {point}')}"
         # Nothing is measured to what is off the field: then the opposite of it holds.
         off = ", or one of the two is off the field" if phrases.may_be_off() else ""
-        return f"{who.text} is {opposite} from {point}{off}"
+        return f"{subject.text} is {opposite} from {point}{off}"

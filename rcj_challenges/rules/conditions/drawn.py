@@ -44,7 +44,8 @@ expect:
         return lambda: draws[name] == value
 
     def describe(self, phrases: Phrases) -> str:
-        who, draw, no = phrases.drawn(self.draw, self.equals), quoted_measure(self.draw), "not " if self.negate else ""
+        value, draw = phrases.drawn(self.draw, self.equals), quoted_measure(self.draw)
+        no = "not " if self.negate else ""
         if not phrases.is_set(self.draw):
-            return f"{who} was {no}drawn as {draw}"
-        return f"{who} is {no}{draw}" if who == phrases.thing("each") else f"{draw} is {no}{who}"
+            return f"{value} was {no}drawn as {draw}"
+        return f"{value} is {no}{draw}" if value == phrases.thing("each") else f"{draw} is {no}{value}"

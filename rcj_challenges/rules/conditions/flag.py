@@ -54,7 +54,7 @@ expect:
         return test_of_kept(self, to, state.flags[name], lambda whose: state.flag(name, whose))
 
     def describe(self, phrases: Phrases) -> str:
-        who = asked(phrases, self, "flag", self.flag)
-        if who is not None:
-            return f"{who.does('has', 'have')} the flag {quoted(self.flag)} set"
+        subject = asked(phrases, self, "flag", self.flag)
+        if subject is not None:
+            return f"{subject.does('has', 'have')} the flag {quoted(self.flag)} set"
         return f"{kept(phrases, self, 'flag', self.flag)} is {'not ' if self.negate else ''}set"

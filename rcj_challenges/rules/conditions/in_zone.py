@@ -46,5 +46,5 @@ expect:
         return test
 
     def describe(self, phrases: Phrases) -> str:
-        who = phrases.quantified(self.of, self.entity, negate=self.negate)
-        return f"{who.does('is', 'are')} in {phrases.any_of(self.zone)}"
+        subject = phrases.quantified(self.of, self.entity, negate=self.negate)
+        return f"{subject.does('is', 'are')} in {phrases.any_of(self.zone)}"

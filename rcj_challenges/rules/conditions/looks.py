@@ -69,6 +69,6 @@ expect:
         return (*super().watched(to), *(() if self.towards is None else anchors(to, self.towards)))
 
     def describe(self, phrases: Phrases) -> str:
-        who = phrases.quantified(self.of, self.entity, negate=self.negate).does("looks", "look")
+        subject = phrases.quantified(self.of, self.entity, negate=self.negate).does("looks", "look")
         way = heading(self.heading_rad or 0.0) if self.towards is None else f"towards {phrases.point(self.towards)}"
-        return f"{who} {way} (to within {degrees(self.within_rad)})"
+        return f"{subject} {way} (to within {degrees(self.within_rad)})"

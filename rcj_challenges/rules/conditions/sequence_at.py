@@ -66,8 +66,8 @@ expect:
         return test_of_kept(self, to, trackers, test)
 
     def describe(self, phrases: Phrases) -> str:
-        who, step = asked(phrases, self, "sequence", self.sequence), phrases.thing(self.step)
-        if who is not None:
-            return f"{who.does('has', 'have')} a sequence {quoted(self.sequence)} that stands at {step}"
+        subject, step = asked(phrases, self, "sequence", self.sequence), phrases.thing(self.step)
+        if subject is not None:
+            return f"{subject.does('has', 'have')} a sequence {quoted(self.sequence)} that stands at {step}"
         stands = "does not stand" if self.negate else "stands"
         return f"{kept(phrases, self, 'sequence', self.sequence)} {stands} at {step}"

@@ -57,9 +57,9 @@ expect:
         return lambda: quantified(of, (compares(entity) for entity in entities if state.present[entity]))
 
     def describe(self, phrases: Phrases) -> str:
-        who = phrases.quantified(self.of, self.entity, negate=self.negate)
-        opposite = self.opposite(phrases, " m/s") if who.negated else None
+        subject = phrases.quantified(self.of, self.entity, negate=self.negate)
+        opposite = self.opposite(phrases, " m/s") if subject.negated else None
         if opposite is None:
-            return f"{who.does('moves', 'move')} at a speed of {self.compared(phrases, ' m/s')}"
+            return f"{subject.does('moves', 'move')} at a speed of {self.compared(phrases, ' m/s')}"
         off = " or is off the field" if phrases.may_be_off() else ""
-        return f"{who.text} moves at a speed of {opposite}{off}"
+        return f"{subject.text} moves at a speed of {opposite}{off}"

@@ -43,8 +43,8 @@ expect:
         return lambda: quantified(of, free())
 
     def describe(self, phrases: Phrases) -> str:
-        who = phrases.quantified(self.of, self.spot, negate=self.negate).does("is", "are")
-        return f"{who} free{within_words(self.clearance_m)}"
+        subject = phrases.quantified(self.of, self.spot, negate=self.negate).does("is", "are")
+        return f"{subject} free{within_words(self.clearance_m)}"
 
     def distances_m(self) -> tuple[tuple[Name | Point, float], ...]:
         spots = (self.spot,) if isinstance(self.spot, str) else self.spot

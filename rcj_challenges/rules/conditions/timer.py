@@ -67,15 +67,15 @@ expect:
         return test_of_kept(self, to, clocks, test)
 
     def describe(self, phrases: Phrases) -> str:
-        who, run_for = asked(phrases, self, "timer", self.timer), self.compared(phrases, " s")
+        subject, run_for = asked(phrases, self, "timer", self.timer), self.compared(phrases, " s")
         timer, no = kept(phrases, self, "timer", self.timer), " not" if self.negate else ""
-        if not run_for and who is None:
+        if not run_for and subject is None:
             return f"{timer} is{no} running"
-        if who is not None and (self.of is not None or not run_for):
+        if subject is not None and (self.of is not None or not run_for):
             article, state = ("a", f"that has run for {run_for}") if run_for else ("the", "running")
-            return f"{who.does('has', 'have')} {article} timer {quoted(self.timer)} {state}"
+            return f"{subject.does('has', 'have')} {article} timer {quoted(self.timer)} {state}"
         owners = phrases.owners("timer", self.timer)
-        if who is not None and owners is not None:
+        if subject is not None and owners is not None:
             timer = f"the longest running timer {quoted(self.timer)} of {phrases.all_of(owners).text}"
         if self.negate and (opposite := self.opposite(phrases, " s")):
             return f"{timer} has run for {opposite}"

@@ -50,7 +50,8 @@ expect:
         return lambda: quantified(of, (robot in heard and fits(heard[robot]) for robot in robots))
 
     def describe(self, phrases: Phrases) -> str:
-        who, said = phrases.quantified(self.of, self.entity, negate=self.negate), self.said(phrases)
+        subject, said = phrases.quantified(self.of, self.entity, negate=self.negate), self.said(phrases)
         if not said:
-            return f"{who.does('was', 'were')} heard by the referee before"
-        return f"{who.does('has', 'have')} {said} as {'their' if who.plural else 'its'} last message to the referee"
+            return f"{subject.does('was', 'were')} heard by the referee before"
+        their = "their" if subject.plural else "its"
+        return f"{subject.does('has', 'have')} {said} as {their} last message to the referee"

@@ -22,7 +22,7 @@ rules:
   used_up:
     for_each: yellow
     triggers: [{trigger: holds, condition: {condition: way, entity: each, at_least: {counter: budget_m}}}]
-    actions: [{action: remove, entity: each}, {action: emit, event: USED_UP, payload: {who: {word: robot_name}}}]
+    actions: [{action: remove, entity: each}, {action: emit, event: USED_UP, payload: {robot_name: {word: robot_name}}}]
   put_back:
     # A placement by a rule does not count, and does not restore the budget.
     triggers: [{trigger: time_reached, at_s: 3}]
@@ -35,7 +35,7 @@ expect:
       - {at_s: 4}
       - {at_s: 5, move: {Y1: [0.5, 0.5]}}
     lasts_s: 6
-    events: [{event: USED_UP, payload: {who: Y1}}]
+    events: [{event: USED_UP, payload: {robot_name: Y1}}]
 """
     SENTENCE = "it has a way in this half of at least as many m as the counter “budget (m)” says"
 
@@ -48,7 +48,7 @@ expect:
         return lambda: quantified(of, (holds(state.ways[entity]) for entity in entities))
 
     def describe(self, phrases: Phrases) -> str:
-        who = phrases.quantified(self.of, self.entity, negate=self.negate)
-        if who.negated and (opposite := self.opposite(phrases, " m")):
-            return f"{who.text} has a way in this half of {opposite}"
-        return f"{who.does('has', 'have')} a way in this half of {self.compared(phrases, ' m')}"
+        subject = phrases.quantified(self.of, self.entity, negate=self.negate)
+        if subject.negated and (opposite := self.opposite(phrases, " m")):
+            return f"{subject.text} has a way in this half of {opposite}"
+        return f"{subject.does('has', 'have')} a way in this half of {self.compared(phrases, ' m')}"

@@ -1,4 +1,4 @@
-"""Checks of the field: what lies off it, who never is on it, what finds no room, what two rules move at once."""
+"""Checks of the field: entities off it, entities never on it, placements without room, conflicting placements."""
 
 from __future__ import annotations
 

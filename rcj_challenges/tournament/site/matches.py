@@ -167,7 +167,7 @@ def moments(replay: ReplayData | None, result: Mapping[str, Any]) -> list[Moment
                 half=event["half"],
                 clock=clock(s_from_ticks(event["tick"])),
                 name=event["name"],
-                about=" · ".join(filter(None, (event["about"], event["told"]))),
+                about=" · ".join(filter(None, (event["about"], event["payload_text"]))),
                 standing=event["standing"],
                 kind=event["kind"],
                 link=f"replay.html#h{event['half']}t{event['tick']}",

@@ -158,6 +158,6 @@ def _public_moment(event: Mapping[str, Any], own: frozenset[tuple[int, str]]) ->
     robot, kind = str(payload.get("robot_name", "")), str(payload.get("kind", ""))
     about = f"The program of {robot} {fault_words(kind)}."
     return {
-        **event, "about": about, "told": "", "says": "", "caption": about,
+        **event, "about": about, "payload_text": "", "says": "", "caption": about,
         "payload": [["robot_name", robot], ["kind", kind]],
     }  # fmt: skip

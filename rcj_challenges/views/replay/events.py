@@ -93,7 +93,7 @@ class EventFacts:
             "colour": self._colours.get(seat),
             "standing": standing,
             "about": _short(about or more, 300),
-            "told": more if about else "",
+            "payload_text": more if about else "",
             "caption": _short(f"{head}: {caption}" if caption else head, 200),
             "says": says,
             "rule": cause.rule if cause is not None else "",

@@ -95,9 +95,9 @@ def _sequence_words(phrases: Phrasebook, name: str, sequence: Sequence) -> str:
     way = ", then ".join(map(phrases.any_of, sequence.places())) + (" and back to the first" if sequence.cyclic else "")
     wrong = "breaks it: it starts again" if sequence.wrong_step == "break" else "changes nothing"
     owners = phrases.owners("sequence", name)
-    who = phrases.all_of(followed(sequence)).text if owners is None else phrases.each_of(owners)
+    followers = phrases.all_of(followed(sequence)).text if owners is None else phrases.each_of(owners)
     placed = "goes on" if sequence.when_placed == "goes_on" else "starts again"
     return (
-        f"The sequence {quoted(name)} of {who}: {way}. A step out of turn {wrong}. It {placed} when a rule puts "
-        f"{'it' if owners else who} somewhere or takes it off the field."
+        f"The sequence {quoted(name)} of {followers}: {way}. A step out of turn {wrong}. It {placed} when a rule puts "
+        f"{'it' if owners else followers} somewhere or takes it off the field."
     )

@@ -86,7 +86,7 @@ def _points_rows(phrases: Phrasebook, rule: Rule) -> Iterator[tuple[str, str, st
                 f"{amount_words(own, action.points)}{bounds_words(action, 'score')}"
             )
     when = says_sentence(own, rule) or f"{when_words(rule, phrases)}."
-    yield from ((when, who, ", plus ".join(parts)) for who, parts in points.items())
+    yield from ((when, receiver, ", plus ".join(parts)) for receiver, parts in points.items())
 
 
 def _criterion_words(phrases: Phrasebook, criterion: RankByScore | RankByTime | RankByCounter) -> str:

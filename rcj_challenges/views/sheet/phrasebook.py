@@ -232,8 +232,8 @@ class Phrasebook:
         """Return the owners of whose counters one is the lowest or highest: ``all others on the field``."""
         per = self.scenario.counters[counter].per or ""
         owners, goes_over = self.roster.expand(per), () if self.each is None else self.roster.expand(self.each)
-        who = self.all_of(per).text if set(owners).isdisjoint(goes_over) else "all others"
-        return f"{who} on the field" if owners[0] in self.roster.entities else who
+        others = self.all_of(per).text if set(owners).isdisjoint(goes_over) else "all others"
+        return f"{others} on the field" if owners[0] in self.roster.entities else others
 
     # --- draws -------------------------------------------------------------------------------------------------------
 

@@ -149,9 +149,9 @@ def _sent(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
         if channels:
             by_channels.setdefault(channels, []).append(name)
     for channels, names in by_channels.items():
-        who, where = phrases.all_of(tuple(names)).text, listed([str(channel) for channel in channels], "or")
+        senders, where = phrases.all_of(tuple(names)).text, listed([str(channel) for channel in channels], "or")
         yield (
-            f"The referee receives what {who} {'sends' if len(names) == 1 else 'send'} with the team emitter on "
+            f"The referee receives what {senders} {'sends' if len(names) == 1 else 'send'} with the team emitter on "
             f"channel {where}: text of up to {MAX_LETTERS} letters, or one or two numbers. In a tick it receives one "
             "message of each robot, the tick after it is sent at the earliest; other robots do not receive it. In "
             "Python: "

@@ -108,7 +108,7 @@ class Overlay:
         head = "  ".join(
             filter(None, (event["name"].replace("_", " "), self._footage.titles.get(event["team"]), event["standing"]))
         )
-        text = " · ".join(filter(None, (str(event["about"]), str(event["told"]))))
+        text = " · ".join(filter(None, (str(event["about"]), str(event["payload_text"]))))
         size_px = max(9, round(self.height * (0.46 if scored else 0.4)))
         ground = colour if event["kind"] == "goal" else BAR
         return _box([(head, True), (text, False)], size_px, ground, colour, self._size[0] - 2 * self._gap)

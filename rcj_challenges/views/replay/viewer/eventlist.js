@@ -95,7 +95,7 @@ class EventList {
     return [element("li", "divider", "Result"), ...facts.places.map(({ place, team, values }) => {
       const item = element("li", "event place"), link = element("a", "moment");
       link.href = this.recording.fragment(end);
-      link.append(element("span", "when", place), element("bdi", "what", team), element("bdi", "told", values));
+      link.append(element("span", "when", place), element("bdi", "what", team), element("bdi", "values", values));
       link.addEventListener("click", (click) => {
         if (click.ctrlKey || click.metaKey || click.shiftKey) return;
         click.preventDefault();
@@ -122,7 +122,7 @@ class EventList {
     link.append(element("span", "when", this.recording.clock(event.place)), what);
     if (event.standing) link.append(element("span", "standing", event.standing));
     if (event.about) link.append(element("bdi", "about", event.about));
-    if (event.told) link.append(element("bdi", "told", event.told));
+    if (event.payload_text) link.append(element("bdi", "values", event.payload_text));
     const row = { event, item, link };
     link.addEventListener("click", (click) => {
       if (click.ctrlKey || click.metaKey || click.shiftKey) return;
