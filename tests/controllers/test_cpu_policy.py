@@ -16,28 +16,28 @@ def computer(monkeypatch):
 
     Three programs play, of which one stays awake; the others keep a quarter of a processor busy.
     """
-    told = SimpleNamespace(now_s=0.0, tick_s=SOON_S / 3, running=1, looked=0, here=1, ours=0.5, ours_s=7.0)
-    told.busy, told.computed_s = {AWAKE: 1.0, 1: 0.15, 2: 0.1}, {AWAKE: 0.0, 1: 3.0, 2: 4.0}
+    machine = SimpleNamespace(now_s=0.0, tick_s=SOON_S / 3, running=1, looked=0, here=1, ours=0.5, ours_s=7.0)
+    machine.busy, machine.computed_s = {AWAKE: 1.0, 1: 0.15, 2: 0.1}, {AWAKE: 0.0, 1: 3.0, 2: 4.0}
 
     def clock():
-        told.now_s += told.tick_s
-        told.ours_s += told.ours * told.tick_s
-        for robot in told.computed_s:
-            told.computed_s[robot] += told.busy[robot] * told.tick_s
-        return told.now_s
+        machine.now_s += machine.tick_s
+        machine.ours_s += machine.ours * machine.tick_s
+        for robot in machine.computed_s:
+            machine.computed_s[robot] += machine.busy[robot] * machine.tick_s
+        return machine.now_s
 
     def running():
-        told.looked += 1
-        return told.running
+        machine.looked += 1
+        return machine.running
 
     monkeypatch.setattr(cpu_policy, "ENABLED", True)
-    monkeypatch.setattr(cpu_policy, "time", SimpleNamespace(perf_counter=clock, thread_time=lambda: told.ours_s))
+    monkeypatch.setattr(cpu_policy, "time", SimpleNamespace(perf_counter=clock, thread_time=lambda: machine.ours_s))
     monkeypatch.setattr(process_stats, "running", running)
     monkeypatch.setattr(process_stats, "all_processors", lambda: 2)
     monkeypatch.setattr(process_stats, "processors", lambda: 2)
-    monkeypatch.setattr(cpu_policy, "current_cpu", lambda: told.here)
-    told.policy = CpuPolicy(lambda: dict(told.computed_s))
-    return told
+    monkeypatch.setattr(cpu_policy, "current_cpu", lambda: machine.here)
+    machine.policy = CpuPolicy(lambda: dict(machine.computed_s))
+    return machine
 
 
 def answers(of, ticks, awake=AWAKE):
@@ -176,12 +176,12 @@ def test_linux_counts_this_thread_as_running():
 
 @pytest.mark.skipif(not process_stats.processors(), reason="only Linux tells it")
 @pytest.mark.parametrize(
-    ("told", "processors"),
+    ("cpu_max", "processors"),
     [("max 100000\n", 4), ("250000 100000\n", 2), ("50000 100000\n", 0), ("what is this\n", 4), (None, 4)],
 )
-def test_container_has_the_cpus_that_it_is_granted(monkeypatch, tmp_path, told, processors):
+def test_container_has_the_cpus_that_it_is_granted(monkeypatch, tmp_path, cpu_max, processors):
     monkeypatch.setattr("os.sched_getaffinity", lambda _: set(range(4)))
-    if told is not None:
-        (tmp_path / "cpu.max").write_text(told, encoding="ascii")
+    if cpu_max is not None:
+        (tmp_path / "cpu.max").write_text(cpu_max, encoding="ascii")
     monkeypatch.setattr(process_stats, "_GRANT", tmp_path / "cpu.max")
     assert process_stats.processors() == processors

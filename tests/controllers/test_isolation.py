@@ -149,8 +149,8 @@ def test_landlock_alone_refuses_to(by_filesystem: dict[str, str], what: str) -> 
 def test_without_isolation_the_same_attempts_to_read_succeed(tmp_path: Path, surroundings: str) -> None:
     with only():
         network = {name: action for name, (_, action, _) in NETWORK.items()}
-        told = outcomes(tmp_path, {**READS, **network}, surroundings)
-    refused = {name for name, outcome in told.items() if outcome.startswith("E") and outcome.isupper()}
+        reported = outcomes(tmp_path, {**READS, **network}, surroundings)
+    refused = {name for name, outcome in reported.items() if outcome.startswith("E") and outcome.isupper()}
     # A kernel with Yama lets nobody look into its parent's memory.
     assert refused <= {"the match's memory"}
 
@@ -249,8 +249,8 @@ def test_the_kernel_does_not_know(by_system_calls: dict[str, str], what: str) ->
 @needs_linux
 def test_without_isolation_the_same_calls_succeed(tmp_path: Path, surroundings: str) -> None:
     with only():
-        told = outcomes(tmp_path, {name: CALLS[name] for name in HARMLESS}, surroundings)
-    assert not [name for name, outcome in told.items() if outcome.startswith("E")]
+        reported = outcomes(tmp_path, {name: CALLS[name] for name in HARMLESS}, surroundings)
+    assert not [name for name, outcome in reported.items() if outcome.startswith("E")]
 
 
 HONEST = """
@@ -346,8 +346,10 @@ robot.step(32)
 
 @needs_landlock
 def test_a_layer_that_fails_keeps_the_program_from_starting(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    told = isolation.limit_settings
-    monkeypatch.setattr(isolation, "limit_settings", lambda *args, **kind: {**told(*args, **kind), "readable": ["\0"]})
+    reported = isolation.limit_settings
+    monkeypatch.setattr(
+        isolation, "limit_settings", lambda *args, **kind: {**reported(*args, **kind), "readable": ["\0"]}
+    )
     with only("filesystem"):
         played = FakeMatch(tmp_path).play("print('I am free')\n\n", 1)
     assert played.fault is not None

@@ -64,11 +64,11 @@ def test_what_is_outside_has_no_name(tmp_path: Path) -> None:
         "shared memory": "open('/dev/shm/memory', 'w')",
     }
     with only("no_new_privileges", "bubblewrap"):
-        told = outcomes(tmp_path, seen)
-    assert told == {
+        reported = outcomes(tmp_path, seen)
+    assert reported == {
         "the record": "False",
         "who has an account": "False",
-        "homes": told["homes"] if sys.prefix.startswith("/home") else "False",
+        "homes": reported["homes"] if sys.prefix.startswith("/home") else "False",
         "matches": "1",
         "private folders": "['rcj-Y1-']",
         "its parent": "1",

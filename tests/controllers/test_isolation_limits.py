@@ -35,7 +35,7 @@ def probed_anew() -> Iterator[None]:
 @needs_linux
 def test_memory_descriptors_and_privileges_are_limited(tmp_path: Path) -> None:
     with only("resource_limits", "no_new_privileges"):
-        told = outcomes(
+        reported = outcomes(
             tmp_path,
             {
                 "take memory": "bytearray(300 << 20)",
@@ -54,7 +54,7 @@ def test_memory_descriptors_and_privileges_are_limited(tmp_path: Path) -> None:
             start_s=20,
             half_s=10,
         )
-    assert told == {
+    assert reported == {
         "take memory": "MemoryError",
         "open files": "EMFILE",
         "write a large file": "EFBIG",
@@ -84,8 +84,8 @@ def test_the_limit_of_cpu_time_leaves_as_much_outside_the_steps_as_in_them() -> 
 
 @pytest.mark.skipif(sys.platform != "linux" or is_root, reason="root has no limit on threads")
 def test_the_user_keeps_room_for_threads_outside() -> None:
-    told = isolation._user_tasks(Limits(processes=10))
-    assert told == process_stats.tasks_of_user() + 160
+    reported = isolation._user_tasks(Limits(processes=10))
+    assert reported == process_stats.tasks_of_user() + 160
     assert process_stats.tasks_of_user() >= process_stats.threads_of(os.getpid()) >= 1
 
 
@@ -120,12 +120,12 @@ def test_what_cannot_be_had_is_named_and_auto_goes_without(monkeypatch: pytest.M
     monkeypatch.setattr(_landlock, "is_available", lambda: False)
     monkeypatch.setattr(_seccomp, "is_available", lambda: False)
     assert not {"filesystem", "system_calls"} & set(isolation.active_layers("auto"))
-    with pytest.raises(isolation.IsolationError) as told:
+    with pytest.raises(isolation.IsolationError) as reported:
         isolation.active_layers("strict")
-    assert "filesystem (no sight of files" in str(told.value)
-    assert "no Landlock (Linux 5.13" in str(told.value)
-    assert "system_calls (no network" in str(told.value)
-    assert "x86_64 and aarch64" in str(told.value)
+    assert "filesystem (no sight of files" in str(reported.value)
+    assert "no Landlock (Linux 5.13" in str(reported.value)
+    assert "system_calls (no network" in str(reported.value)
+    assert "x86_64 and aarch64" in str(reported.value)
 
 
 @needs_linux

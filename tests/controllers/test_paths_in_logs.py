@@ -107,7 +107,7 @@ def test_paths_of_windows_are_short_also_as_errors_quote_them(monkeypatch: pytes
     monkeypatch.setattr(_traceback, "os", windows)
     names = _traceback.short_names("D:\\Temp\\rcj-1\\program", ["C:\\Python\\Lib\\site-packages"])
     path = "D:\\Temp\\rcj-1\\program\\robot1\\map.txt"
-    for quoted, told in {
+    for quoted, expected in {
         path: "robot1\\map.txt",
         repr(path): r"'robot1\\map.txt'",
         repr("D:\\Temp\\rcj-1\\x"): r"'~\\x'",
@@ -115,11 +115,11 @@ def test_paths_of_windows_are_short_also_as_errors_quote_them(monkeypatch: pytes
         ntpath.normcase(path): "robot1\\map.txt",
         repr(ntpath.normcase(path)): r"'robot1\\map.txt'",
     }.items():
-        assert reduce(lambda said, name: said.replace(*name), names, quoted) == told
+        assert reduce(lambda said, name: said.replace(*name), names, quoted) == expected
 
 
 @pytest.mark.parametrize(
-    ("prefix", "path", "told"),
+    ("prefix", "path", "expected"),
     [
         ("/home/somebody/python", "/home/somebody/python/lib/python311.zip", "python/lib/python311.zip"),
         ("/home/somebody/python", "/home/somebody/python", "python"),
@@ -127,7 +127,7 @@ def test_paths_of_windows_are_short_also_as_errors_quote_them(monkeypatch: pytes
     ],
 )
 def test_the_folder_that_python_is_in_is_not_named(
-    monkeypatch: pytest.MonkeyPatch, prefix: str, path: str, told: str
+    monkeypatch: pytest.MonkeyPatch, prefix: str, path: str, expected: str
 ) -> None:
     """It may lie in somebody's home; who looks why an import fails prints `sys.path`."""
     monkeypatch.setattr(_traceback, "os", SimpleNamespace(sep="/", path=posixpath, __file__="/elsewhere/os.py"))
@@ -138,7 +138,7 @@ def test_the_folder_that_python_is_in_is_not_named(
         _traceback, "__file__", "_traceback.py"
     )  # of which no folder is known, as of Windows' seen from here
     names = _traceback.short_names("/tmp/rcj-1/program", [])
-    assert reduce(lambda said, name: said.replace(*name), names, f"['{path}']") == f"['{told}']"
+    assert reduce(lambda said, name: said.replace(*name), names, f"['{path}']") == f"['{expected}']"
 
 
 def test_a_write_returns_its_full_length(tmp_path: Path) -> None:
@@ -173,8 +173,8 @@ def test_where_the_interpreter_broke_is_taken_from_the_end_of_the_log(
     frames = f'  File "{escaped(tmp_path)}{os.sep}robot.py", line 4 in drive\n  File "controller{os.sep}robot.py", line 9 in step\n'
     dump = f"{begins}\n\nThread 0x00000130 (most recent call first):\n\nCurrent thread 0x00000124:\n{frames}{after}"
     os.write(log.fd, f"said before\n{dump}".encode())
-    told = log.take_dump(tmp_path)
+    expected = log.take_dump(tmp_path)
     log.close()
     left = (tmp_path / "Y1.log").read_text(encoding="utf-8")
-    assert told == ('  File "robot.py", line 4 in drive\n' if is_end else "")
+    assert expected == ('  File "robot.py", line 4 in drive\n' if is_end else "")
     assert left == ("said before\n" if is_end else f"said before\n{dump}")

@@ -158,7 +158,7 @@ def test_a_program_that_ends_the_exchange_has_a_fault(
 
 
 @pytest.mark.parametrize(
-    ("told", "status", "is_crash"),
+    ("reported", "status", "is_crash"),
     [
         (139, 139, False),  # 128 + n is nothing special there
         (0xFFFFFFFF, 255, False),  # exit(-1)
@@ -168,10 +168,10 @@ def test_a_program_that_ends_the_exchange_has_a_fault(
     ],
 )
 def test_what_an_exit_status_of_windows_means(
-    monkeypatch: pytest.MonkeyPatch, told: int, status: int, is_crash: bool
+    monkeypatch: pytest.MonkeyPatch, reported: int, status: int, is_crash: bool
 ) -> None:
     monkeypatch.setattr("rcj_challenges.controllers.processes.sys.platform", "win32")
-    popen: Any = SimpleNamespace(wait=lambda _: told)
+    popen: Any = SimpleNamespace(wait=lambda _: reported)
     seen = processes.Process(popen, None, own_session=True).exit_status(1.0)
     assert seen == status
     assert processes.is_crash(seen) is is_crash

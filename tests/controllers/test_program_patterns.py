@@ -46,9 +46,9 @@ def run():
         run()
 run()
 """
-    (told,) = match.play(program.replace("LIMIT", "1000"), 200).said
-    assert told.startswith("Warning: step was called 20")
-    assert told.endswith("Python ends the program, after about 31 s; write a while loop.")
+    (reported,) = match.play(program.replace("LIMIT", "1000"), 200).said
+    assert reported.startswith("Warning: step was called 20")
+    assert reported.endswith("Python ends the program, after about 31 s; write a while loop.")
     assert match.play(program.replace("LIMIT", "100000"), 200).said == []
     assert match.play(program.replace("LIMIT", "1000"), 100).said == []
 

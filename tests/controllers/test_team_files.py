@@ -69,8 +69,8 @@ def test_records_of_runs_that_lie_in_a_folder_or_zip_are_no_part_of_it(tmp_path:
     packed = open_team(zip_of(tmp_path / "team.zip", inside("team", PRESENT | record)), BLUE)
     assert with_record.digest == without.digest == packed.digest
     troubles = archive.read_contents(tmp_path / "team.zip").troubles
-    (told,) = [trouble for trouble in troubles if trouble.code == "archive.leftovers"]
-    assert "runs/20210618-001159-match" in told.message
+    (reported,) = [trouble for trouble in troubles if trouble.code == "archive.leftovers"]
+    assert "runs/20210618-001159-match" in reported.message
 
 
 def test_the_record_of_a_run_that_was_killed_before_its_first_tick_is_no_part_of_a_zip_either(tmp_path: Path) -> None:
@@ -173,11 +173,11 @@ def test_any_change_of_a_name_or_a_byte_changes_the_digest(tmp_path: Path) -> No
 def test_a_missing_program_is_reported_with_what_was_looked_for_what_is_there_and_the_nearest(tmp_path: Path) -> None:
     with pytest.raises(TeamError) as caught:
         open_team(folder_of(tmp_path, {"rcj_soccer_team_blue/rcj_soccer_team_bleu.py": b"x"}), BLUE)
-    told = str(caught.value)
-    assert "B1: looked for rcj_soccer_team_blue/rcj_soccer_team_blue.py or robot1/robot1.py or robot.py" in told
-    assert "found: rcj_soccer_team_blue/rcj_soccer_team_bleu.py" in told
-    assert f"did you mean rcj_soccer_team_blue/rcj_soccer_team_bleu.py to be {ENTRY}?" in told
-    assert "\n" not in told
+    reported = str(caught.value)
+    assert "B1: looked for rcj_soccer_team_blue/rcj_soccer_team_blue.py or robot1/robot1.py or robot.py" in reported
+    assert "found: rcj_soccer_team_blue/rcj_soccer_team_bleu.py" in reported
+    assert f"did you mean rcj_soccer_team_blue/rcj_soccer_team_bleu.py to be {ENTRY}?" in reported
+    assert "\n" not in reported
 
 
 def test_a_program_of_another_number_is_not_suggested() -> None:

@@ -287,7 +287,8 @@ def test_the_system_reports_the_cpu_time_of_a_process() -> None:
 
 
 @pytest.mark.parametrize(
-    ("told", "seconds"), [("  0:01.25\n", 1.25), ("00:01:02", 62.0), ("2-03:04:05", 183_845.0), ("90:00.00", 5400.0)]
+    ("reported", "seconds"),
+    [("  0:01.25\n", 1.25), ("00:01:02", 62.0), ("2-03:04:05", 183_845.0), ("90:00.00", 5400.0)],
 )
-def test_times_of_ps_are_read(told: str, seconds: float) -> None:
-    assert process_stats.seconds_of(told) == seconds
+def test_times_of_ps_are_read(reported: str, seconds: float) -> None:
+    assert process_stats.seconds_of(reported) == seconds

@@ -196,17 +196,17 @@ def test_a_program_sees_the_same_set_of_processors_all_along(match: FakeMatch) -
 def test_a_wait_that_turns_out_long_is_reported_once(
     either_match: FakeMatch, rounds: int, is_long: bool
 ) -> None:  # fmt: skip
-    team, told = either_match.team(READS_ITS_GPS + f"    for _ in range({rounds}): pass\n"), []
+    team, reported = either_match.team(READS_ITS_GPS + f"    for _ in range({rounds}): pass\n"), []
     with either_match.pool() as pool:
         program = pool.add(SPEC, team, team.entry_for("Y1", "robot.py"))
         pool.launch()
         program.collect()
         waits = []
         for tick in range(1, 8):
-            told.clear()
+            reported.clear()
             program.release(Observation(tick, values_at(tick), []))
-            assert not isinstance(program.collect(lambda: told.append("long")), Fault)
-            waits.append(len(told))
+            assert not isinstance(program.collect(lambda: reported.append("long")), Fault)
+            waits.append(len(reported))
         pool.close()
     # A busy computer may hold up one that computes nothing, or us while one computes, but hardly always.
     assert max(waits) == 1 if is_long else min(waits) == 0

@@ -36,8 +36,10 @@ def _play(match: FakeMatch, lines: str, ticks: int = 2, **given: object) -> Play
 
 def _speeds(played: Played) -> list[tuple[int, float]]:
     """At which tick the left motor was commanded which velocity."""
-    told = [(tick, m.velocity_radps) for tick, request in played.requests for m in request.motors if m.device == LEFT]
-    return [(tick, round(speed, 9)) for tick, speed in told]
+    reported = [
+        (tick, m.velocity_radps) for tick, request in played.requests for m in request.motors if m.device == LEFT
+    ]
+    return [(tick, round(speed, 9)) for tick, speed in reported]
 
 
 def _sampled(played: Played) -> list[tuple[int, int]]:
@@ -246,8 +248,10 @@ def test_what_is_set_between_the_begin_and_the_end_of_a_step_acts_in_the_next_on
         10,
     )
     assert played.said == ["0 0.032", "0 0.064", "0 0.16"]
-    told = [(tick, [m.velocity_radps for m in r.motors], [d for _, _, d in r.emissions]) for tick, r in played.requests]
-    assert told[:4] == [(0, [1.0], []), (1, [2.0], []), (2, [5.0], [b"late"]), (4, [3.0], [])]
+    reported = [
+        (tick, [m.velocity_radps for m in r.motors], [d for _, _, d in r.emissions]) for tick, r in played.requests
+    ]
+    assert reported[:4] == [(0, [1.0], []), (1, [2.0], []), (2, [5.0], [b"late"]), (4, [3.0], [])]
 
 
 def test_what_passes_between_the_begin_and_the_end_of_a_step_is_missed(match: FakeMatch) -> None:

@@ -94,9 +94,9 @@ def program_end(
     answer: bytes, request: Request = GOOD, printed_bytes: int = 0
 ) -> tuple[_connection.Connection, LoopedWire]:
     """The program's end, connected to a wire that answers like this."""
-    told = json.loads(hello_frame(SPEC, {"limits": {"message_bytes": 10**6}})[5:])
+    reported = json.loads(hello_frame(SPEC, {"limits": {"message_bytes": 10**6}})[5:])
     wire = LoopedWire(answer)
-    return _connection.Connection(wire, told, StillClock(request.missed_ticks), SomeOutput(printed_bytes)), wire
+    return _connection.Connection(wire, reported, StillClock(request.missed_ticks), SomeOutput(printed_bytes)), wire
 
 
 def sent_by_program(tick: int, request: Request) -> bytes:
@@ -300,10 +300,10 @@ facts = st.recursive(
 def test_a_program_reads_the_hello_as_json(fact: object) -> None:
     frame = hello_frame(SPEC, {"fact": fact})
     assert frame[4] == _wire.HELLO
-    told = _boot._parsed(frame[5:].decode())
-    assert told["fact"] == fact
-    assert told["robot"]["devices"][4]["name"] == "gps"
-    assert told["protocol"] == 1
+    reported = _boot._parsed(frame[5:].decode())
+    assert reported["fact"] == fact
+    assert reported["robot"]["devices"][4]["name"] == "gps"
+    assert reported["protocol"] == 1
 
 
 def test_the_programs_end_uses_nothing_but_the_standard_library() -> None:

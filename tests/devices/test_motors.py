@@ -15,11 +15,11 @@ class Wheels:
     """Stands in for the world's wheels and remembers what they were told."""
 
     def __init__(self, bench: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
-        self.told: dict[tuple[int, str], tuple[float, float]] = {}
+        self.commanded: dict[tuple[int, str], tuple[float, float]] = {}
         monkeypatch.setattr(bench.world, "set_wheel", self.set_wheel)
 
     def set_wheel(self, robot: int, side: str, velocity_radps: float, position_rad: float) -> None:
-        self.told[robot, side] = (velocity_radps, position_rad)
+        self.commanded[robot, side] = (velocity_radps, position_rad)
 
 
 @pytest.fixture
@@ -67,37 +67,37 @@ def test_the_worked_example_of_2021_negative_velocity_drives_forward() -> None:
 def test_the_motors_names_are_the_wrong_way_round_in_v2_and_right_in_2021(
     wheels: Callable[..., tuple[Bench, Wheels]],
 ) -> None:
-    bench, told = wheels()
+    bench, commanded = wheels()
     bench.drive("B1", 3, 4)
-    assert told.told == {(0, "right"): (3, math.inf), (0, "left"): (4, math.inf)}
-    bench, told = wheels("soccersim_2021")
+    assert commanded.commanded == {(0, "right"): (3, math.inf), (0, "left"): (4, math.inf)}
+    bench, commanded = wheels("soccersim_2021")
     bench.drive("B1", 3, 4)
-    assert told.told == {(0, "left"): (-3, math.inf), (0, "right"): (-4, math.inf)}
+    assert commanded.commanded == {(0, "left"): (-3, math.inf), (0, "right"): (-4, math.inf)}
 
 
 @pytest.mark.parametrize(("asked", "done"), [(15, 10), (-15, -10), (math.inf, 10), (-math.inf, -10), (9.99, 9.99)])
 def test_too_fast_a_command_is_clamped(wheels: Callable[..., tuple[Bench, Wheels]], asked: float, done: float) -> None:
-    bench, told = wheels()
+    bench, commanded = wheels()
     bench.drive("B1", asked, 0)
-    assert told.told[0, "right"] == (done, math.inf)
+    assert commanded.commanded[0, "right"] == (done, math.inf)
 
 
 @pytest.mark.parametrize(("velocity", "position"), [(math.nan, math.inf), (1.0, math.nan)])
 def test_a_command_that_is_no_number_is_ignored(
     wheels: Callable[..., tuple[Bench, Wheels]], velocity: float, position: float
 ) -> None:
-    bench, told = wheels()
+    bench, commanded = wheels()
     bench.drive("B1", 5, 5)
     bench.drive("B1", velocity, velocity, position)
-    assert told.told[0, "right"] == (5, math.inf)
+    assert commanded.commanded[0, "right"] == (5, math.inf)
 
 
 def test_a_position_target_has_the_sign_of_its_motor(wheels: Callable[..., tuple[Bench, Wheels]]) -> None:
-    bench, told = wheels("soccersim_2021")
+    bench, commanded = wheels("soccersim_2021")
     bench.drive("B1", 5, 5, 1.5)
-    assert told.told[0, "left"] == (-5, -1.5)
+    assert commanded.commanded[0, "left"] == (-5, -1.5)
     bench.drive("B1", 5, 5, -math.inf)
-    assert told.told[0, "left"] == (-5, math.inf)
+    assert commanded.commanded[0, "left"] == (-5, math.inf)
 
 
 def test_a_wheel_goes_to_its_position_and_its_sensor_agrees() -> None:
@@ -116,12 +116,12 @@ def test_a_robot_without_commands_is_braked() -> None:
 
 
 def test_a_dead_programs_wheels_stop(wheels: Callable[..., tuple[Bench, Wheels]]) -> None:
-    bench, told = wheels()
+    bench, commanded = wheels()
     bench.drive("B1", 5, 5)
     bench.devices.silence(0)
-    assert told.told == {(0, "left"): (0, math.inf), (0, "right"): (0, math.inf)}
+    assert commanded.commanded == {(0, "left"): (0, math.inf), (0, "right"): (0, math.inf)}
     bench.drive("B1", 5, 5)
-    assert told.told == {(0, "left"): (0, math.inf), (0, "right"): (0, math.inf)}
+    assert commanded.commanded == {(0, "left"): (0, math.inf), (0, "right"): (0, math.inf)}
 
 
 def test_a_robot_taken_off_the_field_drives_on_as_commanded_when_it_is_back() -> None:

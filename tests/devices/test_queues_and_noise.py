@@ -44,7 +44,7 @@ def test_of_too_many_bytes_the_oldest_are_dropped_and_the_newest_stays(sizes: tu
 
 def test_numbers_and_rows_of_noise_are_the_same_and_never_come_again() -> None:
     rows, numbers, both = (Noise(half(), [("Y1", "gps")], 3, 0.5) for _ in range(3))
-    told = [tuple(numbers.numbers(tick)) for tick in range(6000)]
-    assert told == [tuple(rows.row(tick).tolist()) for tick in range(6000)]
+    reported = [tuple(numbers.numbers(tick)) for tick in range(6000)]
+    assert reported == [tuple(rows.row(tick).tolist()) for tick in range(6000)]
     assert all(both.row(tick).tolist() == both.numbers(tick) for tick in range(6000))
-    assert len(set(told)) == len(told)
+    assert len(set(reported)) == len(reported)

@@ -28,7 +28,7 @@ def bench() -> Bench:
     return bench
 
 
-def told(bench: Bench) -> dict[str, str]:
+def received(bench: Bench) -> dict[str, str]:
     """Let a tick pass; return what the referee hears at its judgement."""
     heard = bench.devices.messages_to_referee(bench.tick + 1)
     bench.sense()
@@ -41,14 +41,14 @@ def emitter_of(spec: RobotSpec) -> dict[str, object]:
 
 def test_9_4_referee_receives_a_message_in_the_tick_after_it_was_sent(bench: Bench) -> None:
     bench.send("Y1", b"FOUND", channel=1)
-    assert told(bench) == {"Y1": "FOUND"}
-    assert told(bench) == {}
+    assert received(bench) == {"Y1": "FOUND"}
+    assert received(bench) == {}
 
 
 def test_robots_and_referee_do_not_receive_messages_for_each_other(bench: Bench) -> None:
     bench.send("Y1", b"FOUND", channel=1)
     bench.send("Y2", b"hello")
-    assert told(bench) == {"Y1": "FOUND"}
+    assert received(bench) == {"Y1": "FOUND"}
     heard = {robot: bench.devices.observe(bench.roster.index[robot], bench.tick).packets for robot in ROBOTS}
     teams = {
         robot: [p.data for p in heard[robot] if p.device == bench.device(robot, "team receiver")] for robot in ROBOTS
@@ -60,20 +60,20 @@ def test_robots_and_referee_do_not_receive_messages_for_each_other(bench: Bench)
 def test_referee_receives_one_message_per_robot_and_tick_in_the_order_sent(bench: Bench) -> None:
     bench.send("B2", b"1", b"2", channel=1)
     bench.send("Y3", b"3", channel=1)
-    assert [told(bench) for _ in range(3)] == [{"B2": "1", "Y3": "3"}, {"B2": "2"}, {}]
+    assert [received(bench) for _ in range(3)] == [{"B2": "1", "Y3": "3"}, {"B2": "2"}, {}]
 
 
 def test_messages_of_a_robot_off_the_field_or_silenced_are_not_received(bench: Bench) -> None:
     bench.send("Y1", b"a", b"b", channel=1)
     bench.send("Y2", b"a", b"b", channel=1)
-    assert told(bench) == {"Y1": "a", "Y2": "a"}
+    assert received(bench) == {"Y1": "a", "Y2": "a"}
     bench.park("Y1")
     bench.devices.silence(ROBOTS.index("Y2"))
     bench.sense()
-    assert told(bench) == {}
+    assert received(bench) == {}
     bench.place("Y1", 0, 0)
     bench.sense()
-    assert told(bench) == {}
+    assert received(bench) == {}
 
 
 def test_the_emitter_may_be_set_to_its_channel_only_where_a_rule_listens(bench: Bench) -> None:

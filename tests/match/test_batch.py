@@ -41,11 +41,11 @@ def result(blue, yellow, *events):
 
 def test_the_summary_has_the_spread_by_entrant():
     outcomes = [Outcome(Job(seed, ()), result(seed, 2, "GOAL")) for seed in (1, 2, 6)]
-    told = summary(outcomes)
-    assert told["spread"]["blue"] == {"least": 1, "median": 2, "mean": 3.0, "most": 6}
-    assert told["events"] == {"GOAL": 3}
-    assert told["played"] == 3
-    assert told["records"][2] == {
+    summarized = summary(outcomes)
+    assert summarized["spread"]["blue"] == {"least": 1, "median": 2, "mean": 3.0, "most": 6}
+    assert summarized["events"] == {"GOAL": 3}
+    assert summarized["played"] == 3
+    assert summarized["records"][2] == {
         "seed": 6,
         "folder": "runs/6",
         "inputs": "a" * 64,
@@ -77,5 +77,5 @@ def test_where_no_signal_lets_a_match_close_its_record_the_end_of_its_lifeline_d
 
 
 def test_a_match_that_could_not_be_played_is_named_with_its_seed():
-    told = summary([Outcome(Job(4, ()), None, "it broke")])
-    assert told["failed"] == [{"seed": 4, "message": "it broke"}]
+    summarized = summary([Outcome(Job(4, ()), None, "it broke")])
+    assert summarized["failed"] == [{"seed": 4, "message": "it broke"}]

@@ -30,19 +30,19 @@ def test_the_stage_is_that_of_the_match():
 )
 @pytest.mark.parametrize("error", [MISSING, ImportError("DLL load failed while importing _structs", name="_structs")])
 def test_a_physics_that_cannot_be_loaded_is_the_computers_fault_with_help(system, help_, error):
-    with pytest.raises(HostError) as told:
+    with pytest.raises(HostError) as reported:
         load_stage(fails_with(error), system)
-    assert str(error) in str(told.value)
-    assert told.value.code == "no-physics"
-    assert help_ in told.value.help
-    assert told.value.exit_code == 2
+    assert str(error) in str(reported.value)
+    assert reported.value.code == "no-physics"
+    assert help_ in reported.value.help
+    assert reported.value.exit_code == 2
 
 
 def test_what_is_wrong_in_our_own_modules_stays_ours():
     error = ImportError("cannot import name 'x'", name="rcj_challenges.world.world")
-    with pytest.raises(ImportError) as told:
+    with pytest.raises(ImportError) as reported:
         load_stage(fails_with(error))
-    assert told.value is error
+    assert reported.value is error
 
 
 def test_an_interruption_while_it_loads_stays_one():

@@ -40,28 +40,28 @@ class Noting(Observer):
 
 
 @pytest.fixture(scope="module")
-def told(shared_place):
+def reported(shared_place):
     observer = Noting()
     team = shared_place.team_folder(SAYS)
     shared_place.play("match.half_s=0.96", yellow=team, observer=observer, show_output=frozenset({"Y2"}))
     return observer
 
 
-def test_each_tick_is_reported_and_progress_every_so_many(told):
-    assert told.ticks == list(range(31))
-    assert told.progress == [8, 16, 24]
+def test_each_tick_is_reported_and_progress_every_so_many(reported):
+    assert reported.ticks == list(range(31))
+    assert reported.progress == [8, 16, 24]
 
 
-def test_a_half_begins_before_its_ticks_and_the_match_is_over_after_them(told):
-    assert told.ends == [("half", 1, 0), ("is over", 1, 31), ("match", True, 31)]
+def test_a_half_begins_before_its_ticks_and_the_match_is_over_after_them(reported):
+    assert reported.ends == [("half", 1, 0), ("is over", 1, 31), ("match", True, 31)]
 
 
-def test_output_of_the_chosen_programs_is_shown_twice_a_second_and_at_the_end(told):
-    ticks = [tick for tick, _, _ in told.said]
+def test_output_of_the_chosen_programs_is_shown_twice_a_second_and_at_the_end(reported):
+    ticks = [tick for tick, _, _ in reported.said]
     assert set(ticks) <= {0, 16, 30}
     assert ticks[-1] == 30
-    assert {robot for _, robot, _ in told.said} == {"Y2"}
-    head, *lines = "".join(text for _, _, text in told.said).splitlines()
+    assert {robot for _, robot, _ in reported.said} == {"Y2"}
+    head, *lines = "".join(text for _, _, text in reported.said).splitlines()
     assert head == "--- half 1: robot2/robot2.py ---"
     assert lines == [f"at {round(0.032 * tick, 3)}" for tick in range(1, 30)]
 

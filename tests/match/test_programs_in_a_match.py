@@ -21,8 +21,8 @@ def test_a_team_whose_programs_all_fail_plays_to_the_end(play, team_folder):
     run = play("limits.step_s=0.5", yellow=team_folder(CRASHES_AT_IMPORT, LOOPS, EXITS))
     assert run.result["complete"]
     assert run.result["halves"][0]["ticks"] == 157
-    told = {(fault["robot"], fault["kind"], fault["tick"]) for fault in run.result["faults"]}
-    assert told == {("Y1", "crash", 0), ("Y2", "step_timeout", 50), ("Y3", "exit", 100)}
+    reported = {(fault["robot"], fault["kind"], fault["tick"]) for fault in run.result["faults"]}
+    assert reported == {("Y1", "crash", 0), ("Y2", "step_timeout", 50), ("Y3", "exit", 100)}
     faults = run.events("PROGRAM_FAULT")
     assert {line["payload"]["robot_name"] for line in faults} == {"Y1", "Y2", "Y3"}
     assert "no plan" in run.log("Y1")

@@ -51,8 +51,8 @@ def test_recorded_readings_are_what_the_program_printed_bit_for_bit(recorded) ->
         assert track.ticks[row] == row
         readings = [*track.readings("gps")[row], *track.readings("distancesensor front")[row]]
         readings += [*track.readings("left wheel sensor")[row]]
-        told = [float.fromhex(number) for number in line[2:]]
-        assert struct.pack("<5d", *readings) == struct.pack("<5d", *told)
+        reported = [float.fromhex(number) for number in line[2:]]
+        assert struct.pack("<5d", *readings) == struct.pack("<5d", *reported)
         heard = track.packets[row, -1, 0]
         assert np.isnan(heard) if line[1] == "none" else heard == float.fromhex(line[1])
 

@@ -6,8 +6,8 @@ import sys
 
 def test_the_physics_is_not_loaded_before_programs_are_started():
     asked = "import sys, rcj_challenges.match.runner; print('mujoco' in sys.modules)"
-    told = subprocess.run([sys.executable, "-c", asked], check=True, capture_output=True, text=True).stdout
-    assert told.strip() == "False"
+    output = subprocess.run([sys.executable, "-c", asked], check=True, capture_output=True, text=True).stdout
+    assert output.strip() == "False"
 
 
 def test_the_result_has_the_start_up_time(play):

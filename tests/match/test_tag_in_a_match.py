@@ -43,10 +43,10 @@ def run(shared_place):
 
 def test_the_log_names_both_that_touched(run):
     firings = [firing for one in read_referee_log(run.folder).ticks for firing in one.firings]
-    told = [(firing.entity, firing.other, firing.says) for firing in firings if firing.rule == "caught"]
-    assert {("Y1", "B1", "Y1 has come to B1."), ("Y3", "Y2", "Y3 has come to Y2.")} <= set(told)
+    reported = [(firing.entity, firing.other, firing.says) for firing in firings if firing.rule == "caught"]
+    assert {("Y1", "B1", "Y1 has come to B1."), ("Y3", "Y2", "Y3 has come to Y2.")} <= set(reported)
     payloads = [event["payload"] for event in run.events("CAUGHT")]
-    assert [(payload["who"], payload["other"]) for payload in payloads] == [(who, other) for who, other, _ in told]
+    assert [(payload["who"], payload["other"]) for payload in payloads] == [(who, other) for who, other, _ in reported]
 
 
 def test_the_one_that_is_touched_is_put_elsewhere(run):

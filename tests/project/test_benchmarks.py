@@ -40,11 +40,11 @@ def measured(name: str) -> Any:
     return json.loads(done.stdout)
 
 
-def numbers(told: Any) -> list[float]:
+def numbers(reported: Any) -> list[float]:
     """Return all numbers of what was printed."""
-    if isinstance(told, dict):
-        return [number for value in told.values() for number in numbers(value)]
-    return [float(told)] if isinstance(told, (int, float)) else []
+    if isinstance(reported, dict):
+        return [number for value in reported.values() for number in numbers(value)]
+    return [float(reported)] if isinstance(reported, (int, float)) else []
 
 
 def test_each_benchmark_is_tried() -> None:
@@ -54,9 +54,9 @@ def test_each_benchmark_is_tried() -> None:
 @pytest.mark.nightly
 @pytest.mark.parametrize("name", sorted(SMALLEST.keys() - WITH_BARS))
 def test_a_benchmark_of_a_part_prints_its_figures(name: str) -> None:
-    told = measured(name)
-    assert told
-    assert max(numbers(told)) > 0
+    reported = measured(name)
+    assert reported
+    assert max(numbers(reported)) > 0
 
 
 @pytest.mark.nightly

@@ -82,8 +82,8 @@ def test_a_stopped_clock_stops_neither_timers_nor_holds_nor_no_progress():
     came = {event.name: event for event in played(load_text(STOPPED), 10).events}
     at_s = {name: s_from_ticks(event.tick) for name, event in came.items()}
     assert at_s == pytest.approx({"PAUSE": 2, "COOKED": 4, "HELD": 6, "LAZY": 6.5, "CLOCK": 9}, abs=0.11)
-    told = came["CLOCK"].payload
-    assert [round(told[name], 1) for name in ("time_s", "left_s")] == [4.0, 6.0]
+    reported = came["CLOCK"].payload
+    assert [round(reported[name], 1) for name in ("time_s", "left_s")] == [4.0, 6.0]
 
 
 def test_rule_of_the_phase_play_restarts_after_a_pause_and_misses_a_timer_that_expired_meanwhile():
@@ -105,8 +105,8 @@ def test_counters_kept_per_robot_are_summed_by_entrant_and_others_are_equal_for_
     scenario = load_text(COUNTED).scenario
     counted = {"fouls": {"B1": 1, "B3": 2, "Y2": 5}, "lost": {"ball": 4}, "all": 7}
     seats = {"blue": "blue", "yellow": "yellow"}
-    told = ranking(scenario, {"blue": 0, "yellow": 0}, [Tally(counted, seats, 5.0)] * 2)
-    assert {entry["team"]: entry["values"] for entry in told} == {"yellow": [10, 0, 14], "blue": [6, 0, 14]}
+    reported = ranking(scenario, {"blue": 0, "yellow": 0}, [Tally(counted, seats, 5.0)] * 2)
+    assert {entry["team"]: entry["values"] for entry in reported} == {"yellow": [10, 0, 14], "blue": [6, 0, 14]}
 
 
 def test_the_rule_of_the_fifth_step_gives_two_points_if_y3_touched_the_ball_last():

@@ -32,8 +32,8 @@ def test_three_times_a_tenth_of_a_point_is_exactly_three_tenths(stage):
 
 def test_the_sum_of_a_counter_kept_per_robot_is_that_on_paper(stage):
     tenths = ("{action: count, counter: own, by: 0.1}", "{action: count, counter: own, entity: B1, by: -0.1}")
-    told = "{action: emit, event: TOLD, payload: {sum: {counter: own}}}"
-    play = acted(stage("counters: {own: {per: robots}}", at_tick_10(*tenths, told)))
+    reported = "{action: emit, event: TOLD, payload: {sum: {counter: own}}}"
+    play = acted(stage("counters: {own: {per: robots}}", at_tick_10(*tenths, reported)))
     assert payloads(play) == [{"sum": 0.3}]
 
 

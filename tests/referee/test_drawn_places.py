@@ -153,8 +153,8 @@ class TestDistances:
         ],
     )
     def test_it_is_measured_to_what_is_drawn_now(self, stage, value, draws, far):
-        told = f"actions: [{{action: emit, event: TOLD, payload: {{far: {{distance: {value}}}}}}}]"
-        body = f"rules: {{told: {{triggers: [{{trigger: half_started}}], {told}}}}}"
+        actions = f"actions: [{{action: emit, event: TOLD, payload: {{far: {{distance: {value}}}}}}}]"
+        body = f"rules: {{told: {{triggers: [{{trigger: half_started}}], {actions}}}}}"
         assert stage(self.PLACES, body, draws=draws).events[0].payload == {"far": far}
 
 

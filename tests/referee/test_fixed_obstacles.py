@@ -111,7 +111,7 @@ rules:
 
 
 class TestWhereTheyAre:
-    def told(self, stage, value):
+    def reported(self, stage, value):
         return payload(stage(POLES + dedent(emitting(f"{{a: {value}}}"))))["a"]
 
     @pytest.mark.parametrize(
@@ -121,7 +121,7 @@ class TestWhereTheyAre:
         ],
     )  # fmt: skip
     def test_a_position_is_that_of_the_file(self, stage, named, expected):
-        assert self.told(stage, f"{{position_of: {named}}}") == pytest.approx(expected, abs=1e-6)
+        assert self.reported(stage, f"{{position_of: {named}}}") == pytest.approx(expected, abs=1e-6)
 
     @pytest.mark.parametrize(
         ("ends", "expected"),
@@ -131,7 +131,7 @@ class TestWhereTheyAre:
         ],
     )  # fmt: skip
     def test_distances_are_measured_to_the_centre_of_a_wall_to_its_middle_line(self, stage, ends, expected):
-        assert self.told(stage, f"{{distance: {ends}}}") == pytest.approx(expected, abs=1e-3)
+        assert self.reported(stage, f"{{distance: {ends}}}") == pytest.approx(expected, abs=1e-3)
 
     def test_nearness_and_looks_can_be_asked_for_each(self, stage):
         near = "{condition: distance, entity: Y1, to: each, at_most: 0.1}"

@@ -22,7 +22,7 @@ rules:
 """
 
 
-def told(stage, condition: str, visits: dict[str, float], off: str = "") -> list[str]:
+def reported(stage, condition: str, visits: dict[str, float], off: str = "") -> list[str]:
     """Return the robots for which a condition holds when they have these counters and some are off the field."""
     counts = [f"{{action: count, counter: visits, entity: {robot}, to: {to}}}" for robot, to in visits.items()]
     removed = [f"{{action: remove, entity: {robot}}}" for robot in off.split()]
@@ -41,28 +41,28 @@ VISITS = {"B1": 3, "B2": 1.5, "Y1": 2, "Y2": 7}
 class TestTheLowestAndTheHighestOfOthers:
     @pytest.mark.parametrize(("condition", "who"), [(LAST, ["B2"]), (ALONE_LAST, ["B2"]), (FIRST, ["Y2"])])
     def test_one_is_last_and_one_is_first(self, stage, condition, who):
-        assert told(stage, condition, VISITS) == who
+        assert reported(stage, condition, VISITS) == who
 
     @pytest.mark.parametrize(
         ("condition", "who"),
         [(LAST, ["B2", "Y1"]), (ALONE_LAST, []), (FIRST, ["B1", "Y2"]), (AS_THE_FIRST, ["B1", "Y2"])],
     )
     def test_several_that_are_equal(self, stage, condition, who):
-        assert told(stage, condition, {"B1": 4, "B2": 1, "Y1": 1, "Y2": 4}) == who
+        assert reported(stage, condition, {"B1": 4, "B2": 1, "Y1": 1, "Y2": 4}) == who
 
     @pytest.mark.parametrize(("condition", "who"), [(LAST, ["Y1"]), (FIRST, ["B1"])])
     def test_a_robot_off_the_field_neither_counts_nor_is_it(self, stage, condition, who):
-        assert told(stage, condition, VISITS, off="B2 Y2") == who
+        assert reported(stage, condition, VISITS, off="B2 Y2") == who
 
     def test_where_no_other_is_left_nothing_compares(self, stage):
-        assert told(stage, LAST, VISITS, off="B1 B2 Y2") == []
-        assert told(stage, FIRST, VISITS, off="B1 B2 Y2") == []
+        assert reported(stage, LAST, VISITS, off="B1 B2 Y2") == []
+        assert reported(stage, FIRST, VISITS, off="B1 B2 Y2") == []
 
     def test_what_is_asked_for_by_negation_holds_then_too(self, stage):
         # docs/authoring.md says so, and what to ask beside it.
         on_the_field = "{condition: in_zone, entity: each, zone: pitch}"
-        assert told(stage, ALONE_LAST, VISITS, off="B2") == ["B2", "Y1"]
-        assert told(stage, f"{ALONE_LAST}, {on_the_field}", VISITS, off="B2") == ["Y1"]
+        assert reported(stage, ALONE_LAST, VISITS, off="B2") == ["B2", "Y1"]
+        assert reported(stage, f"{ALONE_LAST}, {on_the_field}", VISITS, off="B2") == ["Y1"]
 
     def test_without_for_each_it_is_that_of_all(self, stage):
         low = once(10, EMIT, more="conditions: [{condition: counter, counter: level, at_most: {lowest: visits}}],")
@@ -89,7 +89,7 @@ class TestTheLowestAndTheHighestOfOthers:
     def test_anything_that_is_compared_may_be_compared_with_it(self, stage):
         # Y1 stands 0.64 m from the ball, all others 0.64 m too: none is nearer than the limit of another.
         near = "{condition: distance, entity: each, to: ball, at_least: {highest: visits}}"
-        assert told(stage, near, {"B1": 0.5, "B2": 0.5, "Y1": 0.9, "Y2": 0.5}) == ["Y1"]
+        assert reported(stage, near, {"B1": 0.5, "B2": 0.5, "Y1": 0.9, "Y2": 0.5}) == ["Y1"]
 
 
 def test_a_counter_that_is_kept_once_has_no_others():

@@ -23,7 +23,7 @@ def hearing(trigger="", each="robots", actions="[{action: score, entrant: each}]
     """
 
 
-def told(play, *messages, robot="Y1"):
+def reported(play, *messages, robot="Y1"):
     """Let a robot tell one message a tick; return the score of its team."""
     for message in messages:
         play.tell(robot, message)
@@ -34,7 +34,7 @@ def told(play, *messages, robot="Y1"):
 class TestTriggerTells:
     def test_each_message_fires_the_rule_in_the_tick_of_its_reception(self, stage):
         play = stage(hearing())
-        assert told(play, "a", "b", "b") == 3
+        assert reported(play, "a", "b", "b") == 3
         play.play(10)
         assert play.referee.scores == {"yellow": 3, "blue": 0}
 
@@ -59,7 +59,7 @@ class TestTriggerTells:
     )
     def test_it_may_ask_for_texts_numbers_or_what_is_drawn(self, stage, wanted, messages, counted):
         draws = "draws: {number: {values: [2, 2]}, colour: {values: [red, red]}, sure: {values: [true, true]}}"
-        assert told(stage(draws, hearing(f", {wanted}")), *messages) == counted
+        assert reported(stage(draws, hearing(f", {wanted}")), *messages) == counted
 
     def test_of_a_group_any_and_without_for_each_one_a_tick(self, stage):
         play = stage("rules: {r: {triggers: [{trigger: tells}], actions: [{action: score, entrant: blue}]}}")
@@ -73,7 +73,7 @@ class TestTriggerTells:
     def test_the_number_in_the_message_is_what_was_measured(self, stage):
         emit = "[{action: emit, event: TOLD, payload: {number: {word: measured}, who: {word: robot_name}}}]"
         play = stage(hearing(actions=emit, more="says: '{entity} tells {measured}.',"))
-        told(play, "0.25", "hello")
+        reported(play, "0.25", "hello")
         assert [event.payload for event in play.events] == [
             {"number": 0.25, "who": "Y1"},
             {"number": None, "who": "Y1"},
@@ -83,12 +83,12 @@ class TestTriggerTells:
     def test_a_robot_off_the_field_is_not_received(self, stage):
         play = stage(TAKEN_OFF % "Y1", hearing())
         play.play_until(15)
-        assert told(play, "a") == 0
-        assert told(play, "a", robot="Y2") == 1
+        assert reported(play, "a") == 0
+        assert reported(play, "a", robot="Y2") == 1
 
     def test_a_rule_that_does_not_live_in_the_phase_misses_it(self, stage):
         play = stage("phases: {pause: {}}", "first_phase: pause", hearing())
-        assert told(play, "a") == 0
+        assert reported(play, "a") == 0
 
 
 class TestConditionTold:
@@ -133,20 +133,20 @@ class TestValueTold:
     def test_a_spot_is_set_to_the_position_received_and_stays_where_it_is_otherwise(self, stage):
         guess = hearing(actions="[{action: set_spot, spot: guess, to: {told: each}}]")
         play = stage("spots: {guess: {x_m: 0, y_m: 0}}", guess)
-        told(play, "0.25 -0.5")
+        reported(play, "0.25 -0.5")
         assert play.referee.spots["guess"] == (0.25, -0.5)
-        told(play, "over there", "3")
+        reported(play, "over there", "3")
         assert play.referee.spots["guess"] == (0.25, -0.5)
 
-    @pytest.mark.parametrize("told", ["0.64 0", "3 -3", "10 10", "-10 0", "12 0", "900 -900", "1000 0"])
-    def test_no_program_can_have_anything_put_off_the_field(self, stage, told):
+    @pytest.mark.parametrize("reported", ["0.64 0", "3 -3", "10 10", "-10 0", "12 0", "900 -900", "1000 0"])
+    def test_no_program_can_have_anything_put_off_the_field(self, stage, reported):
         play = stage("""
         spots: {guess: {x_m: 0.2, y_m: 0.1}}
         rules:
           told: {triggers: [{trigger: tells}], actions: [{action: set_spot, spot: guess, to: {told: Y1}}, {action: emit, event: SET}]}
           put: {triggers: [{trigger: event, event: SET}], actions: [{action: place, entity: ball, at: {spot: guess}, on_failure: stay}]}
         """)
-        play.tell("Y1", told)
+        play.tell("Y1", reported)
         play.play(10)
         x, y, _ = play.pose("ball")
         assert abs(x) < 0.65

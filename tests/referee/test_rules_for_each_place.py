@@ -68,7 +68,7 @@ class TestGates:
         ]
 
     @pytest.mark.parametrize(
-        ("each", "entity", "told"),
+        ("each", "entity", "expected"),
         [
             ("for_each: posts", ", entity: each", ["west"]),
             ("for_each: posts", "", ["east", "middle", "west"]),
@@ -80,7 +80,7 @@ class TestGates:
             ("", ", entity: Y1", [""]),
         ],
     )
-    def test_rules_over_gates_and_over_robots_both_react_to_the_event(self, stage, each, entity, told):
+    def test_rules_over_gates_and_over_robots_both_react_to_the_event(self, stage, each, entity, expected):
         hears = f"""
   hears:
     {each}
@@ -90,10 +90,10 @@ class TestGates:
         play = stage(GATES, PASSED + hears)
         pass_at(play, -0.4)
         play.play(2)
-        assert sorted(event.payload["each"] or "" for event in play.events_named("TOLD")) == told
+        assert sorted(event.payload["each"] or "" for event in play.events_named("TOLD")) == expected
 
     @pytest.mark.parametrize("heard_of", ["[Y1, west]", "[west, Y1]", "[posts, robots]"])
-    def test_each_is_the_robot_if_the_rule_is_over_gates_or_robots(self, stage, heard_of):
+    def test_a_rule_triggered_by_gate_or_robot_gets_the_robot(self, stage, heard_of):
         play = stage(
             GATES,
             f"""

@@ -57,9 +57,9 @@ class TestTriggerTimeReached:
         assert event_ticks(play) == [ticks_from_s(times / 10) for times in range(1, 103)]
 
     def test_it_measures_the_time_that_has_come_and_its_limit_is_the_first(self, stage):
-        told = "{action: emit, event: TOLD, payload: {at: {word: measured}, limit: {word: limit}}}"
+        reported = "{action: emit, event: TOLD, payload: {at: {word: measured}, limit: {word: limit}}}"
         play = stage(
-            rule("trigger: time_reached, at_s: 0.1, every_s: 0.1", told, more="says: '{measured} of {limit}',")
+            rule("trigger: time_reached, at_s: 0.1, every_s: 0.1", reported, more="says: '{measured} of {limit}',")
         )
         play.play(7)
         assert payloads(play) == [{"at": 0.1, "limit": 0.1}, {"at": 0.2, "limit": 0.1}]
@@ -109,7 +109,7 @@ class TestTriggerEventOfOne:
     WHO = "{action: emit, event: TOLD, payload: {who: {word: robot_name}}}"
 
     @pytest.mark.parametrize(
-        ("each", "entity", "told"),
+        ("each", "entity", "reported"),
         [
             ("for_each: robots,", ", entity: each", ["B2", "Y1"]),
             ("for_each: yellow,", ", entity: each", ["Y1"]),
@@ -120,7 +120,7 @@ class TestTriggerEventOfOne:
             ("", "", [""]),
         ],
     )
-    def test_program_fault_fires_rules_about_the_same_robot(self, stage, each, entity, told):
+    def test_program_fault_fires_rules_about_the_same_robot(self, stage, each, entity, reported):
         play = stage(
             hears("program_fault, robot: each", "for_each: robots,", "HIT"),
             rule(f"trigger: event, event: HIT{entity}", self.WHO, more=each),
@@ -128,7 +128,7 @@ class TestTriggerEventOfOne:
         play.fail("Y1")
         play.fail("B2")
         play.play(2)
-        assert [one["who"] for one in payloads(play)] == told
+        assert [one["who"] for one in payloads(play)] == reported
 
     def test_of_a_rule_without_for_each_it_is_about_what_the_trigger_found(self, stage):
         play = stage(

@@ -119,8 +119,8 @@ class TestTriggerStaysIn:
 
 
 def displaced(more: str = "") -> str:
-    told = "{action: emit, event: TOLD, payload: {by: {word: measured}}}"
-    return rule(f"trigger: displaced, entity: B1, distance_m: 0.05{more}", told, name="moved")
+    reported = "{action: emit, event: TOLD, payload: {by: {word: measured}}}"
+    return rule(f"trigger: displaced, entity: B1, distance_m: 0.05{more}", reported, name="moved")
 
 
 class TestTriggerDisplaced:

@@ -58,8 +58,8 @@ class TestValueWord:
     )
 
     def test_words_about_who(self, stage):
-        told = payload(stage(emitting(self.WHO), scores={"blue": 3, "yellow": 5}))
-        assert told == {
+        reported = payload(stage(emitting(self.WHO), scores={"blue": 3, "yellow": 5}))
+        assert reported == {
             "robot": "Y1", "entity": "Y1", "team": "Yellow Sub", "entrant": "yellow",
             "score": 5, "other": "Blue Moon", "others": 3,
         }  # fmt: skip
@@ -129,7 +129,7 @@ class TestBroadcast:
         )
         output = play.play()
         names = play.roster.entities
-        assert {names[robot]: told for robot, told in output.private_broadcasts.items()} == {
+        assert {names[robot]: reported for robot, reported in output.private_broadcasts.items()} == {
             "Y1": {"way": "left"},
             "B1": {"way": "none", "n": 4},
             "B2": {"way": "B2", "n": 4},

@@ -79,9 +79,9 @@ def test_all_inherited_tests_are_removed_at_once_and_own_ones_stay(mine, text):
 def test_left_out_tests_are_listed_when_tests_are_run(mine, capsys):
     path = mine("match: {half_s: 60}\n")
     assert run_tests([path], [], as_json=False) == 0
-    told = capsys.readouterr().out
-    assert f"left out: {REASON}" in told
-    assert "100 s is longer than a half, 60 s" in told
+    reported = capsys.readouterr().out
+    assert f"left out: {REASON}" in reported
+    assert "100 s is longer than a half, 60 s" in reported
     assert run_tests([path], [], as_json=True) == 0
     assert list(json.loads(capsys.readouterr().out)["files"][0]["left_out"]) == [REASON]
 
@@ -96,9 +96,9 @@ def test_a_failing_inherited_test_names_its_origin_and_an_own_one_does_not(mine,
     assert tests["a_ball_in_the_corner_counts"]["inherited_from"].endswith("base.yaml")
     assert (tests["mine"]["passed"], tests["mine"]["inherited_from"]) == (False, None)
     assert run_tests([path], [], as_json=False) == 1
-    told = capsys.readouterr().out
-    assert told.count("replace it, or remove it by 'a_ball_in_the_corner_counts: null' under expect") == 1
-    assert told.count("inherited from") == 1
+    reported = capsys.readouterr().out
+    assert reported.count("replace it, or remove it by 'a_ball_in_the_corner_counts: null' under expect") == 1
+    assert reported.count("inherited from") == 1
 
 
 def test_two_a_side_from_the_shipped_match_needs_no_more_than_its_own_lines(tmp_path):

@@ -23,9 +23,9 @@ def test_teams_change_seats_in_the_second_half(match):
 @pytest.mark.parametrize("half", [1, 2, 3])
 def test_a_staged_half_and_a_made_up_record_are_played_in_the_seats_of_the_match(swap_sides, half):
     scenario = _small(swap_sides=swap_sides)
-    told = teams_by_seat(scenario, half)
-    assert half_of(scenario, half).teams == told
-    assert half_info(scenario, half, 10, small_header(scenario)).teams == told
+    reported = teams_by_seat(scenario, half)
+    assert half_of(scenario, half).teams == reported
+    assert half_info(scenario, half, 10, small_header(scenario)).teams == reported
 
 
 @given(st.integers(0, 99), st.integers(0, 99), st.integers(1, 4))

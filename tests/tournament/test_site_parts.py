@@ -138,7 +138,7 @@ def test_a_log_is_cut_where_the_robot_changes_teams(text: str, own: list[int], e
     assert own_log(text, [1, 2], own) == expected
 
 
-def test_a_log_is_withheld_if_it_has_halves_of_both_sides() -> None:
+def test_a_log_of_more_than_two_halves_is_withheld_unless_all_are_own() -> None:
     assert own_log(FIRST, [1, 2, 3, 4], [1, 3]) == ""
     assert own_log(FIRST, [1, 2, 3, 4], [1, 2, 3, 4]) == FIRST
 

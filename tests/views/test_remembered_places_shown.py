@@ -63,7 +63,7 @@ class TestSetAsTheHalfStarts:
             "exclusive: one, ",
         ],
     )
-    def test_a_spot_that_may_stay_unset_is_drawn_at_its_position_in_the_file(self, more):
+    def test_a_spot_that_rules_may_leave_unset_is_drawn_at_its_position_in_the_file(self, more):
         one = loaded(set_to("ball"), more="phases: {later: {}}\nmatch: {halves: 2}\n", rule=more)
         assert ">found: 0, 0.2 when a half starts; rules set it<" in draw_scenario(one.scenario, one.roster)
 

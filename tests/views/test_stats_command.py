@@ -82,7 +82,7 @@ def test_a_run_that_is_given_twice_counts_once(out: Path) -> None:
     assert code == 0
     document = json.loads(text)
     assert document["runs"] == ["20210618-100000-small", "20210618-110000-small"]
-    assert any("counted once" in note for note in text["notes"])
+    assert any("counted once" in note for note in document["notes"])
 
 
 def test_a_folder_that_is_no_record_is_reported(out: Path) -> None:

@@ -34,8 +34,8 @@ def contradictions(findings: list[Diagnostic], scenario: Scenario, play: Scripte
             case "phase-never-entered":
                 wrong = section == "phases" and name in phases
             case "event-never-emitted":
-                told = re.search(r"'([A-Z][A-Z0-9_]*)'", finding.message)
-                wrong = told is not None and told[1] in events
+                reported = re.search(r"'([A-Z][A-Z0-9_]*)'", finding.message)
+                wrong = reported is not None and reported[1] in events
             case "never-written" if section == "counters" and abs(scenario.counters[name].initial) <= 1e15:
                 wrong = _all(referee.counters[name]) != {round_score(scenario.counters[name].initial)}
             case "never-written" if section == "flags":

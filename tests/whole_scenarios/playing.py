@@ -127,14 +127,14 @@ def puppet_show(loaded: Loaded, seed: int, ticks: int) -> tuple[list[str], Scrip
     play = ScriptedMatch(loaded.scenario, loaded.roster)
     roster = loaded.roster
     robots, entities = roster.entities[: roster.robots], roster.entities
-    told = []
+    reported = []
     while play.tick < ticks and play.output.ended is None and not play.referee.time_is_up:
         for _ in range(chance.choice((0, 0, 1, 3))):
             _do_something(play, chance, robots, entities)
         play.play(chance.choice((1, 1, 1, 10)))
-        told.append(f"{play.tick} {play.output.broadcast} {play.output.private_broadcasts}")
+        reported.append(f"{play.tick} {play.output.broadcast} {play.output.private_broadcasts}")
     play.finish()
-    return [*map(repr, play.events), *map(repr, play.firings), *map(repr, play.placements), *told], play
+    return [*map(repr, play.events), *map(repr, play.firings), *map(repr, play.placements), *reported], play
 
 
 def _do_something(play: ScriptedMatch, chance: random.Random, robots: Any, entities: Any) -> None:

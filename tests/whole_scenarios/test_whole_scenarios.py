@@ -86,12 +86,12 @@ def test_the_commands_give_the_same_result(tmp_path: Path, seed: int) -> None:
             check=False,
         )
         said = done.stderr.decode("utf-8", "replace")
-        told = f"{' '.join(command)} exited with {done.returncode}: {said}\n--- {FILE}: ---\n{text}"
-        assert "Traceback" not in said, told
+        report = f"{' '.join(command)} exited with {done.returncode}: {said}\n--- {FILE}: ---\n{text}"
+        assert "Traceback" not in said, report
         if loaded is None:
-            assert done.returncode == 2, told
-            assert said.startswith((f"{FILE}:", f"{word}: ", "soccersim", "match")) or FILE in said, told
+            assert done.returncode == 2, report
+            assert said.startswith((f"{FILE}:", f"{word}: ", "soccersim", "match")) or FILE in said, report
         elif word == "run":
-            assert done.returncode in (0, 2), told  # no team may have a program for its robots
+            assert done.returncode in (0, 2), report  # no team may have a program for its robots
         else:
-            assert done.returncode in ((0, 1) if "--strict" in command or word == "test" else (0,)), told
+            assert done.returncode in ((0, 1) if "--strict" in command or word == "test" else (0,)), report
