@@ -9,7 +9,7 @@ from collections.abc import Iterator
 import pytest
 from hypothesis import HealthCheck, settings
 
-from tests.told_briefly import pytest_runtest_protocol  # noqa: F401 - a hook: pytest finds it here
+from tests.brief_reports import pytest_runtest_protocol  # noqa: F401 - a hook: pytest finds it here
 
 # A shell lets what it starts with `&` ignore Ctrl-C, `nohup` the end of a terminal; a process inherits what is ignored.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
@@ -46,7 +46,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 @pytest.hookimpl(wrapper=True)
 def pytest_collection(session: pytest.Session) -> Iterator[None]:
-    """Let nobody look for garbage among what stays to the end: some hundred thousand objects, again and again.
+    """Keep the garbage collector from scanning what stays to the end: some hundred thousand objects.
 
     Searching them took a quarter of the time of collecting, and a tenth of that of the tests.
     """

@@ -1,4 +1,4 @@
-"""Few robots for checks of what depends on nobody else.
+"""Few robots for checks that depend on no other robot.
 
 A check of the match starts each program to see whether it starts, and plays as blue and as yellow, each time against
 another team: 18 programs, or 6 if one robot on each side has one. For one robot that is alone it is 2.

@@ -1,4 +1,4 @@
-"""A submission for another scenario than it is checked for: which one fits is told by its files and its devices."""
+"""A submission for another scenario than it is checked for: its files and devices show which one fits."""
 
 from __future__ import annotations
 

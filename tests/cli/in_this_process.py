@@ -1,4 +1,4 @@
-"""What commands do, done in the process of the tests: it comes to the same, and nothing has to be loaded anew."""
+"""What commands do, run in the process of the tests: the result is the same, and nothing has to be loaded again."""
 
 import gc
 import io

@@ -345,7 +345,7 @@ class TestSheet:
 
 
 class TestEndings:
-    """A file's ending says what is in it: one that is not meant is refused, and nothing is written."""
+    """A file's ending says what is in it: an unknown one is refused, and nothing is written."""
 
     @pytest.mark.parametrize(
         ("command", "name"), [("draw", "x.pdf"), ("draw", "x"), ("sheet", "x.txt"), ("sheet", "x")]

@@ -1,4 +1,4 @@
-"""Who plays where nobody was named: the team made for the challenge, also in its variants, if it can drive their robots."""
+"""The team that plays in a seat without a named one: the team made for the challenge, also in its variants, if it can drive their robots."""
 
 from pathlib import Path
 

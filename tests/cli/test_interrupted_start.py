@@ -67,7 +67,7 @@ def test_other_commands(tmp_path: Path) -> None:
 
 
 def test_an_interruption_is_handled_before_anything_large_is_loaded(tmp_path: Path) -> None:
-    """What Python itself does until then, nobody can help."""
+    """What Python itself does until then cannot be changed."""
     listed = (
         "import sys; before = set(sys.modules); import rcj_challenges.cli; print(*sorted(set(sys.modules) - before))"
     )

@@ -198,7 +198,7 @@ class Filling(io.StringIO):
 
 
 def test_full_disk_for_printed_lines_does_not_end_a_match(tmp_path, monkeypatch, capsys, team):
-    """``run match > told.txt``: what is told may go missing, the match counts."""
+    """``run match > told.txt``: output may be lost, the match counts."""
     monkeypatch.setattr(sys, "stdout", Filling())
     assert here(monkeypatch, tmp_path, *short(team, *DUEL)) == 2
     complaint = capsys.readouterr().err
@@ -236,7 +236,7 @@ WRONG = {
 
 
 AS_A_PROCESS = {"no such scenario", "a wrong option"}
-"""The others are told by the same code in this process, which is quicker."""
+"""The others are printed by the same code in this process, which is quicker."""
 
 
 @pytest.mark.parametrize("wrong", WRONG)
@@ -257,7 +257,7 @@ def test_wrong_input_is_reported_without_traceback_and_leaves_nothing(tmp_path, 
 
 
 def started(tmp_path, team, *more):
-    """Start a match; returns when it is played, which on a busy machine is later than that its start is told."""
+    """Start a match; returns when it is played, which on a busy machine is later than the report of its start."""
     Path(team).write_text(STAND.replace("while", "robot.step(32)\nprint('plays')\nwhile"), encoding="utf-8")
     process = subprocess.Popen(
         [*COMMAND, *short(team, "--duration", "600", "--real-time", "--no-replay", "--show-output", "Y2", *more)],

@@ -26,7 +26,7 @@ TICKS = ticks_from_s(WATCHED_S) + 1
 
 
 def standing_after(move):
-    """Return who stands after a half in which ``move(tick)`` gives the pose of B1, and a placement of it or none."""
+    """Return the robots standing still after a half in which ``move(tick)`` gives the pose of B1, and a placement of it or none."""
     observer, roster = MotionlessObserver(MATCH), Roster.of(MATCH)
     observer.half_started(half_of(MATCH))
     for tick in range(TICKS):

@@ -9,7 +9,7 @@ import pytest
 from rcj_challenges.cli.expect import run_tests
 from rcj_challenges.cli.validate import validate_files
 
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="a pipe without a reader is told otherwise")
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="a pipe without a reader is reported differently")
 
 SOUND = """schema_version: 1
 id: sound
@@ -30,7 +30,7 @@ def files(tmp_path):
 
 @contextmanager
 def unread(name: str):
-    """Let nobody read one of the two streams, each line of which is written at once."""
+    """Leave one of the two streams unread, each line of which is written at once."""
     reader, writer = os.pipe()
     os.close(reader)
     with pytest.MonkeyPatch.context() as patch, os.fdopen(writer, "w", buffering=1, encoding="utf-8") as stream:

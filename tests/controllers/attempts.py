@@ -29,14 +29,14 @@ def syscall(x86_64, aarch64, *arguments):
 
 def attempt(name, action):
     try:
-        told = action()
+        outcome = action()
     except OSError as error:
-        told = errno.errorcode.get(error.errno, type(error).__name__)
+        outcome = errno.errorcode.get(error.errno, type(error).__name__)
     except Exception as error:
-        told = type(error).__name__
+        outcome = type(error).__name__
     else:
-        told = "done" if told is None else str(told)
-    print(ascii([name, told]))
+        outcome = "done" if outcome is None else str(outcome)
+    print(ascii([name, outcome]))
 
 """
 _TAIL = "\nwhile robot.step(32) != -1:\n    pass\n"

@@ -1,4 +1,4 @@
-"""The clock of threads beside the one that steps: it follows the match, and nobody waits for ever."""
+"""The clock of threads beside the one that steps: it follows the match, and no thread waits for ever."""
 
 from __future__ import annotations
 
@@ -171,7 +171,7 @@ def test_a_thread_that_only_waits_for_a_processor_is_not_stuck() -> None:
     found = _background_clock._would_run(threading.get_native_id()), _background_clock._would_run(waits.native_id)
     asked.set()
     waits.join()
-    until_it_stands_still(waits.native_id)  # it is told to have ended a moment before it has
+    until_it_stands_still(waits.native_id)  # its end is reported a moment before it happens
     assert (*found, _background_clock._would_run(waits.native_id)) == (True, False, False)
 
 

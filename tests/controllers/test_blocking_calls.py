@@ -174,7 +174,7 @@ threading.Thread(target=worker, daemon=True).start()
 """
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="the processor time of a process is not told finely enough")
+@pytest.mark.skipif(sys.platform == "win32", reason="the processor time of a process is too coarse")
 @pytest.mark.nightly
 def test_short_waits_beside_a_thread_that_waits_itself_do_not_use_up_the_half(tmp_path: Path) -> None:
     """Ten thousandths of a second in each of 700 steps would be seven seconds."""
@@ -229,11 +229,11 @@ class TestAShortWait:
         assert 15 <= looks <= 31
 
     def test_goes_on_while_another_thread_has_not_had_the_processor_yet(self, monkeypatch) -> None:
-        """For three looks somebody else has it; nobody computes then."""
+        """For three looks another process has it, and no thread computes."""
         assert self.waited(monkeypatch, lambda looks: looks <= 3, 0.001) == (False, 4)
 
     def test_does_not_count_the_time_in_which_another_thread_would_run_and_has_no_processor(self, monkeypatch) -> None:
-        """On a busy machine who waits is told every 0.001 s, while the thread that is waited for gets nothing."""
+        """On a busy machine the waiting thread is woken every 0.001 s, while the thread that is waited for gets nothing."""
         assert self.waited(monkeypatch, lambda _: True, 0.001, comes_at=300) == (True, 300)
 
     def test_is_over_as_soon_on_a_busy_machine_where_no_other_thread_would_run(self, monkeypatch) -> None:

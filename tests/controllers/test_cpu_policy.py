@@ -61,7 +61,7 @@ def test_program_busy_waits_but_for_the_tick_before_each_poll(computer):
 def test_no_program_busy_waits_while_all_cpus_are_busy(computer, running):
     of = computer.policy
     answers(of, 63)
-    computer.running = running  # 0: nobody tells
+    computer.running = running  # 0: unknown
     assert not any(answers(of, 192))
     assert not of.share.is_batch
     computer.running = 1
@@ -169,12 +169,12 @@ def test_switch_leaves_programs_to_the_scheduler(computer, monkeypatch):
     assert computer.policy.share == DEFAULT_SHARE
 
 
-@pytest.mark.skipif(not process_stats.processors(), reason="only Linux tells it")
+@pytest.mark.skipif(not process_stats.processors(), reason="only Linux reports it")
 def test_linux_counts_this_thread_as_running():
     assert process_stats.running() >= 1
 
 
-@pytest.mark.skipif(not process_stats.processors(), reason="only Linux tells it")
+@pytest.mark.skipif(not process_stats.processors(), reason="only Linux reports it")
 @pytest.mark.parametrize(
     ("cpu_max", "processors"),
     [("max 100000\n", 4), ("250000 100000\n", 2), ("50000 100000\n", 0), ("what is this\n", 4), (None, 4)],

@@ -151,7 +151,7 @@ def test_without_isolation_the_same_attempts_to_read_succeed(tmp_path: Path, sur
         network = {name: action for name, (_, action, _) in NETWORK.items()}
         reported = outcomes(tmp_path, {**READS, **network}, surroundings)
     refused = {name for name, outcome in reported.items() if outcome.startswith("E") and outcome.isupper()}
-    # A kernel with Yama lets nobody look into its parent's memory.
+    # A kernel with Yama lets no process look into its parent's memory.
     assert refused <= {"the match's memory"}
 
 

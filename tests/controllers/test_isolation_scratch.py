@@ -14,7 +14,7 @@ import pytest
 
 from rcj_challenges.controllers import scratch
 
-linux = pytest.mark.skipif(sys.platform != "linux", reason="elsewhere nobody tells")
+linux = pytest.mark.skipif(sys.platform != "linux", reason="not reported elsewhere")
 posix = pytest.mark.skipif(sys.platform == "win32", reason="paths of Windows end before this depth")
 
 

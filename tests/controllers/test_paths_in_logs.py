@@ -129,7 +129,7 @@ def test_paths_of_windows_are_short_also_as_errors_quote_them(monkeypatch: pytes
 def test_the_folder_that_python_is_in_is_not_named(
     monkeypatch: pytest.MonkeyPatch, prefix: str, path: str, expected: str
 ) -> None:
-    """It may lie in somebody's home; who looks why an import fails prints `sys.path`."""
+    """It may lie in a user's home; a program that debugs a failing import prints `sys.path`."""
     monkeypatch.setattr(_traceback, "os", SimpleNamespace(sep="/", path=posixpath, __file__="/elsewhere/os.py"))
     monkeypatch.setattr(
         _traceback, "sys", SimpleNamespace(prefix=prefix, base_prefix=prefix, executable="/elsewhere/py")
@@ -142,7 +142,7 @@ def test_the_folder_that_python_is_in_is_not_named(
 
 
 def test_a_write_returns_its_full_length(tmp_path: Path) -> None:
-    """Who writes bytes is told how many; fewer, and he would write the rest once more."""
+    """A writer of bytes gets their number; with a smaller one it would write the rest once more."""
     program = "import sys\ndata = __file__.encode() * 1000\nprint(sys.stdout.buffer.write(data) == len(data))\n"
     assert printed(tmp_path, program) == f"{FOLDER}robot.py" * 1000 + "True"
 

@@ -159,7 +159,7 @@ def test_what_a_program_put_in_the_place_of_the_lock_is_neither_followed_nor_wai
     if kind == "link":
         outside.touch()
     remove_left_overs(temporary)
-    assert place.exists(), "nothing proves that it is nobody's"
+    assert place.exists(), "nothing proves that it is unused"
     assert outside.exists() == (kind == "link")
 
 

@@ -123,7 +123,7 @@ def test_the_program_that_filled_the_temporary_folder_is_ended_and_the_match_goe
         fault = poor.collect()
         assert (fault.robot, fault.kind) == ("B1", "crash")
         assert fault.detail.endswith("; the temporary folder was full of what Y1 had written")
-        # It is told when its turn comes, or when somebody looks after it because it stays away.
+        # Its fault is reported when its turn comes, or when its absence is noticed.
         greedy.release(Observation(1, values_at(1), []))
         assert greedy.collect() is greedy.overstepped(1)
         assert (greedy.fault.kind, greedy.fault.detail) == (

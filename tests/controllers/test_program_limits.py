@@ -1,4 +1,4 @@
-"""Programs that take more than they may, of time, memory or disk: when they are stopped, and what they are told."""
+"""Programs that take more than they may, of time, memory or disk: when they are stopped, and with which message."""
 
 from __future__ import annotations
 

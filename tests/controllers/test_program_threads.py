@@ -165,7 +165,7 @@ def test_a_main_thread_may_drive_while_another_one_steps(match: FakeMatch) -> No
 
 
 def test_after_a_thread_that_stepped_has_ended_time_is_the_main_threads_again(match: FakeMatch) -> None:
-    """It would wait for a match that waits for it: nobody else is left to step."""
+    """It would wait for a match that waits for it: no other thread is left to step."""
     program = """
 import threading, time
 from controller import Robot

@@ -1,4 +1,4 @@
-"""What a program has been told by radio and does not read: it waits, but not without bound."""
+"""Radio packets that a program does not read: they wait in a bounded queue."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A program that is told that its next observation follows soon waits for it awake, if that harms nobody."""
+"""A program whose next observation follows soon waits for it awake, if no other program is harmed."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def framed(body: bytes) -> bytes:
 
 
 class Line:
-    """The program's end of the pipes, told to stay awake, and the match's ends."""
+    """The program's end of the pipes, set to stay awake, and the match's ends."""
 
     def __init__(self) -> None:
         self._read, self._says = os.pipe()
@@ -87,9 +87,9 @@ def test_it_does_not_look_for_long(line: Line, monkeypatch: pytest.MonkeyPatch) 
     assert len(looks) == 2
 
 
-@pytest.mark.parametrize("why", ["not told so", "threads of the program"])
+@pytest.mark.parametrize("why", ["not requested", "threads of the program"])
 def test_otherwise_it_sleeps(line: Line, monkeypatch: pytest.MonkeyPatch, why: str) -> None:
-    if why == "not told so":
+    if why == "not requested":
         line.wire.next_is_soon = False
     else:
         monkeypatch.setattr(_wire, "_count", lambda: 99)  # each look would hold them up
@@ -140,7 +140,7 @@ def test_a_program_gives_way_and_takes_its_turn_again(match: FakeMatch, sandbox:
     assert here in ours
     apart, room, beside = CpuShare(is_batch=True, leaves_cpu=here), CpuShare(is_batch=True), CpuShare(keeps_to_cpu=here)
     others = ours - {here} or ours
-    # One thread is there before it is told, one begins while it keeps to fewer processors.
+    # One thread is there before the request, one begins while it keeps to fewer processors.
     team = match.team(WITH_A_THREAD + READS_ITS_GPS + "    " + WITH_A_THREAD.replace("\n", "\n    "))
     with match.pool(sandbox=sandbox) as pool:
         program = pool.add(SPEC, team, team.entry_for("Y1", "robot.py"))
@@ -167,7 +167,7 @@ def test_a_program_gives_way_and_takes_its_turn_again(match: FakeMatch, sandbox:
             assert program.computed_s() > computed_s > 0.0
         assert len(threads[0]) < len(threads[-1])
         program.kill()
-        program.share_cpus(room)  # who is gone interrupts nobody
+        program.share_cpus(room)  # a program that has ended is not interrupted
         assert program.computed_s() == 0.0
         pool.close()
 
@@ -208,5 +208,5 @@ def test_a_wait_that_turns_out_long_is_reported_once(
             assert not isinstance(program.collect(lambda: reported.append("long")), Fault)
             waits.append(len(reported))
         pool.close()
-    # A busy computer may hold up one that computes nothing, or us while one computes, but hardly always.
+    # A busy computer may hold up one that computes nothing, or us while one computes, but rarely every time.
     assert max(waits) == 1 if is_long else min(waits) == 0

@@ -1,4 +1,4 @@
-"""Which devices robots have, and what their programs are told of them before the start."""
+"""Which devices robots have, and which of their properties programs get before the start."""
 
 from __future__ import annotations
 

@@ -9,7 +9,7 @@ import pytest
 
 from tests.devices.device_bench import Bench
 
-FULL_TURN_TICKS = 4  # 3.125, and the head begins anew within the fourth
+FULL_TURN_TICKS = 4  # 3.125, and the head starts again within the fourth
 
 
 def lidar_bench(**settings: Any) -> Bench:

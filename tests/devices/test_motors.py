@@ -12,7 +12,7 @@ from tests.devices.device_bench import Bench
 
 
 class Wheels:
-    """Stands in for the world's wheels and remembers what they were told."""
+    """Stands in for the world's wheels and remembers their commands."""
 
     def __init__(self, bench: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
         self.commanded: dict[tuple[int, str], tuple[float, float]] = {}

@@ -89,7 +89,7 @@ def test_the_emitter_may_be_set_to_its_channel_only_where_a_rule_listens(bench: 
 
 
 def test_messages_waiting_for_the_referee_do_not_block_the_team_radio(bench: Bench) -> None:
-    # It hears one message a tick: who tells more keeps it waiting, and only it.
+    # It receives one message per robot and tick: a robot that sends more delays only its own.
     bench.send("Y1", *[b"x"] * (BACKLOG_PACKETS + 10), channel=1)
     bench.send("Y1", b"hello")
     bench.sense(ticks=(BACKLOG_PACKETS + 10) // 460 + 2)

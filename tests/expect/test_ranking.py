@@ -1,4 +1,4 @@
-"""Tests in a scenario that say who is ranked where."""
+"""Tests in a scenario that expect a ranking."""
 
 import pytest
 

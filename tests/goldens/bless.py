@@ -1,6 +1,6 @@
 """Record the golden files: ``python -m tests.goldens.bless [SCENARIO...]``, all of them or those named.
 
-Only for a change that is meant to change results; it needs a line under "Results change" in CHANGELOG.md. Where results
+Only for a change that is intended to change results; it needs a line under "Results change" in CHANGELOG.md. Where results
 change on this kind of machine, those of other kinds are removed: they are no longer true.
 """
 

@@ -8,7 +8,7 @@ from rcj_challenges.records.result import read_result
 from rcj_challenges.records.trajectory import Trajectory
 from tests.goldens.plays import PLAYS, RECORD, STATES, TESTS, judged_tests, machine, played, read
 
-CHANGED = "if that is meant: python -m tests.goldens.bless, and a line in CHANGELOG.md"
+CHANGED = "if that is intended: python -m tests.goldens.bless, and a line in CHANGELOG.md"
 
 
 def compare(play, out, length):

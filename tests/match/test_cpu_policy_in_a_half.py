@@ -38,7 +38,7 @@ class Noted(StandIn):
 
 @pytest.fixture
 def play(monkeypatch):
-    """Return what plays some ticks under a policy: the programs, and by tick who was released and was to busy-wait."""
+    """Return a function that plays some ticks under a policy and returns the programs and, by tick, which were to busy-wait."""
 
     def play(ticks, should_busy_wait=lambda *_: True, **asks):
         monkeypatch.setattr(CpuPolicy, "should_busy_wait", should_busy_wait)

@@ -1,4 +1,4 @@
-"""The match for programs of 2021: who is where comes in a packet, and each robot has an entry point of its own."""
+"""The match for programs of 2021: positions come in a packet, and each robot has an entry point of its own."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Files that another program has open: Windows lets nobody rename over them or remove them, so that is done later."""
+"""Files that another program has open: Windows refuses to replace or remove them, so that is done later."""
 
 import errno
 import os

@@ -15,7 +15,7 @@ def placing(entity: str, at: str, more: str = "") -> str:
 
 class TestHolds:
     VISITED = rule(
-        "trigger: half_started", *(f"{{action: count, counter: visits, entity: {who}}}" for who in ("Y1", "Y2")),
+        "trigger: half_started", *(f"{{action: count, counter: visits, entity: {robot}}}" for robot in ("Y1", "Y2")),
         name="visited",
     )  # fmt: skip
 

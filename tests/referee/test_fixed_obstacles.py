@@ -105,7 +105,7 @@ rules:
             touch(play, robot, "p1", ticks=2)
         assert [payload["a"] for payload in payloads(play, "WHO")] == ["B1", "Y1"]
         assert play.referee.scores == {"blue": 1, "yellow": 1}
-        play.place("Y1", 0.0, -0.6)  # who is placed has touched it all the same
+        play.place("Y1", 0.0, -0.6)  # a placed robot has touched it all the same
         play.play(20)
         assert len(play.events_named("KEPT")) == 1
 

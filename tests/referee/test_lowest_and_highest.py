@@ -1,4 +1,4 @@
-"""A counter that is compared with the lowest or highest of all others: who is last, who leads."""
+"""A counter that is compared with the lowest or highest of all others: the last one, the leader."""
 
 import pytest
 
@@ -39,20 +39,20 @@ VISITS = {"B1": 3, "B2": 1.5, "Y1": 2, "Y2": 7}
 
 
 class TestTheLowestAndTheHighestOfOthers:
-    @pytest.mark.parametrize(("condition", "who"), [(LAST, ["B2"]), (ALONE_LAST, ["B2"]), (FIRST, ["Y2"])])
-    def test_one_is_last_and_one_is_first(self, stage, condition, who):
-        assert reported(stage, condition, VISITS) == who
+    @pytest.mark.parametrize(("condition", "expected"), [(LAST, ["B2"]), (ALONE_LAST, ["B2"]), (FIRST, ["Y2"])])
+    def test_one_is_last_and_one_is_first(self, stage, condition, expected):
+        assert reported(stage, condition, VISITS) == expected
 
     @pytest.mark.parametrize(
-        ("condition", "who"),
+        ("condition", "expected"),
         [(LAST, ["B2", "Y1"]), (ALONE_LAST, []), (FIRST, ["B1", "Y2"]), (AS_THE_FIRST, ["B1", "Y2"])],
     )
-    def test_several_that_are_equal(self, stage, condition, who):
-        assert reported(stage, condition, {"B1": 4, "B2": 1, "Y1": 1, "Y2": 4}) == who
+    def test_several_that_are_equal(self, stage, condition, expected):
+        assert reported(stage, condition, {"B1": 4, "B2": 1, "Y1": 1, "Y2": 4}) == expected
 
-    @pytest.mark.parametrize(("condition", "who"), [(LAST, ["Y1"]), (FIRST, ["B1"])])
-    def test_a_robot_off_the_field_neither_counts_nor_is_it(self, stage, condition, who):
-        assert reported(stage, condition, VISITS, off="B2 Y2") == who
+    @pytest.mark.parametrize(("condition", "expected"), [(LAST, ["Y1"]), (FIRST, ["B1"])])
+    def test_a_robot_off_the_field_neither_counts_nor_is_it(self, stage, condition, expected):
+        assert reported(stage, condition, VISITS, off="B2 Y2") == expected
 
     def test_where_no_other_is_left_nothing_compares(self, stage):
         assert reported(stage, LAST, VISITS, off="B1 B2 Y2") == []

@@ -248,8 +248,8 @@ class TestNoiseAndClearance:
 
 def test_what_finds_no_room_keeps_its_place_and_others_do_not_get_it(stage):
     swap = (
-        f"{{action: place, entity: {who}, at: {{point: {to}}}}}"
-        for who, to in (("B1", "[-0.4, 0.5]"), ("B2", "[0.4, -0.5]"))
+        f"{{action: place, entity: {robot}, at: {{point: {to}}}}}"
+        for robot, to in (("B1", "[-0.4, 0.5]"), ("B2", "[0.4, -0.5]"))
     )
     play = stage(on_fault("Y1", *swap))
     put(play)  # Y2 stands where B2 is to go, so B2 stays, so B1 has no room

@@ -1,4 +1,4 @@
-"""Sequences kept per entity: each of a group makes its own steps in its own time, and words say whose is meant."""
+"""Sequences kept per entity: each member of a group makes its own steps, and fields select the owner."""
 
 import pytest
 

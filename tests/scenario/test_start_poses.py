@@ -1,4 +1,4 @@
-"""Where everything starts is said in one place, and everybody who asks is told the same."""
+"""Start poses are computed in one place, and all callers get the same ones."""
 
 from __future__ import annotations
 

@@ -111,14 +111,14 @@ EACH_FIELDS = [
 @pytest.mark.parametrize(("model", "key"), EACH_FIELDS, ids=lambda part: getattr(part, "__name__", part))
 def test_wherever_each_may_stand_other_is_replaced_too(model, key):
     name = next(name for name, info in model.model_fields.items() if (info.alias or name) == key)
-    for written, meant in (
+    for written, expected in (
         ("other", "B1"),
         (("each", "other"), ("each", "B1")),
         ("each", "each"),
         ((0.5, 1.0), (0.5, 1.0)),
     ):
         part = model.model_construct(**{**dict.fromkeys(model.model_fields), name: written})
-        assert getattr(with_other((part,), "B1")[0], name) == meant
+        assert getattr(with_other((part,), "B1")[0], name) == expected
 
 
 # --- lint -------------------------------------------------------------------------------------------------------------

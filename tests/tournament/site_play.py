@@ -27,7 +27,7 @@ HOSTILE = "</script><script>alert(1)</script><img src=x onerror=alert(2)>"
 RIGHT_TO_LEFT = "فريق الروبوت"
 EMOJI = "🤖⚽ Röbo Kickers 東京"
 SECRET = "ZeroDivisionError"
-"""Part of the detail of the fault in made-up records: nobody but the team may see it."""
+"""Part of the detail of the fault in made-up records: only the team may see it."""
 NOW = datetime(2026, 6, 26, 18, 0, tzinfo=UTC)
 
 NAMES = {
@@ -162,7 +162,7 @@ def outcome(fixture: Fixture) -> Outcome:
 
 
 def make_season(folder: Path, ticks: int = 900) -> MadeUpSeason:
-    """Make a season in a folder; its record has a goal, a fault, and a log that nobody else may see."""
+    """Make a season in a folder; its record has a goal, a fault, and a private log."""
     record = write_made_up_run(folder / "records", ticks=ticks, halves=2, names=("Ada Lovelaces", HOSTILE))
     for half in (1, 2):
         writer = SensorWriter(record, half, SENSED)

@@ -1,4 +1,4 @@
-"""Play-offs for places that decide who advances."""
+"""Play-offs for places that decide which team advances."""
 
 from rcj_challenges.tournament.season import FixtureKind, Outcome
 from tests.tournament.seasons import by_strength, names, order, play, season, stage, teams_of

@@ -1,4 +1,4 @@
-"""Super teams: who plays with whom, and their table."""
+"""Super teams: their composition and their table."""
 
 from collections import Counter
 

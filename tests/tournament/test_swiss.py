@@ -1,4 +1,4 @@
-"""Swiss stages: who is paired with whom, and which table decides it."""
+"""Swiss stages: the pairing of teams, and the table that decides it."""
 
 from collections import Counter
 
@@ -108,7 +108,7 @@ def test_swiss_places_lead_into_a_knock_out():
 
 
 def paired(*players):
-    """Return who is paired; each player is its points, and how often more it was on the first seat than on the second."""
+    """Return the pairs; each player is its points, and how often more it was on the first seat than on the second."""
     found, _ = pair([Player(str(i), points, balance, set(), False) for i, (points, balance) in enumerate(players)], 1)
     return sorted("".join(sorted(teams)) for teams in found), found
 

@@ -23,7 +23,7 @@ NO_WEBGL = """
   HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
     return kind === "webgl2" ? null : real.call(this, kind, ...rest);
   };"""
-"""For ``script=``: a browser that cannot draw in three dimensions. That is twice as quick, for who looks at other things."""
+"""For ``script=``: a browser that cannot draw in three dimensions. That is twice as quick, for tests of other things."""
 
 _NAMES = ("chromium", "chromium-browser", "google-chrome")
 _SOFTWARE_GPU = [
@@ -59,7 +59,7 @@ class _Tab:
         kind: with what it was made and what stays with it.
         own: how addresses begin that the page may ask for.
         kept: the address that is loaded, if another test may look at the page as well.
-        untouched: all that there is to see on a page that is kept, when nobody has touched it.
+        untouched: all that there is to see on a page that is kept, when it has not been touched.
     """
 
     page: Page

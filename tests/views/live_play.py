@@ -56,7 +56,7 @@ class MadeUpMatch:
         assert not self._thread.is_alive()
 
     def close(self) -> None:
-        """Stop it where it is: nobody watches any more."""
+        """Stop it where it is: no viewer is left."""
         self._stopped.set()
         self.show.close()
         self._thread.join(30)

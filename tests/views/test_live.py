@@ -137,7 +137,7 @@ def test_who_is_refused_may_end_the_sentence(show: LiveShow) -> None:
         connection.sendall(head.encode())
         answer = connection.recv(4096)
         for _ in range(40):
-            connection.sendall(b"x" * 1000)  # fails where nobody takes it in any more
+            connection.sendall(b"x" * 1000)  # fails where the server has stopped reading
     assert answer.startswith(b"HTTP/1.1 403 ")
 
 
@@ -200,7 +200,7 @@ def test_the_65th_connection_is_refused_and_the_first_goes_on(show: LiveShow, as
             assert spectator.recv(12) == b"HTTP/1.1 200"
             waiting.append(spectator)
         assert ask()[0] == 503
-        # One who asks first and listens then gets it whole too: a connection that is broken off would take it along.
+        # A client that sends first and then reads gets it whole too; a reset connection would lose it.
         late = socket.create_connection(("127.0.0.1", show.port), timeout=10)
         waiting.append(late)
         late.sendall(f"GET / HTTP/1.1\r\nHost: 127.0.0.1:{show.port}\r\n\r\n".encode())

@@ -75,7 +75,7 @@ def test_who_has_the_token_pauses_steps_and_sets_the_speed_on_a_phone_too(
 ) -> None:
     played = made_up_match(speed=1.0).start()
     page = watch(played.show.steering_address, viewport=NARROW, script=NO_WEBGL)
-    assert "token" not in page.url  # a link that is passed on gives nobody the wheel
+    assert "token" not in page.url  # a link that is passed on gives no control
     assert _is_wholly_on_the_screen(page, NARROW)
     page.click("#match-pause")
     until(page, "replay.liveClient.pace.paused")

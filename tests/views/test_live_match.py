@@ -126,7 +126,7 @@ def test_a_pause_counts_for_no_programs_limits(play: Callable[..., dict[str, Any
 
 
 class Holding(Observer):
-    """Somebody who holds up the first ticks of each half."""
+    """An observer that delays the first ticks of each half."""
 
     def before_tick(self, tick: int) -> float:
         if tick > 5:
@@ -224,7 +224,7 @@ def test_after_the_match_it_is_served_until_ctrl_c_whoever_is_connected(
 ) -> None:
     process, port, _ = started("--live", "--speed", "max")
     next(line for line in process.stdout if "the match is over" in line)
-    spectator = socket.create_connection(("127.0.0.1", port), timeout=120)  # one who never asks
+    spectator = socket.create_connection(("127.0.0.1", port), timeout=120)  # one that sends no request
     while status_of(port, "/replay.html") != 200:
         pass
     process.send_signal(signal.SIGINT)

@@ -39,7 +39,7 @@ NEAR = (
 
 
 class TestSetAsTheHalfStarts:
-    """What a rule sets as each half starts is never where the file says: nobody is to look for it there."""
+    """What a rule sets as each half starts is never at its position in the file, so it is not drawn there."""
 
     @pytest.mark.parametrize("to", ["{uniform_in: blue_goal}", "[0.1, 0]", "ball", "lost"])
     def test_the_picture_does_not_show_it_where_it_never_is(self, to):

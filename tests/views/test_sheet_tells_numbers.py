@@ -199,7 +199,7 @@ def _others(leaf: Leaf) -> Iterator[Any]:
     if isinstance(value, bool) or (value is None and bool in parts):
         yield not value
     elif isinstance(value, int | float):
-        # Such as nobody writes, so that the sheet does not tell them anyway.
+        # Unusual values, so that the sheet does not contain them by chance.
         yield from (value + 3, value - 3) if isinstance(value, int) else ()
         yield from (round(value * 1.13 + 0.0017, 4), round(value * 0.87 - 0.0017, 4), value + 0.137, value + 1.37)
     elif value is None and (int in parts or float in parts):

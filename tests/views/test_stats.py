@@ -263,7 +263,7 @@ def test_play_excludes_phases_that_wait_for_a_kick_off() -> None:
 
 @pytest.fixture
 def record(tmp_path: Path) -> Callable[..., Path]:
-    """Write a run of one half: B1 and Y1; who touches the ball, or which body of several, and outputs are given by tick."""
+    """Write a run of one half: B1 and Y1; touches of the ball (or of one of several bodies) and outputs are given by tick."""
 
     def write(
         ticks: int,

@@ -1,4 +1,4 @@
-"""What decides is shown: payloads beside events, the counters that rank while it is played, who came where at the end."""
+"""What decides is shown: payloads beside events, the counters that rank during the match, the places at the end."""
 
 from __future__ import annotations
 

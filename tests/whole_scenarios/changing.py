@@ -1,4 +1,4 @@
-"""What is shipped, with changes that nobody meant: by structure, as an editor's slip, and letter by letter."""
+"""Shipped scenarios with unintended changes: by structure, as an editor's slip, and letter by letter."""
 
 from __future__ import annotations
 

@@ -157,7 +157,9 @@ def _drawn(key: str) -> Callable[[Maker, Data], None]:
     def fit(maker: Maker, data: Data) -> None:
         if key in data:
             values = maker.stage.draws[data["draw"]]
-            known = [name for name in ("each", "other") if (whom := getattr(maker, name)) and set(whom) <= set(values)]
+            known = [
+                name for name in ("each", "other") if (members := getattr(maker, name)) and set(members) <= set(values)
+            ]
             data[key] = maker.chance.choice(known or values)
 
     return fit

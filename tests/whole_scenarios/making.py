@@ -48,7 +48,7 @@ class Maker:
         stage: what exists.
 
     Attributes:
-        each, other: whom these names stand for, while a rule is made; None where they are not known.
+        each, other: the names that these stand for while a rule is made; None where they are not known.
     """
 
     def __init__(self, chance: random.Random, stage: Stage) -> None:
@@ -206,8 +206,8 @@ class Maker:
         stage, chance = self.stage, self.chance
         bound = [
             name
-            for name, whom in (("each", self.each), ("other", self.other))
-            if reference.each and whom and all(stage.kinds.get(one) in reference.kinds for one in whom)
+            for name, members in (("each", self.each), ("other", self.other))
+            if reference.each and members and all(stage.kinds.get(one) in reference.kinds for one in members)
         ]
         if bound and chance.random() < 0.6:
             return chance.choice(bound)
@@ -221,7 +221,9 @@ class Maker:
         return chance.choice(known) if known else self._refused()
 
     def _groups_of(self, reference: Ref) -> list[str]:
-        return [group for group, whom in self.stage.groups.items() if whom and self._may_be(list(whom), reference)]
+        return [
+            group for group, members in self.stage.groups.items() if members and self._may_be(list(members), reference)
+        ]
 
     def _may_be(self, values: list[Any], reference: Ref) -> bool:
         return all(isinstance(one, str) and self.stage.kinds.get(one) in reference.kinds for one in values)

@@ -62,7 +62,7 @@ class Puppet:
         assert len(observation.values) == self.spec.values
 
     def share_cpus(self, share: object) -> None:
-        """Interrupt nobody."""
+        """Interrupt no program."""
 
     def computed_s(self) -> float:
         """Say that it has computed nothing."""

@@ -41,7 +41,7 @@ _OURS = re.compile(
     r"Traceback|<class|<function| object at 0x|pydantic|ValidationError|Entries\(|Leaf\(|Mark\(|Items\(|type=|"
     r"AtLeast|NoneType|\bNone\b(?!')|Input should"
 )
-"""What only who works on the project can read."""
+"""What only contributors to the project can read."""
 _MEANT = re.compile(r"'([^']*)'[^']*; did you mean '([^']*)'\?")
 
 

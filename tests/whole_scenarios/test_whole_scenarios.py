@@ -1,4 +1,4 @@
-"""Whole scenarios that nobody wrote: refused in words, or read, drawn, judged and played; never a fault of ours.
+"""Generated scenarios: refused with a message, or read, drawn, judged and played; never an internal error.
 
 A failure prints the scenario. ``python -m tests.whole_scenarios --seeds 0..1000`` searches on, for as long as you like.
 """
@@ -63,7 +63,7 @@ def test_many_slips(tmp_path: Path, first: int) -> None:
 @pytest.mark.nightly
 @pytest.mark.parametrize("seed", range(5000, 5000 + BY_COMMAND_BY_NIGHT))
 def test_the_commands_give_the_same_result(tmp_path: Path, seed: int) -> None:
-    """What is refused exits with 2 and says where; what is taken is drawn, told and tested. Never 3, nor a traceback."""
+    """A refused scenario exits with 2 and a position; an accepted one is drawn, described and tested. Never 3, nor a traceback."""
     text = made_up(seed) if seed % 2 else changed(seed)
     loaded = look_at(text)
     (tmp_path / FILE).write_text(text, encoding="utf-8", errors="surrogatepass", newline="")

@@ -1,4 +1,4 @@
-"""Same inputs, same bits; nothing escapes a crowd; a failure of the physics is told."""
+"""Same inputs, same bits; nothing escapes a crowd; a failure of the physics is reported."""
 
 import math
 

@@ -1,6 +1,6 @@
-"""A process that runs tests tells the one that shows their progress of what was seen, and of nothing else.
+"""A process that runs tests reports only results to the process that shows progress.
 
-It would tell six times of each test: that it begins, how it was set up, ran and was cleared away, that it is over and
+pytest-xdist would report six times for each test: that it begins, how it was set up, ran and was cleared away, that it is over and
 that the next may come. To write, send, read and pass on all that takes as long as most of the tests themselves.
 """
 
@@ -14,7 +14,7 @@ WORTH_TELLING_S = 0.01
 @pytest.hookimpl(tryfirst=True)
 def pytest_runtest_protocol(item: pytest.Item, nextitem: pytest.Item | None) -> bool | None:
     """Run a test for another process as for this one, and tell it of the test itself and of what went wrong."""
-    if not hasattr(item.config, "workerinput"):  # nobody else is to be told
+    if not hasattr(item.config, "workerinput"):  # no other process to report to
         return None
     for report in runtestprotocol(item, log=False, nextitem=nextitem):
         if report.when == "call" or not report.passed or report.duration >= WORTH_TELLING_S:
