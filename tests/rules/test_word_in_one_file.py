@@ -69,10 +69,10 @@ def test_registered_word_is_in_the_schema(toys, kind, fields):
 @pytest.mark.parametrize(
     ("kind", "row", "example"),
     [
-        ("trigger", "| `distance_m` | number, over 0 |", "trigger: strays"),
+        ("trigger", "| `distance_m` | number, above 0 |", "trigger: strays"),
         ("condition", "| `x_m` | number |", "condition: right_of"),
         ("action", "| `counter` | name |", "action: double"),
-        ("place", "| `radius_m` | number, over 0 |", "on_circle: middle_yellow"),
+        ("place", "| `radius_m` | number, above 0 |", "on_circle: middle_yellow"),
         ("value", "| `y_of` | name |", "y_of: ball"),
     ],
 )
