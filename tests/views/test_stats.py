@@ -415,9 +415,7 @@ def test_several_submissions_of_one_name_are_noted(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("halves", "apart"), [(1, ["Hanse (blue)", "Hanse (yellow)"]), (2, ["Hanse (blue first)", "Hanse (yellow first)"])]
 )
-def test_two_teams_of_one_name_in_one_match_are_counted_separately_and_noted(
-    tmp_path: Path, halves: int, apart: list[str]
-) -> None:
+def test_two_teams_of_one_name_are_counted_separately_and_noted(tmp_path: Path, halves: int, apart: list[str]) -> None:
     alike = run_stats(write_made_up_run(tmp_path, ticks=450, halves=halves, names=("Hanse", "Hanse")))
     other = run_stats(write_made_up_run(tmp_path, ticks=450, halves=halves, names=("Hanse", "Alster")))
     assert list(alike.teams) == apart
