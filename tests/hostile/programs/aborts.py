@@ -1,5 +1,5 @@
 #: about = "endings"
-#: tries = "to end itself with the signal that the match uses to ask where it hangs"
+#: tries = "to end itself with the signal that the match uses to find out where a program hangs"
 #: holds = "a program ended by a signal counts as crashed"
 #: platforms = ["linux", "darwin"]
 #: tick = 10

@@ -1,6 +1,6 @@
 #: about = "protocol"
 #: tries = "to answer a tick that has not begun"
-#: holds = "an answer names its tick"
+#: holds = "every answer has to name the tick that it answers"
 #: tick = 10
 #: ends = "protocol at 10"
 #: cause = "answers tick 40 at tick 10"

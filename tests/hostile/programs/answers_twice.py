@@ -1,6 +1,6 @@
 #: about = "protocol"
 #: tries = "to answer one tick twice, with other speeds the second time"
-#: holds = "an answer names its tick"
+#: holds = "every answer has to name the tick that it answers"
 #: tick = 10
 #: ends = "protocol at 11"
 #: cause = "answers tick 10 at tick 11"

@@ -1,6 +1,6 @@
 #: about = "protocol"
 #: tries = "to answer all ticks in advance and never read observations"
-#: holds = "it gains nothing, because it acts without knowledge; unread observations are limited by the length of the half"
+#: holds = "it gains nothing, because it acts without knowledge; unread observations stay in its pipe, whose size is limited"
 #: tick = 10
 #: ends = "exit at 50"
 #: cause = "came to its end"

@@ -1,6 +1,6 @@
 #: about = "processes and system"
-#: tries = "to change everything that a process can change about itself: name, folder, mask, locale, environment, timers, parent's death signal"
-#: holds = "it has its own process: no other is affected"
+#: tries = "to change everything that a process can change about itself: name, folder, umask, locale, environment, timers, parent's death signal"
+#: holds = "it has its own process, and no other process is affected"
 #: platforms = ["linux", "darwin"]
 #: tick = 10
 #: ends = "plays on"

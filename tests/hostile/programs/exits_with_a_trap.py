@@ -1,6 +1,6 @@
 #: about = "endings"
 #: tries = "to break the report of its end: the code of its SystemExit raises an error on every use"
-#: holds = "such values are read carefully: it counts as an exit"
+#: holds = "errors from such a value are caught: it counts as an exit"
 #: tick = 10
 #: ends = "exit at 10"
 #: cause = "the program called sys.exit"

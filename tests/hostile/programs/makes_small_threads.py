@@ -1,5 +1,5 @@
 #: about = "processes and system"
-#: tries = "to start more small threads than it may"
+#: tries = "to start more threads than allowed, with small stacks"
 #: holds = "its threads are counted while the match waits"
 #: platforms = ["linux"]
 #: tick = 10

@@ -1,5 +1,5 @@
 #: about = "memory and files"
-#: tries = "to break the clean-up at the end of the match with 150 nested folders that may not be changed"
+#: tries = "to break the clean-up at the end of the match with 150 nested folders in a write-protected one"
 #: holds = "the clean-up changes the permissions, and needs no recursion"
 #: platforms = ["linux", "darwin"]
 #: tick = 10

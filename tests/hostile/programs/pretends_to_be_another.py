@@ -1,6 +1,6 @@
 #: about = "module"
 #: tries = "to pretend to be another robot by changing its name, number and tick in the module"
-#: holds = "its identity depends on its pipe, and an answer names its tick"
+#: holds = "its identity depends on its pipe, and every answer has to name the tick that it answers"
 #: tick = 10
 #: ends = "protocol at 12"
 #: cause = "answers tick 9999 at tick 12"

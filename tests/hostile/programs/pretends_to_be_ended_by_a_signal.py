@@ -1,5 +1,5 @@
 #: about = "endings"
-#: tries = "to exit with statuses that have other meanings"
+#: tries = "to exit with a status that normally means something else, such as an end by SIGKILL"
 #: holds = "whatever its status, the program has ended"
 #: tick = 10
 #: ends = "crash|exit at 10"

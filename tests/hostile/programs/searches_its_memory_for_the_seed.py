@@ -1,6 +1,6 @@
 #: about = "memory and files"
 #: tries = "to find the seed of the match, or other robots' names, in the objects of its own process"
-#: holds = "a process gets only its own seed, a one-way hash of the match's"
+#: holds = "a process gets only its own seed, a one-way hash derived from the seed of the match"
 #: tick = 10
 #: ends = "plays on"
 #: said = ["looked at \\d+ dicts"]
