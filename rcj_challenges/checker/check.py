@@ -211,7 +211,7 @@ class _Check:
         if failed is None:
             return ""
         known = self._stages[failed].level == "failure"
-        return f'"{STAGES[failed]}" {"has to be put right first" if known else "could not be checked"}'
+        return f'the stage "{failed}" {"must pass first" if known else "could not be checked"}'
 
     def _run_programs(self, team: Team, name: str) -> None:
         """Carry out the stages that run programs. The physics is imported only if there is something to run."""

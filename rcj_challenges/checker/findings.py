@@ -18,9 +18,9 @@ StageName = Literal["archive", "layout", "identity", "sources", "start", "play"]
 
 STAGES: dict[StageName, str] = {
     "archive": "the file is a sound ZIP archive",
-    "layout": "folders and programs are where the scenario asks for them",
+    "layout": "folders and programs are where the scenario requires them",
     "identity": "the team's name and logo",
-    "sources": "the programs are Python that can run here",
+    "sources": "the programs are valid Python and can run here",
     "start": "every robot starts and answers its first step, on every side",
     "play": "a short match, on every side that the team can take",
 }

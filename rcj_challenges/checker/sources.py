@@ -1,4 +1,4 @@
-"""Stage *sources*: the programs are Python that can run here, and everything that they import is there."""
+"""Stage *sources*: the programs are valid Python and can run here, and everything that they import is there."""
 
 from __future__ import annotations
 
@@ -193,8 +193,8 @@ class _Walk:
         other_case = next((near for near in self._usual.names if near.casefold() == name.casefold()), None)
         if other_case is not None:
             called = sanitize(other_case)
-            message = f'imports "{quoted}", but the module is called "{called}": capital and small letters count'
-            return "wrong_case", message, f'write "{called}"; on Windows and macOS the mistake does not show'
+            message = f'imports "{quoted}", but the module is called "{called}": upper and lower case matter'
+            return "wrong_case", message, f'write "{called}"; Windows and macOS hide this mistake'
         place = self._usual.lies_at(name)
         if place is not None:
             message = f'imports "{quoted}", but {sanitize(place)} is not where Python looks for it'

@@ -217,7 +217,7 @@ def _check_one(path: Path, loaded: Loaded, options: CheckOptions, fix: Path | No
     repaired = repair(path, fix, loaded.scenario)
     if repaired.out is None:
         return check_file(path, loaded, options, ["nothing: the submission cannot be read well enough"])
-    why_nothing = "what follows has to be put right by hand" if repaired.left else "there was no need"
+    why_nothing = "the following must be repaired by hand" if repaired.left else "there was no need"
     return check_file(repaired.out, loaded, options, [*map(sanitize, repaired.done)] or [f"nothing: {why_nothing}"])
 
 

@@ -101,7 +101,7 @@ def test_a_program_that_fails_at_its_start_is_reported_with_its_traceback_and_is
     assert "IndexError" in found.message
     assert f'File "{ENTRY}", line 10' in found.details
     assert found.help
-    assert "put right first" in stage(report, "play").skipped
+    assert "must pass first" in stage(report, "play").skipped
     assert report.matches == []
 
 

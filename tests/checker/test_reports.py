@@ -159,7 +159,7 @@ def test_a_terminal_shows_stages_findings_help_and_details():
     lines = printed(made).splitlines()
     assert lines[0] == "team.zip  Hanse"
     assert "         repaired: took out the extra top folder" in lines
-    assert "failure  sources: the programs are Python that can run here" in lines
+    assert "failure  sources: the programs are valid Python and can run here" in lines
     assert "         robot.py:3:1: it broke" in lines
     assert "         → mend it" in lines
     assert "             line 3" in lines

@@ -140,7 +140,7 @@ def _missing_hint(team: Team, detail: str, current: PurePosixPath) -> Hint | Non
         return Hint(
             "no_file",
             f'write "{sanitize(relpath(root / found, root / current))}": the file is {sanitize(found)}, and the '
-            f"current folder is {folder}; capital and small letters count, and / separates folders",
+            f"current folder is {folder}; upper and lower case matter, and / separates folders",
         )
     return Hint(
         "no_file",

@@ -74,7 +74,7 @@ class EventNeverEmitted(LintRule):
 
     code = "event-never-emitted"
     message = "event '{event}' is never emitted"
-    help = "{hint}correct its name, or emit it in a rule that can fire"
+    help = "{hint}emit it in a rule that can fire"
 
     def check(self, ctx: LintContext) -> Iterator[Suspicion]:
         """Yield triggers, and the author's own tests, with unknown events."""
@@ -89,7 +89,7 @@ class EventNeverEmitted(LintRule):
         for path, event in awaited:
             if event not in emitted:
                 hint = did_you_mean(event, emitted)
-                yield self.at(path, event=event, hint=f"{hint} Otherwise " if hint else "")
+                yield self.at(path, event=event, hint=f"{hint} Otherwise, " if hint else "correct its name, or ")
 
 
 class MissingSays(LintRule):
