@@ -1,5 +1,5 @@
 #: about = "memory and files"
-#: tries = "to delete its own files, folder and home, so that the current folder does not exist"
+#: tries = "to delete its own files, folder and home, so that the current folder no longer exists"
 #: holds = "the folder is its own copy; the match does not need it"
 #: platforms = ["linux", "darwin"]
 #: tick = 10
