@@ -1,6 +1,6 @@
 #: about = "time"
 #: tries = "to sleep in every step, hidden behind thirty threads that wake together and wait for a processor"
-#: holds = "a wait is reduced only by the time of the single thread that was running or ready longest"
+#: holds = "all of a wait is charged, except the time for which the busiest thread was running or ready"
 #: tick = 10
 #: ends = "half_timeout"
 #: limits = {half_s = 1.0}
