@@ -1,5 +1,5 @@
 #: about = "processes and system"
-#: tries = "to change everything that a process can change about itself: name, folder, umask, locale, environment, timers, parent's death signal"
+#: tries = "to change everything that a process can change about itself: name, folder, umask, locale, environment, timers, parent-death signal"
 #: holds = "it has its own process, and no other process is affected"
 #: platforms = ["linux", "darwin"]
 #: tick = 10

@@ -1,6 +1,6 @@
 #: about = "memory and files"
 #: tries = "to find passwords and paths in the environment that it inherits"
-#: holds = "it gets its own environment"
+#: holds = "it inherits nothing: its environment is a short fixed list"
 #: tick = 10
 #: ends = "plays on"
 #: said = ["nothing of interest"]

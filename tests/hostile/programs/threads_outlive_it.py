@@ -1,6 +1,6 @@
 #: about = "processes and system"
 #: tries = "to survive in threads after its main thread has ended"
-#: holds = "the match waits for threads as the interpreter does at exit, but no longer than for a step"
+#: holds = "the match waits for threads as the interpreter does at exit, but no longer than the time limit for a step"
 #: tick = 10
 #: ends = "step_timeout at 10"
 #: limits = {step_s = 1.0}
