@@ -21,7 +21,7 @@ UNITS = {"s": 1, "MB": 1, "GB": 1024, "": 1}
         ("all steps of a half together", "half_s", 1),
         ("memory", "memory_mb", 1),
         ("output", "output_mb", 1),
-        ("files written into its own folder", "scratch_mb", 1),
+        ("files written into the program's own folder", "scratch_mb", 1),
         ("threads", "processes", 1),
         ("one radio packet", "message_kb", 1024),
     ],
