@@ -32,21 +32,21 @@ _ENDS = {
 _HEAD = """\
 # Hostile and broken programs, and what stops them
 
-A team's program may try anything, and these {count} programs do. Each is a small file in `tests/hostile/programs/` and is
-run in a real match, by robots of one team against a normal team that uses all its sensors. Each time, the test asserts that
+A team's program might try anything, and these {count} programs do. Each is a small file in `tests/hostile/programs/` and is run in
+a real match, by robots of one team against a normal team that uses all its sensors. Each time, the test asserts that
 
 - the match is completed in time, and no other robot has a fault;
-- all poses of the robots and the ball, and all events except the program's own fault, are identical, bit for bit, to those of a match
-  in which that program sets its speed to 0 from the same tick on;
-- the normal team's programs have seen and printed exactly the same as in that match;
+- all poses of the robots and the ball, and all events except the program's own fault, are identical, bit for bit, to those of a
+  match in which that program only sets its speed to 0 in the tick of the attempt;
+- the normal team's programs have received and printed exactly the same as in that match;
 - no file, process, thread or file descriptor is left behind, nothing outside the private folders has changed, and the match's own
   process has the same limits, priority, session and environment as before;
 - the fault, with its tick and cause, is in the reflog, in `result.json` and in that robot's log.
 
 `python -m pytest tests/hostile/test_programs.py` runs them, as root or as any other user. Programs marked ☾ are variants of others
 and run only in the nightly tests; `-m "nightly or not nightly"` runs all. If the computer lacks an isolation layer that stops a
-program, this program is skipped, and the reason is given. Programs marked ⚑ also run with `--sandbox off`, to show that their attempt
-succeeds there and that the named layers are what stops them.
+program, this program is skipped, and the reason is given. Programs marked ⚑ also run with `--sandbox off`, to show that their
+attempts succeed there and that the named layers are what stops them.
 
 **Layers**: a dash means that no isolation layer is needed: each program has its own process, and the match validates every message,
 never waits longer than the limits allow, and uses only what it has checked. The names of layers are those in `result.json`.
@@ -72,7 +72,7 @@ _TAIL = """\
 
 ## Inputs
 
-Untrusted files can be hostile before any program runs. Everything that is read is limited in size and number. The largest input within
+Untrusted files can do harm before any program runs. Everything that is read is limited in size and number. The largest input within
 all limits is checked in at most 5 s of processor time (`python -m benchmarks.inputs`); a larger one is refused with a code.
 
 | input | limit | code |

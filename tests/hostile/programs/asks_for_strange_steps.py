@@ -1,5 +1,5 @@
 #: about = "time"
-#: tries = "to request steps of length 0, -1, NaN, infinity and others, and lengths that are not numbers"
+#: tries = "to request steps whose length is 0, -1, NaN or infinity, among others, or not a number at all"
 #: holds = "a step lasts at least one tick, and a length that is not a number raises a TypeError"
 #: tick = 10
 #: ends = "plays on"

@@ -1,5 +1,5 @@
 #: about = "protocol"
-#: tries = "to drive at ten times the highest speed, without its controller module"
+#: tries = "to drive at ten times the highest speed, by bypassing the controller module"
 #: holds = "the match checks all numbers"
 #: tick = 10
 #: ends = "protocol at 10"

@@ -1,5 +1,5 @@
 #: about = "memory and files"
-#: tries = "to hide deleted files: another thread holds them after the main thread ends with the exit system call"
+#: tries = "to hide deleted files: another thread holds them open after the main thread has ended with the exit system call"
 #: holds = "a program that has lost its main thread is ended"
 #: platforms = ["linux"]
 #: tick = 10

@@ -1,5 +1,5 @@
 #: about = "protocol"
-#: tries = "to set a position of minus infinity, and one of NaN, without its controller module"
+#: tries = "to set a position of minus infinity, and one of NaN, by bypassing the controller module"
 #: holds = "the match checks all numbers"
 #: tick = 10
 #: ends = "protocol at 10"
