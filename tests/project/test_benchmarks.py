@@ -15,19 +15,19 @@ SMALLEST = {
     "physics_floor": ["1"],
     "sensing_cost": ["--ticks", "50"],
     "referee_cost": ["--ticks", "100", "--repeats", "1", "--json"],
+    "inputs": ["zones", "--json"],
     "challenges": ["--rounds", "1", "--json"],
     "watching": ["--rounds", "1", "--json"],
-    "inputs": ["zones", "--json"],
     "tournament": ["--quick", "--json"],
     "__main__": ["--quick", "--json"],
 }
-"""How each is started; the last five measure no less than what their bars are about."""
-WITH_BARS = {"challenges", "watching", "inputs", "tournament", "__main__"}
+"""How each is started; the last four measure no less than what their bars are about."""
+WITH_BARS = {"challenges", "watching", "tournament", "__main__"}
 NO_BENCHMARKS = {"__init__", "rows"}
 
 
 def measured(name: str) -> Any:
-    """Return what a benchmark prints. A bar that is missed, on whatever machine this is, is none of our business."""
+    """Return what a benchmark prints. A bar that is missed, on whatever machine this is, does not concern this test."""
     if name == "watching" and sys.platform != "linux":
         pytest.skip("its films are drawn without a screen, which is sure to work on Linux only")
     module = "benchmarks" if name == "__main__" else f"benchmarks.{name}"
