@@ -44,9 +44,9 @@ a real match, by robots of one team against a normal team that uses all its sens
 - the fault, with its tick and cause, is in the reflog, in `result.json` and in that robot's log.
 
 `python -m pytest tests/hostile/test_programs.py` runs them, as root or as any other user. Programs marked ☾ are variants of others
-and run only in the nightly tests; `-m "nightly or not nightly"` runs all. If the computer lacks an isolation layer that stops a
-program, this program is skipped, and the reason is given. Programs marked ⚑ also run with `--sandbox off`, to show that their
-attempts succeed there and that the named layers are what stops them.
+and run only in the nightly tests; `-m "nightly or not nightly"` runs all. If the computer lacks an isolation layer that is needed
+to stop a program, that program is skipped, and the reason is given. Programs marked ⚑ also run with `--sandbox off`, to show that
+their attempts succeed there and that the named layers are what stops them.
 
 **Layers**: a dash means that no isolation layer is needed: each program has its own process, and the match validates every message,
 never waits longer than the limits allow, and uses only what it has checked. The names of layers are those in `result.json`.

@@ -1,6 +1,6 @@
 #: about = "processes and system"
 #: tries = "to start hundreds of threads that never end"
-#: holds = "a limit on its threads"
+#: holds = "a limit on the number of its threads"
 #: platforms = ["linux"]
 #: layers = ["resource_limits"]
 #: tick = 10
