@@ -43,8 +43,8 @@ class Rule(Strict):
     actions: tuple[AnyAction, ...] = Field(..., strict=False, min_length=1, description="what happens, in order")
     for_each: Annotated[Name | None, KEEPERS] = described(
         None,
-        "a group of entities, fixed obstacles, zones or gates, or one of them: the rule exists once for each "
-        "member, which it calls `each`",
+        "a group of entities, fixed obstacles, zones or gates, or a single one of these: the rule exists once "
+        "for each member, and `each` refers to that member",
     )
     repeat_for: (
         Annotated[tuple[Name, ...], Field(strict=False, min_length=1, max_length=MAX_ROWS)]
@@ -53,7 +53,7 @@ class Rule(Strict):
     ) = Field(
         None,
         exclude=True,  # when a scenario has been loaded, the rules that came of it stand in its place
-        description="copies the rule for each name: with [yellow, blue], a rule goal becomes goal_yellow and "
+        description="copies the rule for each name: with [yellow, blue], a rule named goal becomes goal_yellow and "
         "goal_blue; in each copy, {param: this} is the name and {param: KEY} the value that the "
         "name has for KEY",
         examples=[["yellow", "blue"], {"yellow": {"zone": "blue_goal"}, "blue": {"zone": "yellow_goal"}}],
@@ -82,7 +82,7 @@ class Rule(Strict):
         "{measured}, {limit}, {points} and params by name, such as {goal_points}, are filled in",
         max_length=500,
     )
-    sheet: bool = described(True, "False: the rule is left out of the rule sheet")
+    sheet: bool = described(True, "false: the rule is left out of the rule sheet")
 
 
 class Broadcast(Strict):
