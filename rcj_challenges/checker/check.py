@@ -264,11 +264,10 @@ class _Check:
         """
         try:
             yield
-        except TeamError as error:
-            _raise_if_of_the_host(error)
-            raise
         except RcjError as error:
             _raise_if_of_the_host(error)
+            if name == "archive" and isinstance(error, TeamError):
+                raise
             ours = error.exit_code == _OUR_EXIT_CODE
             self._our_fault |= ours
             help_ = _OUR_HELP if ours else _IMPOSSIBLE_HELP

@@ -172,9 +172,16 @@ REFUSED: Mapping[str, str] = {
 """Modules that can be imported, but whose use a match refuses, and what they are for."""
 
 
+_OF_THREADS = frozenset({"multiprocessing.dummy", "multiprocessing.pool.ThreadPool"})
+"""The parts of refused modules that a match allows."""
+
+
 def refused_use(module: str, names: Sequence[str]) -> str:
     """Return what a module is for, if its use is refused in a match; else nothing."""
-    for dotted in (module, *(f"{module}.{name}" for name in names)):
+    asked = [f"{module}.{name}" for name in names]
+    if module in _OF_THREADS or (asked and _OF_THREADS.issuperset(asked)):
+        return ""
+    for dotted in (module, *asked):
         parts = dotted.split(".")
         prefixes = (".".join(parts[:length]) for length in range(1, len(parts) + 1))
         if use := next(filter(None, map(REFUSED.get, prefixes)), None):

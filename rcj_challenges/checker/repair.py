@@ -6,6 +6,7 @@ import io
 import os
 import zipfile
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
 
@@ -279,13 +280,14 @@ def _taken(out: Path) -> RepairError:
 def _write(out: Path, data: bytes) -> None:
     """Write a file that is not there yet; nothing is left of one that cannot be written whole."""
     try:
-        with out.open("xb") as file:
-            try:
+        file = out.open("xb")
+        try:
+            with file:
                 file.write(data)
-                file.flush()
-            except OSError:
+        except BaseException:  # an interruption too
+            with suppress(OSError):
                 out.unlink()
-                raise
+            raise
     except FileExistsError:
         raise _taken(out) from None
     except OSError as error:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import os
 import shutil
 from pathlib import Path
 
@@ -28,9 +29,11 @@ def ensure_page(path: Path) -> None:
     Raises:
         OSError: it cannot.
     """
-    if path.is_dir():
+    target = _target(path)
+    if target.is_dir():
         raise IsADirectoryError(errno.EISDIR, "it is a folder, not a file")
-    ensure_folder(path.parent)
+    if not _is_device(target):
+        ensure_folder(target.parent)
 
 
 def write_page(path: Path, text: str) -> None:
@@ -39,7 +42,11 @@ def write_page(path: Path, text: str) -> None:
     Raises:
         OSError: it cannot be written.
     """
-    with replaced(path) as file:
+    target = _target(path)
+    if _is_device(target):  # a file must not replace /dev/stdout
+        target.write_text(text, encoding="utf-8", newline="\n")
+        return
+    with replaced(target) as file:
         file.write(text.encode("utf-8"))
 
 
@@ -51,3 +58,12 @@ def copy_page(page: Path, target: Path) -> None:
     """
     with page.open("rb") as source, replaced(target) as file:
         shutil.copyfileobj(source, file)
+
+
+def _target(path: Path) -> Path:
+    """Return the file to which a link leads: the link itself stays."""
+    return Path(os.path.realpath(path))
+
+
+def _is_device(path: Path) -> bool:
+    return path.exists() and not path.is_file()

@@ -37,6 +37,10 @@ _RISKS: tuple[Risk, ...] = ("certain", "caught", "possible")
 _OPTIONAL = "optional_"
 _CONDITIONAL = "conditional_"
 _ONLY_IF_REACHED = "; that ends the program only if it is reached"
+# Programs that write modules, or import them from ZIP files: whether an import finds one shows only when it runs.
+_MAKES_MODULES = re.compile(
+    rb"""\bsys\.modules[ ]?\[[^\]\n]{1,80}\][ ]?=|\.zip["']|\bmeta_path\b|\.py["'],[ ]?(?:mode[ ]?=[ ]?)?["'][wx]"""
+)
 _RUNNING_SHOWS = "; only running the programs can show whether that ends one"
 _NOT_LOOKED_INTO = ("large", "too_many_imports", "unread")
 
@@ -77,6 +81,7 @@ class _Walk:
     def __init__(self, team: Team, sources: Mapping[PurePosixPath, Source], entry: PurePosixPath) -> None:
         self._team = team
         self._sources = sources
+        self._makes_modules = any(_MAKES_MODULES.search(team.files[path]) for path in sources)
         self._looked_for = 0
         self._usual = Library(team.files, places_of(entry))
         self._library = self._usual
@@ -223,6 +228,8 @@ class _Walk:
             self._add(file, wanted, "warning", f"{_OPTIONAL}{code}", message, "make sure that it plays well without")
         elif wanted.risk == "possible":
             self._add(file, wanted, "warning", f"{_CONDITIONAL}{code}", message + _ONLY_IF_REACHED, help_)
+        elif self._makes_modules and code == "missing_module":
+            self._add(file, wanted, "warning", f"{_CONDITIONAL}{code}", message + _RUNNING_SHOWS, help_)
         else:
             self._add(file, wanted, "failure", code, message, help_)
 

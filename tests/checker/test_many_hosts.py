@@ -8,6 +8,7 @@ import json
 import os
 import tempfile
 from dataclasses import replace
+from pathlib import Path
 
 import jsonschema
 import pytest
@@ -172,3 +173,16 @@ def test_an_old_page_stays_if_the_new_one_cannot_be_written_whole(tmp_path, monk
         report_files.copy_page(page, page)
     assert page.read_text(encoding="utf-8") == "old"
     assert list(tmp_path.iterdir()) == [page]
+
+
+def test_a_page_can_go_to_a_device_and_through_a_link(tmp_path):
+    if os.name != "posix":
+        pytest.skip("there is no such device here")
+    (tmp_path / "null").symlink_to(os.devnull)
+    report_files.ensure_page(tmp_path / "null")
+    report_files.write_page(tmp_path / "null", "text")
+    (tmp_path / "link.html").symlink_to("page.html")
+    report_files.write_page(tmp_path / "link.html", "text")
+    assert (tmp_path / "link.html").is_symlink()
+    assert (tmp_path / "page.html").read_text(encoding="utf-8") == "text"
+    assert not Path(os.devnull).is_file()

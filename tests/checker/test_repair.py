@@ -200,6 +200,16 @@ def test_a_file_that_appears_meanwhile_is_not_overwritten(tmp_path: Path, monkey
     assert sorted(path.name for path in tmp_path.iterdir()) == ["out.zip", "team.zip"]
 
 
+def test_an_interrupted_repair_leaves_no_file(tmp_path: Path) -> None:
+    class Interrupts:
+        def __buffer__(self, flags: int) -> memoryview:
+            raise KeyboardInterrupt
+
+    with pytest.raises((KeyboardInterrupt, TypeError)):  # before Python 3.12 it is no buffer
+        repairing._write(tmp_path / "out.zip", Interrupts())  # type: ignore[arg-type]
+    assert not (tmp_path / "out.zip").exists()
+
+
 def test_a_logo_of_another_kind_becomes_a_png(tmp_path: Path) -> None:
     pytest.importorskip("PIL")
     kinds = {"jpeg": pictures.jpeg(2600, 1300), "bmp": pictures.bmp(), "gif": pictures.gif()}

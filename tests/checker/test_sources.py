@@ -349,3 +349,22 @@ def test_nothing_of_a_program_is_run(check, tmp_path):
 def test_strange_names_are_shown_safely(check):
     stage = check.paths({ENTRY: "x = 1\n", f"{FOLDER}/\u202e&b;.py": "x = (\n"})
     assert "\\u202e&b;.py" in only(stage).where
+
+
+@pytest.mark.parametrize(
+    "trick",
+    [
+        "import sys, tools\nsys.modules['werkzeug'] = tools\n",
+        "import sys\nsys.path.insert(0, 'lib.zip')\n",
+        "open('werkzeug.py', 'w').write('x = 1')\n",
+    ],
+)
+def test_missing_module_of_a_program_that_makes_modules_itself_is_a_warning(check, trick):
+    stage = check(trick + "import werkzeug\n", rcj_soccer_team_blue__tools="x = 1\n")
+    assert codes(stage) == ["conditional_missing_module"]
+    assert only(stage).level == "warning"
+
+
+def test_threads_of_multiprocessing_are_allowed(check):
+    stage = check("from multiprocessing.pool import ThreadPool\nimport multiprocessing.dummy\n")
+    assert codes(stage, "warning") == []
