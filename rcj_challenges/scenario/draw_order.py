@@ -36,6 +36,22 @@ def _others(draw: Draw, values: Sequence[Scalar], last: Sequence[Scalar]) -> Seq
     return tuple(value for value in values if value not in last) if draw.not_last and last else values
 
 
+def never_drawn(draw: Draw, series: Sequence[Scalar]) -> int | None:
+    """Return the index of the first value that cannot follow those before it, or None if all can be drawn."""
+    left: Sequence[Scalar] = draw.values
+    last: tuple[Scalar, ...] = ()
+    for index, value in enumerate(series):
+        values, left = drawable(draw, left, last)
+        if value not in values:
+            return index
+        if draw.not_again is not None:
+            remaining = list(left)
+            remaining.remove(value)
+            left = remaining
+        last = (value,)
+    return None
+
+
 def places_of(decided: Point | tuple[Point, ...]) -> tuple[Point, ...]:
     """Return the places that a test decides for a spot, in order: one, or several."""
     return decided if isinstance(decided[0], tuple) else (decided,)

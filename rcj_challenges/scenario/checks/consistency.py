@@ -9,6 +9,7 @@ from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.devices.base import Device
 from rcj_challenges.rules.actions.count import Count
+from rcj_challenges.rules.actions.draw import DrawAction
 from rcj_challenges.rules.actions.place import Place
 from rcj_challenges.rules.actions.set_spot import SetSpot
 from rcj_challenges.rules.comparison import Compared
@@ -18,12 +19,16 @@ from rcj_challenges.rules.conditions.spot_free import SpotFree
 from rcj_challenges.rules.conditions.timer import TimerIs
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.kick import Kick
+from rcj_challenges.rules.places.on_line import OnLine
+from rcj_challenges.rules.places.uniform_in import UniformIn
 from rcj_challenges.rules.quantifier import AtLeast
 from rcj_challenges.rules.triggers.time_reached import TimeReached
 from rcj_challenges.rules.values.distance import DistanceValue
 from rcj_challenges.scenario.centres import centre_of
+from rcj_challenges.scenario.draw_order import never_drawn
 from rcj_challenges.scenario.errors import choice_of, listing
 from rcj_challenges.scenario.halves import clock_may_stop, half_length_s, longest_half_s
+from rcj_challenges.scenario.messages.wording import spelled
 from rcj_challenges.scenario.models.field import Match, Wall
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Rule, Scenario
 from rcj_challenges.scenario.models.state import Draw, Sequence
@@ -69,6 +74,8 @@ def check_consistency(scenario: Scenario, *, is_half_set: bool, is_length_set: b
             yield from _lengths(model, path, is_of_file=not is_length_set)
         if isinstance(model, Expectation):
             yield from _script(model, path)
+            yield from _series(model, path, scenario)
+            yield from _decided_spots(model, path, scenario)
             if not is_half_set:
                 yield from _length(model, path, scenario)
         if isinstance(model, Expectation | Given):
@@ -185,6 +192,30 @@ def _script(test: Expectation, path: Path) -> Iterator[Issue]:
             yield Issue("too-late", (*path, *where, "at_s"), f"{at_s:g} s comes after the end, {test.lasts_s:g} s")
 
 
+def _series(test: Expectation, path: Path, scenario: Scenario) -> Iterator[Issue]:
+    """Yield values that a test decides for a draw and that cannot be drawn in this order."""
+    actions = (action for rule in scenario.rules.values() for action in rule.actions)
+    set_by_rules = {action.draw for action in actions if isinstance(action, DrawAction) and action.as_ is not None}
+    for name, decided in test.draws.items():
+        draw = scenario.draws.get(name)
+        if draw is None or name in set_by_rules or not isinstance(decided, tuple):
+            continue
+        index = never_drawn(draw, decided)
+        if index is not None and decided[index] in draw.values:
+            why = "not_last" if draw.not_last and decided[index] == decided[index - 1] else "not_again"
+            message = f"{spelled(decided[index])} is not drawn again here ({why})"
+            yield Issue("never-drawn", (*path, "draws", name, index), message)
+
+
+def _decided_spots(test: Expectation, path: Path, scenario: Scenario) -> Iterator[Issue]:
+    """Yield spots that a test decides and that no rule sets at random."""
+    actions = [action for rule in scenario.rules.values() for action in rule.actions if isinstance(action, SetSpot)]
+    random = {one.spot for one in actions if isinstance(one.to, UniformIn | OnLine)}
+    for name in (one for one in test.spots or {} if one in scenario.spots and one not in random):
+        help_ = "where it is at the end is compared under poses"
+        yield Issue("never-drawn", (*path, "spots", name), f"no rule sets '{name}' at random", help_, at_key=True)
+
+
 def _owners(test: Expectation | Given, path: Path, scenario: Scenario, roster: Roster) -> Iterator[Issue]:
     """Yield values of single owners for a counter or flag that has no such owners."""
     for noun, tested, known in (("counter", test.counters, scenario.counters), ("flag", test.flags, scenario.flags)):
@@ -195,6 +226,8 @@ def _owners(test: Expectation | Given, path: Path, scenario: Scenario, roster: R
             if kept.per is None:
                 yield Issue("not-per-entity", at, f"{noun} '{name}' is not kept per entity", "write its value alone")
                 continue
+            if not values:
+                yield Issue("wrong-value", at, "names nothing", "write {entity: value, …}, or leave it out")
             owners = roster.expand(kept.per)
             for owner in (one for one in values if one not in owners):
                 message = f"there is no {noun} '{name}' of '{owner}'"
