@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 
 _OF_RECORDS = ("folder", "inputs", "states", "digest")
 _MAX_SEEDS = 100_000
+_MAX_DIGITS = 100
+"""Of a seed; Python refuses to parse some thousand."""
 
 
 class SeedsError(RcjError):
@@ -155,10 +157,9 @@ def parse_seeds(text: str) -> list[int]:
     seeds: list[int] = []
     for part in text.split(","):
         first, dots, last = part.strip().partition("..")
-        try:
-            begin, end = int(first), int(last if dots else first)
-        except ValueError as error:
-            raise SeedsError(f"--seeds {sanitize(text)}: not seeds", "write 1..10, 3 or 1,4,7..9") from error
+        if not first.isdecimal() or (dots and not last.isdecimal()) or max(len(first), len(last)) > _MAX_DIGITS:
+            raise SeedsError(f"--seeds {sanitize(text)}: not seeds", "write 1..10, 3 or 1,4,7..9")
+        begin, end = int(first), int(last if dots else first)
         if not 0 <= begin <= end < begin + _MAX_SEEDS:
             raise SeedsError(f"--seeds {sanitize(text)}: {sanitize(part)} is empty or more than {_MAX_SEEDS} seeds")
         seeds += range(begin, end + 1)

@@ -32,6 +32,7 @@ SENSORS = "sensors"
 REPLAY = "replay.html"
 
 _OTHER_FOLDER = "give another folder with --out"
+_MAX_RUNS_A_SECOND = 10_000
 
 _WAIT_FOR_OTHERS_S = 2.0
 """Virus scanners and indexers look into what was just written for a few tenths of a second."""
@@ -137,18 +138,17 @@ def make_run_folder(out: Path, name: str) -> Path:
         RecordError: the folder cannot be made.
     """
     make_out_folder(out)
-    folder, number = out / name, 1
-    while True:
+    for number in range(1, _MAX_RUNS_A_SECOND):
+        folder = out / (name if number == 1 else f"{name}-{number}")
         try:
             folder.mkdir()
         except FileExistsError:
-            number += 1
-            folder = out / f"{name}-{number}"
+            continue
         except OSError as error:
             message = f"cannot make a folder for the record in {sanitize(out)}: {format_error(error)}"
             raise RecordError("cannot-write-record", message, _OTHER_FOLDER) from error
-        else:
-            return folder
+        return folder
+    raise RecordError("cannot-write-record", f"too many records of this second in {sanitize(out)}", _OTHER_FOLDER)
 
 
 @contextmanager

@@ -19,7 +19,22 @@ def test_seeds_can_be_written_as_ranges_and_lists(text, seeds):
 
 
 @pytest.mark.parametrize(
-    "text", ["", "x", "3..1", "1..", "..4", "1.5", "-1", "0..99999999", "9" * 5000, "1.." + "9" * 5000, "x" * 5000]
+    "text",
+    [
+        "",
+        "x",
+        "3..1",
+        "1..",
+        "..4",
+        "1.5",
+        "-1",
+        "1_0",
+        "+3",
+        "0..99999999",
+        "9" * 5000,
+        "1.." + "9" * 5000,
+        "x" * 5000,
+    ],
 )
 def test_seeds_that_make_no_sense_are_refused_with_what_is_allowed(text):
     with pytest.raises(SeedsError, match="--seeds") as caught:
