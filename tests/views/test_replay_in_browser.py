@@ -259,9 +259,9 @@ def test_play_wind_and_speed(show: Callable[..., Any], run: Path) -> None:
     page.select_option("#speed", "2")
     page.click("#rewind")
     until(page, f"replay.place < {stopped} - 20")
-    assert page.locator("#winding").inner_text() == "◀◀ 8 \N{MULTIPLICATION SIGN}"
-    page.keyboard.press("l")
-    assert page.locator("#winding").inner_text() == "▶▶ 8 \N{MULTIPLICATION SIGN}"
+    until(page, "document.querySelector('#winding').innerText === '◀◀ 8 \N{MULTIPLICATION SIGN}'")
+    page.keyboard.press("l")  # the page shows it in its next frame
+    until(page, "document.querySelector('#winding').innerText === '▶▶ 8 \N{MULTIPLICATION SIGN}'")
     page.keyboard.press("k")
     page.keyboard.press("k")
     assert page.evaluate("replay.app.player.playing") is False
