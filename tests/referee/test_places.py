@@ -157,7 +157,7 @@ class TestPlaceFurthestFree:
         ("{point: [0.1, 0.2]}, mirror: {axis: x}", (0.4, 0.5), (-0.1, 0.2)),
         ("{point: [0.1, 0.2]}, mirror: {axis: y}", (0.4, 0.5), (0.1, -0.2)),
         ("{point: [0.1, 0.2]}, mirror: {axis: both}", (0.4, 0.5), (-0.1, -0.2)),
-        ("{point: [0, 1.2]}", (0.4, 0.5), (0.0, 0.0)),  # outside the field is no place
+        ("{point: [0, 1.2]}", (0.4, 0.5), (0.0, 0.0)),  # a point outside the field
     ],
 )
 def test_offsets_and_mirrors(stage, at, pose, where):
