@@ -67,6 +67,31 @@ def test_memory_descriptors_and_privileges_are_limited(tmp_path: Path) -> None:
     }
 
 
+SIGNAL_SLOTS = """
+def timers():
+    for made in range(1000):
+        try:
+            syscall(222, 107, 1, None, ctypes.create_string_buffer(8))
+        except BlockingIOError:
+            return made
+    return made
+
+def signals():
+    signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGRTMIN])
+    for _ in range(1000):
+        os.kill(os.getpid(), signal.SIGRTMIN)
+"""
+
+
+@needs_linux
+@pytest.mark.parametrize("taken_by", ["timers()", "signals()"])
+def test_a_program_leaves_signal_slots_to_the_other_processes_of_its_user(tmp_path: Path, taken_by: str) -> None:
+    attempts = {"take all": taken_by, "more": "timers()", "limit": "resource.getrlimit(resource.RLIMIT_SIGPENDING)"}
+    with only("resource_limits"):
+        reported = outcomes(tmp_path, attempts, SIGNAL_SLOTS)
+    assert (reported["more"], reported["limit"]) == ("0", "(64, 64)")
+
+
 @needs_linux
 def test_a_program_that_uses_up_its_processor_time_is_ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(isolation, "processor_s", lambda _: 1)

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 _real_sleep = time.sleep  # that of programs follows the match
 _SIGKILL = 9
 _UNTIL_PARENT_ACTS_S = 2.0
+_SIGNAL_SLOTS = 64  # for timers and queued signals; the kernel counts those of all processes of the user
 _DUMP_BEGINS = b"Fatal Python error: Aborted\n\n"  # as where a signal asks for it
 
 
@@ -31,7 +32,7 @@ class ConfinementError(OSError):
 
 
 def limit_resources(settings: dict[str, Any]) -> None:
-    """Limit memory, processor time, file sizes, open files and threads; no core dumps. POSIX only."""
+    """Limit memory, processor time, file sizes, open files, threads and signal slots; no core dumps. POSIX only."""
     import resource
 
     wanted = {
@@ -43,6 +44,8 @@ def limit_resources(settings: dict[str, Any]) -> None:
     }
     if settings["user_tasks"]:
         wanted["RLIMIT_NPROC"] = settings["user_tasks"]
+    if sys.platform == "linux":
+        wanted["RLIMIT_SIGPENDING"] = _SIGNAL_SLOTS
     if settings["watch_memory"]:
         del wanted["RLIMIT_AS"]  # macOS takes no limit on the address space
     for name, value in wanted.items():
