@@ -35,7 +35,7 @@ READS = {
     "the match's pipes": "os.listdir(f'/proc/{parent}/fd')",
     "where the match runs": "os.readlink(f'/proc/{parent}/cwd')",
     "all processes": "os.listdir('/proc')",
-    "a file by the root of its own process": "open('/proc/self/root/etc/passwd').read()",
+    "a file by the root of its own process": "open(os.path.join('/proc/self/root', 'etc/passwd')).read()",
     "the match by a way round": "open(f'/proc/self/../{parent}/environ').read()",
     "a file by a link of its own": "(os.symlink(secret, 'link'), open('link').read())",
 }
