@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
@@ -65,6 +65,7 @@ class _Checks:
 
     def problems(self) -> Iterator[Diagnostic]:
         yield from self._tie_breaks()
+        yield from self._same_names()
         yield from self._times()
         yield from self._seats()
         before = [*self._teams(), *self._sources()]
@@ -99,6 +100,22 @@ class _Checks:
                 yield self._at(
                     ("tie_breaks", index), "useless-tie-break", "after 'lot' nothing is level", "put 'lot' last"
                 )
+
+    def _same_names(self) -> Iterator[Diagnostic]:
+        """Refuse names of pages that are one file on Windows and macOS."""
+        stages = self.tournament.stages
+        yield from self._names_by_case(("stages",), stages)
+        for name, stage in stages.items():
+            if isinstance(stage, Challenge):
+                yield from self._names_by_case(("stages", name, "scenarios"), stage.scenarios)
+
+    def _names_by_case(self, path: tuple[Step, ...], names: Iterable[str]) -> Iterator[Diagnostic]:
+        first: dict[str, str] = {}
+        for name in names:
+            twin = first.setdefault(name.casefold(), name)
+            if twin != name:
+                message = f"the names '{twin}' and '{name}' differ by case only"
+                yield self._at((*path, name), "same-name", message, "give one of them another name")
 
     def _times(self) -> Iterator[Diagnostic]:
         try:

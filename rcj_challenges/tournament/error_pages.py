@@ -30,6 +30,10 @@ Two teams have ids that are the same, or differ only in upper and lower case.
 A team's id is the name of its ZIP without accents and special characters. Rename one of the files, or give it
 another id under 'teams' with path.
 
+same-name
+Two stages, or two challenges of a stage, have names that differ only in upper and lower case.
+Their pages would be one file on Windows and macOS. Give one of them another name; 'title' sets what is shown.
+
 no-submission
 The file names a team that has no submission.
 Give path or sample, or put a ZIP with the team's id as its name into teams_folder.

@@ -5,6 +5,7 @@ from datetime import UTC, datetime, timedelta
 
 import pytest
 
+from rcj_challenges.core.file_names import slug
 from rcj_challenges.tournament.rulings import withdraw
 from tests.cli.in_this_process import here
 from tests.tournament.store_helpers import LEAGUE, Home
@@ -46,6 +47,17 @@ def test_each_match_gets_a_page_and_the_next_time_it_is_taken_over(tmp_path, pub
         assert (home.data / "site" / item["url"].removeprefix("https://cup.example/")).is_file()
     assert {path.name for path in (home.data / "for_teams").iterdir() if path.is_dir()} == {"ada", "bee", "cid"}
     assert (home.data / "organizer" / "likeness.html").is_file()
+
+
+def test_teams_called_like_pages_have_pages_and_folders_of_their_own(tmp_path, publish):
+    teams = ("index", "style", "about")
+    home = Home(tmp_path, teams=teams)
+    home.play()
+    assert publish(home)[0] == 0
+    for team in teams:
+        for page in (f"site/teams/{slug(team)}.html", f"for_teams/{slug(team)}/index.html"):
+            assert f"<h1><bdi>Team {team}</bdi>" in (home.data / page).read_text("utf-8")
+    assert 'class="cards"' in (home.data / "site" / "teams" / "index.html").read_text("utf-8")
 
 
 def test_what_is_not_released_is_not_shown_nor_what_follows_from_it(tmp_path, publish):

@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.core.diagnostics import DiagnosticError
+from rcj_challenges.core.file_names import is_device_of_windows, slug
 from rcj_challenges.scenario.resources import teams_folder
 from rcj_challenges.tournament.load import load_tournament
 from rcj_challenges.tournament.opened import OpenTournament
@@ -16,7 +17,6 @@ from rcj_challenges.tournament.season import Tie
 from rcj_challenges.tournament.site import site_source
 from rcj_challenges.tournament.site.bracket import bracket_svg
 from rcj_challenges.tournament.site.likeness import like_pairs, token_rows
-from rcj_challenges.tournament.site.model import slug
 from rcj_challenges.tournament.site.plots import distribution_plot, form_plot, score_plot
 from rcj_challenges.tournament.site.private import own_log
 from rcj_challenges.tournament.site.public import public_result, read_replay
@@ -80,6 +80,12 @@ def test_two_ids_never_share_a_file(one: str, other: str) -> None:
     assert re.fullmatch(r"[A-Za-z0-9_.-]*", slug(one))
     if re.fullmatch(r"[A-Za-z0-9_/-]*", one + other):
         assert (slug(one) == slug(other)) == (one == other)
+
+
+@pytest.mark.parametrize("name", ["index", "Index", "con", "NUL", "aux/round1/ada-bee", "com1", "index/con"])
+def test_a_team_or_stage_takes_neither_the_name_of_a_page_nor_of_a_device_of_windows(name: str) -> None:
+    assert slug(name).casefold() != "index"
+    assert not is_device_of_windows(slug(name))
 
 
 def test_a_replay_is_read_back_as_it_was_written() -> None:

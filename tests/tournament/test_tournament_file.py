@@ -91,6 +91,9 @@ def test_all_mistakes_are_reported_at_once_in_the_order_of_the_file(tmp_path):
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
+        # Names
+        (HEAD + TEAMS + "stages: {a: {stage: round_robin}, A: {stage: round_robin}}\n", [("same-name", "stages.A")]),
+        (HEAD + TEAMS + "stages: {a: {stage: challenge, scenarios: {x: {scenario: slalom}, X: {scenario: slalom}}}}\n", [("same-name", "stages.a.scenarios.X")]),
         # Teams
         (HEAD + LEAGUE, [("missing-key", "")]),
         (HEAD + "teams: {a: {sample: ball_chaser}}\n" + LEAGUE, [("too-few-teams", "teams")]),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -10,6 +9,7 @@ from datetime import UTC, datetime
 from functools import cached_property
 from typing import Any
 
+from rcj_challenges.core.file_names import slug
 from rcj_challenges.core.measures import measured_words, number_words
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.tournament.played import PlayedMatch
@@ -19,17 +19,6 @@ from rcj_challenges.tournament.site.source import SiteSource
 from rcj_challenges.views.naming import distinct_names
 
 _LONGEST_NAME = 60
-_LONGEST_SLUG = 120
-_NOT_IN_SLUGS = re.compile(r"[^A-Za-z0-9_.-]")
-
-
-def slug(identifier: str) -> str:
-    """Return an id as the name of one file: ``groups.A.round2.ada-bee``. Two ids never share one."""
-    name = identifier.replace("/", ".")
-    if len(name) <= _LONGEST_SLUG and not _NOT_IN_SLUGS.search(name):
-        return name
-    digest = hashlib.sha256(identifier.encode()).hexdigest()[:16]
-    return f"{_NOT_IN_SLUGS.sub('_', name)[:_LONGEST_SLUG]}.{digest}"
 
 
 def _clean_name(name: str) -> str:

@@ -8,11 +8,12 @@ from typing import Any
 
 from markupsafe import Markup
 
+from rcj_challenges.core.file_names import slug
 from rcj_challenges.core.measures import measure_words
 from rcj_challenges.tournament.season import StageState, Status
 from rcj_challenges.tournament.seeds import seed_hash
 from rcj_challenges.tournament.site.bracket import bracket_svg
-from rcj_challenges.tournament.site.model import MatchView, Season, slug
+from rcj_challenges.tournament.site.model import MatchView, Season
 from rcj_challenges.tournament.site.plots import distribution_plot, form_plot
 from rcj_challenges.tournament.site.render import Renderer, day
 from rcj_challenges.tournament.site.schedule import appointments, as_csv, as_feed, as_ics

@@ -12,12 +12,13 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from rcj_challenges.core.file_names import slug
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import LOGS, REPLAY, SCENARIO
 from rcj_challenges.records.sensors import DAMAGE, read_sensors
 from rcj_challenges.tournament.records import sizes
 from rcj_challenges.tournament.season import Side
-from rcj_challenges.tournament.site.model import MatchView, Season, driver, slug, team_faults
+from rcj_challenges.tournament.site.model import MatchView, Season, driver, team_faults
 from rcj_challenges.tournament.site.public import public_facts, read_replay
 from rcj_challenges.tournament.site.render import Renderer
 from rcj_challenges.tournament.site.tree import Tree, fingerprint

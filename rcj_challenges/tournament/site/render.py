@@ -12,10 +12,11 @@ from urllib.parse import quote
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
+from rcj_challenges.core.file_names import slug
 from rcj_challenges.core.measures import measure_words, number_words
 from rcj_challenges.core.sanitize import sanitize, sanitize_block
 from rcj_challenges.tournament.season import humanized
-from rcj_challenges.tournament.site.model import Season, group_title, slug
+from rcj_challenges.tournament.site.model import Season, group_title
 from rcj_challenges.tournament.site.public import fault_moment, fault_words
 from rcj_challenges.tournament.site.schedule import page_of
 from rcj_challenges.views.sentences import clock
