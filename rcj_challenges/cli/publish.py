@@ -14,7 +14,7 @@ from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.errors import format_error
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.tournament.opened import OpenTournament
-from rcj_challenges.tournament.site import publish, site_source
+from rcj_challenges.tournament.site import SiteSource, publish, site_source
 from rcj_challenges.views.console import console_for
 
 _MIN_SEED_LETTERS = 16
@@ -43,13 +43,17 @@ def publish_tournament(tournament: OpenTournament, now: datetime, premieres: Seq
         f"for everyone:  {_index(published.site)}",
         f"for teams:     {published.for_teams} (a folder each; not for others)",
         f"for you:       {published.organizer}",
-        *(f"upload at {one.at:%Y-%m-%d %H:%M %Z}: {one.file} to premiere/" for one in published.recordings),
+        *(f"upload at {_local(one.at, source)}: {one.file} to premiere/" for one in published.recordings),
     ]
     if len(source.seed) < _MIN_SEED_LETTERS and not source.is_over:
         lines.append("note: the seed is so short that its published hash can be guessed; next time take a longer one")
     for line in lines:
         console.print(line, markup=False, highlight=False, soft_wrap=True)
     return OK
+
+
+def _local(at: datetime, source: SiteSource) -> str:
+    return f"{at.astimezone(source.time_zone):%Y-%m-%d %H:%M %Z}"
 
 
 def _index(site: Path) -> Path:

@@ -35,7 +35,7 @@ def validate_files(
     for path in paths:
         report: dict[str, Any] = {"file": path, "ok": True, "problems": [], "findings": []}
         if is_tournament(path):
-            found, one = _of_tournament(path, overrides, as_json=as_json)
+            found, one = _of_tournament(path, overrides, strict=strict, as_json=as_json)
         else:
             found, one = _of_scenario(path, overrides, strict=strict, as_json=as_json)
         code = max(code, one)
@@ -52,18 +52,24 @@ def _of_scenario(path: str, overrides: Sequence[str], *, strict: bool, as_json: 
     except ScenarioError as error:
         say("" if as_json else str(error), sys.stderr)
         return {"ok": False, "problems": [flat(problem) for problem in error.diagnostics]}, error.exit_code
-    findings = lint(loaded)
+    return _verdict(path, _summary(loaded), lint(loaded), strict=strict, as_json=as_json)
+
+
+def _verdict(
+    path: str, summary: str, findings: Sequence[Diagnostic], *, strict: bool, as_json: bool
+) -> tuple[dict[str, Any], int]:
+    """Print the verdict on a file that can be used; return its part of the report and the exit code."""
     if not as_json:
         warned = f"; {counted(len(findings), 'warning')}" if findings else ""
         verdict = "no" if strict and findings else "ok"
-        say(f"{verdict}  {path}: {_summary(loaded)}{warned}", sys.stdout)
+        say(f"{verdict}  {path}: {summary}{warned}", sys.stdout)
         for finding in findings:
             say(str(finding), sys.stderr)
-    report = {"summary": _summary(loaded), "findings": [finding.to_json() for finding in findings]}
+    report = {"summary": summary, "findings": [finding.to_json() for finding in findings]}
     return report, 1 if strict and findings else 0
 
 
-def _of_tournament(path: str, overrides: Sequence[str], *, as_json: bool) -> tuple[dict[str, Any], int]:
+def _of_tournament(path: str, overrides: Sequence[str], *, strict: bool, as_json: bool) -> tuple[dict[str, Any], int]:
     """Print the verdict on a tournament file; return its part of the report and the exit code."""
     from rcj_challenges.tournament.engine import Season
     from rcj_challenges.tournament.load import load_tournament
@@ -85,8 +91,7 @@ def _of_tournament(path: str, overrides: Sequence[str], *, as_json: bool) -> tup
         counted(sum(stage.expected_matches for stage in stages), "match", "matches"),
     )
     summary = f"{loaded.tournament.title} ({', '.join(counts)})"
-    say("" if as_json else f"ok  {path}: {summary}", sys.stdout)
-    return {"summary": summary}, 0
+    return _verdict(path, summary, loaded.warnings, strict=strict, as_json=as_json)
 
 
 def flat(diagnostic: Diagnostic) -> dict[str, Any]:

@@ -252,6 +252,8 @@ def keywords(extras: Iterable[Any], shape: Shape) -> _Json:
     found: _Json = {}
     for extra in extras:
         parts = extra.metadata if isinstance(extra, FieldInfo) else [extra]
+        if isinstance(extra, FieldInfo) and isinstance(extra.json_schema_extra, dict):
+            found |= extra.json_schema_extra
         for part in parts:
             if isinstance(part, StringConstraints):
                 found |= {"pattern": part.pattern} if part.pattern else {}

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
-from datetime import datetime
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Literal
 from zoneinfo import ZoneInfo
 
 from rcj_challenges.core.diagnostics import Diagnostic
@@ -25,6 +25,7 @@ from rcj_challenges.tournament.models import (
     Tournament,
     place_range,
 )
+from rcj_challenges.tournament.release import moments_of
 from rcj_challenges.tournament.scenarios import ScenarioInfo, ScenarioNames, ScenarioUse
 from rcj_challenges.tournament.season import Team
 from rcj_challenges.tournament.stage_sizes import StageSize, cuts, stage_sizes
@@ -39,7 +40,7 @@ def check(
     *,
     are_teams_known: bool,
 ) -> list[Diagnostic]:
-    """Return what is wrong.
+    """Return what is wrong, and warnings.
 
     Args:
         tournament: the file.
@@ -76,8 +77,16 @@ class _Checks:
         for name, stage in self.tournament.stages.items():
             yield from self._stage(name, stage, sizes)
 
-    def _at(self, path: tuple[Step, ...], code: str, message: str, help_: str) -> Diagnostic:
-        return problem_at(mark_of(self.tree, path), code, message, help_, in_names(self.tree, path))
+    def _at(
+        self,
+        path: tuple[Step, ...],
+        code: str,
+        message: str,
+        help_: str,
+        severity: Literal["error", "warning"] = "error",
+    ) -> Diagnostic:
+        found = problem_at(mark_of(self.tree, path), code, message, help_, in_names(self.tree, path))
+        return replace(found, severity=severity)
 
     # --- the whole file -----------------------------------------------------------------------------------------------
 
@@ -118,25 +127,37 @@ class _Checks:
                 yield self._at((*path, name), "same-name", message, "give one of them another name")
 
     def _times(self) -> Iterator[Diagnostic]:
+        name = self.tournament.time_zone
         try:
-            ZoneInfo(self.tournament.time_zone)
+            zone = ZoneInfo(name)
         except (KeyError, ValueError, OSError):
-            message = f"unknown time zone '{self.tournament.time_zone}'"
+            message = f"unknown time zone '{name}'"
             yield self._at(("time_zone",), "unknown-time-zone", message, "write it as Europe/Berlin or UTC")
-        for name, stage in self.tournament.stages.items():
+            return
+        help_ = f"write it as 2021-06-22 18:00, a time in {name} (time_zone)"
+        for stage_name, stage in self.tournament.stages.items():
             single = isinstance(stage.release, str)
             times = ((stage.release,) if isinstance(stage.release, str) else stage.release) or ()
             before = None
             for index, text in enumerate(times):
-                path = ("stages", name, "release", *(() if single else (index,)))
+                path = ("stages", stage_name, "release", *(() if single else (index,)))
                 try:
-                    time = datetime.strptime(text, "%Y-%m-%d %H:%M")  # noqa: DTZ007 - compared among themselves only
-                except ValueError:
-                    yield self._at(path, "wrong-time", f"there is no time '{text}'", "write it as 2021-06-22 18:00")
+                    moments = moments_of(text, zone)
+                except (ValueError, OverflowError):
+                    yield self._at(path, "wrong-time", f"there is no time '{text}'", help_)
                     continue
-                if before is not None and time < before:
+                if not moments:
+                    message = f"there is no '{text}' in {name}: the clock is put forward over it"
+                    yield self._at(path, "wrong-time", message, "choose a time before or after that")
+                    continue
+                if len(moments) > 1:
+                    both = " and ".join(f"{one.astimezone(zone):%H:%M %Z} ({one:%H:%M} UTC)" for one in moments)
+                    message = f"'{text}' comes twice in {name}, because the clock is put back: {both}"
+                    advice = "the first is used; take a time outside of that hour, or write all in UTC: time_zone: UTC"
+                    yield self._at(path, "ambiguous-time", message, advice, "warning")
+                if before is not None and moments[0] < before:
                     yield self._at(path, "wrong-time", f"'{text}' is before the round before it", "order the times")
-                before = time
+                before = moments[0]
 
     def _seats(self) -> Iterator[Diagnostic]:
         path: tuple[Step, ...]

@@ -72,8 +72,13 @@ There is no such time zone.
 Write it as Europe/Berlin or UTC.
 
 wrong-time
-A time does not exist, or is before that of the previous round.
-Write times as 2021-06-22 18:00, in the order of the rounds.
+A time does not exist, is not of the form 2021-06-22 18:00, or is before that of the previous round.
+Times are those of time_zone; when the clock is put forward in spring, an hour is missing. Write them in the order of
+the rounds.
+
+ambiguous-time
+A warning: the clock is put back in this night, and shows this time twice.
+The first of the two is used. Take a time outside of that hour, or set time_zone: UTC and write all times in UTC.
 
 wrong-release
 The number of times does not fit the number of rounds.

@@ -36,6 +36,7 @@ class LoadedTournament:
         path: the file.
         entries: the teams by id, in the order of the file, then of the folder.
         scenarios: what is to be known of each scenario with its settings.
+        warnings: what is allowed but may not be meant.
     """
 
     tournament: Tournament
@@ -43,6 +44,7 @@ class LoadedTournament:
     path: Path
     entries: Mapping[str, TeamEntry]
     scenarios: Mapping[ScenarioUse, ScenarioInfo] = field(repr=False)
+    warnings: tuple[Diagnostic, ...] = ()
 
     def teams(self) -> dict[str, Team]:
         """Return the teams as the file names them; a submission's own name is not known here."""
@@ -89,9 +91,10 @@ def load_tree(tree: Node, path: Path) -> LoadedTournament:
     infos = {use: _info(loaded.scenario) for use, loaded in scenarios.items()}
     problems += lists.problems
     problems += check(tournament, entries, infos, tree, folder, are_teams_known=not lists.problems)
-    if problems:
-        raise TournamentFileError(problems)
-    return LoadedTournament(tournament, path.stem, path, entries, infos)
+    errors = [one for one in problems if one.severity == "error"]
+    if errors:
+        raise TournamentFileError(errors)
+    return LoadedTournament(tournament, path.stem, path, entries, infos, tuple(problems))
 
 
 def find_tournament(source: str | Path) -> Path:

@@ -16,8 +16,10 @@ TeamId = Annotated[
 ]
 Time = Annotated[
     str,
-    StringConstraints(pattern=r"^\d{4}-\d{2}-\d{2} \d{2}:\d{2}$"),
-    Field(description="a date and time in the tournament's time zone: 2021-06-22 18:00"),
+    Field(
+        description="a date and time in the tournament's time zone: 2021-06-22 18:00",
+        json_schema_extra={"pattern": r"^\d{4}-\d{2}-\d{2} \d{2}:\d{2}$"},  # `checks` refuses others with more help
+    ),
 ]
 PlaceRange = Annotated[
     str,

@@ -2,15 +2,33 @@
 
 from __future__ import annotations
 
-from datetime import UTC, datetime, timedelta
+from datetime import UTC, datetime, timedelta, tzinfo
 from zoneinfo import ZoneInfo
 
 from rcj_challenges.tournament.models import StageModel, Tournament
 from rcj_challenges.tournament.season import Fixture, SeasonState, StageState
 
+_FORMAT = "%Y-%m-%d %H:%M"
+
+
+def moments_of(text: str, zone: tzinfo) -> tuple[datetime, ...]:
+    """Return the moments, in UTC, that a time of the file stands for.
+
+    There are none if the clock is put forward over it, and two if the clock is put back over it.
+
+    Raises:
+        ValueError: it is not of the form ``2021-06-22 18:00``.
+        OverflowError: it is not in the years 1 to 9999.
+    """
+    local = datetime.strptime(text, _FORMAT)  # noqa: DTZ007 - the zone follows
+    if f"{local:{_FORMAT}}" != text:
+        raise ValueError(text)
+    moments = {local.replace(tzinfo=zone, fold=fold).astimezone(UTC) for fold in (0, 1)}
+    return tuple(sorted(one for one in moments if one.astimezone(zone).replace(tzinfo=None) == local))
+
 
 def release_times(tournament: Tournament, state: SeasonState) -> dict[str, datetime]:
-    """Return by fixture from when on it is shown, with the tournament's time zone; others are shown as soon as played.
+    """Return by fixture from when on it is shown, in UTC; others are shown as soon as played.
 
     All matches of one knock-out tie are released together, since each would give away how the one before ended.
     """
@@ -21,11 +39,11 @@ def release_times(tournament: Tournament, state: SeasonState) -> dict[str, datet
 
 
 def round_times(tournament: Tournament, stage: str) -> tuple[datetime, ...]:
-    """Return when the rounds of a stage are released: one time for all of them, one for each, or none."""
+    """Return when, in UTC, the rounds of a stage are released: one time for all of them, one for each, or none."""
     release = tournament.stages[stage].release
     texts = (release,) if isinstance(release, str) else release or ()
     zone = ZoneInfo(tournament.time_zone)
-    return tuple(datetime.strptime(text, "%Y-%m-%d %H:%M").replace(tzinfo=zone) for text in texts)
+    return tuple(moments_of(text, zone)[0] for text in texts)
 
 
 def _of_stage(tournament: Tournament, model: StageModel, stage: StageState) -> dict[str, datetime]:
@@ -38,10 +56,7 @@ def _of_stage(tournament: Tournament, model: StageModel, stage: StageState) -> d
         index = min(fixture.round, len(times)) - 1
         own = slots.setdefault(index, {})
         slot = own.setdefault(_slot(fixture), len(own))
-        first = times[index]
-        # Elapsed time, not the clock's: that may be put back in between.
-        elapsed = first.astimezone(UTC) + slot * timedelta(minutes=model.minutes_between)
-        found[fixture.id] = elapsed.astimezone(first.tzinfo)
+        found[fixture.id] = times[index] + slot * timedelta(minutes=model.minutes_between)
     return found
 
 

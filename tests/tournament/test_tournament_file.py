@@ -72,6 +72,21 @@ def test_a_mistake_of_form_is_reported_once_with_its_place(text, expected, tmp_p
     assert refused(text, tmp_path) == expected
 
 
+def test_a_time_that_comes_twice_is_a_warning_that_names_both(tmp_path):
+    text = HEAD + TEAMS + "time_zone: Europe/Berlin\nstages: {l: {stage: round_robin, release: 2026-10-25 02:45}}\n"
+    (warning,) = loaded(text, tmp_path).warnings
+    assert (warning.code, warning.severity, warning.where.path) == ("ambiguous-time", "warning", "stages.l.release")
+    assert "02:45 CEST (00:45 UTC) and 02:45 CET (01:45 UTC)" in warning.message
+
+
+def test_the_error_of_a_time_shows_its_form_and_time_zone(tmp_path):
+    text = HEAD + TEAMS + "time_zone: Europe/Berlin\nstages: {l: {stage: round_robin, release: tomorrow}}\n"
+    with pytest.raises(TournamentFileError) as caught:
+        loaded(text, tmp_path)
+    assert "2021-06-22 18:00" in caught.value.diagnostics[0].help
+    assert "Europe/Berlin" in caught.value.diagnostics[0].help
+
+
 def test_mistakes_have_line_column_and_a_hint():
     with pytest.raises(TournamentFileError) as caught:
         load_tree(parse_text(HEAD + TEAMS + "stages:\n  league: {stage: round_robbin}\n", "t.yaml"), None)
@@ -132,6 +147,10 @@ def test_all_mistakes_are_reported_at_once_in_the_order_of_the_file(tmp_path):
         (HEAD + TEAMS + "stages:\n  s: {stage: super_team, super_teams: {x: [a, b, c], y: [d, b]}}\n", [("listed-teams", "stages.s.super_teams.y"), ("listed-teams", "stages.s.super_teams.y[1]")]),
         (HEAD + TEAMS + "stages:\n  l: {stage: round_robin, release: [2021-06-22 18:00, 2021-06-23 18:00]}\n", [("wrong-release", "stages.l.release")]),
         (HEAD + TEAMS + "stages:\n  l: {stage: round_robin, release: 2021-02-30 18:00}\n", [("wrong-time", "stages.l.release")]),
+        (HEAD + TEAMS + "stages:\n  l: {stage: round_robin, release: 22.6.2021 18:00}\n", [("wrong-time", "stages.l.release")]),
+        (HEAD + TEAMS + "stages:\n  l: {stage: round_robin, release: 2021-6-22 8:00}\n", [("wrong-time", "stages.l.release")]),
+        (HEAD + TEAMS + "stages:\n  l: {stage: round_robin, release: 0001-01-01 00:00}\ntime_zone: Europe/Berlin\n", [("wrong-time", "stages.l.release")]),
+        (HEAD + TEAMS + "stages:\n  l: {stage: round_robin, release: 2026-03-29 02:30}\ntime_zone: Europe/Berlin\n", [("wrong-time", "stages.l.release")]),
     ],
 )  # fmt: skip
 def test_a_tournament_that_cannot_be_played_is_refused(text, expected, tmp_path):
