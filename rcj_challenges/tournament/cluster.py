@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 _CONNECT_S = 10
 _FIRST_WORKER_S = 10.0
 _WORKERS_EVERY_S = 1.0
+_RESULT_S = 60.0  # a full record, 45 MB, over a slow network
 _MAX_ATTEMPTS = 2  # as in the local pool
 
 
@@ -145,16 +146,21 @@ class ClusterExecutor:
 
     def _outcome(self, one: _Running) -> JobOutcome | None:
         """Return what came of a job; None if it still runs, or waits for another worker."""
-        if one.worker not in self._threads:
-            one.future.cancel()
-            return self._failed(one, f"the worker {one.worker} was lost")
-        if not one.future.done():
+        is_lost = not one.future.done()
+        if is_lost and one.worker in self._threads:
             self._running.append(one)
             return None
+        if one.future.status == "finished":
+            try:
+                returned: cluster_worker.Returned = one.future.result(_RESULT_S)
+            except TimeoutError:  # the worker took its result with it
+                is_lost = True
+        if is_lost:
+            one.future.cancel()
+            return self._failed(one, f"the worker {one.worker} was lost")
         if one.future.status != "finished":
             error = one.future.exception() if one.future.status == "error" else "its job was released"
             return self._failed(one, f"the worker {one.worker} failed: {error}")
-        returned: cluster_worker.Returned = one.future.result()
         one.future.release()
         if returned.of_host:
             self._refused[one.worker] = returned.complaint

@@ -43,11 +43,11 @@ def new_home(folder, half_s=0.2):
     return Home(folder, SHORT, teams=("ada", "bee"))
 
 
-def on_cluster(home, cluster, notes=None, *, is_shared=False, **other_versions):
+def on_cluster(home, cluster, notes=None, *, is_shared=False, kind=ClusterExecutor, **other_versions):
     (home.data / "records").mkdir(parents=True, exist_ok=True)
     note = ([] if notes is None else notes).append
     expected = versions().model_dump() | other_versions
-    return ClusterExecutor(Workplace(home.data), cluster.scheduler_address, expected, is_shared, note)
+    return kind(Workplace(home.data), cluster.scheduler_address, expected, is_shared, note)
 
 
 def busy_workers(cluster):
@@ -68,6 +68,27 @@ def test_workers_with_another_version_are_refused_before_the_first_match(tmp_pat
         on_cluster(Home(tmp_path), near_cluster, mujoco="3.0.0")
     assert code_of(error) == "cluster-worker-unfit"
     assert len(error.value.diagnostics) == 2, "each worker"
+
+
+@pytest.mark.nightly
+def test_a_worker_that_has_finished_its_match_and_left_keeps_its_result(tmp_path):
+    home, notes = new_home(tmp_path / "there"), []
+
+    class Leaving(ClusterExecutor):
+        """Its worker leaves between the end of its match and the next look at it; another one takes over its result."""
+
+        def submit(self, job):
+            super().submit(job)
+            self._running[-1].future.exception()  # waits for its end
+            if len(self._client.nthreads()) > 1:
+                self._client.retire_workers([self._running[-1].worker])
+                self._looked_at_s = 0.0
+
+    with new_cluster(processes=False) as cluster:
+        home.play(executor=on_cluster(home, cluster, notes, kind=Leaving))
+    assert any("has gone" in note for note in notes)
+    assert not any("handed out again" in note for note in notes)
+    assert what_came_out(home) == played_here(new_home(tmp_path / "here"))
 
 
 def test_an_address_without_a_cluster_is_refused():
