@@ -256,7 +256,7 @@ def test_without_isolation_the_same_calls_succeed(tmp_path: Path, surroundings: 
 HONEST = """
 import asyncio, concurrent.futures, ctypes, fcntl, http.server, json, logging, mmap, multiprocessing, os, queue
 import select, shutil, signal, socket, sqlite3, ssl, subprocess, tempfile, threading, urllib.request, zipfile, zoneinfo
-import numpy, scipy.linalg, scipy.optimize
+import numpy, scipy.fft, scipy.linalg, scipy.optimize, scipy.spatial
 from controller import Robot, Lidar, Supervisor
 
 robot = Robot()
@@ -271,6 +271,19 @@ threads = [threading.Thread(target=seen.append, args=(n,)) for n in range(20)]
 assert sorted(seen) == list(range(20))
 with concurrent.futures.ThreadPoolExecutor(4) as pool:
     assert list(pool.map(len, ["a", "bc"])) == [1, 2]
+handed = queue.Queue(1)
+taker = threading.Thread(target=lambda: [seen.append(handed.get()) for _ in range(100)])
+taker.start()
+[handed.put(n) for n in range(100)]
+taker.join()
+assert seen[-100:] == list(range(100))
+points = numpy.arange(30_000.0).reshape(10_000, 3)
+assert (scipy.spatial.cKDTree(points).query(points, workers=4)[1] == numpy.arange(10_000)).all()
+assert scipy.fft.fft(points.T, workers=3).shape == (3, 10_000)
+entry, thread = ctypes.CFUNCTYPE(ctypes.c_long, ctypes.c_void_p)(lambda _: seen.append("thread") or 0), ctypes.c_ulong()
+assert ctypes.CDLL(None).pthread_create(ctypes.byref(thread), None, entry, None) == 0
+assert ctypes.CDLL(None).pthread_join(thread, None) == 0
+assert seen.pop() == "thread"
 
 async def wake():
     await asyncio.to_thread(len, "x")

@@ -17,6 +17,7 @@ PID = 4321
 EPERM = 0x00050000 | errno.EPERM
 INVALID = 0x00050000 | errno.EINVAL
 NO_SUCH_CALL = 0x00050000 | 38  # ENOSYS of Linux
+WOKEN = 0x00050000 | errno.EAGAIN
 NO_ERROR = 0x00050000  # an error of number 0
 ALLOW = 0x7FFF0000
 MACHINES = sorted(_seccomp.MACHINES)
@@ -156,6 +157,24 @@ def test_signals_reach_only_the_process_itself(machine: str, pid: int) -> None:
     assert in_part(machine, "tgkill", pid, pid, 9) == answer
     assert in_part(machine, "tkill", pid, 9) == answer
     assert in_part(machine, "kill", PID, 9) == ALLOW
+
+
+@on_each_machine
+def test_threads_wait_for_each_other_and_not_for_other_programs(machine: str) -> None:
+    """Operations are those of ``linux/futex.h``; by those without the private flag, programs would wake each other."""
+    private, realtime = 128, 256
+    answers = {operation: in_part(machine, "futex", 0, operation) for operation in range(14)}
+    assert {operation for operation, answer in answers.items() if answer == WOKEN} == {0, 9}  # WAIT, WAIT_BITSET
+    assert {operation for operation, answer in answers.items() if answer == NO_ERROR} == {1, 10}  # WAKE, WAKE_BITSET
+    assert {answer for operation, answer in answers.items() if operation not in (0, 1, 9, 10)} == {EPERM}
+    assert in_part(machine, "futex", 0, 9 | realtime) == WOKEN
+    assert {in_part(machine, "futex", 0, operation | private) for operation in range(14)} == {ALLOW}
+    assert in_part(machine, "futex", 0, 9 | private | realtime) == ALLOW
+    column = _seccomp.MACHINES[machine][0]
+    for name in ("futex_waitv", "futex_wake", "futex_wait", "futex_requeue"):
+        number = UNKNOWN[name][column]
+        assert number is not None
+        assert judge(machine, number) == NO_SUCH_CALL
 
 
 @on_each_machine

@@ -30,6 +30,7 @@ ALLOW = 0x7FFF0000  # SECCOMP_RET_ALLOW
 REFUSE = 0x00050001  # SECCOMP_RET_ERRNO, EPERM
 INVALID = 0x00050016  # SECCOMP_RET_ERRNO, EINVAL
 NOT_THERE = 0x00050026  # SECCOMP_RET_ERRNO, ENOSYS
+AGAIN = 0x0005000B  # SECCOMP_RET_ERRNO, EAGAIN
 PASS_OVER = 0x00050000  # SECCOMP_RET_ERRNO, no error
 
 # linux/bpf_common.h: load a word of the call's description; compare; mask; return.
@@ -59,6 +60,8 @@ _LOCKS = (6, 7, 37, 38)
 _MEMORY_ADVICE = (0, 1, 2, 3, 4, 8, 10, 11, 14, 15, 16, 17, 18, 19, 22, 23, 102, 103)
 # PR_GET_DUMPABLE, PR_SET_NAME, PR_GET_NAME, PR_CAPBSET_READ, PR_GET_NO_NEW_PRIVS, PR_SET_VMA (names of memory).
 _PROCESS_CONTROLS = (3, 15, 16, 23, 39, 0x53564D41)
+_FUTEX_PRIVATE, _FUTEX_REALTIME = 0x80, 0x100  # linux/futex.h
+_FUTEX_WAITS, _FUTEX_WAKES = (0, 9), (1, 10)  # WAIT, WAIT_BITSET; WAKE, WAKE_BITSET
 _AF_UNIX, _SOCK_STREAM, _SOCK_TYPES = 1, 1, 0xF
 
 
@@ -132,6 +135,7 @@ def _conditions(pid: int) -> dict[str, list[Instruction]]:
         # Not PR_SET_PDEATHSIG, by which a program could outlive the match.
         "prctl": _one_of(0, _PROCESS_CONTROLS),
         "prlimit64": _one_of(0, (0, pid)),
+        "futex": _between_own_threads(1),
         # Not SOCK_DGRAM, which sends to any address.
         "socketpair": [
             *_argument(0),
@@ -150,6 +154,24 @@ def _truncating(flags: int) -> list[Instruction]:
         (_MASK, 0, 0, _O_TRUNC | _O_ACCMODE),
         *_compared(unwritable, REFUSE),
         _answer(ALLOW),
+    ]
+
+
+def _between_own_threads(operation: int) -> list[Instruction]:
+    """Let only threads of this process wait for each other, and not others that map the same library.
+
+    A shared wait returns at once, and its caller looks at the value again: `pthread_join` and C++ wait like this for
+    their own threads. If it slept, another process could wake it even without a call, by the end of a thread.
+    """
+    return [
+        *_argument(operation),
+        (_MASK, 0, 0, _FUTEX_PRIVATE),
+        *_compared((_FUTEX_PRIVATE,), ALLOW),
+        *_argument(operation),
+        (_MASK, 0, 0, ~_FUTEX_REALTIME & 0xFFFFFFFF),
+        *_compared(_FUTEX_WAITS, AGAIN),
+        *_compared(_FUTEX_WAKES, PASS_OVER),
+        _answer(REFUSE),
     ]
 
 

@@ -38,8 +38,7 @@ CALLS: dict[str, tuple[int | None, int | None]] = {
     "msync": (26, 227), "mseal": (462, 462), "pkey_alloc": (330, 289), "pkey_free": (331, 290),
     "pkey_mprotect": (329, 288), "map_shadow_stack": (453, 453),
     # its own threads
-    "set_robust_list": (273, 99), "set_tid_address": (218, 96), "rseq": (334, 293), "futex": (202, 98),
-    "futex_waitv": (449, 449), "futex_wake": (454, 454), "futex_wait": (455, 455), "futex_requeue": (456, 456),
+    "set_robust_list": (273, 99), "set_tid_address": (218, 96), "rseq": (334, 293),
     "arch_prctl": (158, None), "gettid": (186, 178), "sched_yield": (24, 124), "sched_getaffinity": (204, 123),
     "sched_getparam": (143, 121), "sched_getscheduler": (145, 120), "sched_get_priority_max": (146, 125),
     "sched_get_priority_min": (147, 126), "sched_rr_get_interval": (148, 127), "getcpu": (309, 168),
@@ -67,17 +66,19 @@ CALLS: dict[str, tuple[int | None, int | None]] = {
 IN_PART: dict[str, tuple[int | None, int | None]] = {
     "open": (2, None), "openat": (257, 56), "close_range": (436, 436), "madvise": (28, 233), "clone": (56, 220),
     "kill": (62, 129), "tgkill": (234, 131), "tkill": (200, 130), "fcntl": (72, 25), "ioctl": (16, 29),
-    "prctl": (157, 167), "prlimit64": (302, 261), "socketpair": (53, 199),
+    "prctl": (157, 167), "prlimit64": (302, 261), "socketpair": (53, 199), "futex": (202, 98),
 }  # fmt: skip
 """Allowed with some arguments, which ``_seccomp`` judges."""
 
 UNKNOWN: dict[str, tuple[int | None, int | None]] = {
     "clone3": (435, 435), "openat2": (437, 437), "preadv2": (327, 286), "pwritev2": (328, 287), "mincore": (27, 232),
-    "statfs": (137, 43), "fstatfs": (138, 44), "sysinfo": (99, 179),
+    "statfs": (137, 43), "fstatfs": (138, 44), "sysinfo": (99, 179), "futex_waitv": (449, 449),
+    "futex_wake": (454, 454), "futex_wait": (455, 455), "futex_requeue": (456, 456),
 }  # fmt: skip
 """Answered as by a kernel that does not have them, so that libraries fall back. The arguments of the first two are in
-memory, where no filter can look: the C library then makes older calls that can be judged. The others reveal what other
-programs do: which pages of files they have read, and how much memory and disk space they use."""
+memory, where no filter can look: the C library then makes older calls that can be judged. Those of futexes could wake other
+programs. The others reveal what other programs do: which pages of files they have read, and how much memory and disk
+space they use."""
 
 PASSED_OVER: dict[str, tuple[int | None, int | None]] = {
     "chmod": (90, None),
