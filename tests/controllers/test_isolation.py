@@ -204,6 +204,15 @@ CALLS = {
     "handle page faults": "syscall(323, 282, 0)",
     "watch files": "syscall(294, 26, 0)",
     "wait for everybody's files": "syscall(162, 81)",
+    "read the match's CPU clock": "syscall(228, 113, ~parent << 3 | 2, bytes(16))",
+    "wait for the match's CPU clock": "syscall(230, 115, ~parent << 3 | 2, 0, bytes(16), None)",
+    "set a timer by the match's CPU clock": "syscall(222, 107, ~parent << 3 | 2, None, bytes(8))",
+    "look for a process by its clock": "time.clock_getres(~parent << 3 | 2)",
+    "see the match's session": "os.getsid(parent)",
+    "see the match's group": "os.getpgid(parent)",
+    "see the match's priority": "os.getpriority(os.PRIO_PROCESS, parent)",
+    "see the priority of its user's processes": "os.getpriority(os.PRIO_USER, 0)",
+    "see the match's privileges": "syscall(125, 90, struct.pack('=Ii', 0x20080522, parent), bytes(24))",
     "set the clock": "syscall(227, 112, 99, None)",
     "type into a terminal": "fcntl.ioctl(0, 0x5412, b'x')",
     "change attributes of a file": "fcntl.ioctl(os.open('.', os.O_RDONLY), 0x40086602, bytes(8))",
@@ -213,6 +222,10 @@ PASSED_OVER = {
     "take away permissions of what is open": "os.fchmod(os.open('.', os.O_RDONLY), 0)",
 }
 UNKNOWN = {
+    "see the processors of the match": "syscall(204, 123, parent, 128, bytes(128))",
+    "see how the match is scheduled": "os.sched_getscheduler(parent)",
+    "see the match's scheduling parameters": "os.sched_getparam(parent)",
+    "see the match's turn": "os.sched_rr_get_interval(parent)",
     "a call in a form that cannot be judged": "syscall(435, 435, bytes(64), 64)",
     "a call that no kernel has": "syscall(4000, 4000)",
 }
@@ -223,7 +236,9 @@ HARMLESS = ("open a socket", "take hold of the match", "send the match a signal"
 def by_system_calls(tmp_path_factory: pytest.TempPathFactory, surroundings: str) -> dict[str, str]:
     with only("system_calls"):
         return outcomes(
-            tmp_path_factory.mktemp("calls"), {**CALLS, **PASSED_OVER, **UNKNOWN}, surroundings + "import fcntl\n"
+            tmp_path_factory.mktemp("calls"),
+            {**CALLS, **PASSED_OVER, **UNKNOWN},
+            surroundings + "import fcntl, struct, time\n",
         )
 
 
@@ -255,7 +270,7 @@ def test_without_isolation_the_same_calls_succeed(tmp_path: Path, surroundings: 
 
 HONEST = """
 import asyncio, concurrent.futures, ctypes, fcntl, http.server, json, logging, mmap, multiprocessing, os, queue
-import select, shutil, signal, socket, sqlite3, ssl, subprocess, tempfile, threading, urllib.request, zipfile, zoneinfo
+import select, shutil, signal, socket, sqlite3, ssl, subprocess, tempfile, threading, time, urllib.request, zipfile, zoneinfo
 import numpy, scipy.fft, scipy.linalg, scipy.optimize, scipy.spatial
 from controller import Robot, Lidar, Supervisor
 
@@ -277,6 +292,11 @@ taker.start()
 [handed.put(n) for n in range(100)]
 taker.join()
 assert seen[-100:] == list(range(100))
+for clock in (time.pthread_getcpuclockid(threading.get_ident()), ~os.getpid() << 3 | 2, -2):
+    assert time.clock_getres(clock) > 0
+assert os.getsid(0) > 0 < os.getpgid(os.getpid())
+assert os.sched_getscheduler(0) == os.sched_getscheduler(os.getpid())
+assert os.getpriority(os.PRIO_PROCESS, 0) == os.getpriority(os.PRIO_PROCESS, os.getpid())
 points = numpy.arange(30_000.0).reshape(10_000, 3)
 assert (scipy.spatial.cKDTree(points).query(points, workers=4)[1] == numpy.arange(10_000)).all()
 assert scipy.fft.fft(points.T, workers=3).shape == (3, 10_000)

@@ -7,7 +7,7 @@ import re
 from pathlib import Path
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from rcj_challenges.controllers.program_side.controller import _seccomp
@@ -39,7 +39,7 @@ REFUSED = {  # x86_64, aarch64
     "keyctl": (250, 219), "bpf": (321, 280), "seccomp": (317, 277), "perf_event_open": (298, 241),
     "io_uring_setup": (425, 425), "userfaultfd": (323, 282), "memfd_create": (319, 279), "memfd_secret": (447, 447),
     "fchownat": (260, 54), "utimensat": (280, 88), "truncate": (76, 45), "fallocate": (285, 47), "setxattr": (188, 5),
-    "setuid": (105, 146), "capset": (126, 91), "sched_setaffinity": (203, 122), "sched_setscheduler": (144, 119),
+    "setuid": (105, 146), "capset": (126, 91), "capget": (125, 90), "sched_setaffinity": (203, 122), "sched_setscheduler": (144, 119),
     "setpriority": (141, 140), "init_module": (175, 105), "reboot": (169, 142), "mq_open": (240, 180),
     "shmat": (30, 196), "cachestat": (451, 451),
 }  # fmt: skip
@@ -175,6 +175,37 @@ def test_threads_wait_for_each_other_and_not_for_other_programs(machine: str) ->
         number = UNKNOWN[name][column]
         assert number is not None
         assert judge(machine, number) == NO_SUCH_CALL
+
+
+@on_each_machine
+@given(clock=st.integers(-(2**31), 2**31 - 1))
+@example(~PID << 3 | 2)
+@example(~0 << 3 | 1)
+@example(~(PID + 1) << 3 | 2)
+def test_clocks_of_other_processes_are_refused(machine: str, clock: int) -> None:
+    is_own = clock >= 0 or clock & 4 or (~(clock >> 3) in (0, PID) and clock & 3 != 3)
+    for name in ("clock_gettime", "clock_getres", "clock_nanosleep", "timer_create"):
+        assert in_part(machine, name, clock) == (ALLOW if is_own else EPERM)
+
+
+@on_each_machine
+@pytest.mark.parametrize("name", ["getpgid", "getsid"])
+def test_sessions_are_its_own(machine: str, name: str) -> None:
+    assert [in_part(machine, name, pid) for pid in (0, PID, 1, PID + 1)] == [ALLOW, ALLOW, EPERM, EPERM]
+
+
+@on_each_machine
+@pytest.mark.parametrize("name", ["sched_getaffinity", "sched_getparam", "sched_getscheduler", "sched_rr_get_interval"])
+def test_libraries_do_without_the_scheduling_of_others(machine: str, name: str) -> None:
+    answers = [in_part(machine, name, pid) for pid in (0, PID, 1, PID + 1)]
+    assert answers == [ALLOW, ALLOW, NO_SUCH_CALL, NO_SUCH_CALL]
+
+
+@on_each_machine
+def test_priorities_are_its_own(machine: str) -> None:
+    assert {in_part(machine, "getpriority", 0, pid) for pid in (0, PID)} == {ALLOW}
+    refused = {in_part(machine, "getpriority", which, who) for which, who in ((0, PID + 1), (1, 0), (2, 0))}
+    assert refused == {EPERM}
 
 
 @on_each_machine

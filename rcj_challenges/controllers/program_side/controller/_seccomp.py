@@ -62,6 +62,10 @@ _MEMORY_ADVICE = (0, 1, 2, 3, 4, 8, 10, 11, 14, 15, 16, 17, 18, 19, 22, 23, 102,
 _PROCESS_CONTROLS = (3, 15, 16, 23, 39, 0x53564D41)
 _FUTEX_PRIVATE, _FUTEX_REALTIME = 0x80, 0x100  # linux/futex.h
 _FUTEX_WAITS, _FUTEX_WAKES = (0, 9), (1, 10)  # WAIT, WAIT_BITSET; WAKE, WAKE_BITSET
+_SCHEDULING = ("sched_getaffinity", "sched_getparam", "sched_getscheduler", "sched_rr_get_interval")
+_PRIO_PROCESS = 0  # sys/resource.h
+_CLOCKS = ("clock_gettime", "clock_getres", "clock_nanosleep", "timer_create")
+_CLOCK_OF_THREAD = 4  # linux/posix-timers_types.h; the kernel has these clocks only for threads of the process itself
 _AF_UNIX, _SOCK_STREAM, _SOCK_TYPES = 1, 1, 0xF
 
 
@@ -134,7 +138,11 @@ def _conditions(pid: int) -> dict[str, list[Instruction]]:
         "ioctl": _one_of(1, _TERMINAL_CONTROLS + _FILE_IOCTLS),
         # Not PR_SET_PDEATHSIG, by which a program could outlive the match.
         "prctl": _one_of(0, _PROCESS_CONTROLS),
-        "prlimit64": _one_of(0, (0, pid)),
+        **dict.fromkeys(("prlimit64", "getpgid", "getsid"), _one_of(0, (0, pid))),
+        # Libraries ask for those of their threads, and do without if there is no such call.
+        **dict.fromkeys(_SCHEDULING, _one_of(0, (0, pid), NOT_THERE)),
+        "getpriority": [*_argument(0), (_EQUAL, 1, 0, _PRIO_PROCESS), _answer(REFUSE), *_one_of(1, (0, pid))],
+        **dict.fromkeys(_CLOCKS, _own_clock(0, pid)),
         "futex": _between_own_threads(1),
         # Not SOCK_DGRAM, which sends to any address.
         "socketpair": [
@@ -171,6 +179,20 @@ def _between_own_threads(operation: int) -> list[Instruction]:
         (_MASK, 0, 0, ~_FUTEX_REALTIME & 0xFFFFFFFF),
         *_compared(_FUTEX_WAITS, AGAIN),
         *_compared(_FUTEX_WAKES, PASS_OVER),
+        _answer(REFUSE),
+    ]
+
+
+def _own_clock(clock: int, pid: int) -> list[Instruction]:
+    """Refuse CPU clocks of other processes: negative numbers, made of the process and one of three kinds."""
+    own = tuple((~process << 3 | kind) & 0xFFFFFFFF for process in (0, pid) for kind in range(3))
+    return [
+        *_argument(clock),
+        (_AT_LEAST, 1, 0, 0x80000000),
+        _answer(ALLOW),
+        *_compared(own, ALLOW),
+        (_MASK, 0, 0, _CLOCK_OF_THREAD),
+        *_compared((_CLOCK_OF_THREAD,), ALLOW),
         _answer(REFUSE),
     ]
 

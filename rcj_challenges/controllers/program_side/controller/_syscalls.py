@@ -39,25 +39,21 @@ CALLS: dict[str, tuple[int | None, int | None]] = {
     "pkey_mprotect": (329, 288), "map_shadow_stack": (453, 453),
     # its own threads
     "set_robust_list": (273, 99), "set_tid_address": (218, 96), "rseq": (334, 293),
-    "arch_prctl": (158, None), "gettid": (186, 178), "sched_yield": (24, 124), "sched_getaffinity": (204, 123),
-    "sched_getparam": (143, 121), "sched_getscheduler": (145, 120), "sched_get_priority_max": (146, 125),
-    "sched_get_priority_min": (147, 126), "sched_rr_get_interval": (148, 127), "getcpu": (309, 168),
+    "arch_prctl": (158, None), "gettid": (186, 178), "sched_yield": (24, 124),
+    "sched_get_priority_max": (146, 125), "sched_get_priority_min": (147, 126), "getcpu": (309, 168),
     "membarrier": (324, 283), "exit": (60, 93), "exit_group": (231, 94), "restart_syscall": (219, 128),
     # signals to itself, timers
     "rt_sigaction": (13, 134), "rt_sigprocmask": (14, 135), "rt_sigreturn": (15, 139), "rt_sigpending": (127, 136),
     "rt_sigtimedwait": (128, 137), "rt_sigsuspend": (130, 133), "sigaltstack": (131, 132), "pause": (34, None),
-    "alarm": (37, None), "setitimer": (38, 103), "getitimer": (36, 102), "timer_create": (222, 107),
-    "timer_settime": (223, 110), "timer_gettime": (224, 108), "timer_getoverrun": (225, 109),
-    "timer_delete": (226, 111),
+    "alarm": (37, None), "setitimer": (38, 103), "getitimer": (36, 102), "timer_settime": (223, 110),
+    "timer_gettime": (224, 108), "timer_getoverrun": (225, 109), "timer_delete": (226, 111),
     # clocks
-    "nanosleep": (35, 101), "clock_nanosleep": (230, 115), "clock_gettime": (228, 113), "clock_getres": (229, 114),
-    "gettimeofday": (96, 169), "time": (201, None), "times": (100, 153),
+    "nanosleep": (35, 101), "gettimeofday": (96, 169), "time": (201, None), "times": (100, 153),
     # its own ids and limits
     "getpid": (39, 172), "getppid": (110, 173), "getuid": (102, 174), "geteuid": (107, 175), "getgid": (104, 176),
     "getegid": (108, 177), "getresuid": (118, 148), "getresgid": (120, 150), "getgroups": (115, 158),
-    "getpgid": (121, 155), "getpgrp": (111, None), "getsid": (124, 156), "capget": (125, 90), "uname": (63, 160),
-    "getrusage": (98, 165), "getrlimit": (97, 163), "setrlimit": (160, 164), "getpriority": (140, 141),
-    "getrandom": (318, 278),
+    "getpgrp": (111, None), "uname": (63, 160), "getrusage": (98, 165), "getrlimit": (97, 163),
+    "setrlimit": (160, 164), "getrandom": (318, 278),
     # the two ends of a socket pair, which asyncio wakes itself with
     "sendto": (44, 206), "recvfrom": (45, 207), "shutdown": (48, 210), "getsockopt": (55, 209),
     "getsockname": (51, 204), "getpeername": (52, 205),
@@ -67,6 +63,9 @@ IN_PART: dict[str, tuple[int | None, int | None]] = {
     "open": (2, None), "openat": (257, 56), "close_range": (436, 436), "madvise": (28, 233), "clone": (56, 220),
     "kill": (62, 129), "tgkill": (234, 131), "tkill": (200, 130), "fcntl": (72, 25), "ioctl": (16, 29),
     "prctl": (157, 167), "prlimit64": (302, 261), "socketpair": (53, 199), "futex": (202, 98),
+    "clock_gettime": (228, 113), "clock_getres": (229, 114), "clock_nanosleep": (230, 115), "timer_create": (222, 107),
+    "getpgid": (121, 155), "getsid": (124, 156), "getpriority": (140, 141), "sched_getaffinity": (204, 123),
+    "sched_getparam": (143, 121), "sched_getscheduler": (145, 120), "sched_rr_get_interval": (148, 127),
 }  # fmt: skip
 """Allowed with some arguments, which ``_seccomp`` judges."""
 
@@ -76,9 +75,9 @@ UNKNOWN: dict[str, tuple[int | None, int | None]] = {
     "futex_wake": (454, 454), "futex_wait": (455, 455), "futex_requeue": (456, 456),
 }  # fmt: skip
 """Answered as by a kernel that does not have them, so that libraries fall back. The arguments of the first two are in
-memory, where no filter can look: the C library then makes older calls that can be judged. Those of futexes could wake other
-programs. The others reveal what other programs do: which pages of files they have read, and how much memory and disk
-space they use."""
+memory, where no filter can look: the C library then makes older calls that can be judged. Those of futexes could wake
+other programs. The others reveal what other programs do: which pages of files they have read, and how much memory and
+disk space they use."""
 
 PASSED_OVER: dict[str, tuple[int | None, int | None]] = {
     "chmod": (90, None),
