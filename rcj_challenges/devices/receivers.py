@@ -43,7 +43,7 @@ class Queue:
     def trim(self) -> None:
         """Drop the oldest packets that are too many; the newest always stays. Cheap enough for every few ticks."""
         packets = self._packets
-        size = sum(len(packet.data) for packet in packets)
+        size = sum(len(packet.data) for packet in packets)  # integers
         dropped = 0
         while len(packets) - dropped > 1 and (len(packets) - dropped > QUEUE_PACKETS or size > QUEUE_BYTES):
             size -= len(packets[dropped].data)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import sqrt
 
+from rcj_challenges.core.amounts import add_up
+
 Point = tuple[float, float]
 
 
@@ -23,7 +25,7 @@ def is_simple(points: Sequence[Point]) -> bool:
     edges = [(points[i], points[(i + 1) % count]) for i in range(count)]
     if any(a == b for a, b in edges):
         return False
-    area = sum(ax * by - bx * ay for (ax, ay), (bx, by) in edges)
+    area = add_up(ax * by - bx * ay for (ax, ay), (bx, by) in edges)
     if abs(area) < 1e-12:
         return False
     for i, (a, b) in enumerate(edges):

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from rcj_challenges.core.amounts import add_up
 from rcj_challenges.core.play import Event, Fault, HalfInfo, RefereeOutput, Snapshot
 from rcj_challenges.records.sensors import SensedRobot, SensorListener
 
@@ -130,4 +131,4 @@ class ObserverGroup(Observer):
 
     def before_tick(self, tick: int) -> float:
         """Return how long all waited together in s."""
-        return sum([observer.before_tick(tick) for observer in self.observers])
+        return add_up([observer.before_tick(tick) for observer in self.observers])

@@ -188,7 +188,7 @@ class _MatchRunner:
             # Not before programs start: loading the physics takes as long as they do.
             stage = load_stage()(scenario, roster, half, recording.wrap(drivers))
             referee, devices = stage.referee, stage.devices
-            later_ticks = sum(ticks_from_s(half_s) for half_s in half_lengths_s(scenario.match)[number:])
+            later_ticks = sum(ticks_from_s(half_s) for half_s in half_lengths_s(scenario.match)[number:])  # integers
             effects = TickEffects(
                 half, later_ticks, referee, record, self._observer, pool, plan.show_output, real_time=plan.real_time
             )

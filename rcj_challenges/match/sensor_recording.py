@@ -151,7 +151,7 @@ class SensorRecording:
 
 
 def _sensed(scenario: Scenario, specs: Mapping[int, RobotSpec]) -> Sequence[SensedRobot]:
-    balls = sum(ball.emits for ball in scenario.balls.values())
+    balls = sum(ball.emits for ball in scenario.balls.values())  # integers
     return [
         SensedRobot.of(
             spec,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 import re
 
-from rcj_challenges.core.amounts import round_score
+from rcj_challenges.core.amounts import add_up, round_score
 from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.placement import PlacementJob, PlacementSpec
 from rcj_challenges.referee.placement_board import PlacementBoard
@@ -20,7 +20,7 @@ def fill_blanks(says: str, state: State, firing: Firing) -> str:
     """Return the sentence with {entity}, {each}, {other}, {team}, {measured}, {limit} and {points} filled in."""
     if "{" not in says:
         return says
-    points = str(round_score(sum(firing.scored.values())))
+    points = str(round_score(add_up(firing.scored.values())))
     filled = {
         "{entity}": plain(firing.subject or ""),
         "{each}": plain(firing.rule.each or ""),

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from itertools import accumulate
 from math import cos, pi, sin, sqrt, tau
 
+from rcj_challenges.core.amounts import add_up
 from rcj_challenges.geometry.regions import Polygon
 from rcj_challenges.referee.zones import region_of
 from rcj_challenges.scenario.models import places as models
@@ -40,7 +41,7 @@ def _of_several(zones: list[models.Zone], samplers: list[Sampler]) -> Sampler:
         for _ in range(_MAX_TRIES):
             [sample] = rng.choices(samplers, cum_weights=reach)
             point = sample(rng)
-            if rng.random() * sum(region.contains(*point) for region in regions) < 1.0:
+            if rng.random() * sum(region.contains(*point) for region in regions) < 1.0:  # integers
                 break
         return point
 
@@ -92,7 +93,7 @@ def _area_m2(zone: models.Zone) -> float:
             return pi * radius**2
         case models.PolygonZone(points_m=points):
             turned = zip(points, points[1:] + points[:1], strict=True)
-            return abs(sum(ax * by - bx * ay for (ax, ay), (bx, by) in turned)) / 2
+            return abs(add_up(ax * by - bx * ay for (ax, ay), (bx, by) in turned)) / 2
         case models.RectZone(x_min_m=float() | int() as x_0, x_max_m=float() | int() as x_1,
                              y_min_m=float() | int() as y_0, y_max_m=float() | int() as y_1):  # fmt: skip
             return (x_1 - x_0) * (y_1 - y_0)

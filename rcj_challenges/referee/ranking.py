@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from rcj_challenges.core.amounts import Score, clamp_to_max, round_score
+from rcj_challenges.core.amounts import Score, add_up, clamp_to_max, round_score
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Scenario
 
 
@@ -40,7 +40,7 @@ def ranked_counters(scenario: Scenario) -> tuple[str, ...]:
 
 def counted_for(scenario: Scenario, team: str, counter: str, halves: Sequence[Tally]) -> Score:
     """Return what a counter counts for a team over halves: those of its own robots, or one that all share."""
-    return round_score(sum(_count(half, counter, _robots(scenario, half, team)) for half in halves))
+    return round_score(add_up(_count(half, counter, _robots(scenario, half, team)) for half in halves))
 
 
 def ranking(scenario: Scenario, scores: Mapping[str, Score], halves: Sequence[Tally]) -> list[dict[str, Any]]:
@@ -63,10 +63,8 @@ def ranking(scenario: Scenario, scores: Mapping[str, Score], halves: Sequence[Ta
         for team, own in values.items()
     }
     best_first = sorted(values, key=keys.__getitem__)
-    return [
-        {"place": 1 + sum(keys[other] < keys[team] for other in values), "team": team, "values": values[team]}
-        for team in best_first
-    ]
+    places = {team: 1 + sum(keys[other] < keys[team] for other in values) for team in values}  # integers
+    return [{"place": places[team], "team": team, "values": values[team]} for team in best_first]
 
 
 def _value(
@@ -80,8 +78,8 @@ def _value(
         return score
     if isinstance(criterion, RankByCounter):
         return counted_for(scenario, team, criterion.counter, halves)
-    time_s = sum(half.time_s for half in halves)
-    added = sum(
+    time_s = add_up(half.time_s for half in halves)
+    added = add_up(
         clamp_to_max(part.weight * counted_for(scenario, team, part.counter, halves)) for part in criterion.plus
     )
     return round(clamp_to_max(time_s + added), 6)
@@ -96,7 +94,7 @@ def _count(half: Tally, name: str, robots: tuple[str, ...]) -> Score:
     """Return what a half adds to a counter that is kept, or else what it has counted."""
 
     def of_the_robots(counted: Score | Mapping[str, Score]) -> Score:
-        return sum(counted.get(robot, 0) for robot in robots) if isinstance(counted, Mapping) else counted
+        return add_up(counted.get(robot, 0) for robot in robots) if isinstance(counted, Mapping) else counted
 
     return of_the_robots(half.counters[name]) - of_the_robots(half.began.get(name, 0))
 

@@ -72,7 +72,7 @@ def robot_specs(scenario: Scenario, roster: Roster, fitted: Sequence[Fitted]) ->
         specs[robot] = RobotSpec(
             name=name,
             devices=devices,
-            values=sum(device.width for device in devices),
+            values=sum(device.width for device in devices),  # integers
             getdata_returns="text" if kit.messages == "v2.2" else "bytes",
             max_velocity_radps=kit.chassis.max_wheel_radps,
         )

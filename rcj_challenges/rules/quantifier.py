@@ -28,6 +28,6 @@ def quantified(of: Quantifier, results: Iterable[bool]) -> bool:
         return not any(results)
     judged = list(results)
     if isinstance(of, AtLeast):
-        return sum(judged) >= of.at_least
+        return sum(judged) >= of.at_least  # integers
     # "all" of none says nothing: with all of them off the field it does not hold.
     return bool(judged) and all(judged)

@@ -11,6 +11,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from math import cos, inf, sin, sqrt
 
+from rcj_challenges.core.amounts import add_up
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.polygons import Point, distance_to_segment_m
 from rcj_challenges.scenario.models.field import Box, Cylinder, Obstacle, Wall
@@ -68,7 +69,7 @@ def rectangle(length_m: float, width_m: float) -> Part:
 def counter_clockwise(points: Points) -> Points:
     """Return the corners of a polygon so that they run counter-clockwise."""
     pairs = zip(points, (*points[1:], points[0]), strict=True)
-    return points if sum(ax * by - ay * bx for (ax, ay), (bx, by) in pairs) >= 0.0 else points[::-1]
+    return points if add_up(ax * by - ay * bx for (ax, ay), (bx, by) in pairs) >= 0.0 else points[::-1]
 
 
 def robot_outline(chassis: Chassis) -> Outline:

@@ -6,7 +6,7 @@ import random
 from dataclasses import dataclass
 from math import sqrt
 
-from rcj_challenges.core.amounts import round_score
+from rcj_challenges.core.amounts import add_up, round_score
 from rcj_challenges.core.play import HalfInfo, Pose2
 from rcj_challenges.core.streams import random_stream, stream_seed
 from rcj_challenges.tracking.held import Held
@@ -115,7 +115,7 @@ class RefereeState:
         if value is None:
             return self.scores[name]
         if isinstance(value, dict):
-            return value[entity] if entity is not None else round_score(sum(value.values()))
+            return value[entity] if entity is not None else round_score(add_up(value.values()))
         return value
 
     def flag(self, name: str, entity: str | None) -> bool:

@@ -54,7 +54,7 @@ def add_fixed_rays(spec: mujoco.MjSpec, rays: Iterable[FixedRay]) -> None:
             objtype=mujoco.mjtObj.mjOBJ_SITE,
             objname=name,
         )
-        rangefinder.intprm[0] = sum(1 << int(field) for field in _FIELDS)
+        rangefinder.intprm[0] = sum(1 << int(field) for field in _FIELDS)  # integers
 
 
 def _name(robot_name: str, device_name: str) -> str:

@@ -43,7 +43,7 @@ class Recorder:
         turning = [entity for entity in range(len(tables.qpos_at)) if entity not in balls]
         self._yaws_at = [tables.qpos_at[entity] + ROBOT_YAW for entity in turning]
         # Among the numbers of all sub-steps, in which a ball has two and all else has three.
-        in_row = [3 * entity + 2 - sum(ball < entity for ball in balls) for entity in turning]
+        in_row = [3 * entity + 2 - sum(ball < entity for ball in balls) for entity in turning]  # integers
         width = 3 * entities - len(balls)
         self._yaws = [width * substep + yaw for substep in range(SUBSTEPS_PER_TICK) for yaw in in_row]
         self._last_yaws = self._yaws[len(self._yaws) - len(in_row) :]

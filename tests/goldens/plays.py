@@ -50,12 +50,11 @@ PLAYS = (
 def machine() -> str:
     """Return on what states depend beside the inputs: results compare only where this is the same.
 
-    The C library counts, because programs and noise take sines and logarithms from it; the patch of Python does not.
+    The C library counts, because programs and noise take sines and logarithms from it; the version of Python does not.
     """
     made = versions()
-    python = ".".join(made.python.split(".")[:2])
     libc = " ".join(platform.libc_ver()).strip()
-    parts = (made.system, made.machine, libc, python, f"mujoco {made.mujoco}", f"numpy {made.numpy}")
+    parts = (made.system, made.machine, libc, made.python.split()[0], f"mujoco {made.mujoco}", f"numpy {made.numpy}")
     return ", ".join(part for part in parts if part)
 
 

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from rcj_challenges.core.amounts import add_up
 from rcj_challenges.core.timing import SUBSTEP_S
 from rcj_challenges.world import contact
 from rcj_challenges.world.effects.base import Effect, Scene
@@ -53,7 +54,7 @@ class _Recoil:
 
     def speed_mps(self, point: Vector, way: Vector) -> float:
         """Return how fast the obstacle's surface moves in a direction, at a point of the field."""
-        return sum(self._qvel[self._first + k] * arm for k, arm in enumerate(self._arms(point, way)))
+        return add_up(self._qvel[self._first + k] * arm for k, arm in enumerate(self._arms(point, way)))
 
     def yields_per_kg(self, point: Vector, way: Vector) -> float:
         """Return how fast its surface moves per impulse, in m/s for each N·s, excluding degrees held by friction."""
@@ -153,10 +154,10 @@ class Restitution(Effect):
         row, softness = int(touch.efc_address), self._softness
         edges = slice(row, row + _EDGES)
         forces_n = self._data.efc_force[edges].tolist()
-        push_ns = sum(forces_n) * SUBSTEP_S
+        push_ns = add_up(forces_n) * SUBSTEP_S
         if push_ns <= 0.0:
             return
-        leaving_before_mps = sum(self._data.efc_vel[edges].tolist()) / _EDGES
+        leaving_before_mps = add_up(self._data.efc_vel[edges].tolist()) / _EDGES
         frame = touch.frame.tolist()
         _, first, _, mass_kg = self._balls[ball]
         x, y, z = (-towards * axis for axis in frame[:3])
