@@ -106,13 +106,15 @@ class Firing:
         rule: the rule's name in the scenario.
         entity: the entity that ``each`` (or the trigger) bound, else None.
         place: the zone or gate that ``each`` bound, else None.
+        settling: the number of the settling pass after the last tick in which it fired; 0: it fired in the tick.
         other: what it touched, in a rule that names ``other``, else None.
         trigger: the word that fired (``enters``, ``no_progress`` …).
         measured: what was measured (m, s, m/s or a count; None where the word measures nothing).
         limit: the limit it was compared with, in the same unit.
         scored: points by entrant that this firing gave.
         suppressed: None if its actions ran, else why not (``exclusive``, ``cooldown``, ``max_executions``, ``phase``,
-            or ``no_room``: what was to be placed waits).
+            ``no_room``: what was to be placed waits, ``phase_taken``: a rule before it set another phase, or
+            ``unsettled``: it would fire after the last settling pass).
         says: the sentence for screen and log, with names filled in.
     """
 
@@ -127,6 +129,7 @@ class Firing:
     says: str = ""
     other: str | None = None
     place: str | None = None
+    settling: int = 0
 
 
 @dataclass(frozen=True, slots=True)

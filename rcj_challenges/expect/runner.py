@@ -88,7 +88,7 @@ def run_test(loaded: Loaded, name: str) -> TestResult:
     if match.output.ended is not None or match.referee.time_is_up:
         match.finish()
     fired = dict.fromkeys(firing.rule for firing in match.firings if firing.suppressed is None)
-    differences = list(_differences(match, scenario, expected))
+    differences = [*_differences(match, scenario, expected), *_unsettled(match)]
     wanted = _wanted(differences, match, expected)
     notes = (
         (
@@ -105,6 +105,13 @@ def run_test(loaded: Loaded, name: str) -> TestResult:
         else ()
     )
     return TestResult((*differences, *notes), match.tick, tuple(fired))
+
+
+def _unsettled(match: ScriptedMatch) -> Iterable[str]:
+    """Return which rules would go on setting each other off after the half."""
+    rules = dict.fromkeys(firing.rule for firing in match.firings if firing.suppressed == "unsettled")
+    if rules:
+        yield f"unsettled: after the last tick these rules set each other off without end: {', '.join(rules)}"
 
 
 def _no_room(match: ScriptedMatch) -> Iterable[str]:

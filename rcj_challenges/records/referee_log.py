@@ -120,6 +120,9 @@ def firing_line(half: int, firing: Firing) -> dict[str, Any]:
     for key in ("other", "place"):
         if line[key] is None:
             del line[key]
+    settling = line.pop("settling")
+    if settling:
+        line["pass"] = settling
     return line
 
 
@@ -179,6 +182,7 @@ def _entry(line: Any) -> Entry:
                 says=_text(line.get("says", "")),
                 other=_text_or_none(line.get("other")),
                 place=_text_or_none(line.get("place")),
+                settling=_whole(line.get("pass", 0), 0),
             )
         case "phase":
             return PhaseChange(tick, _text(line["phase"]), bool(line["waiting_for_kickoff"]))

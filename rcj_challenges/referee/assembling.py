@@ -57,6 +57,7 @@ def _bound_rule(name: str, rule: Rule, each: str | None, context: CompileContext
         cooldown=0 if rule.cooldown_s is None else ticks_from_s(rule.cooldown_s),
         max_executions=rule.max_executions,
         says=fill_params(rule, context.scenario.params),
+        priority=rule.priority,
     )
 
 

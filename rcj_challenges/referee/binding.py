@@ -49,6 +49,7 @@ class RuleBinder(NameScope):
         self.emit = context.emit
         self.decided_place = context.state.decided_place
         self._trigger = ""
+        self._by_time = False
         self._position = 0
 
     def bind(self, position: int, trigger: Trigger) -> None:
@@ -58,7 +59,7 @@ class RuleBinder(NameScope):
             position: its place in the rule.
             trigger: the trigger.
         """
-        self._position, self._trigger = position, trigger.name()
+        self._position, self._trigger, self._by_time = position, trigger.name(), trigger.IS_TIME
         trigger.bind(self)
 
     def binding(self, entity: int | None = None) -> TriggerBinding:
@@ -68,7 +69,8 @@ class RuleBinder(NameScope):
         """
         things = self.roster.things
         name, turn = (None, len(things)) if entity is None else (things[entity], entity)
-        return TriggerBinding(self.rule, name, self._trigger, (self.rule.rank, self._position, turn))
+        key = (self.rule.rank, self._position, turn)
+        return TriggerBinding(self.rule, name, self._trigger, key, self._by_time)
 
     def index_of(self, name: str) -> int | None:
         return self.roster.index.get(name)

@@ -1,7 +1,7 @@
 """The referee: takes a snapshot, returns an output. The tick contract (ADR 1) as a list of steps.
 
-Detect, then apply: all triggers and conditions are judged against the snapshot and against counters, flags and phase
-as they were at the start of the tick; then the rules fire in order, and at last things are set down.
+Detect, then apply: all triggers are judged against the snapshot; then the rules fire in rounds (`rounds`), and at last
+things are set down. After the last tick the rules settle.
 """
 
 from __future__ import annotations
@@ -17,9 +17,10 @@ from rcj_challenges.core.play import Firing as FiringRecord
 from rcj_challenges.referee.assembling import assemble
 from rcj_challenges.referee.broadcasting import Broadcasting
 from rcj_challenges.referee.compiling import CompileContext
-from rcj_challenges.referee.log_sentences import fill_blanks, no_room_sentence
+from rcj_challenges.referee.log_sentences import no_room_sentence
 from rcj_challenges.referee.placement import PlacementJob, carry_out, compile_placement
 from rcj_challenges.referee.ranking import ranked_counters
+from rcj_challenges.referee.rounds import Rounds
 from rcj_challenges.referee.state import State
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.draw_order import Series
@@ -27,9 +28,12 @@ from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.start_poses import start_noise_m
-from rcj_challenges.tracking.bound_rules import BoundRule, Denial, Denied, Firing, TriggerHit
+from rcj_challenges.tracking.bound_rules import Denied
 from rcj_challenges.tracking.state import Number
 from rcj_challenges.tracking.trackers import NEVER
+
+MOST_PASSES = 16
+"""Settling passes after the last tick: more than any chain of rules needs that is not a loop."""
 
 
 class Referee:
@@ -37,9 +41,6 @@ class Referee:
 
     Call `start` once with the snapshot of tick 0, then `judge` with that of each tick in order, then `finish`. The
     placements of an output must be carried out exactly; the next snapshot shows their effect in the physics.
-
-    Attributes:
-        denied: what kept triggered rules from firing; None: it is not noted (only tests ask).
 
     Args:
         scenario: a checked scenario.
@@ -61,7 +62,8 @@ class Referee:
         self._half = half
         self._context = CompileContext(self._state)
         self._context.emit = self._emit
-        self._context.enter_phase = self._enter_phase
+        self._rounds = Rounds(self._state, self._context.hits, self._enter_phase)
+        self._context.enter_phase = self._rounds.set_phase
         assemble(self._context)
         self._state.decide_draws(draws or {})
         self._state.decide_spots(spots or {})
@@ -75,13 +77,12 @@ class Referee:
         self._entered: list[tuple[str, str]] = []
         self._emitted: list[tuple[str, tuple[str, ...]]] = []
         self._events: list[Event] = []
-        self._firings: list[FiringRecord] = []
+        self._firings = self._rounds.firings
         self._quiet: RefereeOutput | None = None
         broadcast = scenario.broadcast
         self._broadcast = None if broadcast is None else Broadcasting(broadcast, self._context)
         self._ranked_by = ranked_counters(scenario)
         self._change_tracker = ChangeTracker(self._state.scores)
-        self.denied: Denied | None = None
 
     # --- state for readers --------------------------------------------------------------------------------------------
 
@@ -104,6 +105,15 @@ class Referee:
     def flags(self) -> dict[str, bool | dict[str, bool]]:
         """Flags by name; those kept per entity as a mapping."""
         return self._state.flags
+
+    @property
+    def denied(self) -> Denied | None:
+        """What kept triggered rules from firing; None: it is not noted (only tests need it)."""
+        return self._rounds.denied
+
+    @denied.setter
+    def denied(self, found: Denied | None) -> None:
+        self._rounds.denied = found
 
     @property
     def held(self) -> dict[str, bool]:
@@ -170,7 +180,7 @@ class Referee:
         self._trackers.enter(state.phase, None)
         self._hits.report(self._clock_events.half_started)
         self._report_faults(snapshot.faults)
-        self._fire()
+        self._rounds.fire()
         self._scatter_starts()
         return self._output()
 
@@ -199,7 +209,7 @@ class Referee:
         if heard or changed_phase or snapshot.faults or self._clock_events.times:
             self._report_moments(snapshot.faults)
         if self._hits:
-            self._fire()
+            self._rounds.fire()
         if self._events or self._firings or self._queue.busy or self._broadcast is not None:
             return self._output()
         return self._quiet_output()
@@ -220,10 +230,35 @@ class Referee:
             self._receive_messages(snapshot.heard)
 
     def finish(self) -> RefereeOutput:
-        """Run the ``half_ended`` rules after the last tick; one of them may still end the match."""
+        """Settle what the last tick set off, fire ``half_ended``, and settle again; a rule may still end the match."""
+        ended = self._state.ended
+        placements = self._settle()
         self._hits.report(self._clock_events.half_ended)
-        self._fire()
-        return self._output()
+        settled, self._rounds.settling = self._rounds.settling, 0
+        self._rounds.fire()
+        placements += self._carry_out()
+        self._rounds.settling = settled
+        placements += self._settle()
+        if self._hits:
+            self._rounds.log_unsettled()
+        if not self._state.match_over:
+            self._state.ended = ended  # what is over cannot end once more
+        return replace(self._output(), placements=placements)
+
+    def _settle(self) -> tuple[Placement, ...]:
+        """Judge passes in which no time passes, until one fires nothing; `MOST_PASSES` in all.
+
+        Events, phases entered, and conditions that have come true set rules off; clock, timers and windows stand.
+        """
+        placements: tuple[Placement, ...] = ()
+        while True:
+            self._report_changes()
+            self._trackers.settle()
+            if not self._hits or self._rounds.settling == MOST_PASSES:
+                return placements
+            self._rounds.settling += 1
+            self._rounds.fire()
+            placements += self._carry_out()
 
     # --- events of this tick ------------------------------------------------------------------------------------------
 
@@ -234,6 +269,14 @@ class Referee:
 
     def _report_moments(self, faults: tuple[Fault, ...]) -> None:
         """Report the moments of this tick: phases entered, events of the tick before, times, faults."""
+        self._report_changes()
+        if self._clock_ran:
+            for one in self._clock_events.due_at(self._state.clock):
+                self._hits.report([one.binding], one.next_s, one.at_s)
+        self._report_faults(faults)
+
+    def _report_changes(self) -> None:
+        """Report phases entered and events emitted since the last time."""
         entered, self._entered = self._entered, []
         emitted, self._emitted = self._emitted, []
         for phase, left in entered:
@@ -245,10 +288,6 @@ class Referee:
             self._hits.report(events.get((name, None), []))
         for heard_of in dict.fromkeys((name, one) for name, about in emitted for one in about):
             self._hits.report(events.get(heard_of, []))
-        if self._clock_ran:
-            for one in self._clock_events.due_at(self._state.clock):
-                self._hits.report([one.binding], one.next_s, one.at_s)
-        self._report_faults(faults)
 
     def _report_faults(self, faults: tuple[Fault, ...]) -> None:
         for fault in faults:
@@ -265,86 +304,14 @@ class Referee:
                     if says(text):
                         self._hits.report([binding], number_in(text))
 
-    # --- firing -------------------------------------------------------------------------------------------------------
-
-    def _fire(self) -> None:
-        """Judge the conditions of all rules whose triggers fired, then run the actions in order."""
-        phase = self._state.phase
-        chosen = [
-            hit
-            for hit in self._hits.first_by_rule()
-            if hit.binding.rule.is_active_in(phase) and all(test() for test in hit.binding.rule.tests)
-        ]
-        denied = self._denied_rules(chosen) if self.denied is not None else ()
-        self._hits.clear()
-        won: set[tuple[str, str | None]] = set()
-        for hit in chosen:
-            self._run(hit, won)
-        for rule, place in denied:
-            self._note_denial(rule, place)
-
-    def _denied_rules(self, chosen: list[TriggerHit]) -> list[tuple[BoundRule, int]]:
-        """Return the triggered rules that do not fire, each with the place of the condition that does not hold."""
-        fire = {hit.binding.rule.rank for hit in chosen}
-        triggered = (hit.binding.rule for hit in self._hits.first_by_rule())
-        return [
-            (rule, next(place for place, test in enumerate(rule.tests) if not test()))
-            for rule in triggered
-            if rule.rank not in fire and rule.is_active_in(self._state.phase)
-        ]
-
-    def _note_denial(self, rule: BoundRule, place: int) -> None:
-        """Note what kept a rule from firing, in a test; of several that it is for, what kept the first of them."""
-        if self.denied is not None:
-            held_after = rule.tests[place]()
-            self.denied.setdefault(rule.name, {}).setdefault(self._state.tick, Denial(place, held_after))
-
-    def _run(self, hit: TriggerHit, won: set[tuple[str, str | None]]) -> None:
-        rule, state = hit.binding.rule, self._state
-        firing = Firing(rule, hit.binding.entity, hit.binding.trigger, hit.measured, hit.limit)
-        suppressed = self._suppressed(rule, won)
-        if suppressed is None:
-            if rule.exclusive is not None:
-                won.add(rule.exclusive)
-            rule.past.executions += 1
-            rule.past.rests_until = state.tick + rule.cooldown
-            for act in rule.actions:
-                act(firing)
-        self._firings.append(
-            FiringRecord(
-                tick=state.tick,
-                rule=rule.name,
-                entity=firing.subject,
-                other=rule.other,
-                trigger=firing.trigger,
-                measured=firing.measured,
-                limit=firing.limit,
-                scored=firing.scored,
-                suppressed=suppressed,
-                says=fill_blanks(rule.says, state, firing),
-                place=firing.place,
-            )
-        )
-
-    def _suppressed(self, rule: BoundRule, won: set[tuple[str, str | None]]) -> str | None:
-        if not rule.is_active_in(self._state.phase):
-            return "phase"
-        if rule.exclusive in won:
-            return "exclusive"
-        if self._state.tick < rule.past.rests_until:
-            return "cooldown"
-        if rule.max_executions is not None and rule.past.executions >= rule.max_executions:
-            return "max_executions"
-        return None
+    # --- events and phases --------------------------------------------------------------------------------------------
 
     def _emit(self, name: str, payload: dict[str, object], about: tuple[str, ...]) -> None:
         self._events.append(Event(self._state.tick, name, payload))
         self._emitted.append((name, about))
 
-    # --- phases -------------------------------------------------------------------------------------------------------
-
     def _enter_phase(self, phase: str) -> None:
-        """Enter a phase at once; ``phase_entered`` fires in the next tick."""
+        """Enter a phase; ``phase_entered`` fires in the next tick."""
         left = self._state.phase
         self._entered.append((phase, left))
         self._state.phase = phase
@@ -398,8 +365,9 @@ class Referee:
         says = no_room_sentence(job, job.spec, state, self._context.bodies)
         name = state.roster.entities[job.entity]
         record = FiringRecord(
-            state.tick, job.rule.name, name, "place", suppressed="no_room", says=says, other=job.rule.other
-        )
+            state.tick, job.rule.name, name, "place", suppressed="no_room", says=says, other=job.rule.other,
+            settling=self._rounds.settling,
+        )  # fmt: skip
         self._firings.append(record)
 
     # --- the output ---------------------------------------------------------------------------------------------------

@@ -159,10 +159,12 @@ class Trigger(Word):
         LIMIT: the field with the limit that it measures against; empty: none.
         REASON: what follows the entity where a replay says why it fired, with its fields, `measured` and `limit`.
         ABOUT: the field with what it can be about; it need not have one.
+        IS_TIME: whether a time sets it off, so that its rules fire after all else of their priority.
     """
 
     KEY = "trigger"
     ABOUT: ClassVar = "entity"
+    IS_TIME: ClassVar = False
     MEASURED: ClassVar = ""
     LIMIT: ClassVar = ""
     REASON: ClassVar = ""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import groupby
 from typing import NamedTuple
 
 from rcj_challenges.rules.actions.set_phase import SetPhase
@@ -15,7 +16,7 @@ class Turn(NamedTuple):
 
     Attributes:
         name: of the rule.
-        phases: one of these is on by then: a rule before may have left the first phase.
+        phases: one of these is on by then: a rule of a lower priority may have left the first phase.
         lives: those of them in which the rule is active.
         surely: whether it fires in every half.
     """
@@ -30,14 +31,21 @@ def rules_at_start(scenario: Scenario) -> Iterator[Turn]:
     """Yield the rules with the trigger ``half_started``, in the order in which they fire."""
     first = frozenset({scenario.first_phase})
     phases = first
-    for name, rule in sorted(scenario.rules.items(), key=lambda named: named[1].priority):
-        own = phases | first if rule.phases == "any" else frozenset(rule.phases)
-        if first <= own and any(isinstance(trigger, HalfStarted) for trigger in rule.triggers):
+    starting = [one for one in scenario.rules.items() if any(isinstance(two, HalfStarted) for two in one[1].triggers)]
+    for _, group in groupby(sorted(starting, key=lambda one: one[1].priority), key=lambda one: one[1].priority):
+        then = phases  # a phase that a rule sets begins after the rules of its priority
+        for name, rule in group:
+            own = phases | first if rule.phases == "any" else frozenset(rule.phases)
+            if not first <= own:
+                continue
             surely = phases <= own and not rule.conditions and rule.exclusive is None
             yield Turn(name, phases, phases & own, surely)
-            entered = [action.phase for action in rule.actions if isinstance(action, SetPhase)][-1:]
-            if entered and phases & own:
-                phases = frozenset(entered) if surely else phases.union(entered)
+            entered = [action.phase for action in rule.actions if isinstance(action, SetPhase)][:1]
+            if entered and phases & own and then == phases:
+                then = frozenset(entered) if surely else then.union(entered)
+            elif entered and phases & own:
+                then = then.union(entered)
+        phases = then
 
 
 def firing_each_half(scenario: Scenario) -> frozenset[str]:

@@ -43,6 +43,7 @@ class BoundRule:
         cooldown: ticks it rests after firing.
         max_executions: how often it may fire in the half.
         says: the sentence; what is known only when it fires is not filled in yet.
+        priority: rules with a lower one fire in an earlier round.
         rank: place in the order of firing, over all bound rules.
         tests: compiled conditions.
         actions: compiled actions.
@@ -56,6 +57,7 @@ class BoundRule:
     cooldown: int
     max_executions: int | None
     says: str
+    priority: int = 0
     rank: int = 0
     tests: tuple[Test, ...] = ()
     actions: tuple[Act, ...] = ()
@@ -123,34 +125,48 @@ class TriggerBinding:
         entity: the entity or obstacle it is about, or None.
         trigger: the word.
         key: order among all bindings: the rule's rank, the trigger's place in the rule, the index of what it is about.
+        by_time: whether a time sets it off, so that it fires after all else of its priority.
     """
 
     rule: BoundRule
     entity: str | None
     trigger: str
     key: tuple[int, int, int]
+    by_time: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class TriggerHit:
-    """A trigger that fired in this tick."""
+    """A trigger that fired in this tick; ``is_past``: whether an earlier round has undone it, None: nothing can."""
 
     binding: TriggerBinding
     measured: float | None = None
     limit: float | None = None
+    is_past: Test | None = None
+
+    @property
+    def round(self) -> tuple[int, bool]:
+        """The round in which it fires: its rule's priority, and whether a time set it off."""
+        return self.binding.rule.priority, self.binding.by_time
 
 
 class HitBuffer(list[TriggerHit]):
     """The triggers that fired in this tick."""
 
-    def report(self, bindings: list[TriggerBinding], measured: float | None = None, limit: float | None = None) -> None:
+    def report(
+        self,
+        bindings: list[TriggerBinding],
+        measured: float | None = None,
+        limit: float | None = None,
+        is_past: Test | None = None,
+    ) -> None:
         """Add a hit for each of the bindings."""
         for binding in bindings:
-            self.append(TriggerHit(binding, measured, limit))
+            self.append(TriggerHit(binding, measured, limit, is_past))
 
     def first_by_rule(self) -> list[TriggerHit]:
-        """Return one hit for each bound rule, in the order of firing; of several, the first trigger's."""
+        """Return one hit for each bound rule, in the order of firing; of several, the first trigger's of its round."""
         first: dict[int, TriggerHit] = {}
-        for hit in sorted(self, key=lambda hit: hit.binding.key):
+        for hit in sorted(self, key=lambda hit: (hit.round, hit.binding.key)):
             first.setdefault(hit.binding.key[0], hit)
         return list(first.values())

@@ -56,6 +56,9 @@ class Tracker:
         """React to one of its entities being put elsewhere or taken off: by default it is reset."""
         self.reset()
 
+    def settle(self) -> None:
+        """Report what came true after the last tick, in which no time passes; by default nothing does."""
+
 
 class PositionTracker(Tracker):
     """A tracker on where one entity's centre is."""
@@ -222,6 +225,11 @@ class TrackerManager:
         for tracker in self._active.ticking:
             if tracker.since != tick or not changed_phase:
                 tracker.update()
+
+    def settle(self) -> None:
+        """Let the active trackers report what came true after the last tick, in which no time passes."""
+        for tracker in self._active.all:
+            tracker.settle()
 
     def _that_left(self, substeps: list[list[Pose2]]) -> Sequence[int]:
         """Return the entities that left their cell in any sub-step: none, on most ticks."""

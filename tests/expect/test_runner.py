@@ -145,7 +145,7 @@ rules:
 
 class TestDecidedDraws:
     def drawn(self, run, decided: list[str], sides: list[str]) -> list[str]:
-        frames = ", ".join(f"{{at_s: {0.1 * (index + 1):g}, touch: [[Y1, ball]]}}" for index in range(len(sides)))
+        frames = ", ".join(f"{{at_s: {0.3 * (index + 1):g}, touch: [[Y1, ball]]}}" for index in range(len(sides)))
         events = ", ".join(f"{{event: DRAWN, payload: {{side: {side}}}}}" for side in sides)
         return run(f"draws: {{side: [{', '.join(decided)}]}}, keyframes: [{frames}], events: [{events}]")
 

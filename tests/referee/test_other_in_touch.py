@@ -43,7 +43,7 @@ class TestTag:
         play.play()
         for _ in range(20):
             touch(play, "Y1", "B2")
-        play.play(2)
+        play.play(7)
         touch(play, "Y1", "B2")
         assert caught(play) == [("Y1", "B2"), ("B2", "Y1")]
 
@@ -198,7 +198,7 @@ class TestWhatItMayStandFor:
         play.play()
         play.touch("Y1", "B1")
         assert not play.play().events
-        play.play()
+        play.play(7)
         play.place("Y1", -0.2, 0.0)
         play.place("B1", 0.0, 0.0, 0.5)
         play.touch("Y1", "B1")

@@ -94,7 +94,7 @@ class TestLine2:
 
     def test_2_2_contact_facts_are_latched_in_each_sub_step(self, stage):
         play = stage(
-            f"rules: {{hit: {{triggers: [{{trigger: touches, entity: ball, other: B1}}], actions: [{EMIT}]}}}}"
+            f"rules: {{hit: {{triggers: [{{trigger: touches, entity: ball, other: B1, apart_s: 0}}], actions: [{EMIT}]}}}}"
         )
         pair = (play.roster.index["B1"], play.roster.index["ball"])
         feed(play, *[(0.0, 0.0)] * 4, touches=((), (pair,), (), ()))
@@ -248,22 +248,58 @@ class TestLine4:
             (3, "worn", "max_executions"), (3, "next", "cooldown"),
         ]  # fmt: skip
 
+    def test_4_7_what_a_time_sets_off_fires_after_all_else_of_its_priority(self, stage):
+        play = stage("timers: {egg: {lasts_s: 0.16, starts: true}}",
+                     "rules: {late: {triggers: [{trigger: timer_expired, timer: egg}], actions: [{action: emit, event: LATE}]}}",
+                     "rules: {came: {triggers: [{trigger: enters, entity: ball, zone: middle}], actions: [{action: timer, timer: egg}]}}",
+                     "balls: {ball: {start_m: [0.3, 0]}}")  # fmt: skip
+        play.play(4)
+        place(play, "ball", 0.0, 0.0)
+        assert [firing.rule for firing in play.firings] == ["came"]  # the timer that was restarted has not run out
+        play.play(5)
+        assert event_ticks(play, "LATE") == [10]
+
+    def test_4_8_the_rules_of_a_later_round_see_what_the_earlier_one_counted(self, stage):
+        play = stage("counters: {hits: {}}", once(5, "{action: count, counter: hits}"),
+                     *[once(5, EMIT, name=name, more=f"{more}conditions: [{{condition: counter, counter: hits, at_least: 1}}],")
+                       for name, more in (("same", ""), ("later", "priority: 1, "))])  # fmt: skip
+        play.play(5)
+        assert [firing.rule for firing in play.firings] == ["act", "later"]
+
 
 class TestLine5:
     PHASES = "phases: {pause: {}, other: {}}"
 
-    def test_5_1_set_phase_suppresses_later_firings_of_rules_that_do_not_live_there(self, stage):
+    def test_5_1_a_phase_begins_when_its_round_ends_whatever_the_order_in_the_file(self, stage):
         play = stage(
             self.PHASES,
             once(5, "{action: set_phase, phase: pause}"),
-            once(5, EMIT, name="gone"),
-            once(5, "{action: emit, event: STAYS}", name="stays", more="phases: any,"),
+            once(5, EMIT, name="same_round"),
+            once(5, EMIT, name="gone", more="priority: 1,"),
+            once(5, "{action: emit, event: STAYS}", name="stays", more="priority: 1, phases: any,"),
         )
         play.play(5)
         assert [(firing.rule, firing.suppressed) for firing in play.firings] == [
-            ("act", None), ("gone", "phase"), ("stays", None),
+            ("act", None), ("same_round", None), ("gone", "phase"), ("stays", None),
         ]  # fmt: skip
-        assert play.names() == ["STAYS"]
+
+    def test_of_two_phases_set_in_one_round_the_first_in_the_file_begins(self, stage):
+        play = stage(
+            self.PHASES,
+            once(5, "{action: set_phase, phase: pause}"),
+            once(5, "{action: set_phase, phase: other}", EMIT, name="late"),
+        )
+        play.play(5)
+        assert play.referee.phase == "pause"
+        assert [(firing.rule, firing.suppressed) for firing in play.firings] == [
+            ("act", None), ("late", None), ("late", "phase_taken"),
+        ]  # fmt: skip
+
+    def test_a_rule_of_a_phase_that_began_in_this_tick_waits_for_the_next(self, stage):
+        play = stage(self.PHASES, once(5, "{action: set_phase, phase: pause}"),
+                     once(5, EMIT, name="new", more="priority: 1, phases: [pause],"))  # fmt: skip
+        play.play(6)
+        assert event_ticks(play) == []
 
     def test_5_2_entering_a_phase_arms_the_rules_that_did_not_live_in_the_one_left(self, stage):
         came = f"triggers: [{IN_MIDDLE}], actions: [{{action: emit, event: %s}}]"
@@ -319,6 +355,69 @@ class TestLine5:
         play.play(5)
         play.finish()
         assert event_ticks(play) == [5]
+
+    @staticmethod
+    def _settled(stage, *sections: str):
+        play = stage(*sections)
+        play.play(5)
+        play.finish()
+        return play
+
+    END = once(5, "{action: end}", name="over")
+    TOTAL = "counters: {hits: {}}"
+
+    def test_5_9_events_of_the_last_tick_still_set_rules_off(self, stage):
+        play = self._settled(
+            stage, self.END, once(5, "{action: emit, event: ONE}"),
+            "rules: {two: {triggers: [{trigger: event, event: ONE}], actions: [{action: emit, event: TWO}]}, "
+            "three: {triggers: [{trigger: event, event: TWO}], actions: [{action: emit, event: THREE}]}}",
+        )  # fmt: skip
+        assert [(one.rule, one.tick, one.settling) for one in play.firings if one.settling] == [
+            ("two", 5, 1),
+            ("three", 5, 2),
+        ]
+
+    def test_what_half_ended_counts_is_compared(self, stage):
+        play = self._settled(
+            stage, self.END, self.TOTAL,
+            "rules: {last: {triggers: [{trigger: half_ended}], actions: [{action: count, counter: hits, by: 3}]}, "
+            "enough: {triggers: [{trigger: holds, condition: {condition: counter, counter: hits, at_least: 3}}], "
+            "actions: [{action: score, entrant: yellow}]}}",
+        )  # fmt: skip
+        assert play.referee.scores["yellow"] == 1
+
+    def test_no_time_passes_while_the_rules_settle(self, stage):
+        play = self._settled(
+            stage, self.END, "timers: {egg: {lasts_s: 0.192, starts: true}}",
+            "rules: {rings: {triggers: [{trigger: timer_expired, timer: egg}, {trigger: time_reached, at_s: 0.192}], "
+            "actions: [{action: emit, event: LATE}]}}",
+            "rules: {waits: {triggers: [{trigger: holds, condition: {condition: in_zone, entity: ball, zone: middle}, for_s: 0.192}], "
+            "actions: [{action: emit, event: LATE}]}}",
+        )  # fmt: skip
+        assert event_ticks(play, "LATE") == []
+
+    def test_rules_that_set_each_other_off_end_after_16_passes_and_the_log_says_so(self, stage):
+        play = self._settled(
+            stage, self.END, once(5, "{action: emit, event: PING}"),
+            "rules: {ping: {triggers: [{trigger: event, event: PING}], actions: [{action: emit, event: PONG}]}, "
+            "pong: {triggers: [{trigger: event, event: PONG}], actions: [{action: emit, event: PING}]}}",
+        )  # fmt: skip
+        assert max(one.settling for one in play.firings) == 16
+        assert play.firings[-1].suppressed == "unsettled"
+
+    def test_while_the_rules_settle_only_the_match_can_end(self, stage):
+        ends = "rules: {last: {triggers: [{trigger: half_ended}], actions: [{action: end, what: %s, reason: later}]}}"
+        assert self._settled(stage, self.END, ends % "half").output.ended == "over"
+        assert self._settled(stage, self.END, ends % "match").output.ends_match
+
+    def test_a_settling_removal_is_seen_by_the_next_pass(self, stage):
+        play = self._settled(
+            stage, self.END,
+            "rules: {last: {triggers: [{trigger: half_ended}], actions: [{action: remove, entity: Y1}, {action: emit, event: GONE}]}, "
+            "then: {triggers: [{trigger: event, event: GONE}], conditions: [{condition: distance, entity: Y1, to: ball, at_most: 9}], "
+            "actions: [{action: emit, event: SEEN}]}}",
+        )  # fmt: skip
+        assert play.names() == ["GONE"]
 
 
 class TestLine10:

@@ -46,7 +46,7 @@ def test_drawn_length_of_a_phase_counts_as_drawn_when_it_is_entered(stage):
         draws={"long": 0.32},
     )  # fmt: skip
     play.play(60)
-    assert event_ticks(play) == [30]  # 10 ticks as drawn before the half, then 20 ticks
+    assert event_ticks(play) == [10, 30]  # 10 ticks as drawn before the half, then 20 ticks
 
 
 class TestTriggerTimeReached:
@@ -146,11 +146,37 @@ def test_fault_of_another_robot_does_not_fire(stage):
 class TestTriggerTouches:
     def test_it_fires_when_they_come_into_contact_not_while_they_stay_so(self, stage):
         play = stage(hears("touches, entity: ball, other: robots"))
-        for tick in range(1, 10):
-            if tick in {3, 4, 5, 8}:
+        for tick in range(1, 20):
+            if tick in {3, 4, 5, 12}:
                 play.touch("ball", "B1")
             play.play()
-        assert event_ticks(play) == [3, 8]
+        assert event_ticks(play) == [3, 12]
+
+    @pytest.mark.parametrize(
+        ("apart", "ticks"), [("", [1, 20]), (", apart_s: 0", [1, 3, 8, 20]), (", apart_s: 0.1", [1, 8, 20])]
+    )
+    def test_a_contact_that_is_interrupted_for_a_moment_is_one_contact(self, stage, apart, ticks):
+        play = stage(hears(f"touches, entity: ball, other: walls{apart}"))
+        for tick in range(1, 30):
+            if tick in {1, 3, 8, 20}:
+                play.touch("ball", "walls")
+            play.play()
+        assert event_ticks(play) == ticks
+
+    def test_a_placement_ends_a_contact(self, stage):
+        back = once(2, "{action: place, entity: ball, at: {point: [0, 0]}}")
+        play = stage(hears("touches, entity: ball, other: walls"), back)
+        touch(play, "ball", "walls", ticks=2)
+        touch(play, "ball", "walls")
+        assert event_ticks(play) == [1, 3]
+
+    def test_what_is_apart_for_a_moment_still_touches_at_intervals(self, stage):
+        play = stage(hears("touches, entity: ball, other: walls, every_s: 0.32"))
+        for tick in range(1, 22):
+            if tick % 3:
+                play.touch("ball", "walls")
+            play.play()
+        assert event_ticks(play) == [1, 11, 21]
 
     def test_walls_are_a_thing_too(self, stage):
         play = stage(hears("touches, entity: [B1, ball], other: walls"))

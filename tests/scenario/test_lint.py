@@ -112,6 +112,8 @@ CASES = [
      (EMPTY, rule("a", "{trigger: event, event: ON}", "{action: emit, event: ON}", ", cooldown_s: 1"))),
     ("missing-says", (EMPTY, "  a: {triggers: [{trigger: half_started}], actions: [{action: emit, event: STARTED}]}\n"),
      (EMPTY, TOLD)),
+    ("scores-once", (EMPTY, rule("a", "{trigger: enters, entity: robots, zone: pitch}", "{action: score, entrant: yellow}")),
+     (EMPTY, rule("a", "{trigger: enters, entity: each, zone: pitch}", "{action: score, entrant: yellow}", ", for_each: robots"))),
     ("each-of-none", (EMPTY, rule("a", "{trigger: touches, entity: each, other: robots}", more=", for_each: obstacles")),
      (EMPTY, rule("a", "{trigger: touches, entity: each, other: robots}", more=", for_each: balls"))),
     ("each-never-named", (EMPTY, rule("a", "{trigger: half_started}", more=", for_each: robots")),

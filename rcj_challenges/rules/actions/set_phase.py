@@ -9,7 +9,7 @@ from rcj_challenges.rules.refs import PHASE
 
 
 class SetPhase(Action):
-    """Enter a phase at once; if it is the current one, it begins again."""
+    """Enter a phase when the round of this rule ends; if it is the current one, it begins again."""
 
     action: Literal["set_phase"]
     phase: Annotated[Name, PHASE] = described(..., "the phase")

@@ -18,7 +18,10 @@ class Enters(Trigger):
     )
 
     ASKS_WHERE = True
-    NOTES = ("Zones that are named together count as one: moving from one straight into the other is not entering.",)
+    NOTES = (
+        "Zones that are named together count as one: moving from one straight into the other is not entering.",
+        "A rule without for_each fires once if several entities enter in one tick; with for_each, once for each.",
+    )
     EXAMPLE = """
 rules:
   goal:

@@ -11,6 +11,7 @@ class HalfEnded(Trigger):
 
     trigger: Literal["half_ended"]
 
+    IS_TIME = True
     EXAMPLE = HalfStarted.EXAMPLE
     SENTENCE = "a half is over"
 

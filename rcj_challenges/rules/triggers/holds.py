@@ -117,7 +117,9 @@ class HoldTracker(TickTracker):
     def update(self) -> None:
         tick = self._state.tick
         if not self._test():
-            if self._began is not None and self._lost is None:
+            if self._grace == 0:
+                self._began = None
+            elif self._began is not None and self._lost is None:
                 self._lost = tick
             return
         if self._began is None or (self._lost is not None and tick - self._lost > self._grace):
@@ -126,6 +128,11 @@ class HoldTracker(TickTracker):
         if tick >= self._next:
             self._next = self._next_after(tick, self._began)
             self._hits.report(self.bindings, s_from_ticks(tick - self._began), self._for_s)
+
+    def settle(self) -> None:
+        """Report a condition that has come true although no time passed; what must last needs time."""
+        if self._for == 0:
+            self.update()
 
     def _next_after(self, tick: int, began: int) -> int:
         """Return when it fires again.

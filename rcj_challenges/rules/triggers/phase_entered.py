@@ -17,6 +17,7 @@ class PhaseEntered(Trigger):
     phase: Annotated[Name, PHASE] = described(..., "the phase entered")
     from_: Annotated[Name | None, PHASE] = Field(None, alias="from", description="only if entered from this phase")
 
+    IS_TIME = True
     EXAMPLE = """
 phases:
   pause: {lasts_s: 2, next: play, waiting_for_kickoff: true}

@@ -17,6 +17,7 @@ class TimeReached(Trigger):
         None, "interval in s at which it fires again, counted from at_s, until the half ends; if omitted: it fires once"
     )
 
+    IS_TIME = True
     MEASURED = "the time in s"
     LIMIT = "at_s"
     EXAMPLE = """

@@ -1,5 +1,8 @@
 """The trigger ``timer_expired``."""
 
+from dataclasses import replace
+from functools import partial
+from operator import ne
 from typing import Annotated, Literal
 
 from rcj_challenges.core.timing import s_from_ticks
@@ -20,6 +23,7 @@ class TimerExpired(Trigger):
         ..., "the timer; if it is kept per entity: with for_each, that of the member; otherwise, any of them"
     )
 
+    IS_TIME = True
     MEASURED = "the length in s of the timer"
     EXAMPLE = """
 timers:
@@ -94,6 +98,7 @@ class TimerTracker(DueTracker):
     def update(self) -> None:
         for member, clock in self._clocks.items():
             if self._end(clock) == self._state.tick:
-                ran_s = s_from_ticks(clock.length)
-                self._hits.report(self.by_member.get(member, []), ran_s, clock.length_s)
+                ran_s, end = s_from_ticks(clock.length), replace(clock)
+                is_past = partial(ne, end, clock)  # an earlier round stopped or restarted it
+                self._hits.report(self.by_member.get(member, []), ran_s, clock.length_s, is_past)
         self.reschedule()

@@ -4,17 +4,17 @@ from typing import Annotated, Literal
 
 from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.rules.base import Binder, Phrases, Trigger
-from rcj_challenges.rules.fields import DurationS, Names, described
+from rcj_challenges.rules.fields import DurationS, Names, NotNegative, described
 from rcj_challenges.rules.phrasing import seconds
 from rcj_challenges.rules.refs import FIXED, MOVING, THINGS, Ref
 from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding
-from rcj_challenges.tracking.contacts import Contacts, Pair
+from rcj_challenges.tracking.contacts import APART_S, Contacts, Pair, substeps_apart
 from rcj_challenges.tracking.state import RefereeState
 from rcj_challenges.tracking.trackers import TickTracker
 
 
 class Touches(Trigger):
-    """Fires when two bodies that were not in contact in the previous sub-step come into contact."""
+    """Fires when two bodies come into contact."""
 
     trigger: Literal["touches"]
     entity: Annotated[Names, THINGS] = described(
@@ -30,6 +30,11 @@ class Touches(Trigger):
         None,
         "interval in s at which it fires again while the contact lasts; if omitted: it fires "
         "only once, when the contact begins",
+    )
+    apart_s: NotNegative = described(
+        APART_S,
+        "a contact that is interrupted for less than this time in s is one contact; a placement ends it; 0: each "
+        "interruption ends it",
     )
 
     EXAMPLE = """
@@ -84,7 +89,8 @@ expect:
     def bind(self, to: Binder) -> None:
         """Bind a rule to new contacts of each pair, and with ``every_s`` to a tracker of contacts that last."""
         to.contacts.used = True
-        tracker = to.track(TouchTracker, (), to.contacts)
+        apart = substeps_apart(self.apart_s)
+        tracker = to.track(TouchTracker, (apart,), to.contacts, apart)
         names = zip(to.members(self.other), to.things(self.other), strict=True)
         others = [index for name, index in names if to.rule.other in (None, name)]
         for entity in to.things(self.entity):
@@ -94,7 +100,7 @@ expect:
                     pair = (min(entity, other), max(entity, other))
                     tracker.by_pair.setdefault(pair, []).append(binding)
                     if self.every_s is not None:
-                        key = (pair, self.every_s)
+                        key = (pair, self.every_s, apart)
                         to.track(LastingTouchTracker, key, to.contacts, *key).bindings.append(binding)
 
     def describe(self, phrases: Phrases) -> str:
@@ -109,25 +115,30 @@ class TouchTracker(TickTracker):
         by_pair: the rules that it reports to, by pair of things.
     """
 
-    def __init__(self, state: RefereeState, hits: HitBuffer, contacts: Contacts) -> None:
+    def __init__(self, state: RefereeState, hits: HitBuffer, contacts: Contacts, apart: int) -> None:
         super().__init__(state, hits)
         self.by_pair: dict[Pair, list[TriggerBinding]] = {}
         self._contacts = contacts
+        self._apart = apart
 
     def reset(self) -> None:
         """Do nothing: what touches is remembered by the contacts."""
 
     def update(self) -> None:
-        for pair in self._contacts.fresh:
-            self._hits.report(self.by_pair.get(pair, []))
+        for pair, gap in self._contacts.fresh:
+            if gap >= self._apart:
+                self._hits.report(self.by_pair.get(pair, []))
 
 
 class LastingTouchTracker(TickTracker):
     """Reports at intervals that two things still touch; that they began to is reported by the `TouchTracker`."""
 
-    def __init__(self, state: RefereeState, hits: HitBuffer, contacts: Contacts, pair: Pair, every_s: float) -> None:
+    def __init__(
+        self, state: RefereeState, hits: HitBuffer, contacts: Contacts, pair: Pair, every_s: float, apart: int
+    ) -> None:
         super().__init__(state, hits)
         self._pair = pair
+        self._apart = apart
         self._every_s = every_s
         self._began = self._times = self._due = 0
         self._contacts = contacts
@@ -138,9 +149,9 @@ class LastingTouchTracker(TickTracker):
         self._count(1)
 
     def update(self) -> None:
-        if self._pair in self._contacts.fresh:
+        if any(pair == self._pair and gap >= self._apart for pair, gap in self._contacts.fresh):
             self.reset()
-        elif self._pair in self._contacts.touching and self._state.tick >= self._due:
+        elif self._state.tick >= self._due and self._contacts.is_one_contact(self._pair, self._apart):
             self._count(self._times + 1)
             self._hits.report(self.bindings)
 

@@ -8,8 +8,11 @@ from rcj_challenges.rules.actions.emit import Emit
 from rcj_challenges.rules.actions.end import End
 from rcj_challenges.rules.actions.score import Score
 from rcj_challenges.rules.actions.set_phase import SetPhase
+from rcj_challenges.rules.triggers.crosses import Crosses
+from rcj_challenges.rules.triggers.enters import Enters
 from rcj_challenges.rules.triggers.event import OnEvent
 from rcj_challenges.rules.triggers.half_started import HalfStarted
+from rcj_challenges.rules.triggers.leaves import Leaves
 from rcj_challenges.rules.triggers.phase_entered import PhaseEntered
 from rcj_challenges.rules.values.word import WordValue
 from rcj_challenges.scenario.errors import did_you_mean, listing
@@ -107,6 +110,23 @@ class MissingSays(LintRule):
                     what = f"event '{action.event}'" if isinstance(action, Emit) else "a change of the score"
                     yield self.at(("rules", name, "actions", index), what=what)
                     break
+
+
+class ScoresOnce(LintRule):
+    """Points for what enters, leaves or crosses, by a rule that fires once a tick, however many do so in it."""
+
+    code = "scores-once"
+    message = "if several of '{group}' do this in one tick, the rule gives its points once"
+    help = "write for_each: {group} and entity: each"
+
+    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
+        """Yield triggers about a group in rules that score without for_each."""
+        for name, rule in ctx.scenario.rules.items():
+            if rule.for_each is None and any(isinstance(action, Score) for action in rule.actions):
+                for index, trigger in enumerate(rule.triggers):
+                    if isinstance(trigger, Enters | Leaves | Crosses) and len(ctx.members(trigger.entity, rule)) > 1:
+                        names = trigger.entity if isinstance(trigger.entity, str) else listing(trigger.entity)
+                        yield self.at(("rules", name, "triggers", index), group=names)
 
 
 class EachOfNone(LintRule):

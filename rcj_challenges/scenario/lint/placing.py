@@ -133,7 +133,8 @@ class TwoRulesMoveOneThing(LintRule):
             return True
         if first.for_each != second.for_each and "each" in {*dict(trigger).values()}:
             return True
-        if any(isinstance(action, SetPhase) and not is_active_in(second, action.phase) for action in first.actions):
+        leaves = any(isinstance(one, SetPhase) and not is_active_in(second, one.phase) for one in first.actions)
+        if leaves and first.priority < second.priority:
             return True
         return not any(is_active_in(first, phase) and is_active_in(second, phase) for phase in ctx.reachable_phases)
 

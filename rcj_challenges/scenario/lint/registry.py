@@ -19,6 +19,7 @@ LINT_RULES: tuple[LintRule, ...] = (
     flow.EventNeverEmitted(),
     flow.EventLoop(),
     flow.MissingSays(),
+    flow.ScoresOnce(),
     flow.EachOfNone(),
     flow.EachNeverNamed(),
     flow.EachNotInTrigger(),

@@ -63,7 +63,11 @@ class Rule(Strict):
         SectionRef("phase", ("phases",), words=frozenset({"play", "any"})),
     ] = Field(("play",), description="the phases in which the rule is active; any: all of them")
     priority: int = described(
-        0, "rules with lower numbers fire first, those with equal numbers in file order", ge=-1000, le=1000
+        0,
+        "rules with lower numbers fire in an earlier round of the tick; in a round, all conditions are judged before "
+        "any action runs, and rules that a time sets off fire after all others",
+        ge=-1000,
+        le=1000,
     )
     exclusive: Name | None = described(
         None,

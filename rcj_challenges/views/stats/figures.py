@@ -6,8 +6,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from rcj_challenges.core.timing import TICK_S
+from rcj_challenges.tracking.contacts import APART_S
 from rcj_challenges.views.stats.tally import Stats, Tally, TeamTally
-from rcj_challenges.views.stats.touches import FREE_TICKS, ONE_TOUCH_S, SHOT_WITHIN_S
+from rcj_challenges.views.stats.touches import FREE_TICKS, SHOT_WITHIN_S
 
 
 @dataclass(frozen=True)
@@ -48,7 +49,7 @@ DEFINITIONS: dict[str, Definition] = {
     "touches": Definition(
         "touches",
         "",
-        f"Times the robot touched a ball in play; contacts no more than {ONE_TOUCH_S:g} s apart are one touch.",
+        f"Times the robot touched a ball in play; contacts less than {APART_S:g} s apart are one touch.",
     ),
     "shots": Definition(
         "shots",

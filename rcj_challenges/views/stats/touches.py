@@ -9,15 +9,16 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from rcj_challenges.core.timing import SUBSTEPS_PER_TICK, TICK_S, ticks_from_s
+from rcj_challenges.core.timing import SUBSTEPS_PER_TICK, TICK_S
 from rcj_challenges.records.trajectory import HalfTrack
+from rcj_challenges.tracking.contacts import APART_S, substeps_apart
 
 SHOT_WITHIN_S = 2.0
-ONE_TOUCH_S = 0.32
-"""Contacts of a robot with a ball that are no further apart are one touch: a dribbled ball hops off and on."""
 FREE_TICKS = 2
 """For so many ticks after a touch no robot may touch the ball, so that its speed can be measured. In the first tick a
 ball that was hit still slides; in the second it rolls, and from then on loses 0.1 % of its speed in a metre (ADR 2)."""
+
+_NEVER = 1 << 62
 
 Array = npt.NDArray[Any]
 
@@ -77,10 +78,9 @@ def owners(contacts: Contacts, seats: Sequence[str | None], ticks: int, put_at: 
 
 def touch_ends(contacts: Contacts, robot: int) -> list[int]:
     """Return the ticks at which the touches of a robot ended."""
-    ticks = np.unique(contacts.ticks[contacts.robots == robot])
-    if not ticks.size:
-        return []
-    return [*ticks[:-1][np.diff(ticks) > ticks_from_s(ONE_TOUCH_S)].tolist(), int(ticks[-1])]
+    substeps = contacts.substeps[contacts.robots == robot]
+    is_last = np.diff(substeps, append=_NEVER) >= substeps_apart(APART_S)
+    return sorted(set((substeps[is_last] // SUBSTEPS_PER_TICK + 1).tolist()))
 
 
 @dataclass(frozen=True)
