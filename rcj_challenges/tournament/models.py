@@ -240,7 +240,8 @@ class Tournament(Strict):
         "annulled",
         "what happens if a team withdraws during the tournament. annulled: in an unfinished round robin none "
         "of its matches count; {lost: [0, 3]}: its remaining matches are lost. In a Swiss stage its played "
-        "matches count; in a knock-out its opponent advances",
+        "matches count; in a knock-out its opponent advances; if both teams of a tie leave, neither does, and "
+        "the places below move up",
     )
     records: Records = described(
         "replay",

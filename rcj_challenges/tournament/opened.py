@@ -54,10 +54,10 @@ class OpenTournament:
 
     def _season(self, rulings: Sequence[RulingRow]) -> Season:
         names = display_names(self.loaded.entries, self.store.current_submissions())
-        left = {row.team: row.last_rounds for row in rulings if row.kind == WITHDRAWN}
+        withdrawn = [row for row in rulings if row.kind == WITHDRAWN]
+        left = {row.team: (True, dict(row.last_rounds), number) for number, row in enumerate(withdrawn)}
         teams = {
-            team: Team(team, names[team], entry.pot, team in left, dict(left.get(team, {})))
-            for team, entry in self.loaded.entries.items()
+            team: Team(team, names[team], entry.pot, *left.get(team, ())) for team, entry in self.loaded.entries.items()
         }
         return Season(self.loaded, teams)
 
@@ -72,7 +72,11 @@ class OpenTournament:
         Args:
             played: by fixture; left out: what the store says.
         """
-        return _state(self.season, self.store.played() if played is None else played, self.rulings)
+        return _state(self.season, self.store.played() if played is None else played, self.rulings)[0]
+
+    def state_and_outcomes(self) -> tuple[SeasonState, dict[str, Outcome]]:
+        """Return the state, and what was played and decided before withdrawals are applied, by fixture."""
+        return _state(self.season, self.store.played(), self.rulings)
 
     def state_with(self, ruling: RulingRow, played: Mapping[str, PlayedFixture]) -> SeasonState:
         """Return what the state would be with one more ruling.
@@ -82,7 +86,7 @@ class OpenTournament:
             played: by fixture.
         """
         rulings = [*self.rulings, ruling]
-        return _state(self._season(rulings), played, rulings)
+        return _state(self._season(rulings), played, rulings)[0]
 
     def seed_of(self, fixture: Fixture) -> int:
         """Return the seed that a fixture is played with: another one each time a referee orders a replay."""
@@ -94,7 +98,9 @@ class OpenTournament:
         return derived_seed(fixture.seed, f"replay/{replays}") if replays else fixture.seed
 
 
-def _state(season: Season, played: Mapping[str, PlayedFixture], rulings: Sequence[RulingRow]) -> SeasonState:
+def _state(
+    season: Season, played: Mapping[str, PlayedFixture], rulings: Sequence[RulingRow]
+) -> tuple[SeasonState, dict[str, Outcome]]:
     outcomes = {fixture: one.outcome for fixture, one in played.items()}
     sides = {fixture: one.sides for fixture, one in played.items()}
     for fixture, row in {row.fixture: row for row in rulings if row.fixture}.items():  # the last of each holds
@@ -106,7 +112,7 @@ def _state(season: Season, played: Mapping[str, PlayedFixture], rulings: Sequenc
         known = (fixture for fixture in state.fixtures if fixture.id in outcomes)
         others = [one.id for one in known if sides[one.id] != sides_of(one)]
         if not others:
-            return state
+            return state, outcomes
         for fixture in others:  # it was played, or ruled on, with other teams than those of now
             own = played.get(fixture)
             if own is not None and own.sides != sides[fixture]:

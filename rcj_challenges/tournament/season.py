@@ -64,6 +64,7 @@ class Team:
         withdrawn: whether it has left the tournament.
         last_rounds: of a team that has left: by stage, the last round for which it was drawn before (see
             `SeasonState.last_rounds`). It takes part in no other stage, and in no later round.
+        left_after: of a team that has left: how many others had left before it.
     """
 
     id: str
@@ -71,6 +72,7 @@ class Team:
     pot: int = 0
     withdrawn: bool = False
     last_rounds: Mapping[str, int] = field(default_factory=dict)
+    left_after: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -199,7 +201,7 @@ class Tie:
         sources: where each team comes from, for people: ``winner of quarter final 1``, ``A1``, ``bye``.
         fixtures: ids, in the order they are played.
         scores: sum of the legs, or matches won in a best-of; None while nothing is played.
-        winner: id, or empty.
+        winner: id, or empty: of a tie that is decided if both teams have left.
         decided_by: ``match``, ``extra_time``, ``tie_scenario``, ``lot``, ``bye``, ``forfeit``, or empty.
     """
 

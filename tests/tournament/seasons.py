@@ -47,9 +47,12 @@ def info(name):
 
 
 def season(stages, teams, head="", withdrawn=None):
-    """Return a season; ``withdrawn`` are the last rounds of teams that have left, by id."""
+    """Return a season; ``withdrawn`` are the last rounds of teams that have left, by id, in the order in which they left."""
     one = loaded(stages, teams, head)
-    left = {team: Team(team, team, 0, withdrawn=True, last_rounds=rounds) for team, rounds in (withdrawn or {}).items()}
+    left = {
+        team: Team(team, team, 0, withdrawn=True, last_rounds=rounds, left_after=number)
+        for number, (team, rounds) in enumerate((withdrawn or {}).items())
+    }
     return Season(one, one.teams() | left)
 
 

@@ -64,6 +64,64 @@ def test_two_teams_that_have_left_do_not_play_each_other_for_a_score():
     assert state.open_fixtures() == ()
 
 
+@pytest.mark.parametrize(("head", "points"), [(ANNULLED, [3, 0]), (LOST, [6, 3])])
+def test_a_team_that_leaves_after_all_that_it_could_play_keeps_its_results(head, points):
+    (fixture,) = [one for one in season(LEAGUE, names(3)).state({}).fixtures if "t03" not in teams_of(one)]
+    one = season(LEAGUE, names(3), head, {"t03": {"league": 3}, "t02": {"league": 3}})
+    places = one.state({fixture.id: by_strength(fixture)}).stages[0].places
+    assert [(row.team, row.points) for row in places[:2]] == [("t01", points[0]), ("t02", points[1])]
+
+
+@pytest.mark.parametrize("head", [ANNULLED, LOST])
+def test_a_swiss_bye_against_a_team_that_left_stays_when_its_owner_leaves_too(head):
+    stages = "  swiss: {stage: swiss, rounds: 2}\n"
+    first = season(stages, names(4)).state({}).open_fixtures()[0]
+    left, staying = teams_of(first)
+    before = play(season(stages, names(4), head, {left: {"swiss": 1}}))
+    after = play(season(stages, names(4), head, {left: {"swiss": 1}, staying: before.last_rounds(staying)}))
+    assert [row.points for row in after.stages[0].places] == [row.points for row in before.stages[0].places]
+
+
+@pytest.mark.parametrize(
+    ("more", "places"), [("", [("t03", 1), ("t04", 1)]), (", third_place: true", [("t03", 1), ("t04", 2)])]
+)
+def test_a_final_that_both_teams_have_left_has_no_winner_and_places_below_move_up(more, places):
+    one = season(f"  cup: {{stage: knock_out{more}}}\n", names(4), "", {"t01": {"cup": 2}, "t02": {"cup": 2}})
+    cup = play(one).stages[0]
+    assert (cup.ties[-1].teams, cup.ties[-1].winner, cup.ties[-1].decided_by) == (("t01", "t02"), "", "forfeit")
+    assert [(row.team, row.place) for row in cup.places] == places
+
+
+@pytest.mark.parametrize("more", ["", ", third_place: true", ", legs: 2", ", best_of: 3"])
+@pytest.mark.parametrize("count", [1, 2, 3, 4])
+def test_a_knock_out_ends_although_both_teams_of_ties_have_left(more, count):
+    stages = f"  cup: {{stage: knock_out{more}}}\n"
+    ties = season(stages, names(8)).state({}).stages[0].ties[:count]
+    one = season(stages, names(8), "", {team: {"cup": 1} for tie in ties for team in tie.teams})
+    cup = play(one).stages[0]
+    assert cup.status == "finished"
+    assert cup.expected_matches == len(cup.fixtures)
+    staying = set(names(8)) - {team for tie in ties for team in tie.teams}
+    assert {row.team for row in cup.places} == staying
+    assert sorted(row.place for row in cup.places)[:1] == [1] * (count < 4)
+
+
+def test_a_team_that_advanced_by_forfeit_and_then_left_stays_the_winner_of_that_tie():
+    one = season("  cup: {stage: knock_out}\n", names(4), "", {"t04": {"cup": 1}, "t01": {"cup": 2}})
+    cup = play(one).stages[0]
+    assert [tie.winner for tie in cup.ties] == ["t01", "t02", "t02"]
+    assert order(cup.places)[:2] == ["t02", "t01"]
+
+
+def test_two_that_leave_before_their_play_off_share_the_place():
+    stages = "  league: {stage: round_robin, play_off: true}\n  final: {stage: knock_out, from: league, places: 1-1}\n"
+    one = season(stages, names(2), "tie_breaks: [points]\n")
+    outcomes = {fixture.id: Outcome((1.0, 1.0)) for fixture in one.state({}).open_fixtures()}
+    left = {team: one.state(outcomes).last_rounds(team) for team in names(2)}
+    league = season(stages, names(2), "tie_breaks: [points]\n", left).state(outcomes).stages[0]
+    assert (league.status, [row.place for row in league.places]) == ("finished", [1, 1])
+
+
 @pytest.mark.parametrize("head", [ANNULLED, LOST])
 def test_a_swiss_stage_goes_on_without_it_and_keeps_what_it_has_played(head):
     stages = "  swiss: {stage: swiss, rounds: 3}\n"

@@ -173,19 +173,22 @@ class StageContext:
         scores = played.scores if played is not None else (0.0,) * len(fixture.sides)
         self.outcomes[fixture.id] = Outcome(scores, Ruled.ANNULLED, "withdrawn")
 
-    def lose_if_left(self, fixture: Fixture) -> None:
-        """Let a team that has left lose a match that it has not played, if the file says so; else annul it.
+    def left_first(self, fixture: Fixture) -> int | None:
+        """Return the side of a match whose team has left, of two the one that left first; None if both are there."""
+        teams = [self.teams[side.teams[0]] for side in fixture.sides]
+        left = [(team.left_after, at) for at, team in enumerate(teams) if team.withdrawn]
+        return min(left)[1] if left else None
 
-        A match of two teams that have left is annulled in any case.
-        """
-        left = [self.has_left(side.teams[0]) for side in fixture.sides]
-        if not self.is_unplayed(fixture) or not any(left):
+    def lose_if_left(self, fixture: Fixture) -> None:
+        """Let a team that has left lose a match that it has not played, if the file says so; else annul it."""
+        left = self.left_first(fixture)
+        if left is None or not self.is_unplayed(fixture):
             return
         rule = self.tournament.withdrawn
-        if all(left) or not isinstance(rule, LostBy):
+        if not isinstance(rule, LostBy):
             self.annul(fixture)
             return
-        scores = rule.lost if left[0] else rule.lost[::-1]
+        scores = rule.lost[::-1] if left else rule.lost
         self.outcomes[fixture.id] = Outcome(tuple(map(float, scores)), Ruled.WITHDRAWN, "withdrawn")
 
     def are_decided(self, fixtures: Sequence[Fixture]) -> bool:

@@ -21,7 +21,7 @@ def knock_out(context: StageContext, stage: KnockOut, entrants: Sequence[Entrant
     bracket = _Bracket(context, stage, seeded(context, stage, entrants))
     bracket.play()
     is_known = all(entrant.team for entrant in entrants)
-    is_finished = is_known and all(tie.winner for tie in bracket.ties)
+    is_finished = is_known and all(tie.decided_by for tie in bracket.ties)
     return StageState(
         name=context.name,
         kind=stage.stage,
@@ -129,12 +129,15 @@ class _Bracket:
         """Return how many matches there will be, as far as is known."""
         least = _matches_of_tie(self.stage)
         return sum(
-            len(tie.fixtures) if tie.winner or "bye" in tie.sources else max(least, len(tie.fixtures))
+            len(tie.fixtures) if tie.decided_by or "bye" in tie.sources else max(least, len(tie.fixtures))
             for tie in self.ties
         )
 
     def places(self) -> tuple[Row, ...]:
-        """Return the ranking: losers of the same round share a place, unless a lot is listed."""
+        """Return the ranking: losers of the same round share a place, unless a lot is listed.
+
+        Teams of a tie that is won by none of them have no place.
+        """
         left = [entrant.team for entrant in self.entrants]
         levels: list[list[str]] = [] if self.ties else [left]  # all others have left the tournament
         has_third = any(tie.round == "third_place" for tie in self.ties)
@@ -145,13 +148,13 @@ class _Bracket:
                 continue
             losers = {_loser(tie) for tie in self.ties if tie.round == name} - {""}
             levels.append([team for team in left if team in losers])
-        return tuple(self._rows([level for level in levels if level]))
+        return tuple(self._rows([ranked for level in levels if (ranked := [team for team in level if team])]))
 
     def _rows(self, levels: list[list[str]]) -> Iterator[Row]:
         rules = self.context.rules("places")
         counted = [one for one in self.fixtures if one.kind is not FixtureKind.TIE_SCENARIO]
         matches = [match for one in counted if (match := self.context.result(one)) is not None]
-        tallies = tally([team for level in levels for team in level], matches, rules)
+        tallies = tally([entrant.team for entrant in self.entrants], matches, rules)
         place = 1
         for level in levels:
             is_by_lot = len(level) > 1 and "lot" in rules.tie_breaks
@@ -163,7 +166,7 @@ class _Bracket:
 
     def _third_place(self, round_: int) -> None:
         one, two = [tie for tie in self.ties if tie.round == "semi_finals"]
-        sources = tuple(f"loser of {tie.title}" for tie in (one, two))
+        sources = tuple("bye" if tie.decided_by and not _loser(tie) else f"loser of {tie.title}" for tie in (one, two))
         self._tie("third_place", 1, (_loser(one), _loser(two), sources[0], sources[1]), round_)
 
     def _tie(self, name: str, number: int, entry: tuple[str, str, str, str], round_: int) -> Tie:
@@ -171,7 +174,8 @@ class _Bracket:
         path = f"{name}/{number}"
         tie = Tie(f"{self.context.name}/{path}", name, number, (one, two), (sources[0], sources[1]))
         if "bye" in sources:
-            tie = replace(tie, winner=one or two, decided_by="bye" if one or two else "")
+            is_decided = one or two or sources == ["bye", "bye"]
+            tie = replace(tie, winner=one or two, decided_by="bye" if is_decided else "")
         elif one and two:
             title = f"{self.context.title(self.stage)}, {tie.title}"
             # The team above begins on the first seat in every other round.
@@ -197,6 +201,8 @@ def _round_name(ties: int) -> str:
 
 def _winner_of(tie: Tie) -> str:
     one, other = tie.sources
+    if tie.decided_by and not tie.winner:
+        return "bye"
     if "bye" in (one, other):
         return other if one == "bye" else one
     return f"winner of {tie.title}"

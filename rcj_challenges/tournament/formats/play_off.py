@@ -52,6 +52,8 @@ def _play(
     title = f"{f'Group {humanized(group)}, play-off' if group else 'Play-off'} for place {place}"
     if len(teams) == 2:
         tie = play_tie(context, stage, path, (teams[0], teams[1]), round_, title, group)
+        if tie.decided_by and not tie.winner:
+            return list(level), tie.fixtures
         order = {team: 0 if team == tie.winner else 1 for team in teams} if tie.winner else {}
         by_lot = set(teams) if tie.decided_by == "lot" else set()
         fixtures = tie.fixtures

@@ -9,7 +9,7 @@ from rcj_challenges.tournament.formats.context import Entrant, StageContext
 from rcj_challenges.tournament.formats.groups import groups_of
 from rcj_challenges.tournament.formats.play_off import play_offs
 from rcj_challenges.tournament.models import LostBy, RoundRobin
-from rcj_challenges.tournament.season import Fixture, StageState, Status, Table, humanized
+from rcj_challenges.tournament.season import Fixture, Ruled, StageState, Status, Table, humanized
 from rcj_challenges.tournament.standings import table
 
 
@@ -66,19 +66,21 @@ def _fixtures(context: StageContext, stage: RoundRobin, group: str, teams: Seque
 def _settle_withdrawn(context: StageContext, fixtures: Sequence[Fixture]) -> list[str]:
     """Give the matches of teams that have left their outcome, and return the teams of which none counts.
 
-    What a team has played stands if it has played all of its own.
+    They leave one after another: what a team has played stands if it has played all that it could until then.
     """
-    teams = dict.fromkeys(side.teams[0] for fixture in fixtures for side in fixture.sides)
-    left = [team for team in teams if context.has_left(team)]
-    if not left:
-        return []
-    own = {team: [one for one in fixtures if any(team in side.teams for side in one.sides)] for team in left}
-    unfinished = [team for team in left if any(context.is_unplayed(one) for one in own[team])]
+    teams = {side.teams[0] for fixture in fixtures for side in fixture.sides}
+    left = sorted((team for team in teams if context.has_left(team)), key=lambda team: context.teams[team].left_after)
     are_lost = isinstance(context.tournament.withdrawn, LostBy)
-    for team in unfinished:
-        for fixture in own[team]:
-            if are_lost:
+    unfinished = []
+    for team in left:
+        own = [one for one in fixtures if any(team in side.teams for side in one.sides)]
+        if not any(context.is_unplayed(one) for one in own):
+            continue
+        unfinished.append(team)
+        for fixture in own:
+            outcome = context.outcomes.get(fixture.id)
+            if are_lost and (outcome is None or outcome.ruled is not Ruled.WITHDRAWN):
                 context.lose_if_left(fixture)
-            else:
+            else:  # the opponent that left before does not lose to one that leaves in the middle
                 context.annul(fixture)
     return [] if are_lost else unfinished

@@ -104,9 +104,8 @@ class _Course:
     def _settle_withdrawn(self, fixtures: Sequence[Fixture]) -> None:
         """Decide the open matches of teams that have left; if they do not count, the opponent has a bye."""
         for fixture in fixtures:
-            teams = [side.teams[0] for side in fixture.sides]
-            left = [self.context.has_left(team) for team in teams]
+            left = self.context.left_first(fixture)
             was_played = not self.context.is_unplayed(fixture)
             self.context.lose_if_left(fixture)
-            if sum(left) == 1 and not was_played and not isinstance(self.context.tournament.withdrawn, LostBy):
-                self.points[teams[left[0]]] += self.context.tournament.points.win
+            if left is not None and not was_played and not isinstance(self.context.tournament.withdrawn, LostBy):
+                self.points[fixture.sides[1 - left].teams[0]] += self.context.tournament.points.win

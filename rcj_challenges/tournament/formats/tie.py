@@ -93,12 +93,16 @@ class _Tie:
         return self._decided(result, outcomes) or self._extra_time(result, changed=False, counts_wins=True)
 
     def by_forfeit(self, result: TieResult) -> TieResult:
-        """Let the opponent of a team that has left advance, if the tie is not decided yet."""
-        left = [self.context.has_left(team) for team in self.teams]
-        if result.winner or not any(left) or any(one.id in self.context.hidden for one in result.fixtures):
+        """Let the opponent of a team that has left advance, if the tie is not decided yet.
+
+        One that has left itself has advanced if it was drawn for a later round before.
+        """
+        staying = [team for team in self.teams if self.context.stays(team, self.round_ + 1)]
+        has_left = any(self.context.has_left(team) for team in self.teams)
+        if result.winner or not has_left or any(one.id in self.context.hidden for one in result.fixtures):
             return result
         played = [one for one in result.fixtures if one.id in self.context.outcomes]
-        return TieResult(played, result.scores, self.teams[1 if left[0] and not left[1] else 0], "forfeit")
+        return TieResult(played, result.scores, staying[0] if staying else "", "forfeit")
 
     def _match(self, word: str, number: int, count: int) -> Fixture:
         pair = self.teams if number % 2 else self.teams[::-1]

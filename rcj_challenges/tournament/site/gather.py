@@ -30,10 +30,10 @@ def site_source(
     """
     file = tournament.loaded.tournament
     _check_premieres(file, premieres)
-    whole, played = tournament.state(), read_played(tournament.store)
+    (whole, outcomes), played = tournament.state_and_outcomes(), read_played(tournament.store)
     hidden = hidden_fixtures(whole.fixtures, played, release_times(file, whole), now, premieres)
-    shown = {fixture: outcome for fixture, outcome in whole.outcomes.items() if fixture not in hidden}
-    state = tournament.season.state(shown, hidden & played.matches.keys())
+    shown = {fixture: outcome for fixture, outcome in outcomes.items() if fixture not in hidden}
+    state = tournament.season.state(shown, hidden & outcomes.keys())
     return SiteSource(
         id=tournament.loaded.name,
         title=file.title,
