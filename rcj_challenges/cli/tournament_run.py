@@ -23,7 +23,6 @@ from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.tournament.executor import Executor, LocalExecutor
 from rcj_challenges.tournament.fixtures import JobMaker
-from rcj_challenges.tournament.jobs import Workplace
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.reconcile import reconcile
 from rcj_challenges.tournament.runner import Progress, Runner
@@ -124,7 +123,7 @@ def prepare(tournament: OpenTournament, options: RunOptions, lanes: int, observe
     failures = check_submissions(tasks, tournament.store, jobs=lanes, sandbox=options.sandbox, observer=observer)
     refused = [one for one in failures if one.team not in options.accepted or one.is_unchecked]
     if refused:
-        raise SubmissionsFailError(*(_diagnostic(one, tournament.store.place) for one in refused))
+        raise SubmissionsFailError(*(_diagnostic(one) for one in refused))
     return jobs
 
 
@@ -134,13 +133,13 @@ def _earlier(tournament: OpenTournament) -> dict[tuple[str, str], Submitted]:
     return {key: Submitted(*key, row.archive, row.file, row.name) for key, row in rows.items()}
 
 
-def _diagnostic(failure: Failure, place: Workplace) -> Diagnostic:
+def _diagnostic(failure: Failure) -> Diagnostic:
     team, scenarios = failure.team, listing(failure.scenarios, 3)
     if failure.is_unchecked:
         message = f"the submission of {team} could not be checked ({scenarios})"
         return Diagnostic("submission-unchecked", message, "run the command again")
     message = f"the submission of {team} fails the check: {failure.message} ({scenarios})"
-    help_ = f"let the team replace it (its report is in {place.reports}); or play it as it is: --accept {team}"
+    help_ = f"let the team replace it (its report is {failure.report}); or play it as it is: --accept {team}"
     return Diagnostic("submission-fails", message, help_)
 
 

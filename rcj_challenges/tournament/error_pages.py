@@ -110,7 +110,7 @@ Let the team replace it, or take the team out: tournament decide FILE --withdraw
 
 submission-fails
 A submission does not pass the check, so nothing is played.
-The report for the team is in checks/ of the data folder. Let the team replace its submission, or play it as
+The message names the report for the team, in checks/TEAM of the data folder. Let the team replace its submission, or play it as
 it is with --accept TEAM.
 
 submission-unchecked

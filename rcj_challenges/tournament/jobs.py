@@ -112,12 +112,12 @@ class Workplace:
 
     @property
     def reports(self) -> Path:
-        """Where the reports of the check are, by hash of the submission."""
+        """Where the reports of the check are, by team."""
         return self.folder / "checks"
 
-    def report_folder(self, archive: str) -> Path:
-        """Return the folder of the check's reports on a submission."""
-        return self.reports / archive
+    def report_folder(self, team: str, archive: str) -> Path:
+        """Return the folder of the check's reports on a submission of a team."""
+        return self.reports / team / archive[:12]
 
     def keep_scenario(self, loaded: Loaded) -> str:
         """Write a resolved scenario where jobs find it; returns its hash.

@@ -68,6 +68,6 @@ def _ruling(row: RulingRow) -> Ruling:
 
 def _submissions(store: Store) -> Iterator[Submission]:
     for row in store.submissions():
-        report = store.place.report_folder(row.archive)
+        report = store.place.report_folder(row.team, row.archive)
         path = store.place.submissions / row.file
         yield Submission(row.team, row.archive, path, row.received_at, row.purpose, report if report.is_dir() else None)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import io
 import zipfile
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Protocol
@@ -15,6 +15,7 @@ from rcj_challenges.checker.many import check_many
 from rcj_challenges.checker.report import FileReport, check_report
 from rcj_challenges.checker.report_files import write_page
 from rcj_challenges.checker.report_html import html_page
+from rcj_challenges.checker.submissions import SubmissionName, name_submissions
 from rcj_challenges.controllers.archive import Contents, TeamError, read_contents
 from rcj_challenges.controllers.submission_limits import MAX_PACKED_BYTES
 from rcj_challenges.controllers.team import opening_of
@@ -153,11 +154,13 @@ class Failure:
         team: id.
         message: what failed; empty if they could not be checked, by no fault of their own.
         scenarios: titles of the scenarios for which it failed.
+        report: page of the check's report for the first of them.
     """
 
     team: str
     message: str
     scenarios: tuple[str, ...]
+    report: Path
 
     @property
     def is_unchecked(self) -> bool:
@@ -192,39 +195,48 @@ def check_submissions(
         sandbox: how programs are isolated.
         observer: sees each check as it is done.
     """
-    reasons: dict[tuple[str, str], tuple[str, list[str]]] = {}
+    reasons: dict[tuple[str, str], tuple[str, list[str], Path]] = {}
     for task in tasks:
         known = store.checks()
-        todo = list({one.archive: one for one in task.handed if (one.archive, task.scenario) not in known}.values())
+        unchecked = [
+            one
+            for one in task.handed
+            if (one.archive, task.scenario) not in known or not _report_page(one, task, store).exists()
+        ]
+        todo = list({one.archive: one for one in unchecked}.values())
         if todo:
-            on_done = _noting(todo, task, store, observer)
             paths = [store.place.submissions / one.file for one in todo]
+            on_done = _noting(dict(zip(name_submissions(paths), todo, strict=True)), task, store, sandbox, observer)
             check_many(paths, task.loaded, CheckOptions(sandbox=sandbox), jobs, on_done)
         known = store.checks()
         for one in task.handed:
             row = known.get((one.archive, task.scenario))
+            page = _report_page(one, task, store)
             for code, message in [("", "")] if row is None else row.findings:
-                _, scenarios = reasons.setdefault((one.team, code), (message, []))
+                _, scenarios, _ = reasons.setdefault((one.team, code), (message, [], page))
                 scenarios.append(task.loaded.scenario.title)
     return [
-        Failure(team, message, tuple(dict.fromkeys(scenarios))) for (team, _), (message, scenarios) in reasons.items()
+        Failure(team, message, tuple(dict.fromkeys(scenarios)), page)
+        for (team, _), (message, scenarios, page) in reasons.items()
     ]
 
 
 def _noting(
-    todo: Sequence[Submitted], task: CheckTask, store: Store, observer: CheckObserver
+    todo: Mapping[SubmissionName, Submitted], task: CheckTask, store: Store, sandbox: str, observer: CheckObserver
 ) -> Callable[[FileReport], None]:
-    """Return what is to be done with each report: note the verdict, and keep the report for the team."""
-    by_file = {Path(one.file).name: one for one in todo}
+    """Return what is to be done with each report: note the verdict, and keep the report for each of its teams."""
+    by_name = {named.name: one for named, one in todo.items()}
     count = 0
 
     def on_done(report: FileReport) -> None:
         nonlocal count
         count += 1
-        one = by_file[report.file]
+        one = by_name[report.file]
         found = [finding for stage in report.stages for finding in stage.findings if finding.level == "failure"]
         if report.level != "unchecked":  # of what could not be checked nothing is known: next time it is tried again
-            _keep_report(report, one, task, store)
+            for own in task.handed:
+                if own.archive == one.archive:
+                    _keep_report(report, own, task, store, sandbox)
             failures = [(finding.code, finding.message) for finding in found]
             store.add_check(one.archive, task.scenario, report.level, failures)
         observer.checked(one.team, report.level, count, len(todo))
@@ -232,13 +244,17 @@ def _noting(
     return on_done
 
 
-def _keep_report(report: FileReport, one: Submitted, task: CheckTask, store: Store) -> None:
-    folder = store.place.report_folder(one.archive)
-    folder.mkdir(parents=True, exist_ok=True)
+def _report_page(one: Submitted, task: CheckTask, store: Store) -> Path:
+    folder = store.place.report_folder(one.team, one.archive)
+    return folder / f"{task.loaded.scenario.id}-{task.scenario[:8]}.html"
+
+
+def _keep_report(report: FileReport, one: Submitted, task: CheckTask, store: Store, sandbox: str) -> None:
+    page = _report_page(one, task, store)
+    page.parent.mkdir(parents=True, exist_ok=True)
     named = report.model_copy(update={"file": f"{one.team}{Path(one.file).suffix}"})
     scenario = task.loaded.scenario
-    whole = check_report(scenario.id, scenario.title, "auto", [named], [])
-    stem = f"{scenario.id}-{task.scenario[:8]}"
-    with replaced(folder / f"{stem}.json") as file:
+    whole = check_report(scenario.id, scenario.title, sandbox, [named], [])
+    with replaced(page.with_suffix(".json")) as file:
         file.write(json_line(whole.model_dump(mode="json")))
-    write_page(folder / f"{stem}.html", html_page(whole, folder))
+    write_page(page, html_page(whole, page.parent))

@@ -10,6 +10,7 @@ from rcj_challenges.checker.findings import Finding
 from rcj_challenges.checker.report import FileReport, StageReport
 from rcj_challenges.cli import tournament_run, tournament_verify
 from rcj_challenges.tournament import submissions
+from rcj_challenges.tournament.fixtures import JobMaker
 from rcj_challenges.tournament.jobs import MatchJob
 from tests.cli.in_this_process import here
 from tests.tournament.store_helpers import LEAGUE, FakeExecutor, Home, let_other_versions_have_played
@@ -112,8 +113,47 @@ def test_a_submission_that_fails_for_several_scenarios_is_reported_once_for_each
 def test_the_report_of_each_check_is_kept_for_the_team(desk):
     desk("run")
     with desk.home.opened(writing=False) as tournament:
-        folders = [tournament.store.place.report_folder(row.archive) for row in tournament.store.submissions()]
+        folders = [
+            tournament.store.place.report_folder(row.team, row.archive) for row in tournament.store.submissions()
+        ]
     assert all({path.suffix for path in folder.iterdir()} == {".json", ".html"} for folder in folders)
+
+
+def test_the_same_submission_of_two_teams_is_checked_once_and_both_get_the_report(desk):
+    desk.home.file.write_text(
+        LEAGUE + "teams: {dan: {sample: ball_chaser}, eva: {sample: ball_chaser}}\n", encoding="utf-8"
+    )
+    desk.failing = 5
+    _, _, err = desk("run", "--sandbox", "off")
+    assert desk.checked == 4
+    for team in ("ada", "bee", "cid", "dan", "eva"):
+        (page,) = (desk.home.data / "checks" / team).rglob("*.html")
+        assert page.name in err
+        assert json.loads(page.with_suffix(".json").read_text(encoding="utf-8"))["sandbox"] == "off"
+
+
+def test_two_teams_with_files_of_one_name_both_get_their_report(tmp_path):
+    program = "from controller import Robot\nRobot()\n"
+    home = Home(tmp_path, LEAGUE + "teams: {ada: {path: a/robot.py}, bee: {path: b/robot.py}}\n", teams=())
+    home.teams.mkdir()
+    for folder in ("a", "b"):
+        (tmp_path / folder).mkdir()
+        (tmp_path / folder / "robot.py").write_text(f"{program}# {folder}\n", encoding="utf-8")
+    with home.opened() as tournament:
+        handed = submissions.take_submissions(tournament.loaded.entries.values(), tournament.store)
+        tasks = JobMaker(tournament, handed, "off").check_tasks(handed)
+        seen = Checked()
+        failures = submissions.check_submissions(tasks, tournament.store, jobs=2, sandbox="off", observer=seen)
+    assert sorted(seen.teams) == ["ada", "bee"]
+    assert {one.team: one.report.is_file() for one in failures} == {"ada": True, "bee": True}
+
+
+class Checked:
+    def __init__(self):
+        self.teams = []
+
+    def checked(self, team, level, done, total):
+        self.teams.append(team)
 
 
 def test_a_match_that_could_not_be_played_gives_exit_code_3_and_an_interruption_130(desk):
