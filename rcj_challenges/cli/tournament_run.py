@@ -24,7 +24,7 @@ from rcj_challenges.scenario.errors import listing
 from rcj_challenges.tournament.executor import Executor, LocalExecutor
 from rcj_challenges.tournament.fixtures import JobMaker
 from rcj_challenges.tournament.opened import OpenTournament
-from rcj_challenges.tournament.reconcile import reconcile
+from rcj_challenges.tournament.reconcile import other_pythons, reconcile
 from rcj_challenges.tournament.runner import Progress, Runner
 from rcj_challenges.tournament.season import Fixture, Outcome, SeasonState, Status
 from rcj_challenges.tournament.submissions import Failure, Submitted, check_submissions, take_submissions
@@ -71,6 +71,8 @@ def run_tournament(tournament: OpenTournament, options: RunOptions) -> int:
         jobs = prepare(tournament, options, lanes, observer)
         for fixture, reason in reconcile(tournament, jobs, cascade=options.cascade).items():
             observer.note(f"{fixture} is played again: {reason}")
+        for python in other_pythons(tournament.store):
+            observer.note(f"matches were played with {python}, which matters only to programs that depend on it")
         with observer:
             try:
                 state = Runner(tournament, jobs, executor, observer).run()

@@ -105,7 +105,7 @@ class HintResult(_Part):
 
 
 class Versions(_Part):
-    """Versions that affect the bits of a result: digests are comparable if all of them are equal."""
+    """Versions that affect the bits of a result: digests are comparable if all but Python's number are equal."""
 
     rcj_challenges: str = _described("version of this package")
     python: str = _described("implementation and version of Python")
@@ -177,6 +177,11 @@ def versions() -> Versions:
         system=platform.system(),
         machine=platform.machine(),
     )
+
+
+def deciding(versions: Mapping[str, str]) -> dict[str, str]:
+    """Return what decides the bits of a result, of all versions: of Python only the implementation."""
+    return {**versions, "python": versions["python"].partition(" ")[0]} if "python" in versions else dict(versions)
 
 
 @cache

@@ -122,7 +122,7 @@ A submission has no programs for a match that its team has to play.
 Let the team replace it, decide that match with tournament decide, or withdraw the team.
 
 other-versions
-Matches were played with other versions of this package, MuJoCo, numpy or Python.
+Matches were played with other versions of this package, MuJoCo or numpy, or on another kind of machine.
 Results of different versions cannot be compared. Install the earlier versions, or play the whole tournament
 again into another folder with --data.
 

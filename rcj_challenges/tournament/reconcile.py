@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from dataclasses import replace
 
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.records.result import deciding, versions
 from rcj_challenges.tournament.fixtures import JobMaker
 from rcj_challenges.tournament.jobs import Workplace
 from rcj_challenges.tournament.opened import OpenTournament, later_stages, sides_of
 from rcj_challenges.tournament.records import sizes
 from rcj_challenges.tournament.season import Fixture, SeasonState
-from rcj_challenges.tournament.store.store import PlayedFixture
+from rcj_challenges.tournament.store.store import PlayedFixture, Store
 from rcj_challenges.tournament.store.tables import JobRow
 
 
@@ -59,9 +61,9 @@ def _is_stale(fixture: Fixture, played: PlayedFixture, jobs: JobMaker, rows: Map
     if job.id == played.job_id:
         return False
     before = rows[played.job_id].job["versions"]
-    if before != dict(job.versions):
+    if deciding(before) != deciding(job.versions):
         raise _other_versions(before, job.versions)
-    return True
+    return replace(job, versions=before).id != played.job_id
 
 
 def _refuse_if_closed(tournament: OpenTournament, state: SeasonState, stale: Collection[Fixture]) -> None:
@@ -99,6 +101,12 @@ def _other_versions(before: Mapping[str, str], now: Mapping[str, str]) -> Diagno
     message = f"matches of this tournament were played with {'; '.join(changed)}: results could not be compared"
     help_ = "install the versions of before; or play the whole tournament again into another folder: --data DIR"
     return DiagnosticError(Diagnostic("other-versions", message, help_))
+
+
+def other_pythons(store: Store) -> list[str]:
+    """Return with which other versions of Python matches that count were played."""
+    rows = store.jobs()
+    return sorted({rows[one.job_id].job["versions"]["python"] for one in store.played().values()} - {versions().python})
 
 
 def has_whole_record(row: JobRow, place: Workplace) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from rcj_challenges.records.result import has_time_fault
+from rcj_challenges.records.result import deciding, has_time_fault
 from rcj_challenges.tournament.executor import Executor, JobOutcome
 from rcj_challenges.tournament.jobs import MatchJob
 
@@ -21,7 +21,7 @@ class Verified:
     Attributes:
         name: of the match: its fixture, or its record's folder.
         verdict: what the comparison says.
-        reason: why it cannot be compared, or was not played; else empty.
+        reason: why it cannot be compared, or was not played; or that another version of Python was used; else empty.
     """
 
     name: str
@@ -50,15 +50,17 @@ class Recorded:
 
 def compare(recorded: Recorded, result: Mapping[str, Any]) -> Verified:
     """Compare the result of a match that was played again with what was recorded."""
+    now = result["versions"]
+    other = [name for name, value in now.items() if recorded.versions.get(name) != value]
+    was = ", ".join(f"{name} {recorded.versions.get(name, 'unknown')}" for name in other)
+    reason = f"it was played with {was}" if other else ""
     if result["digest"] == recorded.digest:
-        return Verified(recorded.name, "same")
-    other = [name for name, value in result["versions"].items() if recorded.versions.get(name) != value]
-    if other:
-        was = ", ".join(f"{name} {recorded.versions.get(name, 'unknown')}" for name in other)
-        return Verified(recorded.name, "not_comparable", f"it was played with {was}")
+        return Verified(recorded.name, "same", reason)
+    if deciding(recorded.versions) != deciding(now):
+        return Verified(recorded.name, "not_comparable", reason)
     if recorded.is_timed or has_time_fault(result):
         return Verified(recorded.name, "not_comparable", "a time limit decided something in it")
-    return Verified(recorded.name, "differs")
+    return Verified(recorded.name, "differs", reason and f"{reason}, on whose version a program may depend")
 
 
 def verify_all(

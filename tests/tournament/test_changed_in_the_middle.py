@@ -5,8 +5,10 @@ import json
 import pytest
 
 from rcj_challenges.core.diagnostics import DiagnosticError
+from rcj_challenges.records.result import versions
 from rcj_challenges.tournament.jobs import MatchJob
 from rcj_challenges.tournament.played import RulingKind
+from rcj_challenges.tournament.reconcile import other_pythons
 from rcj_challenges.tournament.rulings import decide
 from rcj_challenges.tournament.season import Ruled
 from tests.tournament.store_helpers import (
@@ -108,6 +110,30 @@ def test_matches_of_other_versions_are_neither_mixed_nor_thrown_away(tmp_path):
         home.play()
     assert code_of(error) == "other-versions"
     assert len(home.state().outcomes) == 3
+
+
+def test_another_version_of_python_plays_nothing_again_and_is_named(tmp_path, monkeypatch):
+    home = Home(tmp_path, GROUP_ONLY)
+    older = versions().model_copy(update={"python": "CPython 3.12.1"})
+    with monkeypatch.context() as patch:
+        patch.setattr("rcj_challenges.tournament.fixtures.versions", lambda: older)
+        home.play()
+    assert home.play()[1].jobs == []
+    home.hand_in("ada", "better")
+    assert len(home.play()[1].jobs) == 2
+    with home.opened(writing=False) as tournament:
+        assert other_pythons(tournament.store) == ["CPython 3.12.1"]
+
+
+def test_another_implementation_of_python_is_another_version(tmp_path, monkeypatch):
+    home = Home(tmp_path, GROUP_ONLY)
+    other = versions().model_copy(update={"python": "PyPy 3.11.13"})
+    with monkeypatch.context() as patch:
+        patch.setattr("rcj_challenges.tournament.fixtures.versions", lambda: other)
+        home.play()
+    with pytest.raises(DiagnosticError) as error:
+        home.play()
+    assert code_of(error) == "other-versions"
 
 
 def test_a_file_of_the_data_that_is_damaged_is_named(tmp_path):

@@ -251,6 +251,12 @@ def test_verify_distinguishes_same_different_and_not_comparable(desk):
     code, out, _ = desk("verify", "--json")
     assert code == 1
     assert [one["verdict"] for one in json.loads(out)].count("differs") == 1
+    let_other_versions_have_played(desk.home, python="CPython 3.12.1")
+    code, out, _ = desk("verify", "--json")
+    verified = json.loads(out)
+    assert code == 1
+    assert sorted(one["verdict"] for one in verified) == ["differs", "same", "same", "same"]
+    assert all("CPython 3.12.1" in one["reason"] for one in verified)
     let_other_versions_have_played(desk.home, machine="riscv64")
     verdicts = {one["name"]: one["verdict"] for one in desk.json("verify")}
     assert sorted(verdicts.values()) == ["not_comparable", "same", "same", "same"]
