@@ -55,7 +55,7 @@ class RobotReport(_Part):
 
 
 ROBOT_NUMBERS: dict[str, Callable[[RobotReport], str]] = {
-    "way": lambda robot: f"{robot.path_m:.2f} m",
+    "driven": lambda robot: f"{robot.path_m:.2f} m",
     "turned": lambda robot: f"{robot.turned_rad:.1f} rad",
     "at the ball": lambda robot: f"{robot.ball_touches * SUBSTEP_S:.2f} s",
     "steps": lambda robot: str(robot.steps),

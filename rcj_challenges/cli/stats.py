@@ -27,8 +27,8 @@ _NOTHING = "-"
 _HEADS = {
     "possession": "posses-\nsion %",
     "distance_m": "dis-\ntance m",
-    "mean_mps": "mean\nm/s",
-    "max_mps": "max\nm/s",
+    "mean_mps": "aver-\nage m/s",
+    "max_mps": "top\nm/s",
     "touches": "touches",
     "shots": "shots",
     "on_goal": "on\ngoal",

@@ -7,6 +7,7 @@ import re
 from rcj_challenges.core.play import Fault
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.core.timing import s_from_ticks
+from rcj_challenges.records.reflog import PROGRAM_FAULT
 
 _WHERE = re.compile(r'File "(?:[^"]*[/\\])?([^"/\\]+)", line (\d+)')
 
@@ -15,6 +16,15 @@ def clock(seconds: float) -> str:
     """Return a match time as ``m:ss.s``."""
     tenths = round(seconds * 10)
     return f"{tenths // 600}:{tenths // 10 % 60:02d}.{tenths % 10}"
+
+
+def event_title(name: str, half: int, halves: int) -> str:
+    """Return the name of an event for spectators: ``GOAL``, ``END OF HALF 1``."""
+    if name == PROGRAM_FAULT:
+        return "PROGRAM FAILED"
+    if name == "MATCH_START" and half > 1:
+        return f"START OF HALF {half}"
+    return f"END OF HALF {half}" if name == "MATCH_FINISH" and half < halves else name.replace("_", " ")
 
 
 def fault_sentence(fault: Fault) -> str:

@@ -13,7 +13,7 @@ from rcj_challenges.cli.app import app
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.match import batch
 from rcj_challenges.match.batch import Job, Outcome
-from rcj_challenges.views.replay.browse import address_of
+from rcj_challenges.views.replay.browse import address_of, playing_address
 from tests.cli.conftest import ONE_ROBOT, STAND
 from tests.cli.in_this_process import played_one_after_the_other
 from tests.made_up_runs import write_made_up_run
@@ -65,7 +65,7 @@ def test_view_opens_the_page_and_prints_its_path(runs, capsys, monkeypatch):
     assert run("view", "--out", runs) == 0
     assert opened
     assert opened[0].startswith("file://") is (sys.platform != "win32")
-    assert opened[0].endswith("replay.html")
+    assert opened[0].endswith("play.html" if sys.platform in ("win32", "darwin") else "replay.html#play")
 
 
 def test_a_browser_is_given_a_page_as_its_system_finds_it_also_in_a_folder_with_umlauts(tmp_path):
@@ -73,6 +73,14 @@ def test_a_browser_is_given_a_page_as_its_system_finds_it_also_in_a_folder_with_
     assert address_of(page, "win32") == str(page)
     assert address_of(page, "linux").endswith("/J%C3%B6rg%20M%C3%BCller/100%25%20%231/replay.html")
     assert address_of(page, "darwin") == address_of(page, "linux") == page.as_uri()
+
+
+def test_a_replay_plays_by_itself_also_where_the_system_drops_the_fragment_of_an_address(tmp_path):
+    page = tmp_path / "replay.html"
+    for system in ("win32", "darwin"):
+        assert playing_address(page, system) == address_of(tmp_path / "play.html", system)
+    assert "url=replay.html#play" in (tmp_path / "play.html").read_text("utf-8")
+    assert playing_address(tmp_path / "nowhere" / "replay.html", "win32") == str(tmp_path / "nowhere" / "replay.html")
 
 
 def test_simulate_plays_every_seed_and_reports_the_spread(tmp_path, capsys, monkeypatch):

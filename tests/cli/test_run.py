@@ -15,6 +15,7 @@ import pytest
 
 from rcj_challenges.records.result import RunResult, read_result
 from rcj_challenges.records.trajectory import Trajectory
+from rcj_challenges.views.replay.browse import playing_address
 from tests.cli.conftest import STAND
 from tests.cli.in_this_process import here
 
@@ -166,7 +167,7 @@ def test_open_shows_the_page_when_the_match_is_over(tmp_path, monkeypatch, capsy
     monkeypatch.setattr("webbrowser.open", lambda address: opened.append(address) or there_is_a_browser)
     assert here(monkeypatch, tmp_path, *short(team, "--quiet", "--open", *DUEL)) == 0
     (page,) = tmp_path.glob("runs/*/replay.html")
-    assert opened == [str(page) if sys.platform == "win32" else page.as_uri()]
+    assert opened == [playing_address(page)]
     assert ("no browser could be started" in capsys.readouterr().out) is not there_is_a_browser
 
 

@@ -9,6 +9,7 @@ import pytest
 
 from rcj_challenges.records.trajectory import Trajectory
 from rcj_challenges.views.palette import css_colour
+from rcj_challenges.views.replay.browse import open_replay
 from tests.views.browser_stage import NARROW, NO_WEBGL, WIDE, picture, settled, shown_moment, until
 from tests.views.replay_play import (
     BACK,
@@ -227,7 +228,7 @@ def test_readings_and_rays_are_those_of_the_moment(show: Callable[..., Any], run
     until(page, "replay.app.sensors.half(1)")
     settled(page)
     card = page.locator(".robot", has_text="B1").first
-    assert reading(card, "observation") == "tick 125"
+    assert reading(card, "observation") == "frame 125"
     assert {name: reading(card, name) for name in READINGS_AT_125} == READINGS_AT_125
     assert page.locator(".sensing:visible").count() == 2
     page.click("text=Rays >> nth=0")
@@ -319,6 +320,28 @@ def test_each_camera_shows_another_picture_and_a_click_on_a_robot_its_trail(
     assert page.locator("#behind").input_value() == "0"
 
 
+def test_a_match_starts_by_a_tap_on_the_picture_and_pauses_by_another(show: Callable[..., Any], run: Path) -> None:
+    page = show(run, "", viewport=NARROW, script=NO_WEBGL, has_touch=True, is_mobile=True)
+    assert page.is_visible("#begin")
+    page.tap("#view")  # on the ball in the middle
+    until(page, "replay.place > 5")
+    assert page.is_hidden("#begin")
+    box = page.locator("#view").bounding_box()
+    page.touchscreen.tap(box["x"] + 10, box["y"] + box["height"] - 10)
+    settled(page)
+    assert page.evaluate("[replay.app.player.playing, [...replay.app.robots.trails]]") == [False, []]
+
+
+def test_a_replay_opened_by_a_command_plays_by_itself(
+    show: Callable[..., Any], run: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    opened: list[str] = []
+    monkeypatch.setattr("webbrowser.open", lambda address: opened.append(address) or True)
+    assert open_replay(run) == (run / "replay.html", True)
+    page = show(run, f"#{opened[0].partition('#')[2]}", anew=True)
+    until(page, "replay.place > 5")
+
+
 # --- any screen --------------------------------------------------------------------------------------------------------
 
 CUT_OFF = """() => [...document.querySelectorAll(".team .name, .half, .phase, #caption")]
@@ -326,18 +349,26 @@ CUT_OFF = """() => [...document.querySelectorAll(".team .name, .half, .phase, #c
   .map((one) => one.textContent)"""
 
 
+TOO_SMALL = """() => [...document.querySelectorAll("button, select")].filter((one) => one.checkVisibility())
+  .map((one) => [one.id || one.textContent, one.getBoundingClientRect()])
+  .filter(([, box]) => box.width < 44 || box.height < 44).map(([name]) => name)"""
+
+
 def test_on_a_phone_the_field_stays_in_sight_and_nothing_is_cut_off(show: Callable[..., Any], run: Path) -> None:
     page = show(run, f"#h1t{GOALS[1]}", viewport=NARROW, script=NO_WEBGL, has_touch=True, is_mobile=True)
     for size in (NARROW, SMALL, LYING):
+        shown = ("#view", "#play", "#seek", "#clock", "#panel") + (() if size == LYING else ("#events",))
         page.set_viewport_size(size)
         page.evaluate("document.getElementById('events').scrollTop = 1e6; scrollTo(0, 1e6)")
         settled(page)
         assert page.evaluate("[scrollX, scrollY]") == [0, 0]
         assert page.evaluate("document.documentElement.scrollWidth") <= size["width"]
-        for thing in ("#view", "#play", "#seek", "#clock", "#panel", "#events"):
+        for thing in shown:
             box = page.locator(thing).bounding_box()
             assert box["y"] >= 0
             assert box["y"] + box["height"] <= size["height"], thing
+        assert page.locator("#events").is_visible() == ("#events" in shown)
+        assert page.evaluate(TOO_SMALL) == [], size
         assert page.locator("#view").bounding_box()["height"] >= 0.35 * size["height"]
         assert page.locator("#phase").inner_text() == "goal pause · robots held"
         assert page.evaluate(CUT_OFF) == [], size

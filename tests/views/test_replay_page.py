@@ -199,6 +199,11 @@ def test_an_event_shows_measured_values_and_the_score(page: str) -> None:
     assert [event["standing"] for event in goals] == ["0 : 1", "0 : 2", "1 : 2", "2 : 2"]
 
 
+def test_the_end_of_a_half_is_not_the_end_of_the_match(page: str) -> None:
+    titles = [event["title"] for event in _facts(page)["events"] if event["name"] == "MATCH_FINISH"]
+    assert titles == ["END OF HALF 1", "MATCH FINISH"]
+
+
 def test_phases_and_score_are_listed_by_half(page: str) -> None:
     first, second = _facts(page)["halves"]
     assert first["phases"][:3] == [[0, "play", False], [400, "goal_pause", True], [494, "play", False]]

@@ -70,6 +70,19 @@ def test_an_event_of_the_report_leads_to_its_moment_of_the_replay(visit: Callabl
     assert page.evaluate("[replay.half, replay.tick]") == [1, 800]
 
 
+def test_goals_stand_first_and_more_of_a_bracket_is_indicated(visit: Callable[..., Any], data: Path) -> None:
+    match = next((data / "site" / "matches").glob("groups.*/replay.html")).parent
+    page = visit(f"site/matches/{match.name}/index.html", viewport=NARROW)
+    assert page.locator("article section").first.locator(".standing").all_inner_texts() == [
+        "0 : 1", "0 : 2", "1 : 2", "2 : 2",
+    ]  # fmt: skip
+    page.goto((data / "site/stages/finals.html").as_uri())
+    box = page.locator(".scroll:has(.bracket)")
+    assert box.evaluate("(one) => one.scrollWidth > one.clientWidth && getComputedStyle(one).backgroundAttachment") == (
+        "local, local, scroll, scroll"
+    )
+
+
 def test_a_bracket_prints_on_one_sheet_across(visit: Callable[..., Any]) -> None:
     page = visit("site/brackets/finals.html")
     page.emulate_media(media="print")

@@ -30,7 +30,7 @@ from rcj_challenges.tournament.site.public import (
 from rcj_challenges.tournament.site.render import Renderer
 from rcj_challenges.tournament.site.tree import Tree, fingerprint
 from rcj_challenges.views.replay.page import page_text
-from rcj_challenges.views.sentences import clock
+from rcj_challenges.views.sentences import clock, event_title
 from rcj_challenges.views.stats import DEFINITIONS, run_stats, stats_as_json
 
 _MAX_EVENTS = 400
@@ -49,6 +49,7 @@ class Moment:
         name: of the event.
         about: a sentence.
         standing: the score after it, if it changed.
+        side: that gained or lost points.
         kind: ``goal``, ``loss``, ``fault``, ``call``.
         link: to this moment of the replay, or empty.
     """
@@ -58,6 +59,7 @@ class Moment:
     name: str
     about: str
     standing: str
+    side: str
     kind: str
     link: str
 
@@ -162,32 +164,37 @@ def _stats(record: Path | None) -> dict[str, Any] | None:
 def moments(replay: ReplayData | None, result: Mapping[str, Any]) -> list[Moment]:
     """Return the events of a match as sentences, with links into the replay if there is one."""
     if replay is not None:
+        titles = {team["name"]: team["title"] for team in replay.facts["teams"]}
         found = [
             Moment(
                 half=event["half"],
                 clock=clock(s_from_ticks(event["tick"])),
-                name=event["name"],
+                name=event.get("title", event["name"]),
                 about=" · ".join(filter(None, (event["about"], event["payload_text"]))),
                 standing=event["standing"],
+                side=titles.get(event["team"], ""),
                 kind=event["kind"],
                 link=f"replay.html#h{event['half']}t{event['tick']}",
             )
             for event in replay.facts["events"]
+            if event["name"] not in _ROUTINE
         ]
     else:
         found = [
             Moment(
                 half=event["half"],
                 clock=clock(event["matchtime"]),
-                name=event["event"],
+                name=event_title(event["event"], event["half"], 1),
                 about=_about(event),
                 standing="",
+                side=str(event["payload"].get("team_name", "")),
                 kind="fault" if event["event"] == PROGRAM_FAULT else "goal" if event["event"] == "GOAL" else "call",
                 link="",
             )
             for event in result.get("events", ())
+            if event["event"] not in _ROUTINE
         ]
-    return [moment for moment in found if moment.name not in _ROUTINE][:_MAX_EVENTS]
+    return found[:_MAX_EVENTS]
 
 
 def _about(event: Mapping[str, Any]) -> str:

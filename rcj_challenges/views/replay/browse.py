@@ -96,7 +96,19 @@ def open_replay(folder: Path) -> tuple[Path, bool]:
     page = folder / REPLAY
     if not page.exists():
         page = write_replay(folder)
-    return page, webbrowser.open(address_of(page.absolute()))
+    return page, webbrowser.open(playing_address(page.absolute()))
+
+
+def playing_address(page: Path, system: str = sys.platform) -> str:
+    """Return the address under which a replay plays by itself."""
+    if system not in ("win32", "darwin"):
+        return address_of(page, system) + "#play"
+    start = page.with_name("play.html")  # these systems open a file without the fragment of its address
+    try:
+        start.write_text(f'<meta http-equiv="refresh" content="0; url={page.name}#play">\n', encoding="utf-8")
+    except OSError:
+        start = page
+    return address_of(start, system)
 
 
 def address_of(page: Path, system: str = sys.platform) -> str:

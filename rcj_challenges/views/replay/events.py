@@ -18,7 +18,7 @@ from rcj_challenges.rules.triggers import TRIGGERS
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.palette import css_colour
 from rcj_challenges.views.payloads import extra_payload_text
-from rcj_challenges.views.sentences import fault_sentence
+from rcj_challenges.views.sentences import event_title, fault_sentence
 from rcj_challenges.views.timeline import POINTS, HalfTimeline, Timeline, TimelineEvent
 
 _QUIET = ("MATCH_START", "MATCH_FINISH", "KICKOFF")
@@ -53,6 +53,7 @@ class EventFacts:
 
     def __init__(self, scenario: Scenario, names: Mapping[str, str]) -> None:
         self._rules = scenario.rules
+        self._halves = scenario.match.halves
         self._entities = {*scenario.robots, *scenario.balls, *scenario.obstacles}
         self._seats = tuple(scenario.entrants)
         self._names = {seat: entrant.title or seat for seat, entrant in scenario.entrants.items()} | dict(names)
@@ -81,12 +82,14 @@ class EventFacts:
         if fault is not None:
             about, says, beside = fault_sentence(fault), _short(fault.traceback or fault.detail), []
         more = _short(" · ".join(filter(None, beside)), 300)
-        head = " ".join(filter(None, (name.replace("_", " "), self._names.get(team, ""), standing)))
+        title = event_title(name, event.half, self._halves)
+        head = " ".join(filter(None, (title, self._names.get(team, ""), standing)))
         caption = " · ".join(filter(None, (about, more)))
         return {
             "half": event.half,
             "tick": event.tick,
             "name": name,
+            "title": title,
             "kind": _kind(name, scored),
             "scored": bool(scored),
             "team": team,

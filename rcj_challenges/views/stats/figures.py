@@ -44,8 +44,8 @@ DEFINITIONS: dict[str, Definition] = {
         "Sum of the distances between the judged positions of the centre, tick by tick (0.032 s), in play and on the "
         "field. Placements add no distance.",
     ),
-    "mean_mps": Definition("mean", "m/s", "The distance divided by the time of play on the field."),
-    "max_mps": Definition("max", "m/s", "The greatest distance in one tick of play divided by 0.032 s."),
+    "mean_mps": Definition("average speed", "m/s", "The distance divided by the time of play on the field."),
+    "max_mps": Definition("top speed", "m/s", "The greatest distance in one tick of play divided by 0.032 s."),
     "touches": Definition(
         "touches",
         "",

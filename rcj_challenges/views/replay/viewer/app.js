@@ -5,7 +5,7 @@ const KEYS = [
   ["← →", "5 s back, forward"], ["↑ ↓", "faster, slower"], ["P, N", "previous, next event of the list"],
   ["Home, End", "start, end"], ["F, H", "full screen, hide the panel"], ["1 2 3 4 5", "cameras: field, top, side, ball, behind a robot"],
   ["Z", "zones, gates and spots"], ["drag", "turn"], ["shift-drag, two fingers", "move"], ["wheel, pinch", "zoom"],
-  ["double click", "the whole field again"], ["click on a robot", "its trail"],
+  ["double click", "the whole field again"], ["click on a robot", "its trail"], ["click elsewhere", "play or pause"],
 ];
 const SLOW_FRAME_MS = 20;
 const COARSEST = 0.5;
@@ -120,6 +120,7 @@ class App {
   fromAddress() {
     const place = this.recording.placeOfFragment(location.hash);
     if (place !== null) this.go(place, false);
+    if (location.hash === "#play") this.go(0, true);
   }
 
   /** What was chosen with the mouse keeps no focus: keys steer the match again. By the keyboard one stays where one is. */
@@ -173,18 +174,23 @@ class App {
     return this.recording.entities[leads].front < 0 ? { ...pose, yaw: pose.yaw + Math.PI } : pose;
   }
 
-  /** A click near a robot or ball switches its trail. */
+  /** A click starts the match; later, one near a robot or ball switches its trail, any other plays or pauses. */
   tapped(x, y) {
+    const { player } = this;
     const { clientWidth: width, clientHeight: height } = this.find("view");
-    let best = null, least = 34;
+    let best = null, least = 20;
     this.recording.entities.forEach((_, index) => {
       const pose = this.recording.pose(index, this.player.place);
       const place = this.view.project(pose.x, pose.y, pose.z);
       const away = place ? Math.hypot((place[0] - x) * width, (place[1] - y) * height) : Infinity;
       if (away < least) [best, least] = [index, away];
     });
-    if (best !== null) this.robots.cards[best].trail.click();
+    if (best !== null && !this.atStart) this.robots.cards[best].trail.click();
+    else if (!player.following) player.toggle();
+    this.changed();
   }
+
+  get atStart() { return this.player.place === 0 && !this.player.playing; }
 
   // --- drawing ---------------------------------------------------------------------------------------------------------
 
@@ -275,6 +281,7 @@ class App {
 
   write(frame) {
     const { place } = this.player;
+    this.find("begin").toggleAttribute("hidden", !this.atStart); // an SVG element has no property for it
     this.board.show(place);
     this.transport.show(place);
     this.events.show(place);

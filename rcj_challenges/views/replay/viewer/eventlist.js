@@ -3,7 +3,7 @@
 const MOST_ROWS = 1500;
 
 /** `LACK OF PROGRESS`: the name of an event as people read it. */
-const eventName = ({ name }) => name.replaceAll("_", " ");
+const eventName = ({ title, name }) => title ?? name.replaceAll("_", " ");
 const LEAD_IN_S = 3;
 
 class EventList {
@@ -27,7 +27,7 @@ class EventList {
   /** Events were added while the match is played: rows are appended, counts brought up to date. */
   grown(added) {
     this.buildFilters();
-    const chosen = added.filter((event) => this.kind === null || event.name === this.kind);
+    const chosen = added.filter((event) => this.kind === null || eventName(event) === this.kind);
     const room = Math.max(0, MOST_ROWS - this.rows.length);
     for (const event of chosen.slice(0, room)) {
       const row = this.row(event);
@@ -42,9 +42,11 @@ class EventList {
   buildFilters() {
     this.filters.replaceChildren();
     const counts = new Map();
-    for (const event of this.recording.events) counts.set(event.name, (counts.get(event.name) || 0) + 1);
-    const scoring = new Set(this.recording.events.filter((event) => event.scored).map((event) => event.name));
-    const rank = (name) => (scoring.has(name) ? 0 : name === "PROGRAM_FAULT" ? 1 : 2);
+    for (const event of this.recording.events) counts.set(eventName(event), (counts.get(eventName(event)) || 0) + 1);
+    const named = (events) => new Set(events.map(eventName));
+    const scoring = named(this.recording.events.filter((event) => event.scored));
+    const failing = named(this.recording.events.filter((event) => event.kind === "fault"));
+    const rank = (name) => (scoring.has(name) ? 0 : failing.has(name) ? 1 : 2);
     const names = [...counts.keys()].sort((a, b) => rank(a) - rank(b) || counts.get(b) - counts.get(a));
     const add = (kind, text, count) => {
       const button = element("button", "filter", text);
@@ -56,7 +58,7 @@ class EventList {
       this.filters.append(button);
     };
     add(null, "All", this.recording.events.length);
-    for (const name of names) add(name, eventName({ name }), counts.get(name));
+    for (const name of names) add(name, name, counts.get(name));
   }
 
   filter(kind) {
@@ -67,7 +69,7 @@ class EventList {
   }
 
   get shown() {
-    return this.recording.events.filter((event) => this.kind === null || event.name === this.kind);
+    return this.recording.events.filter((event) => this.kind === null || eventName(event) === this.kind);
   }
 
   build() {

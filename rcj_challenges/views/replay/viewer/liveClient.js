@@ -200,7 +200,7 @@ class LiveClient {
   showBadge() {
     const { over } = this.recording;
     const following = Boolean(this.app?.player.following) && !over;
-    const speed = this.pace.speed === null ? "max" : `${this.pace.speed} ×`;
+    const speed = this.pace.speed === null ? "full speed" : `${this.pace.speed} ×`;
     const more = this.pace.paused ? " · paused" : this.pace.speed === 1 ? "" : ` · ${speed}`;
     const text = over ? "Over" : `Live${more}`;
     if (this.badge.textContent !== text) this.badge.textContent = text;

@@ -32,7 +32,7 @@ class MatchControls {
     this.speed.id = "match-speed";
     this.speed.setAttribute("aria-label", "Speed of the match");
     for (const speed of MATCH_SPEEDS) this.speed.append(new Option(`${speed} ×`, String(speed)));
-    this.speed.append(new Option("max", "max"));
+    this.speed.append(new Option("full speed", "max"));
     this.speed.addEventListener("change", () => {
       this.order({ do: "speed", speed: this.speed.value === "max" ? null : Number(this.speed.value) });
       this.speed.blur();

@@ -106,12 +106,15 @@ class Panels {
   /** More room for the field: without the panel, or on the whole screen. */
   room() {
     this.find("panel").addEventListener("click", () => this.togglePanel());
+    const low = matchMedia("(max-height: 520px) and (min-aspect-ratio: 1/1)"); // a phone held sideways
+    low.addEventListener("change", () => this.togglePanel(low.matches));
+    this.togglePanel(low.matches);
     this.find("fullscreen").hidden = !document.fullscreenEnabled;
     this.find("fullscreen").addEventListener("click", () => this.toggleFullscreen());
   }
 
-  togglePanel() {
-    const hidden = document.body.classList.toggle("no-panel");
+  togglePanel(hidden = !document.body.classList.contains("no-panel")) {
+    document.body.classList.toggle("no-panel", hidden);
     this.find("panel").setAttribute("aria-pressed", String(hidden));
   }
 

@@ -70,7 +70,7 @@ class RobotList {
       const pose = recording.pose(index, place);
       const degrees = Math.round((pose.yaw * 180) / Math.PI);
       const speed = track.speed(index, tick, recording.tickSeconds);
-      const looks = entity.kind === "robot" ? ["   yaw ", steady(degrees, 0, 4.5), "°"] : [];
+      const looks = entity.kind === "robot" ? ["   facing ", steady(degrees, 0, 4.5), "°"] : [];
       const stands = entity.kind === "robot" && (all || held.includes(entity.name)) ? "   held" : "";
       const numbers = ["x ", steady(pose.x, 3, 6), "   y ", steady(pose.y, 3, 6), " m", ...looks, `   ${speed.toFixed(2)} m/s${stands}`];
       card.numbers.replaceChildren(...(pose.off ? ["off the field"] : numbers));

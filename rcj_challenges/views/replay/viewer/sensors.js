@@ -153,7 +153,7 @@ class Sensors {
     const { devices, packets, motors, units } = robot.facts;
     const number = (column, digits) => (Number.isNaN(value(column)) ? "–" : value(column).toFixed(digits).replace("Infinity", "∞"));
     const firstMotor = units.length - motors.length, firstPacket = firstMotor - 4 * packets;
-    const rows = [["observation", `tick ${tick}`]];
+    const rows = [["observation", `frame ${tick}`]];
     motors.forEach((name, at) => rows.push([name, `set to ${number(firstMotor + at, 2)} rad/s`]));
     const off = [];
     let column = 0;

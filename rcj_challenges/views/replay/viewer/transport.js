@@ -101,7 +101,7 @@ class Transport {
   show(place) {
     const { recording, player } = this;
     const { track, tick } = recording.at(place);
-    const text = `tick ${Math.round(tick)}`;
+    const text = `frame ${Math.round(tick)}`;
     if (this.frame.textContent !== text) this.frame.textContent = text;
     if (track !== this.track) {
       this.track = track;
