@@ -21,14 +21,16 @@ _MIN_SEED_LETTERS = 16
 """A shorter seed can be found by trial: its hash does not hide it."""
 
 
-def publish_tournament(tournament: OpenTournament, now: datetime, premieres: Sequence[str], url: str) -> int:
+def publish_tournament(
+    tournament: OpenTournament, now: datetime, premieres: Sequence[str], url: str, out: Path | None
+) -> int:
     """Publish, and print where everything is; returns the exit code.
 
     Raises:
         DiagnosticError: a file cannot be written, or there is no such stage.
     """
     source = site_source(tournament, now, premieres, url)
-    data = tournament.store.place.folder
+    data = out if out is not None else tournament.store.place.folder
     console = console_for()
     try:
         with Progress(console=console, transient=True, disable=not console.is_terminal) as bars:
@@ -36,7 +38,7 @@ def publish_tournament(tournament: OpenTournament, now: datetime, premieres: Seq
             published = publish(source, data, lambda done, total: bars.update(task, completed=done, total=total))
     except OSError as error:
         message = f"cannot write {sanitize(error.filename or data)}: {format_error(error)}"
-        help_ = "make room or give access, and publish again; the site of before is still there"
+        help_ = "make room, give access or choose another folder with --out; the site of before is still there"
         raise DiagnosticError(Diagnostic("site-unwritable", message, help_)) from error
     lines = [
         f"{counted(published.matches, 'match', 'matches')} published, {published.reused} of them as before",

@@ -143,13 +143,16 @@ def publish(
     url: Annotated[
         str, typer.Option("--url", metavar="URL", help="Where the site will be, for the feed and the calendar.")
     ] = "",
+    out: Annotated[
+        Path | None, typer.Option("--out", metavar="DIR", help="Where to write it; default: the data folder.")
+    ] = None,
 ) -> None:
     """Write the site with all results released so far, and a private folder for each team."""
     from rcj_challenges.cli.publish import publish_tournament
     from rcj_challenges.records.folder import utc_now
 
     with opened(file, data) as tournament:
-        raise typer.Exit(publish_tournament(tournament, utc_now(), premiere or [], url))
+        raise typer.Exit(publish_tournament(tournament, utc_now(), premiere or [], url, out))
 
 
 @tournament_app.command(

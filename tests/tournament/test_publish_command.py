@@ -1,7 +1,12 @@
 """``rcj-challenge tournament publish``: exit codes, what is written where, and what is not released."""
 
 import json
+import os
+import shutil
+import tempfile
+from contextlib import contextmanager
 from datetime import UTC, datetime, timedelta
+from pathlib import Path
 
 import pytest
 
@@ -101,3 +106,47 @@ def test_a_folder_in_the_way_is_a_wrong_input(tmp_path, publish):
     code, _, err = publish(home)
     assert code == 2
     assert "error[folder-in-the-way]" in err
+
+
+@pytest.mark.skipif(os.name != "posix", reason="folders of Windows have no such permission")
+def test_a_data_folder_that_cannot_be_written_can_be_read_and_published_elsewhere(monkeypatch, capsys):
+    def run(*arguments):
+        code = here(monkeypatch, home.folder, "tournament", *arguments, "league.yaml", "--data", str(home.data))
+        return code, capsys.readouterr()
+
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        Path(folder).chmod(0o777)
+        home = Home(Path(folder))
+        home.play()
+        killed = Path(folder, "killed")
+        with home.opened() as tournament:  # a copy of now is what a killed command leaves
+            withdraw(tournament, "ada", "the robots are broken", cascade=True)
+            shutil.copytree(home.data, killed, ignore=shutil.ignore_patterns("*-shm"))
+        commands = (("results",), ("status",), ("publish", "--out", f"{folder}/elsewhere"))
+        before = [run(*command)[1].out for command in commands]
+        shutil.rmtree(Path(folder, "elsewhere"))
+        for data in (home.data, killed):
+            home.data = data
+            with only_reading(data):
+                assert [(0, text) for text in before] == [
+                    (code, said.out) for code, said in (run(*command) for command in commands)
+                ]
+                shutil.rmtree(Path(folder, "elsewhere"))
+                code, said = run("publish")
+            assert code == 2
+            assert "error[site-unwritable]" in said.err
+
+
+@contextmanager
+def only_reading(folder):
+    """Take the permission to write into a folder away; from root, which needs none, by becoming another user."""
+    is_root = os.geteuid() == 0
+    folder.chmod(0o555)
+    if is_root:
+        os.seteuid(65534)
+    try:
+        yield
+    finally:
+        if is_root:
+            os.seteuid(0)
+        folder.chmod(0o755)

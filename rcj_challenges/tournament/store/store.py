@@ -5,10 +5,12 @@ from __future__ import annotations
 import json
 import sqlite3
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
+from shutil import copyfile
+from tempfile import TemporaryDirectory
 from types import TracebackType
 from typing import Any, Self, TypeVar
 
@@ -104,10 +106,15 @@ class Store:
             if writing:
                 self._make_folders()
                 stack.enter_context(WriterLock(folder))
-            self._engine = self._made_engine(writing=writing)
+            self._engine = self._made_engine(self._path, writing=writing)
             stack.callback(lambda: self._engine.dispose())  # noqa: PLW0108 - a reader may replace it
-            with self._errors():
-                self._prepare(writing=writing)
+            try:
+                with self._errors():
+                    self._prepare(writing=writing)
+            except DiagnosticError as error:
+                if writing or error.code != "store-unwritable":
+                    raise
+                self._read_copy(stack)
             self._stack = stack.pop_all()
 
     def __enter__(self) -> Self:
@@ -251,10 +258,10 @@ class Store:
         except OSError as error:
             raise _unwritable(self.place.folder, format_error(error)) from error
 
-    def _made_engine(self, *, writing: bool) -> Engine:
-        if not writing and not self._path.exists():  # nothing was played yet
+    def _made_engine(self, path: Path, *, writing: bool) -> Engine:
+        if not writing and not path.exists():  # nothing was played yet
             return _empty_engine()
-        engine = create_engine(f"sqlite:///{self._path}", connect_args={"timeout": _BUSY_S})
+        engine = create_engine(f"sqlite:///{path}", connect_args={"timeout": _BUSY_S})
 
         @event.listens_for(engine, "connect")
         def _set_up(connection: sqlite3.Connection, _record: object) -> None:
@@ -265,6 +272,25 @@ class Store:
             cursor.close()
 
         return engine
+
+    def _read_copy(self, stack: ExitStack) -> None:
+        """Read a copy of the store: SQLite makes files beside a store even to read it, and the folder forbids this.
+
+        Raises:
+            DiagnosticError: it cannot be copied, is damaged, or of another version.
+        """
+        self._engine.dispose()
+        folder = Path(stack.enter_context(TemporaryDirectory(prefix="rcj-store-")))
+        stack.callback(lambda: self._engine.dispose())  # noqa: PLW0108 - before the folder goes
+        try:
+            for ending in ("", "-wal"):  # the second has what a killed command wrote last
+                with suppress(FileNotFoundError):
+                    copyfile(f"{self._path}{ending}", folder / f"{STORE_FILE}{ending}")
+        except OSError as error:
+            raise _unwritable(folder, format_error(error)) from error
+        self._engine = self._made_engine(folder / STORE_FILE, writing=False)
+        with self._errors():
+            self._prepare(writing=False)
 
     def _prepare(self, *, writing: bool) -> None:
         """Make the tables of a new store; look whether an old one can be used.
