@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from rcj_challenges.checker.advice.devices import device_help, missing_devices
+from rcj_challenges.checker.advice.devices import device_help, missing_devices, missing_sentence
 from rcj_challenges.checker.advice.hints import HELP_BY_FAULT, hint_for, whereabouts_in
 from rcj_challenges.checker.advice.table import Hint
 from rcj_challenges.checker.findings import Finding, StageName
@@ -80,7 +80,7 @@ def device_findings(stage: StageName, missing: MissingDevices, rehearsal: Rehear
     names = {name for name, _ in missing}
     findings = []
     for (name, has), robots in list(missing.items())[:_MAX_DEVICES]:
-        message = f'{side}asks for a device "{sanitize(name)}"; there is none'
+        message = f"{side}{missing_sentence(name)}"
         help_ = device_help(rehearsal.loaded.scenario, rehearsal.team, name, has, names)
         findings.append(Finding(f"{stage}.no_device", "warning", message, help_, ", ".join(robots)))
     return findings

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
+from rcj_challenges.checker.advice.complaints import MAX_COMPLAINTS, complaints_in
 from rcj_challenges.checker.advice.hints import standing_help
 from rcj_challenges.checker.faults import MissingDevices, device_findings, fault_findings, missing_by_device
 from rcj_challenges.checker.findings import Finding, Level, Stage
@@ -25,21 +26,6 @@ _SLOW_SHARE = 0.5
 _TOO_SLOW_SHARE = 2.0  # this computer may be slower than the tournament's, and is busy with other things
 _MUCH_SHARE = 0.5
 _TOO_MUCH_SHARE = 2.0  # it would be ended before the middle of a half; for less, ten seconds are too short
-_MAX_COMPLAINTS = 5
-# What the controller module writes into a log, and what to do: errors, and those of its warnings behind which there may
-# be a mistake.
-_COMPLAINTS = tuple(
-    (re.compile(words), help_)
-    for words, help_ in (
-        (r"Error: (only one Robot can be made: .+)", "make it once, and hand it to what needs it: def run(robot): …"),
-        (r"Error: ('[^']+': .+)", "correct this call"),  # each of them begins with the device
-        (r"Warning: (.+ is read but not enabled): call enable.+", "call enable(32) before the first step"),
-        (r"Warning: (step was called .+); write a while loop\.", "write a loop: while robot.step(32) != -1:"),
-        (r"Warning: (.+ is ignored and gives None: .+)", "do without this call"),
-        (r"Warning: (.+: the packet is dropped: it is empty.*)", "send nothing where there is nothing to say"),
-        (r"Warning: (.+: the packet is dropped: .+)", "send less in one packet and in one step"),
-    )
-)
 # What Python itself writes when a thread beside the one that steps ends by an error.
 _THREAD_ENDED = re.compile(
     r"^Exception in thread .+:\n(?P<report>Traceback \(most recent call last\):\n(?:[ \t].*\n)*(?P<error>\S.*))",
@@ -233,7 +219,7 @@ def _threads(match: Rehearsed, side: str) -> list[Finding]:
             where=", ".join(robots),
             details=sanitize_block(report),
         )
-        for error, (report, robots) in list(ended.items())[:_MAX_COMPLAINTS]
+        for error, (report, robots) in list(ended.items())[:MAX_COMPLAINTS]
     ]
 
 
@@ -241,13 +227,11 @@ def _complaints(match: Rehearsed, side: str) -> list[Finding]:
     """Return what the controller module found wrong with calls of the program."""
     complaints: dict[tuple[str, str], list[str]] = {}
     for robot in match.robots:
-        for line in dict.fromkeys(match.log(robot).splitlines()):
-            found = ((words.fullmatch(line), help_) for words, help_ in _COMPLAINTS)
-            if complaint := next(((hit[1], help_) for hit, help_ in found if hit is not None), None):
-                complaints.setdefault(complaint, []).append(robot)
+        for complaint in complaints_in(match.log(robot)):
+            complaints.setdefault(complaint, []).append(robot)
     return [
-        Finding("play.complaint", "warning", f"{side}{sanitize(what)}", help_, ", ".join(robots))
-        for (what, help_), robots in list(complaints.items())[:_MAX_COMPLAINTS]
+        Finding("play.complaint", "warning", f"{side}{what}", help_, ", ".join(robots))
+        for (what, help_), robots in list(complaints.items())[:MAX_COMPLAINTS]
     ]
 
 

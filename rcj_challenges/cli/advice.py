@@ -5,6 +5,8 @@ from __future__ import annotations
 import contextlib
 from typing import TYPE_CHECKING, Any
 
+from rcj_challenges.core.sanitize import sanitize
+
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
     from pathlib import Path
@@ -23,7 +25,9 @@ def advice_on(
     standing: Sequence[str],
     logs: Path,
 ) -> list[dict[str, Any]]:
-    """Return what to do about faults and robots that never moved, as in `HintResult`, and write it into their logs.
+    """Return what to do about faults, robots that never moved and warnings in logs, as in `HintResult`.
+
+    Each log gets the hints for its robot as its last lines.
 
     Args:
         scenario: what was played.
@@ -33,8 +37,6 @@ def advice_on(
         logs: folder with the robots' logs.
     """
     faults = [fault for fault in faults if fault["team"] in teams]
-    if not faults and not standing:
-        return []
     from rcj_challenges.checker.advice.hints import HELP_BY_FAULT, hint_for, read_log, standing_help, whereabouts_in
 
     numbers = {robot: number for seat in scenario.entrants.values() for number, robot in enumerate(seat.robots)}
@@ -51,9 +53,29 @@ def advice_on(
         team = teams[seats[robot]].driving(numbers[robot])
         help_ = f"it did not move: {standing_help(scenario, team, robot, read_log(logs, robot))}"
         robots.setdefault(help_, {})[robot] = None
+    for robot, seat in seats.items():
+        known = " ".join(help_ for help_, alike in robots.items() if robot in alike)
+        if seat in teams:
+            team = teams[seat].driving(numbers[robot])
+            for help_ in _warnings(scenario, team, read_log(logs, robot), known):
+                robots.setdefault(help_, {})[robot] = None
     hints = [{"robots": list(alike), "help": help_} for help_, alike in robots.items()]
     _write_into_logs(hints, logs)
     return hints
+
+
+def _warnings(scenario: Scenario, team: Team, log: str, known: str) -> list[str]:
+    """Return the warnings in a robot's log with what to do, as `check` has them; ``known``: hints that it has."""
+    from rcj_challenges.checker.advice.complaints import MAX_COMPLAINTS, complaints_in
+    from rcj_challenges.checker.advice.devices import device_help, missing_devices, missing_sentence
+
+    missing = missing_devices(log)
+    found = [
+        (missing_sentence(name), device_help(scenario, team, name, has, missing))
+        for name, has in missing.items()
+        if f'"{sanitize(name)}"' not in known
+    ]
+    return [f"{what}: {help_}" for what, help_ in (found + complaints_in(log))[:MAX_COMPLAINTS]]
 
 
 def _write_into_logs(hints: Sequence[Mapping[str, Any]], logs: Path) -> None:

@@ -98,7 +98,7 @@ class FaultResult(_Part):
 
 
 class HintResult(_Part):
-    """Advice on programs that failed."""
+    """Advice on programs that failed or made mistakes, and on robots that did not move."""
 
     robots: list[str] = _described("names of the robots whose programs it is about")
     help: str = _described("what to do, in the words of `check`")
@@ -156,9 +156,9 @@ class RunResult(_Part):
     hints: list[HintResult] = Field(
         default=[],
         exclude=True,  # advice is not part of the result, and later versions may improve it
-        description="what to do about programs that crashed or ended, if their output and source show it (for example "
-        "another form of the referee's packets); only in the output of `run --json`, and as a line at the end "
-        "of each such robot's log",
+        description="what to do about programs that crashed, ended or made mistakes, if their output and source show "
+        "it (for example another form of the referee's packets); only in the output of `run --json`, and as a line at "
+        "the end of each such robot's log",
     )
     folder: str = Field(
         default="",

@@ -109,7 +109,29 @@ def test_run_prints_a_hint_for_a_program_that_failed(tmp_path, monkeypatch, caps
     (folder / "team.py").write_text("import controller\n" + program, encoding="utf-8")
     assert here(monkeypatch, tmp_path, *short("mine/team.py", "--quiet", "--no-replay", *DUEL)) == 0
     lines = [line for line in capsys.readouterr().out.splitlines() if line.startswith("hint")]
-    assert [part in line for line in lines] == [True] * bool(part)
+    assert [part in line for line in lines[:1]] == [True] * bool(part)
+
+
+WITH_MISTAKES = """\
+import controller
+robot = controller.Robot()
+left, gps = robot.getDevice("left wheel motor"), robot.getDevice("gps")
+robot.getDevice("left whel motor")
+left.setPosition(float("inf"))
+left.setVelocity(float("nan"))
+while robot.step(32) != -1:
+    gps.getValues()
+    left.setVelocity(100)
+"""
+
+
+def test_each_warning_of_the_log_stands_once_at_the_end_of_a_match_with_what_helps(tmp_path, monkeypatch, capsys):
+    (tmp_path / "team.py").write_text(WITH_MISTAKES, encoding="utf-8")
+    assert here(monkeypatch, tmp_path, *short("team.py", "--json", "--no-replay", *DUEL)) == 0
+    hints = json.loads(capsys.readouterr().out)["hints"]
+    assert all(hint["robots"] == ["B1", "Y2"] for hint in hints)
+    parts = (('"left whel motor"', '"left wheel motor"'), ("NaN",), ("'gps'", "enable(32)"), ("100", "10 rad/s"))
+    assert [all(part in hint["help"] for part in one) for hint, one in zip(hints, parts, strict=True)] == [True] * 4
 
 
 def test_of_robots_that_fail_alike_one_line_is_enough_and_each_log_reports_it_once(tmp_path, printed):

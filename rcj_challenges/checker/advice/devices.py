@@ -33,6 +33,11 @@ def missing_devices(log: str) -> dict[str, str]:
     return {found["asked"]: found["has"] for found in _NO_DEVICE.finditer(log)}
 
 
+def missing_sentence(name: str) -> str:
+    """Return the sentence about a program that requested a device of this name."""
+    return f'asks for a device "{sanitize(name)}"; there is none'
+
+
 def none_hint(scenario: Scenario, team: Team, fault: Mapping[str, Any], log: str) -> Hint | None:
     """Return the hint for a crash over None that was returned for a device or a call of a supervisor; else None.
 
