@@ -275,7 +275,8 @@ def _print_outcome(
 def _score_lines(scenario: Scenario, result: dict[str, Any]) -> list[str]:
     """Return the score, and a line for each place of the ranking."""
     from rcj_challenges.views.naming import changes_sides
-    from rcj_challenges.views.scoreboard import ranking_lines, score_line
+    from rcj_challenges.views.score_lines import score_line
+    from rcj_challenges.views.scoreboard import ranking_lines
 
     names = {seat: entrant["name"] for seat, entrant in result["entrants"].items()}
     swap = changes_sides(scenario)

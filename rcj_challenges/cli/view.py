@@ -54,7 +54,7 @@ def list_records(out: Path) -> int:
 
     from rcj_challenges.views.console import console_for
     from rcj_challenges.views.replay.browse import list_runs
-    from rcj_challenges.views.scoreboard import score_line
+    from rcj_challenges.views.score_lines import score_line
 
     table = Table(Column("record", no_wrap=True), "started", "scenario", "score")
     rows: list[tuple[str, str, str, str]] = []

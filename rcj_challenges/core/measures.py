@@ -8,6 +8,9 @@ _UNITS = {
 """The units with which names of counters, values and fields of payloads end, and how they are written."""
 
 
+_MAX_DECIMALS = 15  # so many digits of a float are exact
+
+
 def measure(name: str) -> tuple[str, str]:
     """Split a name into text and unit: ``("best", "s")`` of ``best_s``, ``("laps", "")`` of ``laps``."""
     words, _, last = name.rpartition("_")
@@ -26,6 +29,14 @@ def measured_words(name: str, value: str) -> str:
     """Return a name with a value and its unit: ``best 10.48 s``, ``laps 3``."""
     words, unit = measure(name)
     return " ".join(part for part in (words, value, unit) if part)
+
+
+def distinct_decimals(measured: float | None, limit: float | None, decimals: int) -> int:
+    """Return so many decimals, or more if a measurement would otherwise be rounded to its limit."""
+    if measured is not None and limit is not None and measured != limit:
+        while decimals < _MAX_DECIMALS and round(measured, decimals) == round(limit, decimals):
+            decimals += 1
+    return decimals
 
 
 def number_words(value: float, decimals: int = 6) -> str:

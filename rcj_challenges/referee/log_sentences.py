@@ -6,6 +6,7 @@ import random
 import re
 
 from rcj_challenges.core.amounts import add_up, round_score
+from rcj_challenges.core.measures import distinct_decimals, number_words
 from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.placement import PlacementJob, PlacementSpec
 from rcj_challenges.referee.placement_board import PlacementBoard
@@ -15,19 +16,22 @@ from rcj_challenges.rules.values.word import team_name_of
 from rcj_challenges.scenario.placeholders import counted
 from rcj_challenges.tracking.bound_rules import Firing
 
+_DECIMALS = 3
+
 
 def fill_blanks(says: str, state: State, firing: Firing) -> str:
     """Return the sentence with {entity}, {each}, {other}, {team}, {measured}, {limit} and {points} filled in."""
     if "{" not in says:
         return says
     points = str(round_score(add_up(firing.scored.values())))
+    decimals = distinct_decimals(firing.measured, firing.limit, _DECIMALS)
     filled = {
         "{entity}": plain(firing.subject or ""),
         "{each}": plain(firing.rule.each or ""),
         "{other}": plain(firing.rule.other or ""),
         "{team}": team_name_of(state, firing, None),
-        "{measured}": _format_number(firing.measured),
-        "{limit}": _format_number(firing.limit),
+        "{measured}": _format_number(firing.measured, decimals),
+        "{limit}": _format_number(firing.limit, decimals),
         "{points}": points,
         "{points} points": counted(points),
     }
@@ -36,8 +40,8 @@ def fill_blanks(says: str, state: State, firing: Firing) -> str:
     return re.sub(blank, lambda found: filled[found[0]], says)
 
 
-def _format_number(number: float | None) -> str:
-    return "" if number is None else f"{round(number, 3):g}"
+def _format_number(number: float | None, decimals: int) -> str:
+    return "" if number is None else number_words(number, decimals)
 
 
 def no_room_sentence(job: PlacementJob, spec: PlacementSpec, state: State, bodies: Bodies) -> str:

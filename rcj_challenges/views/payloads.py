@@ -26,6 +26,8 @@ _DECIMALS = 4
 def extra_payload_text(event: str, payload: Mapping[str, Any], says: str) -> str:
     """Return ``run 8.48 s, poles 1``: the values of an event's payload that neither sentence nor scoreboard show."""
     known = _ON_THE_BOARD | _SUBJECTS if says and event in _OFFICIAL else _ON_THE_BOARD
+    if "robot_name" in payload:
+        known |= {"type"}  # a robot, as its name says
     left = {key: value for key, value in payload.items() if key not in known}
     return ", ".join(_words(key, value) for key, value in left.items() if not _is_in_sentence(key, value, says))
 

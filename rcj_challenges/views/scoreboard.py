@@ -20,7 +20,7 @@ from rcj_challenges.core.timing import TICK_S, s_from_ticks
 from rcj_challenges.match.observers import Observer, Progress
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Scenario
 from rcj_challenges.views.commentary import Commentator, Remark
-from rcj_challenges.views.naming import distinct_names
+from rcj_challenges.views.score_lines import score_so_far, shown_names, team_names
 from rcj_challenges.views.sentences import clock, fault_line
 
 Criterion = RankByScore | RankByTime | RankByCounter
@@ -41,35 +41,8 @@ def create_observer(console: Console, scenario: Scenario, *, quiet: bool, shared
     return Scoreboard(console, scenario) if can_be_drawn_over and not shared else PlainLines(console, scenario)
 
 
-def score_line(names: Mapping[str, str], scores: Mapping[str, int | float], *, sides_change: bool = False) -> str:
-    """Return ``Hanse 2 : 1 Alster`` for two seats, ``Hanse 21`` for one; arguments as of `distinct_names`."""
-    titles = _titles(names, sides_change=sides_change)
-    if len(scores) == 2:
-        (first, first_score), (second, second_score) = scores.items()
-        return f"{titles[first]} {number_words(first_score)} : {number_words(second_score)} {titles[second]}"
-    return ", ".join(f"{titles[seat]} {number_words(score)}" for seat, score in scores.items())
-
-
-def score_so_far(half: HalfInfo, scores: Mapping[str, int | float]) -> str:
-    """Return the `score_line` within a half, teams in the order of the first half as in the result and on pages."""
-    seat_of = {team: seat for seat, team in half.teams.items()}
-    changed = any(team != seat for seat, team in half.teams.items())
-    return score_line(_team_names(half), {team: scores[seat_of[team]] for team in half.teams}, sides_change=changed)
-
-
-def _team_names(half: HalfInfo) -> dict[str, str]:
-    """Return the teams' names by their seats of the first half."""
-    seat_of = {team: seat for seat, team in half.teams.items()}
-    return {team: half.team_names[seat_of[team]] for team in half.teams}
-
-
 def _seats(half: HalfInfo) -> str:
     return ", ".join(f"{seat}: {sanitize(name, 32)}" for seat, name in half.team_names.items())
-
-
-def _titles(names: Mapping[str, str], *, sides_change: bool) -> dict[str, str]:
-    """Return the names by seat as a line may show them."""
-    return distinct_names({seat: sanitize(name, 32) for seat, name in names.items()}, sides_change=sides_change)
 
 
 def decided_by_score_alone(rank: Sequence[Criterion]) -> bool:
@@ -112,7 +85,7 @@ def ranking_lines(
     sides_change: bool = False,
 ) -> list[str]:
     """Return ``place 1: Hanse, score 4, time 9.248 s`` for each team, best first; nothing if the score decides."""
-    titles = _titles(names, sides_change=sides_change)
+    titles = shown_names(names, sides_change=sides_change)
     rows = ranking_rows(rank, titles, ranking)
     return [f"place {place}: {team}, {values}" for place, team, values in rows]
 
@@ -258,7 +231,7 @@ class Scoreboard(_Commented):
     def _draw(self, progress: Progress) -> None:
         half = progress.half
         score = _one_line(score_so_far(half, progress.scores), "bold")
-        names = _team_names(half)
+        names = team_names(half)
         for seat, team in half.teams.items():
             score.highlight_words([sanitize(names[team], 32)], self._styles.get(seat, ""))
         time = f"{clock(s_from_ticks(progress.clock_ticks))} / {clock(s_from_ticks(half.ticks))}"

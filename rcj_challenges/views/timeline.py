@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from rcj_challenges.core.amounts import Score
+from rcj_challenges.core.amounts import Score, round_score
 from rcj_challenges.core.changes import Change, CountersChange, HeldChange, PhaseChange, ScoreChange
 from rcj_challenges.core.play import Event, Fault, Firing, HalfInfo
 from rcj_challenges.records.referee_log import RefereeLog
@@ -41,7 +41,7 @@ class TimelineEvent:
         cause: the firing that emitted it; None for a program's failure, or if the log has lost it.
         fault: of a program, if this is one.
         is_first: whether it is the first event of its cause: the score changes once, also by a rule with several.
-        score: by team, after the tick.
+        score: by team, after its cause; without one, after the tick.
     """
 
     half: int
@@ -133,6 +133,7 @@ class TimelineBuilder:
         self._unannounced: Counter[str] = Counter()
         self._half = HalfTimeline(0, {}, {})
         self._score: Mapping[str, Score] = {}
+        self._after: dict[int, Mapping[str, Score]] = {}
 
     def begin_half(self, half: HalfInfo) -> None:
         """Begin a half; its ticks follow."""
@@ -149,11 +150,22 @@ class TimelineBuilder:
         faults: Iterable[Fault] = (),
     ) -> TickNews:
         """Add a tick, or what follows the last one of a half; faults are also among the events. Returns the news."""
+        before = self._score
         news = self._add_changes(changes)
         ran = [firing for firing in firings if firing.suppressed is None]
+        self._add_up(before, ran)
         found = (*self._joined(events, ran, {fault.robot: fault for fault in faults}), *self._points(ran))
         self.timeline.events += found
         return replace(news, events=found)
+
+    def _add_up(self, score: Mapping[str, Score], firings: Iterable[Firing]) -> None:
+        """Note the score after each of several rules that scored in a tick; the last one made that of the tick."""
+        self._after.clear()
+        scoring = [firing for firing in firings if any(firing.scored.values())]
+        for firing in scoring[:-1]:
+            points = {self._half.teams.get(seat, seat): number for seat, number in firing.scored.items()}
+            score = {team: round_score(number + points.get(team, 0)) for team, number in score.items()}
+            self._after[id(firing)] = score
 
     def _add_changes(self, changes: Iterable[Change]) -> TickNews:
         half, news = self._half, TickNews()
@@ -206,7 +218,8 @@ class TimelineBuilder:
 
     def _event(self, event: Event, cause: Firing | None, fault: Fault | None, *, is_first: bool) -> TimelineEvent:
         tick = event.tick if fault is None else fault.tick
-        return TimelineEvent(self._half.half, tick, event.name, event.payload, cause, fault, is_first, self._score)
+        score = self._after.get(id(cause), self._score)
+        return TimelineEvent(self._half.half, tick, event.name, event.payload, cause, fault, is_first, score)
 
 
 def timeline_of(scenario: Scenario, halves: Iterable[HalfTrack], log: RefereeLog) -> Timeline:

@@ -41,7 +41,7 @@ def said(output, half, scenario=MATCH):
 
 
 def test_a_goal_is_printed_with_team_score_and_time(half):
-    assert said(GOAL, half) == [("GOAL  Die Kicker 2 : 1  (blue, 0:16.3)", "blue")]
+    assert said(GOAL, half) == [("GOAL  Die Kicker 2 : 1 Hanse  (Die Kicker, 0:16.3)", "blue")]
 
 
 def test_an_event_is_printed_as_the_sentence_of_its_rule(half):
@@ -52,7 +52,7 @@ def test_points_without_an_event_are_printed_and_lost_points_with_their_number(h
     firing = Firing(50, "no_such_rule", None, "enters", scored={"yellow": -3})
     change = ScoreChange(50, {"blue": 1, "yellow": -2})
     assert said(RefereeOutput((), (firing,), changes=(change,)), half) == [
-        ("POINTS  Hanse -2 : 1  (yellow, -3, 0:01.6)", "yellow")
+        ("POINTS  Die Kicker 1 : -2 Hanse  (Hanse, -3, 0:01.6)", "yellow")
     ]
 
 
@@ -66,6 +66,32 @@ def test_a_rule_that_scores_and_emits_two_events_scores_once(half):
     scenario = MATCH.model_copy(update={"rules": MATCH.rules | {"goal_in_yellow": rule}})
     output = replace(GOAL, events=(*GOAL.events, Event(509, "APPLAUSE")), firings=(firing,))
     assert [seat for _, seat in said(output, half, scenario)] == ["blue", ""]
+
+
+def test_the_first_team_stands_first_in_every_score_also_after_sides_were_changed(half):
+    half = replace(half, teams={"blue": "yellow", "yellow": "blue"})
+    assert said(GOAL, half) == [("GOAL  Hanse 1 : 2 Die Kicker  (Die Kicker, 0:16.3)", "blue")]
+
+
+def test_each_of_two_rules_that_score_in_one_tick_is_printed_with_the_score_that_it_made(half):
+    firings = [
+        Firing(50, "first", None, "enters", scored={"blue": 0.1}),
+        Firing(50, "second", None, "enters", scored={"yellow": 1}),
+    ]
+    change = ScoreChange(50, {"blue": 1.1, "yellow": 2})
+    texts = [text for text, _ in said(RefereeOutput((), tuple(firings), changes=(change,)), half)]
+    assert [text.split("  ")[1] for text in texts] == ["Die Kicker 1.1 : 1 Hanse", "Die Kicker 1.1 : 2 Hanse"]
+
+
+@pytest.mark.parametrize(("measured_m", "words"), [(0.4949, "0.495"), (0.4999996, "0.4999996")])
+def test_a_rule_with_several_triggers_names_the_one_that_fired_with_numbers_that_do_not_contradict(
+    half, measured_m, words
+):
+    firing = Firing(50, "robot_lack_of_progress", "Y1", "no_progress", measured_m, 0.5, says="Y1 made none or left.")
+    event = Event(50, "LACK_OF_PROGRESS", {"type": "robot", "robot_name": "Y1"})
+    assert said(RefereeOutput((event,), (firing,)), half) == [
+        (f" 0:01.6  Y1 made no progress: {words} m in 15 s, at least 0.5 m", "")
+    ]
 
 
 def test_the_sentence_of_a_suppressed_rule_is_not_printed(half):
@@ -86,7 +112,7 @@ def shown_by(kind, half, *, width=80, **console):
 
 def test_without_a_terminal_lines_are_plain(half):
     lines = shown_by(PlainLines, half).splitlines()
-    assert "GOAL  Die Kicker 2 : 1  (blue, 0:16.3)" in lines
+    assert "GOAL  Die Kicker 2 : 1 Hanse  (Die Kicker, 0:16.3)" in lines
     assert " 0:00.0  Yellow kicks off." in lines
     assert not any("\x1b" in line for line in lines)
 
@@ -96,7 +122,7 @@ def test_a_goal_stays_when_the_board_is_taken_down(half):
     goal = text.index("GOAL  Die Kicker 2 : 1")
     # The board is drawn over by lines up from its last line; the goal was written once, above what is erased last.
     assert "GOAL" not in text[goal + 4 :]
-    assert text[goal:].startswith("GOAL  Die Kicker 2 : 1  (blue, 0:16.3)")
+    assert text[goal:].startswith("GOAL  Die Kicker 2 : 1 Hanse  (Die Kicker, 0:16.3)")
 
 
 def test_the_board_holds_in_80_columns_with_the_longest_names(half):

@@ -49,6 +49,7 @@ RANK = [{"counter": "laps", "order": "descending"}, {"counter": "best_s", "order
         ("FOUND", {"robot_name": "Y1"}, "The ball is found.", "robot Y1"),
         ("KICKOFF", {"robot_name": "Y3", "team_name": "Y"}, "Yellow kicks off.", ""),
         ("KICKOFF", {"robot_name": "Y3", "team_name": "Y"}, "", "robot Y3, team Y"),
+        ("LACK_OF_PROGRESS", {"type": "robot", "robot_name": "Y3"}, "", "robot Y3"),
         ("MATCH_FINISH", {"score_blue": 1, "total_match_time": 600, "rocks": 3}, "Over.", "rocks 3"),
     ],
 )

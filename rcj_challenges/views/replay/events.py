@@ -9,15 +9,14 @@ from collections.abc import Mapping
 from typing import Any
 
 from rcj_challenges.core.amounts import Score
-from rcj_challenges.core.measures import number_words
-from rcj_challenges.core.play import Firing
+from rcj_challenges.core.measures import distinct_decimals, number_words
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.rules.base import Trigger
-from rcj_challenges.rules.phrasing import quoted
 from rcj_challenges.rules.triggers import TRIGGERS
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.palette import css_colour
 from rcj_challenges.views.payloads import extra_payload_text
+from rcj_challenges.views.reasons import Reasons
 from rcj_challenges.views.sentences import event_title, fault_sentence
 from rcj_challenges.views.timeline import POINTS, HalfTimeline, Timeline, TimelineEvent
 
@@ -52,9 +51,8 @@ class EventFacts:
     """Converts events of a timeline to the data of the page; names are by the seats of the first half."""
 
     def __init__(self, scenario: Scenario, names: Mapping[str, str]) -> None:
-        self._rules = scenario.rules
         self._halves = scenario.match.halves
-        self._entities = {*scenario.robots, *scenario.balls, *scenario.obstacles}
+        self._reasons = Reasons(scenario)
         self._seats = tuple(scenario.entrants)
         self._names = {seat: entrant.title or seat for seat, entrant in scenario.entrants.items()} | dict(names)
         self._colours = {
@@ -75,9 +73,11 @@ class EventFacts:
         team = teams.get(seat, seat)
         standing = self._standing(event.score) if scored else ""
         trigger = cause.trigger if cause is not None else ""
+        measured, limit = (None, None) if cause is None else (cause.measured, cause.limit)
+        decimals = distinct_decimals(measured, limit, 4)
         payload = self._points(event, teams) if name == POINTS and cause is not None else event.payload
-        says, reason = _short(cause.says if cause is not None else ""), self._reason(cause)
-        about = reason if reason and self._leaves_open(cause) else says
+        says, reason = _short(cause.says if cause is not None else ""), self._reasons.reason(cause)
+        about = _short(self._reasons.about(cause))
         beside = [reason if about != reason else "", extra_payload_text(name, payload, says)]
         if fault is not None:
             about, says, beside = fault_sentence(fault), _short(fault.traceback or fault.detail), []
@@ -101,31 +101,11 @@ class EventFacts:
             "says": says,
             "rule": cause.rule if cause is not None else "",
             "trigger": trigger,
-            "measured": _rounded(cause.measured if cause is not None else None),
-            "limit": _rounded(cause.limit if cause is not None else None),
+            "measured": _rounded(measured, decimals),
+            "limit": _rounded(limit, decimals),
             "unit": _UNITS.get(trigger, ""),
             "payload": [[key, _short(value)] for key, value in payload.items()],
         }
-
-    def _leaves_open(self, cause: Firing | None) -> bool:
-        rule = self._rules.get(cause.rule) if cause is not None else None
-        return rule is not None and len(rule.triggers) > 1
-
-    def _reason(self, cause: Firing | None) -> str:
-        """Return why a rule fired: ``Y1 made no progress: 0.497 m in 15 s, at least 0.5``; or nothing."""
-        rule = self._rules.get(cause.rule) if cause is not None else None
-        if cause is None or rule is None:
-            return ""
-        fired = [one for one in rule.triggers if one.name() == cause.trigger]
-        if len(fired) != 1 or not fired[0].REASON or (cause.measured is None and fired[0].LIMIT):
-            return ""
-        fields = {key: quoted(value) if isinstance(value, str) else value for key, value in fired[0]}
-        measures = {"measured": cause.measured, "limit": cause.limit}
-        numbers = {key: number_words(value, 3) for key, value in measures.items() if value is not None}
-        reason: str = fired[0].REASON.format(**{**fields, **numbers})
-        entity = cause.entity or getattr(fired[0], "entity", "")
-        reason = f"{entity} {reason}" if entity in self._entities else reason
-        return reason[0].upper() + reason[1:]
 
     def _points(self, event: TimelineEvent, teams: Mapping[str, str]) -> dict[str, str]:
         by_team = {teams.get(seat, seat): points for seat, points in event.scored.items() if points}
@@ -157,5 +137,5 @@ def _short(value: Any, longest: int = _LONGEST_TEXT) -> str:
     return text if len(text) <= longest else text[: longest - 1] + "…"
 
 
-def _rounded(value: float | None) -> float | None:
-    return None if value is None or not math.isfinite(value) else round(value, 4)
+def _rounded(value: float | None, decimals: int) -> float | None:
+    return None if value is None or not math.isfinite(value) else round(value, decimals)
