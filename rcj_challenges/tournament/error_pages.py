@@ -163,7 +163,7 @@ Another command writes to the data of this tournament.
 Wait until it has ended, or end it. status and results can be used meanwhile.
 
 store-damaged
-The file store.sqlite is damaged.
+The file store.sqlite is damaged, or it is empty although there are records of matches.
 Restore a copy of it, or move it away: run then plays all matches again, with the same results, but rulings are
 lost.
 

@@ -5,7 +5,7 @@ import subprocess
 import sys
 
 import pytest
-from sqlalchemy import create_engine, delete, update
+from sqlalchemy import create_engine, delete, text, update
 
 from rcj_challenges.core.diagnostics import DiagnosticError
 from rcj_challenges.records.folder import utc_now
@@ -148,3 +148,34 @@ def test_a_database_without_version_and_with_content_is_refused(tmp_path):
     with pytest.raises(DiagnosticError) as error:
         open_store(home.data)
     assert code_of(error) == "store-version"
+
+
+@pytest.mark.parametrize(
+    ("cell", "content"),
+    [("job.summary", "{no json"), ("played.outcome", "[[1]"), ("played.outcome", "[7]"), ("played.played_at", "noon"),
+     ("job.ended_at", 5), ("submission.received_at", "noon"), ("job.state", b"\xff")],
+)  # fmt: skip
+def test_a_cell_that_is_no_json_or_date_is_damage(tmp_path, cell, content):
+    home = Home(tmp_path)
+    home.play()
+    table, _, column = cell.partition(".")
+    with Store(home.data, writing=True) as store, store.transaction() as connection:
+        connection.execute(
+            update(METADATA.tables[table]).values({column: text("CAST(:content AS TEXT)")}), {"content": content}
+        )
+    with home.opened(writing=False) as tournament, pytest.raises(DiagnosticError) as error:
+        tournament.state(), tournament.store.summaries(), read_played(tournament.store)
+    assert code_of(error) == "store-damaged"
+
+
+@pytest.mark.parametrize("writing", [True, False])
+def test_an_empty_store_beside_records_is_damage(tmp_path, writing):
+    home = Home(tmp_path)
+    home.play()
+    (home.data / "records" / "one").mkdir(exist_ok=True)
+    for path in home.data.glob(f"{STORE_FILE}*"):
+        path.unlink()
+    (home.data / STORE_FILE).touch()
+    with pytest.raises(DiagnosticError) as error:
+        open_store(home.data, writing=writing)
+    assert code_of(error) == "store-damaged"

@@ -60,7 +60,7 @@ STORE_FILE = "store.sqlite"
 _Row = TypeVar("_Row", SubmissionRow, CheckRow, JobRow, PlayedRow, RulingRow)
 _VERSION_KEY = "store_version"
 _BUSY_S = 30.0
-_DAMAGED = ("malformed", "not a database", "file is encrypted", "no such table", "no such column")
+_DAMAGED = ("malformed", "could not decode", "not a database", "file is encrypted", "no such table", "no such column")
 _FULL = ("full", "disk i/o", "readonly", "unable to open")
 
 
@@ -156,15 +156,15 @@ class Store:
         columns = select(PLAYED.c.fixture, PLAYED.c.job_id, PLAYED.c.sides, cast(PLAYED.c.outcome, String))
         with self.transaction() as connection:
             rows = connection.execute(columns).all()
-        outcomes = json.loads(f"[{','.join(outcome for *_, outcome in rows)}]")  # ten times as fast as one by one
-        return {
-            fixture: PlayedFixture(
-                job_id,
-                tuple([tuple(side.split("+")) for side in sides.split(" ")]),
-                Outcome(scores=tuple(scores), values=tuple(values)),
-            )
-            for (fixture, job_id, sides, _), (scores, values) in zip(rows, outcomes, strict=True)
-        }
+            outcomes = json.loads(f"[{','.join(outcome for *_, outcome in rows)}]")  # ten times as fast as one by one
+            return {
+                fixture: PlayedFixture(
+                    job_id,
+                    tuple([tuple(side.split("+")) for side in sides.split(" ")]),
+                    Outcome(scores=tuple(scores), values=tuple(values)),
+                )
+                for (fixture, job_id, sides, _), (scores, values) in zip(rows, outcomes, strict=True)
+            }
 
     def played_rows(self) -> list[tuple[PlayedRow, JobRow]]:
         """Return what was played, with its job, by fixture."""
@@ -304,6 +304,8 @@ class Store:
             if verdict != "ok":
                 raise _damaged(self._path, str(verdict))
         if self._is_new():
+            if self._path.exists() and self.place.records.is_dir() and any(self.place.records.iterdir()):
+                raise _damaged(self._path, "it is empty, but there are records of matches")
             if not writing:
                 self._engine.dispose()
                 self._engine = _empty_engine()
@@ -352,6 +354,8 @@ class Store:
             if any(word in said.lower() for word in _FULL):
                 raise _unwritable(self._path, said) from error
             raise
+        except (ValueError, TypeError) as error:  # a cell is no JSON or date
+            raise _damaged(self._path, str(error)) from error
 
 
 def _empty_engine() -> Engine:
