@@ -167,7 +167,8 @@ def schema(
 def draw(
     scenario: ScenarioName,
     out: Annotated[
-        Path | None, typer.Option("--out", "-o", metavar="FILE", help=".svg or .png; default: SVG to standard output.")
+        Path | None,
+        typer.Option("--out", "-o", metavar="FILE", help=".svg or .png; default: a file on a terminal, else SVG."),
     ] = None,
     set_: Overrides = None,
 ) -> None:
@@ -186,7 +187,7 @@ def sheet(
             "--out",
             "-o",
             metavar="FILE",
-            help=".html, or .md with an .svg beside it; default: Markdown to the terminal.",
+            help=".html, or .md with an .svg beside it; default: an .html on a terminal, else Markdown.",
         ),
     ] = None,
     set_: Overrides = None,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from rcj_challenges.cli.output_paths import check_ending, deliver
+from rcj_challenges.cli.output_paths import check_ending, deliver, file_for_terminal
 
 
 def draw(scenario: str, out: Path | None, overrides: list[str]) -> int:
@@ -19,6 +19,7 @@ def draw(scenario: str, out: Path | None, overrides: list[str]) -> int:
 
     check_ending(out, (".svg", ".png"), "its name must end in .svg or .png")
     loaded = load(scenario, overrides)
+    out = out or file_for_terminal(f"{loaded.scenario.id}.svg")
     picture = draw_scenario(loaded.scenario, loaded.roster)
     if out is not None and out.suffix.lower() == ".png":
         from rcj_challenges.views.drawing.png import png_from_svg, written_with

@@ -48,7 +48,21 @@ def check_ending(out: Path | None, endings: tuple[str, ...], complaint: str) -> 
     """
     refuse_devices(out=out)
     if out is not None and out.suffix.lower() not in endings:
-        raise OutputError(f"--out {out}: {complaint}", code="bad-out")
+        help_ = f"rename it: --out {out.with_suffix(endings[0])}" if out.stem else ""
+        raise OutputError(f"--out {out}: {complaint}", help_, code="bad-out")
+
+
+def file_for_terminal(name: str) -> Path | None:
+    """Return the file for a document without ``--out`` on a terminal, which cannot show it; None elsewhere.
+
+    Raises:
+        OutputError: there is one of that name.
+    """
+    if not sys.stdout.isatty():
+        return None
+    if Path(name).exists():
+        raise OutputError(f"{name} exists already; nothing was written", f"--out {name}", code="file-exists")
+    return Path(name)
 
 
 def deliver(content: str | bytes, out: Path | None, *, make_folder: bool = False) -> int:

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
-from rcj_challenges.cli.output_paths import OutputError, check_ending, deliver
-from rcj_challenges.cli.stdio import shell_quoted
+from rcj_challenges.cli.output_paths import OutputError, check_ending, deliver, file_for_terminal
 
 _HTML = (".html", ".htm")
 
@@ -24,11 +22,9 @@ def sheet(scenario: str, out: Path | None, overrides: list[str]) -> int:
 
     check_ending(out, (".md", *_HTML), "its name must end in .md or .html")
     loaded = load(scenario, overrides)
+    out = out or file_for_terminal(f"{loaded.scenario.id}.html")
     if out is None:
-        # A terminal does not show the source of a drawing; a file or another program gets all of it.
-        command = f"rcj-challenge draw {shell_quoted(scenario)} --out field.svg"
-        picture = f"The drawing: `{command}`" if sys.stdout.isatty() else None
-        return deliver(sheet_markdown(loaded.scenario, loaded.roster, picture), None)
+        return deliver(sheet_markdown(loaded.scenario, loaded.roster), None)
     if out.suffix.lower() in _HTML:
         return deliver(sheet_html(loaded.scenario, loaded.roster), out)
     from urllib.parse import quote
@@ -36,7 +32,8 @@ def sheet(scenario: str, out: Path | None, overrides: list[str]) -> int:
     from rcj_challenges.views.drawing import draw_scenario
 
     drawing = out.with_suffix(".svg")
-    if drawing.exists() and not out.exists():  # it is not the drawing of an earlier sheet
+    shown = f"![The field]({quote(drawing.name)})"
+    if drawing.exists() and not (out.is_file() and shown.encode() in out.read_bytes()):  # of no earlier sheet
         raise OutputError(f"{drawing} exists already; nothing was written", "choose another --out", code="file-exists")
     deliver(draw_scenario(loaded.scenario, loaded.roster), drawing)
-    return deliver(sheet_markdown(loaded.scenario, loaded.roster, f"![The field]({quote(drawing.name)})"), out)
+    return deliver(sheet_markdown(loaded.scenario, loaded.roster, shown), out)

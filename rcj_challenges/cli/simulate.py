@@ -161,7 +161,9 @@ def parse_seeds(text: str) -> list[int]:
             raise SeedsError(f"--seeds {sanitize(text)}: not seeds", "write 1..10, 3 or 1,4,7..9")
         begin, end = int(first), int(last if dots else first)
         if not 0 <= begin <= end < begin + _MAX_SEEDS:
-            raise SeedsError(f"--seeds {sanitize(text)}: {sanitize(part)} is empty or more than {_MAX_SEEDS} seeds")
+            help_ = f"write {end}..{begin}" if end < begin else "play them in several parts"
+            message = f"--seeds {sanitize(text)}: {sanitize(part)} is empty or more than {_MAX_SEEDS} seeds"
+            raise SeedsError(message, help_)
         seeds += range(begin, end + 1)
     return seeds
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from rcj_challenges.cli.help import ORGANIZE, Command, Group
+from rcj_challenges.cli.help import ORGANIZE, PLAY, WATCH, Command, Group
 from rcj_challenges.cli.stdio import print_json
 
 if TYPE_CHECKING:
@@ -20,6 +20,7 @@ tournament_app = typer.Typer(
     cls=Group,
     rich_markup_mode=None,
     help="Plan, play and publish a tournament that is declared in YAML.",
+    epilog="rcj-challenge tournament plan cup\nrcj-challenge tournament run cup",
     no_args_is_help=True,
     add_completion=False,
     context_settings={"help_option_names": ["-h", "--help"]},
@@ -64,7 +65,7 @@ def opened(file: str, data: Path | None, *, writing: bool = False) -> Iterator[O
         yield OpenTournament(loaded, store)
 
 
-@tournament_app.command(cls=Command, epilog="rcj-challenge tournament plan cup")
+@tournament_app.command(cls=Command, rich_help_panel=PLAY, epilog="rcj-challenge tournament plan cup")
 def plan(file: File, data: Data = None, json_: _Json = False) -> None:
     """List the known fixtures, the number of matches, and the time and disk space that they need here."""
     from rcj_challenges.cli.tournament_plan import print_plan
@@ -73,7 +74,7 @@ def plan(file: File, data: Data = None, json_: _Json = False) -> None:
         raise typer.Exit(print_plan(tournament, as_json=json_))
 
 
-@tournament_app.command(cls=Command, epilog="rcj-challenge tournament run cup")
+@tournament_app.command(cls=Command, rich_help_panel=PLAY, epilog="rcj-challenge tournament run cup")
 def run(
     file: File,
     data: Data = None,
@@ -105,7 +106,7 @@ def run(
         raise typer.Exit(run_tournament(tournament, options))
 
 
-@tournament_app.command(cls=Command, epilog="rcj-challenge tournament status cup")
+@tournament_app.command(cls=Command, rich_help_panel=PLAY, epilog="rcj-challenge tournament status cup")
 def status(file: File, data: Data = None, json_: _Json = False) -> None:
     """Show the progress: matches by stage, doubtful ones, and those that could not be played."""
     from rcj_challenges.cli.tournament_results import print_status
@@ -114,7 +115,7 @@ def status(file: File, data: Data = None, json_: _Json = False) -> None:
         raise typer.Exit(print_status(tournament, as_json=json_))
 
 
-@tournament_app.command(cls=Command, epilog="rcj-challenge tournament results cup")
+@tournament_app.command(cls=Command, rich_help_panel=WATCH, epilog="rcj-challenge tournament results cup")
 def results(
     file: File,
     data: Data = None,
@@ -130,7 +131,7 @@ def results(
         raise typer.Exit(print_results(tournament, as_json=json_, as_csv=csv))
 
 
-@tournament_app.command(cls=Command, epilog="rcj-challenge tournament publish cup")
+@tournament_app.command(cls=Command, rich_help_panel=WATCH, epilog="rcj-challenge tournament publish cup")
 def publish(
     file: File,
     data: Data = None,
@@ -156,7 +157,9 @@ def publish(
 
 
 @tournament_app.command(
-    cls=Command, epilog='rcj-challenge tournament decide cup MATCH --replay --reason "a robot broke"'
+    cls=Command,
+    rich_help_panel=ORGANIZE,
+    epilog='rcj-challenge tournament decide cup MATCH --replay --reason "a robot broke"',
 )
 def decide(
     file: File,
@@ -186,7 +189,7 @@ def decide(
     raise typer.Exit(code)
 
 
-@tournament_app.command(cls=Command, epilog="rcj-challenge tournament verify cup --sample 5")
+@tournament_app.command(cls=Command, rich_help_panel=ORGANIZE, epilog="rcj-challenge tournament verify cup --sample 5")
 def verify(
     file: File,
     matches: Annotated[
@@ -209,7 +212,7 @@ def verify(
         raise typer.Exit(verify_tournament(tournament, matches or [], sample=sample, at_once=at_once, as_json=json_))
 
 
-@tournament_app.command(cls=Command, epilog="rcj-challenge tournament rerun cup")
+@tournament_app.command(cls=Command, rich_help_panel=ORGANIZE, epilog="rcj-challenge tournament rerun cup")
 def rerun(
     file: File,
     matches: Annotated[
@@ -229,7 +232,9 @@ def rerun(
         raise typer.Exit(rerun_matches(tournament, matches or [], records, at_once=at_once))
 
 
-@tournament_app.command(cls=Command, epilog="rcj-challenge tournament judge cup --set ball_progress_s=15")
+@tournament_app.command(
+    cls=Command, rich_help_panel=ORGANIZE, epilog="rcj-challenge tournament judge cup --set ball_progress_s=15"
+)
 def judge(
     file: File,
     set_: Annotated[

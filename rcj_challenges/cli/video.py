@@ -151,9 +151,9 @@ def _out(wanted: Path | None, default: Path) -> Path:
     if out.is_dir():
         raise VideoError("bad-out", f"--out {out} is a folder", f"give a file, such as {out / default.name}")
     if out.suffix.lower() != default.suffix:
-        raise VideoError("bad-out", f"--out {out}: the name must end in {default.suffix}")
+        raise VideoError("bad-out", f"--out {out}: the name must end in {default.suffix}", f"--out {default.name}")
     if not out.parent.is_dir():
-        raise VideoError("bad-out", f"--out {out}: there is no folder {out.parent}")
+        raise VideoError("bad-out", f"--out {out}: there is no folder {out.parent}", "make it first, or leave it out")
     return out
 
 

@@ -44,6 +44,7 @@ class Leaf:
         empty: True if nothing was written at all.
         note: where the value came from if not from here: ``param 'push_m' times 2``.
         param: the param for which it stands; empty if it stands for none.
+        written: the characters of a plain value in its file, such as ``007``.
     """
 
     value: str | int | float | bool | None
@@ -51,6 +52,7 @@ class Leaf:
     empty: bool = False
     note: str = ""
     param: str = ""
+    written: str = field(default="", compare=False)
 
 
 @dataclass(slots=True)

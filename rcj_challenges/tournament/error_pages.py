@@ -10,7 +10,7 @@ stages in the file.
 
 unknown-scenario
 There is no scenario file at this path, and no shipped scenario with this name.
-Paths are relative to the tournament file. `rcj-challenge list` shows the shipped scenarios.
+Paths are relative to the tournament file. `rcj-challenge validate NAME` checks whether a name is one of them.
 
 wrong-scenario
 A scenario that the tournament plays has mistakes, or a setting in 'set' does not fit it.

@@ -14,6 +14,7 @@ import pytest
 from typer.testing import CliRunner
 
 from rcj_challenges.cli.app import app
+from rcj_challenges.cli.draw import draw
 from rcj_challenges.cli.new import StarterError
 from rcj_challenges.cli.sheet import sheet as write_sheet
 from rcj_challenges.cli.stdio import shell_quoted
@@ -313,12 +314,24 @@ class TestSheet:
         assert done.exception.code == "file-exists"
         assert (tmp_path / "field.svg").read_text(encoding="utf-8") == "mine"
 
-    def test_a_terminal_shows_how_to_draw_it_and_not_the_source_of_a_drawing(self, monkeypatch, capsys):
+    def test_a_drawing_of_somebody_else_stays_when_the_sheet_is_there_already(self, tmp_path):
+        (tmp_path / "field.svg").write_text("mine", encoding="utf-8")
+        (tmp_path / "field.md").write_text("# A text of mine\n", encoding="utf-8")
+        assert call("sheet", "match", "--out", tmp_path / "field.md").exception.code == "file-exists"
+        assert (tmp_path / "field.svg").read_text(encoding="utf-8") == "mine"
+
+    @pytest.mark.parametrize(("write", "name"), [(write_sheet, "match.html"), (draw, "match.svg")])
+    def test_on_a_terminal_a_document_without_a_name_becomes_a_file_that_replaces_no_other(
+        self, tmp_path, monkeypatch, capsys, write, name
+    ):
+        monkeypatch.chdir(tmp_path)
         monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
-        assert write_sheet("match", None, []) == 0
-        output = capsys.readouterr().out
-        assert "<svg" not in output
-        assert "rcj-challenge draw match --out field.svg" in output
+        assert write("match", None, []) == 0
+        assert capsys.readouterr().out == f"{name}\n"
+        assert "<svg" in (tmp_path / name).read_text(encoding="utf-8")
+        with pytest.raises(RcjError) as caught:
+            write("match", None, [])
+        assert (caught.value.code, caught.value.help) == ("file-exists", f"--out {name}")
 
     @pytest.mark.parametrize(
         ("path", "separator", "printed"),
@@ -353,6 +366,7 @@ class TestEndings:
     def test_other_endings_are_refused(self, tmp_path, command, name):
         done = call(command, "match", "--out", tmp_path / name)
         assert (done.exception.code, done.exception.exit_code) == ("bad-out", 2)
+        assert done.exception.help == f"rename it: --out {tmp_path / {'draw': 'x.svg', 'sheet': 'x.md'}[command]}"
         assert list(tmp_path.iterdir()) == []
 
     @pytest.mark.parametrize(

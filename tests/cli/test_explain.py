@@ -1,10 +1,13 @@
 """``explain``: each code has a page."""
 
+import re
+
 import pytest
+import typer
 from typer.testing import CliRunner
 
 from rcj_challenges.cli.app import app
-from rcj_challenges.cli.explain import explain
+from rcj_challenges.cli.explain import error_pages, explain
 from rcj_challenges.core.diagnostics import DiagnosticError
 
 
@@ -30,3 +33,14 @@ def test_unknown_code_names_the_nearest():
     (diagnostic,) = caught.value.diagnostics
     assert diagnostic.code == "unknown-code"
     assert "'event-loop'" in diagnostic.help
+
+
+def test_pages_name_only_commands_that_exist():
+    commands = typer.main.get_command(app).commands
+    tournament = commands["tournament"].commands
+    named = {found for page in error_pages().values() for found in re.findall(r"rcj-challenge ([a-z]\S*) ?(\S*)", page)}
+    assert {
+        (command, word)
+        for command, word in named
+        if command.strip("`.,") not in commands or (command == "tournament" and word.strip("`.,") not in tournament)
+    } == set()

@@ -32,6 +32,13 @@ def help_of(command):
     return command.get_help(command.make_context("rcj-challenge", ["x"], resilient_parsing=True))
 
 
+def test_commands_of_a_tournament_are_listed_in_groups_with_examples():
+    group = get_command(app).commands["tournament"]
+    text = help_of(group)
+    assert [heading for heading in (PLAY, WATCH, ORGANIZE, "Examples") if f"\n{heading}:\n" not in text] == []
+    assert "\nCommands:\n" not in text
+
+
 @pytest.mark.parametrize("name", COMMANDS)
 def test_help_of_a_command_has_an_example_and_no_type_names(name):
     text = help_of(COMMANDS[name])

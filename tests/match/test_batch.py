@@ -39,6 +39,7 @@ def test_seeds_can_be_written_as_ranges_and_lists(text, seeds):
 def test_seeds_that_make_no_sense_are_refused_with_what_is_allowed(text):
     with pytest.raises(SeedsError, match="--seeds") as caught:
         parse_seeds(text)
+    assert caught.value.help
     assert len(str(caught.value)) < 500
 
 

@@ -36,6 +36,7 @@ HELP = [
     ("match:\n  half_s: 7,5\n", "a decimal number is written with a point: 7.5"),
     ("match: {swap_sides: on}\n", "did you mean true?"),
     ("kits: {v2: {messages: 2021}}\n", "write it in quotes: '2021'"),
+    ("description: 007\n", "write it in quotes: '007'"),
     ("groups: {g: B1}\n", "a list of one is written [B1]"),
     ("balls: {ball: {colour: #ff0000}}\n", "a comment, unless it is in quotes"),
     ("balls: {ball: {colour: }}\n", "a comment, unless it is in quotes"),

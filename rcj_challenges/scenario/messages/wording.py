@@ -42,7 +42,11 @@ def format_node(node: Node | None) -> str:
     value = node.value if node is not None else None
     if isinstance(value, str):
         return quoted(value)
-    return "nothing" if value is None else spelled(value)
+    return "nothing" if value is None else _written(node, value)
+
+
+def _written(node: Node | None, value: object) -> str:
+    return (node.written if isinstance(node, Leaf) else "") or spelled(value)
 
 
 def spelled(value: object) -> str:
@@ -141,7 +145,7 @@ def as_it_is_written(shape: Shape, node: Node | None) -> str:
         return "a list stands in brackets, also of one: [{…}]" if is_list and isinstance(node, Entries) else ""
     text, help_ = str(node.value), ""
     if not isinstance(node.value, str):
-        help_ = f"write it in quotes: '{text}'" if text in literals or kinds == [str] else ""
+        help_ = f"write it in quotes: '{node.written or text}'" if text in literals or kinds == [str] else ""
     elif any(str(word).casefold() == text.casefold() for word in literals if not isinstance(word, str)):
         help_ = "leave the quotes out"
     elif bool in kinds and text.casefold() in _YES | _NO:

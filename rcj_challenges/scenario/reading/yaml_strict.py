@@ -45,6 +45,7 @@ _SURROGATE = re.compile("[\ud800-\udfff]")
 # Listed one by one: the complement of what YAML 1.2 prints (section 5.1) takes 20 times as long to compile.
 _UNPRINTABLE = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufeff\ufffe\uffff]")
 
+_MAX_WRITTEN = 40  # characters of a value that a message repeats as they are
 _UNCLOSED = "a ',' or the closing bracket is missing, or a text with ': ', {, [ or # in it is not in quotes"
 _OFF = "the indentation is off, a quote or bracket before it is not closed, or a '- ' or ': ' is missing"
 # What PyYAML's parsers say, and what an author should do about it.
@@ -187,7 +188,8 @@ class _Reader:
         if self._values > MAX_VALUES:
             raise too_large(mark, f"more than {MAX_VALUES} values in this file")
         if isinstance(event, yaml.ScalarEvent):
-            return Leaf(self._scalar(event, mark), mark, empty=not event.style and not event.value)
+            written = event.value if not event.style and len(event.value) <= _MAX_WRITTEN else ""
+            return Leaf(self._scalar(event, mark), mark, empty=not event.style and not event.value, written=written)
         if depth >= MAX_DEPTH:
             self._refuse(mark, f"nested deeper than {MAX_DEPTH} levels")
             raise _HopelessError
