@@ -9,6 +9,8 @@ from typing import Any
 
 from typer.core import TyperCommand, TyperGroup
 
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+
 PLAY = "Play"
 WATCH = "Watch"
 WRITE = "Write a challenge"
@@ -18,6 +20,21 @@ ORGANIZE = "Organize"
 
 class Command(TyperCommand):
     """A command whose help ends with examples: its ``epilog``, one to a line."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Parse them; an option that takes one value is not given twice.
+
+        Raises:
+            DiagnosticError: one is.
+        """
+        given: Any = self.make_parser(ctx).parse_args(list(args))[2]
+        for option in () if ctx.resilient_parsing else given:
+            takes_one = option.param_type_name == "option" and not (option.multiple or option.is_flag or option.count)
+            if takes_one and given.count(option) > 1:
+                message = f"{option.opts[0]} is given more than once"
+                raise DiagnosticError(Diagnostic("option-given-twice", message, "give it once"))
+        parsed: list[str] = super().parse_args(ctx, args)
+        return parsed
 
     def format_options(self, ctx: Any, formatter: Any) -> None:
         """Write arguments and options; of arguments only the names, whose types say no more than these."""

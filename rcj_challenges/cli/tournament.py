@@ -167,7 +167,10 @@ def decide(
         str | None, typer.Argument(metavar="[MATCH]", help="Which match, as plan prints it; none with --withdraw.")
     ] = None,
     reason: Annotated[str, typer.Option("--reason", metavar="TEXT", help="Why; it is published.")] = "",
-    forfeit: Annotated[str | None, typer.Option("--forfeit", metavar="TEAM", help="This team loses the match.")] = None,
+    forfeit: Annotated[
+        list[str] | None,
+        typer.Option("--forfeit", metavar="TEAM", help="This team loses the match; given for both, both lose."),
+    ] = None,
     replay: Annotated[bool, typer.Option("--replay", help="The match is played again with a different seed.")] = False,
     score: Annotated[
         str | None, typer.Option("--score", metavar="A:B", help="The score is corrected: sides as plan prints them.")
@@ -175,6 +178,9 @@ def decide(
     withdraw: Annotated[
         str | None, typer.Option("--withdraw", metavar="TEAM", help="This team leaves the tournament.")
     ] = None,
+    undo: Annotated[
+        bool, typer.Option("--undo", help="Take the last ruling on the match back, or with --withdraw a withdrawal.")
+    ] = False,
     cascade: _Cascade = False,
     data: Data = None,
 ) -> None:
@@ -184,7 +190,7 @@ def decide(
     with opened(file, data, writing=True) as tournament:
         code = record_decision(
             tournament, match, reason,
-            forfeit=forfeit, replay=replay, score=score, withdrawn=withdraw, cascade=cascade,
+            forfeit=forfeit, replay=replay, score=score, withdrawn=withdraw, undo=undo, cascade=cascade,
         )  # fmt: skip
     raise typer.Exit(code)
 

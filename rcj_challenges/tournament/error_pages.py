@@ -193,7 +193,8 @@ Give their submission with --team PATH.
 
 which-decision
 A decision concerns one match, or a team that leaves.
-Give MATCH with one of --forfeit TEAM, --replay and --score A:B; or --withdraw TEAM without MATCH.
+Give MATCH with one of --forfeit TEAM, --replay, --score A:B and --undo; or --withdraw TEAM without MATCH, which
+can have --undo too.
 
 unknown-match
 There is no match with this id, or its teams are not known yet.
@@ -210,6 +211,14 @@ Give a number for each side, such as 2:1, or one number for a match of a single 
 ruling-reason
 A ruling needs a reason, which is published.
 Give 1 to 500 letters with --reason.
+
+ruling-annulled
+A team of this match has left the tournament, so the match is decided or does not count.
+If the team was withdrawn by mistake, take this back first: decide FILE --withdraw TEAM --undo --reason TEXT.
+
+nothing-to-undo
+No decision about this match or team holds: there was none, or it was taken back already.
+`rcj-challenge tournament results FILE --json` lists all decisions.
 
 withdrawn-twice
 This team has left the tournament already.

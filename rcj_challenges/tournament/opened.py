@@ -16,8 +16,11 @@ from rcj_challenges.tournament.store.store import PlayedFixture, Store
 from rcj_challenges.tournament.store.tables import RulingRow
 from rcj_challenges.tournament.team_names import display_names
 
-WITHDRAWN = "withdrawn"
-_RULED = {RulingKind.FORFEIT: Ruled.FORFEIT, RulingKind.CORRECTED: Ruled.CORRECTED}
+_RULED = {
+    RulingKind.FORFEIT: Ruled.FORFEIT,
+    RulingKind.DOUBLE_FORFEIT: Ruled.DOUBLE_FORFEIT,
+    RulingKind.CORRECTED: Ruled.CORRECTED,
+}
 
 
 def data_folder(loaded: LoadedTournament, given: Path | None) -> Path:
@@ -44,17 +47,22 @@ class OpenTournament:
 
     @cached_property
     def rulings(self) -> list[RulingRow]:
-        """All decisions, oldest first."""
+        """All decisions, oldest first, also those that were taken back."""
         return self.store.rulings()
+
+    @cached_property
+    def held(self) -> list[RulingRow]:
+        """The decisions that hold, oldest first."""
+        return _held(self.rulings)
 
     @cached_property
     def season(self) -> Season:
         """The engine, with the teams as they are called and whether they are still there."""
-        return self._season(self.rulings)
+        return self._season(self.held)
 
     def _season(self, rulings: Sequence[RulingRow]) -> Season:
         names = display_names(self.loaded.entries, self.store.current_submissions())
-        withdrawn = [row for row in rulings if row.kind == WITHDRAWN]
+        withdrawn = [row for row in rulings if row.kind == RulingKind.WITHDRAWN]
         left = {row.team: (True, dict(row.last_rounds), number) for number, row in enumerate(withdrawn)}
         teams = {
             team: Team(team, names[team], entry.pot, *left.get(team, ())) for team, entry in self.loaded.entries.items()
@@ -63,7 +71,7 @@ class OpenTournament:
 
     def refresh(self) -> None:
         """Read teams and rulings again."""
-        for name in ("rulings", "season"):
+        for name in ("rulings", "held", "season"):
             self.__dict__.pop(name, None)
 
     def state(self, played: Mapping[str, PlayedFixture] | None = None) -> SeasonState:
@@ -72,11 +80,11 @@ class OpenTournament:
         Args:
             played: by fixture; left out: what the store says.
         """
-        return _state(self.season, self.store.played() if played is None else played, self.rulings)[0]
+        return _state(self.season, self.store.played() if played is None else played, self.held)[0]
 
     def state_and_outcomes(self) -> tuple[SeasonState, dict[str, Outcome]]:
         """Return the state, and what was played and decided before withdrawals are applied, by fixture."""
-        return _state(self.season, self.store.played(), self.rulings)
+        return _state(self.season, self.store.played(), self.held)
 
     def state_with(self, ruling: RulingRow, played: Mapping[str, PlayedFixture]) -> SeasonState:
         """Return what the state would be with one more ruling.
@@ -85,17 +93,33 @@ class OpenTournament:
             ruling: the ruling.
             played: by fixture.
         """
-        rulings = [*self.rulings, ruling]
+        rulings = _held([*self.rulings, ruling])
         return _state(self._season(rulings), played, rulings)[0]
 
     def seed_of(self, fixture: Fixture) -> int:
         """Return the seed that a fixture is played with: another one each time a referee orders a replay."""
         replays = sum(
             row.kind == RulingKind.REPLAY and tuple(map(tuple, row.sides)) == sides_of(fixture)
-            for row in self.rulings
+            for row in self.held
             if row.fixture == fixture.id
         )
         return derived_seed(fixture.seed, f"replay/{replays}") if replays else fixture.seed
+
+
+def last_ruling(rulings: Sequence[RulingRow], fixture: str, team: str = "") -> RulingRow | None:
+    """Return the last decision about a match, or with no match the last one about a team; None if there is none."""
+    own = (row for row in reversed(rulings) if row.fixture == fixture and (fixture or row.team == team))
+    return next(own, None)
+
+
+def _held(rulings: Sequence[RulingRow]) -> list[RulingRow]:
+    held: list[RulingRow] = []
+    for row in rulings:
+        if row.kind != RulingKind.UNDONE:
+            held.append(row)
+        elif undone := last_ruling(held, row.fixture, row.team):
+            held.remove(undone)
+    return held
 
 
 def _state(

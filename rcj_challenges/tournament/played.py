@@ -11,11 +11,16 @@ from typing import Any
 
 
 class RulingKind(StrEnum):
-    """What a human referee can decide about a match."""
+    """What a human referee can decide about a match, or the organizer about a team."""
 
     FORFEIT = "forfeit"
+    DOUBLE_FORFEIT = "double_forfeit"
+    """Both teams lose."""
     REPLAY = "replay"
     CORRECTED = "corrected"
+    WITHDRAWN = "withdrawn"
+    UNDONE = "undone"
+    """The decision before is taken back."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +31,7 @@ class Ruling:
         kind: what was decided.
         reason: in the referee's words; shown to the public.
         at: when, with a time zone.
-        scores: by side, in the order of the fixture's sides; empty for a replay.
+        scores: by side, in the order of the fixture's sides; empty for a replay and what is undone.
     """
 
     kind: RulingKind
@@ -86,7 +91,9 @@ class Played:
     Attributes:
         matches: by fixture id; of fixtures that were played or ruled on.
         submissions: oldest first; the last one of a team for a purpose is the one that plays now.
+        withdrawals: by team id, oldest first, also those that were taken back.
     """
 
     matches: Mapping[str, PlayedMatch] = field(default_factory=dict)
     submissions: tuple[Submission, ...] = ()
+    withdrawals: Mapping[str, tuple[Ruling, ...]] = field(default_factory=dict)

@@ -42,9 +42,12 @@ class RecordedResult(Mapping[str, Any]):
 def read_played(store: Store) -> Played:
     """Return all that was played, decided and submitted."""
     rulings: dict[str, list[Ruling]] = {}
+    withdrawals: dict[str, tuple[Ruling, ...]] = {}
     for row in store.rulings():
         if row.fixture:
             rulings.setdefault(row.fixture, []).append(_ruling(row))
+        else:
+            withdrawals[row.team] = (*withdrawals.get(row.team, ()), _ruling(row))
     matches: dict[str, PlayedMatch] = {}
     for played, job in store.played_rows():
         folder = store.place.record_of(job.id)
@@ -59,7 +62,7 @@ def read_played(store: Store) -> Played:
         )
     for fixture, own in rulings.items():
         matches.setdefault(fixture, PlayedMatch(fixture, None, {}, rulings=tuple(own)))
-    return Played(matches, tuple(_submissions(store)))
+    return Played(matches, tuple(_submissions(store)), withdrawals)
 
 
 def _ruling(row: RulingRow) -> Ruling:

@@ -7,10 +7,10 @@ from difflib import get_close_matches
 
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.tournament.models import LostBy
-from rcj_challenges.tournament.opened import WITHDRAWN, OpenTournament, later_stages, sides_of
+from rcj_challenges.tournament.opened import OpenTournament, last_ruling, later_stages, sides_of
 from rcj_challenges.tournament.played import RulingKind
 from rcj_challenges.tournament.reconcile import stage_closed
-from rcj_challenges.tournament.season import Fixture, SeasonState
+from rcj_challenges.tournament.season import Fixture, Ruled, SeasonState
 from rcj_challenges.tournament.store.tables import RulingRow
 
 _LOST_BY = (0.0, 3.0)
@@ -23,7 +23,7 @@ def decide(
     kind: RulingKind,
     reason: str,
     *,
-    loser: str = "",
+    losers: Sequence[str] = (),
     scores: Sequence[float] = (),
     cascade: bool = False,
 ) -> list[str]:
@@ -34,7 +34,7 @@ def decide(
         fixture_id: which match.
         kind: what is decided.
         reason: in the referee's words; it is published.
-        loser: of a forfeit: a team of the side that forfeits.
+        losers: of a forfeit: a team of each side that forfeits.
         scores: of a corrected score, by side.
         cascade: whether what was played in later rounds and stages may change.
 
@@ -44,37 +44,54 @@ def decide(
     before = tournament.state()
     fixture = _fixture(before, fixture_id)
     reason = _checked(reason)
+    outcome = before.outcomes.get(fixture_id)
+    is_settled = outcome is not None and outcome.ruled in (Ruled.ANNULLED, Ruled.WITHDRAWN)
+    if is_settled and kind is not RulingKind.UNDONE:
+        message = f"'{fixture_id}' cannot be ruled on: a team of it has left the tournament"
+        raise _wrong("ruling-annulled", message, "first take the withdrawal back: --withdraw TEAM --undo")
+    undone = last_ruling(tournament.held, fixture_id)
+    if kind is RulingKind.UNDONE and undone is None:
+        raise _nothing_to_undo(fixture_id)
     if kind is RulingKind.FORFEIT:
-        scores = _forfeited(tournament, fixture, loser)
+        kind, scores = _forfeited(tournament, fixture, losers)
     elif kind is RulingKind.CORRECTED and len(scores) != len(fixture.sides):
         raise _wrong("ruling-score", f"'{fixture_id}' has {len(fixture.sides)} scores, not {len(scores)}", _SCORE_HELP)
-    elif kind is RulingKind.REPLAY and fixture_id not in before.outcomes:
+    elif kind is RulingKind.REPLAY and outcome is None:
         raise _wrong("not-played", f"'{fixture_id}' has not been played yet", "there is nothing to be replayed")
-    row = RulingRow(kind.value, reason, tournament.store.now(), fixture_id, loser, sides_of(fixture), list(scores))
-    replayed = [fixture_id] if kind is RulingKind.REPLAY else []
+    row = RulingRow(
+        kind.value, reason, tournament.store.now(), fixture_id, "+".join(losers), sides_of(fixture), list(scores)
+    )
+    # Without a replay the first result counts again; the next run finds it among the jobs.
+    is_replay = RulingKind.REPLAY in (kind, undone.kind if undone and kind is RulingKind.UNDONE else "")
+    replayed = [fixture_id] if is_replay else []
     return _note(tournament, before, row, fixture, replayed, cascade=cascade)
 
 
-def withdraw(tournament: OpenTournament, team: str, reason: str, *, cascade: bool = False) -> list[str]:
-    """Note that a team leaves the tournament; returns the fixtures of later stages that have to be played again.
+def withdraw(
+    tournament: OpenTournament, team: str, reason: str, *, undo: bool = False, cascade: bool = False
+) -> list[str]:
+    """Note that a team leaves the tournament, or has not left it; returns the fixtures that have to be played again.
 
     Args:
         tournament: the tournament; its store is open for writing.
         team: id.
         reason: in the organizer's words; it is published.
+        undo: whether its withdrawal is taken back.
         cascade: whether later stages that have begun may change.
 
     Raises:
-        DiagnosticError: there is no such team, it has left already, or a later stage has begun.
+        DiagnosticError: there is no such team, it has left already (or has not), or a later stage has begun.
     """
     before = tournament.state()
     if team not in before.teams:
         raise _wrong("unknown-team", f"there is no team '{team}'", _near(team, before.teams))
-    if before.teams[team].withdrawn:
+    if undo and not before.teams[team].withdrawn:
+        raise _nothing_to_undo(team)
+    if before.teams[team].withdrawn and not undo:
         raise _wrong("withdrawn-twice", f"'{team}' has withdrawn already", "nothing is left to decide")
-    row = RulingRow(
-        WITHDRAWN, _checked(reason), tournament.store.now(), team=team, last_rounds=before.last_rounds(team)
-    )
+    kind = RulingKind.UNDONE if undo else RulingKind.WITHDRAWN
+    last_rounds = {} if undo else before.last_rounds(team)
+    row = RulingRow(kind.value, _checked(reason), tournament.store.now(), team=team, last_rounds=last_rounds)
     return _note(tournament, before, row, None, [], cascade=cascade)
 
 
@@ -101,7 +118,7 @@ def _note(
         cascade: whether later rounds and stages may change.
     """
     store = tournament.store
-    played = store.played()
+    played, counted = store.played(), tournament.state_and_outcomes()[1]
     for fixture in replayed:
         played.pop(fixture, None)
     after = tournament.state_with(row, played)
@@ -109,7 +126,7 @@ def _note(
     lost = [
         fixture.id
         for fixture in before.fixtures
-        if fixture.id in before.outcomes
+        if fixture.id in counted
         and fixture.id not in after.outcomes
         and (fixture.stage in stages or _is_later_round(fixture, ruled))
     ]
@@ -132,14 +149,16 @@ def _fixture(state: SeasonState, fixture_id: str) -> Fixture:
     return fixtures[fixture_id]
 
 
-def _forfeited(tournament: OpenTournament, fixture: Fixture, loser: str) -> list[float]:
-    side = next((number for number, side in enumerate(fixture.sides) if loser in side.teams), None)
-    if side is None:
-        teams = [team for one in fixture.sides for team in one.teams]
+def _forfeited(tournament: OpenTournament, fixture: Fixture, losers: Sequence[str]) -> tuple[RulingKind, list[float]]:
+    teams = [team for one in fixture.sides for team in one.teams]
+    for loser in set(losers) - set(teams):
         raise _wrong("unknown-team", f"'{loser}' does not play in '{fixture.id}'", f"it is one of {', '.join(teams)}")
     rule = tournament.loaded.tournament.withdrawn
     lost, won = rule.lost if isinstance(rule, LostBy) else _LOST_BY
-    return [float(lost if number == side else won) for number in range(len(fixture.sides))]
+    are_lost = [not set(losers).isdisjoint(side.teams) for side in fixture.sides]
+    is_double = len(are_lost) > 1 and all(are_lost)
+    kind = RulingKind.DOUBLE_FORFEIT if is_double else RulingKind.FORFEIT
+    return kind, [float(lost if is_lost else won) for is_lost in are_lost]
 
 
 def _checked(reason: str) -> str:
@@ -147,6 +166,11 @@ def _checked(reason: str) -> str:
     if not reason or len(reason) > _MAX_REASON_LETTERS:
         raise _wrong("ruling-reason", f"a ruling has a reason of 1 to {_MAX_REASON_LETTERS} letters", "--reason TEXT")
     return reason
+
+
+def _nothing_to_undo(subject: str) -> DiagnosticError:
+    help_ = "'tournament results FILE --json' lists all decisions"
+    return _wrong("nothing-to-undo", f"no decision about '{subject}' holds", help_)
 
 
 def _near(name: str, names: Iterable[str]) -> str:

@@ -41,6 +41,7 @@ class Ruled(StrEnum):
 
     PLAYED = "played"
     FORFEIT = "forfeit"
+    DOUBLE_FORFEIT = "double_forfeit"
     CORRECTED = "corrected"
     WITHDRAWN = "withdrawn"
     ANNULLED = "annulled"
@@ -50,7 +51,7 @@ class Ruled(StrEnum):
     def words(self) -> str:
         """The note beside the score; empty if it was played."""
         words = {Ruled.PLAYED: "", Ruled.CORRECTED: "score corrected", Ruled.WITHDRAWN: "team withdrew"}
-        return words.get(self, self.value)
+        return words.get(self, self.value.replace("_", " "))
 
 
 @dataclass(frozen=True, slots=True)
@@ -201,7 +202,7 @@ class Tie:
         sources: where each team comes from, for people: ``winner of quarter final 1``, ``A1``, ``bye``.
         fixtures: ids, in the order they are played.
         scores: sum of the legs, or matches won in a best-of; None while nothing is played.
-        winner: id, or empty: of a tie that is decided if both teams have left.
+        winner: id, or empty: of a tie that is decided if both teams have left or forfeit.
         decided_by: ``match``, ``extra_time``, ``tie_scenario``, ``lot``, ``bye``, ``forfeit``, or empty.
     """
 

@@ -12,10 +12,11 @@ from rcj_challenges.tournament.season import Row, Table
 
 @dataclass(frozen=True, slots=True)
 class Match:
-    """A match that counts: two teams and their goals."""
+    """A match that counts: two teams and their goals; one that both forfeit is lost by both."""
 
     teams: tuple[str, str]
     goals: tuple[float, float]
+    is_lost_by_both: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +48,7 @@ class Tally:
     conceded: float = 0
     points: float = 0
 
-    def add(self, goals: float, conceded: float, rules: TableRules) -> None:
+    def add(self, goals: float, conceded: float, rules: TableRules, *, is_lost_by_both: bool = False) -> None:
         """Add a match."""
         self.played += 1
         self.goals += goals
@@ -55,7 +56,7 @@ class Tally:
         if goals > conceded:
             self.won += 1
             self.points += rules.win
-        elif goals < conceded:
+        elif goals < conceded or is_lost_by_both:
             self.lost += 1
             self.points += rules.loss
         else:
@@ -75,8 +76,8 @@ def tally(teams: Iterable[str], matches: Iterable[Match], rules: TableRules) -> 
     tallies = {team: Tally() for team in teams}
     for match in matches:
         (first, second), (goals, conceded) = match.teams, match.goals
-        tallies[first].add(goals, conceded, rules)
-        tallies[second].add(conceded, goals, rules)
+        tallies[first].add(goals, conceded, rules, is_lost_by_both=match.is_lost_by_both)
+        tallies[second].add(conceded, goals, rules, is_lost_by_both=match.is_lost_by_both)
     return tallies
 
 

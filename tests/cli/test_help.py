@@ -12,6 +12,7 @@ from rcj_challenges.cli.app import app
 from rcj_challenges.cli.durations import DurationError, parse_duration
 from rcj_challenges.cli.help import ORGANIZE, PLAY, SUBMIT, WATCH, WRITE
 from rcj_challenges.cli.teams import UnknownTeamError, locate_team, path_or_sample_team
+from rcj_challenges.core.diagnostics import DiagnosticError
 from rcj_challenges.scenario.resources import shipped_teams
 
 
@@ -37,6 +38,15 @@ def test_commands_of_a_tournament_are_listed_in_groups_with_examples():
     text = help_of(group)
     assert [heading for heading in (PLAY, WATCH, ORGANIZE, "Examples") if f"\n{heading}:\n" not in text] == []
     assert "\nCommands:\n" not in text
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_an_option_of_one_value_is_refused_when_given_twice(name):
+    for option in COMMANDS[name].params:
+        if option.param_type_name == "option" and not (option.multiple or option.is_flag):
+            with pytest.raises(DiagnosticError) as error:
+                COMMANDS[name].make_context(name, [option.opts[0], "1", option.opts[-1], "1"])
+            assert error.value.diagnostics[0].code == "option-given-twice"
 
 
 @pytest.mark.parametrize("name", COMMANDS)

@@ -43,8 +43,8 @@ def command(*arguments, cwd, **more):
     )
 
 
-def short(team, *more):
-    return ["run", "match", "--blue", team, "--yellow", team, "--duration", "1", "--halves", "1", *more]
+def short(team, *more, duration="1"):
+    return ["run", "match", "--blue", team, "--yellow", team, "--duration", duration, "--halves", "1", *more]
 
 
 DUEL = [
@@ -261,7 +261,7 @@ def started(tmp_path, team, *more):
     """Start a match; returns when it is played, which on a busy machine is later than the report of its start."""
     Path(team).write_text(STAND.replace("while", "robot.step(32)\nprint('plays')\nwhile"), encoding="utf-8")
     process = subprocess.Popen(
-        [*COMMAND, *short(team, "--duration", "600", "--real-time", "--no-replay", "--show-output", "Y2", *more)],
+        [*COMMAND, *short(team, "--real-time", "--no-replay", "--show-output", "Y2", *more, duration="600")],
         cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True,
     )  # fmt: skip
     for line in process.stdout:

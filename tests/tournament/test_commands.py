@@ -232,6 +232,10 @@ def test_a_decision_is_recorded_and_shown(desk):
         (["MATCH"], "which-decision"),
         (["MATCH", "--replay", "--score", "1:0"], "which-decision"),
         (["MATCH", "--withdraw", "ada"], "which-decision"),
+        (["MATCH", "--undo", "--replay"], "which-decision"),
+        (["--withdraw", "ada", "--replay"], "which-decision"),
+        (["MATCH", "--undo", "--reason", "r"], "nothing-to-undo"),
+        (["MATCH", "--score", "1:0", "--score", "0:1", "--reason", "r"], "option-given-twice"),
         (["MATCH", "--score", "one:two", "--reason", "r"], "ruling-score"),
         (["MATCH", "--score", "1:2"], "ruling-reason"),
         (["nowhere", "--score", "1:2", "--reason", "r"], "unknown-match"),
@@ -242,6 +246,34 @@ def test_a_decision_that_cannot_be_made_is_refused_with_a_code(desk, arguments, 
     match = desk.home.state().stages[0].fixtures[0].id
     status, _, err = desk("decide", *(match if one == "MATCH" else one for one in arguments))
     assert (status, f"error[{code}]" in err) == (2, True)
+
+
+def test_a_decision_prints_what_it_changes(desk):
+    desk("run")
+    state = desk.home.state()
+    final, match = state.stages[1].ties[0], state.stages[1].fixtures[0].id
+    loser = next(team for team in final.teams if team != final.winner)
+    forfeit = ("decide", match, "--forfeit", final.winner, "--reason", "r")
+    assert f"final: Team {loser} wins instead of Team {final.winner}\n" in desk(*forfeit)[1]
+    assert "final: neither team wins instead of" in desk(*forfeit, "--forfeit", loser)[1]
+    assert desk("decide", match, "--undo", "--reason", "r")[0] == 0
+    assert (
+        f"final: Team {final.winner} wins instead of Team {loser}\n"
+        in desk("decide", match, "--undo", "--reason", "r")[1]
+    )
+    out = desk("decide", "--withdraw", loser, "--reason", "r")[1]
+    assert out == "no result changes\n", "it has played all of its matches"
+    assert desk.home.state().teams[loser].withdrawn
+    assert desk("decide", "--withdraw", loser, "--undo", "--reason", "r")[:2] == (0, out)
+    assert not desk.home.state().teams[loser].withdrawn
+
+
+def test_a_decision_names_the_later_match_that_is_played_again(desk):
+    desk("run")
+    match, final = desk.home.state().stages[0].fixtures[0].id, desk.home.state().stages[1].fixtures[0].id
+    out = desk("decide", match, "--replay", "--reason", "r", "--cascade")[1]
+    assert f"{final} is played again by the next run\n" in out
+    assert f"{match}: open instead of " in out
 
 
 def test_verify_distinguishes_same_different_and_not_comparable(desk):

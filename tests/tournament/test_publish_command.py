@@ -85,6 +85,19 @@ def test_a_withdrawal_shows_nothing_of_matches_that_are_not_released(tmp_path, p
     assert not (home.data / "site" / "matches").exists()
 
 
+def test_a_withdrawal_is_published_with_its_reason_also_if_it_was_taken_back(tmp_path, publish):
+    home = Home(tmp_path)
+    home.play()
+    with home.opened() as tournament:
+        withdraw(tournament, "ada", "the robots are <broken>")
+        withdraw(tournament, "ada", "they were repaired", undo=True)
+    publish(home)
+    for page in ("about.html", "teams/ada.html"):
+        text = (home.data / "site" / page).read_text("utf-8")
+        assert "the robots are &lt;broken&gt;" in text
+        assert "they were repaired" in text
+
+
 def test_what_was_released_before_is_shown(tmp_path, publish):
     home = Home(tmp_path, released(datetime.now(UTC) - timedelta(days=2)))
     home.play()

@@ -7,7 +7,7 @@ from rcj_challenges.tournament.played import RulingKind
 from rcj_challenges.tournament.reading import read_played
 from rcj_challenges.tournament.rulings import decide, withdraw
 from rcj_challenges.tournament.season import Ruled, Status
-from tests.tournament.store_helpers import Home, code_of
+from tests.tournament.store_helpers import LEAGUE, Home, code_of
 
 CHALLENGE = """
 tournament_version: 1
@@ -47,7 +47,7 @@ def test_a_corrected_score_counts_and_shows_its_reason(tmp_path):
 def test_who_forfeits_loses_by_three_goals(tmp_path):
     home = Home(tmp_path)
     loser = home.state().stages[0].fixtures[0].sides[1].teams[0]
-    fixture = rule(home, 0, RulingKind.FORFEIT, loser=loser)
+    fixture = rule(home, 0, RulingKind.FORFEIT, losers=[loser])
     assert home.state().outcomes[fixture.id].scores == (3, 0)
     assert home.state().outcomes[fixture.id].ruled is Ruled.FORFEIT
 
@@ -57,7 +57,7 @@ def test_who_forfeits_what_is_played_alone_comes_last(tmp_path):
     fixtures = home.state().stages[0].fixtures
     for number in range(1, len(fixtures)):
         rule(home, number, RulingKind.CORRECTED, scores=[0.0])
-    rule(home, 0, RulingKind.FORFEIT, loser=fixtures[0].sides[0].teams[0])
+    rule(home, 0, RulingKind.FORFEIT, losers=[fixtures[0].sides[0].teams[0]])
     table = home.state().stages[0].tables[-1]
     assert table.rows[-1].team == fixtures[0].sides[0].teams[0]
 
@@ -142,7 +142,7 @@ def test_a_ruling_that_changes_a_later_round_of_its_stage_is_refused_unless_it_c
 def test_a_replay_of_a_forfeited_match_cascades_as_other_rulings_do(tmp_path):
     home = Home(tmp_path)
     first = home.state().stages[0].fixtures[0]
-    rule(home, 0, RulingKind.FORFEIT, loser=first.sides[0].teams[0])
+    rule(home, 0, RulingKind.FORFEIT, losers=[first.sides[0].teams[0]])
     home.play()
     (final,) = home.state().stages[1].fixtures
     with home.opened() as tournament:
@@ -180,7 +180,7 @@ def test_a_team_that_withdraws_is_marked_and_plays_no_more(tmp_path):
     ("given", "code"),
     [
         ({"fixture_id": "league/round1/nobody", "kind": RulingKind.REPLAY}, "unknown-match"),
-        ({"kind": RulingKind.FORFEIT, "loser": "dee"}, "unknown-team"),
+        ({"kind": RulingKind.FORFEIT, "losers": ["dee"]}, "unknown-team"),
         ({"kind": RulingKind.CORRECTED, "scores": [1]}, "ruling-score"),
         ({"kind": RulingKind.CORRECTED, "scores": [1, 2], "reason": "  "}, "ruling-reason"),
     ],
@@ -192,3 +192,88 @@ def test_a_ruling_that_cannot_be_made_changes_nothing(tmp_path, given, code):
         decide(tournament, **{"fixture_id": fixture.id, "reason": "because", **given})
     assert code_of(error) == code
     assert home.state().outcomes == {}
+
+
+def undo(home, fixture, **more):
+    with home.opened() as tournament:
+        return decide(tournament, fixture.id, RulingKind.UNDONE, "it was another match", **more)
+
+
+def test_after_a_ruling_is_taken_back_the_played_result_counts_and_both_stay_in_the_history(tmp_path):
+    home = Home(tmp_path)
+    home.play()
+    before = home.tables()
+    fixture = rule(home, 0, RulingKind.CORRECTED, scores=before[1][home.state().fixtures[0].id].scores)
+    rule(home, 0, RulingKind.CORRECTED, scores=[50, 50], cascade=True)
+    undo(home, fixture, cascade=True)
+    assert home.state().outcomes[fixture.id].ruled is Ruled.CORRECTED, "the first of two"
+    undo(home, fixture)
+    with pytest.raises(DiagnosticError) as error:
+        undo(home, fixture)
+    assert code_of(error) == "nothing-to-undo"
+    assert home.play()[1].jobs == []
+    assert home.tables() == before
+    with home.opened(writing=False) as tournament:
+        kinds = [one.kind for one in read_played(tournament.store).matches[fixture.id].rulings]
+    assert kinds == ["corrected", "corrected", "undone", "undone"]
+
+
+@pytest.mark.parametrize("was_played", [False, True])
+def test_after_a_replay_is_taken_back_the_first_result_counts_and_is_not_played_again(tmp_path, was_played):
+    home = Home(tmp_path)
+    home.play()
+    before = home.tables()
+    fixture = rule(home, 0, RulingKind.REPLAY, cascade=True)
+    if was_played:
+        home.play()
+    undo(home, fixture, cascade=True)
+    assert home.play()[1].jobs == []
+    assert home.tables() == before
+
+
+def test_after_a_withdrawal_is_taken_back_all_that_was_played_counts_again(tmp_path):
+    home = Home(tmp_path)
+    home.play()
+    before = home.tables()
+    with home.opened() as tournament:
+        with pytest.raises(DiagnosticError) as error:
+            withdraw(tournament, "bee", "it was not there", undo=True)
+        assert code_of(error) == "nothing-to-undo"
+        withdraw(tournament, "bee", "the wrong team", cascade=True)
+        assert home.state().teams["bee"].withdrawn
+        assert withdraw(tournament, "bee", "it is still here", undo=True, cascade=True) == []
+        told = [(one.kind, one.reason) for one in read_played(tournament.store).withdrawals["bee"]]
+    assert told == [("withdrawn", "the wrong team"), ("undone", "it is still here")]
+    assert home.tables() == before
+
+
+def test_a_match_that_both_forfeit_is_lost_by_both(tmp_path):
+    home = Home(tmp_path)
+    teams = [side.teams[0] for side in home.state().stages[0].fixtures[0].sides]
+    fixture = rule(home, 0, RulingKind.FORFEIT, losers=teams)
+    assert home.state().outcomes[fixture.id].ruled is Ruled.DOUBLE_FORFEIT
+    rows = {row.team: row for row in home.state().stages[0].tables[0].rows}
+    assert [(rows[team].lost, rows[team].drawn, rows[team].points) for team in teams] == [(1, 0, 0)] * 2
+
+
+def test_a_final_that_both_forfeit_has_no_winner(tmp_path):
+    home = Home(tmp_path, CUP, ("ada", "bee", "cid", "dee"))
+    home.play()
+    number = next(number for number, one in enumerate(home.state().fixtures) if one.round == 2)
+    teams = [side.teams[0] for side in home.state().fixtures[number].sides]
+    rule(home, number, RulingKind.FORFEIT, losers=teams)
+    (cup,) = home.state().stages
+    assert (cup.status, cup.ties[-1].winner, cup.ties[-1].decided_by) == (Status.FINISHED, "", "forfeit")
+    assert [row.place for row in cup.places] == [1, 1]
+    assert {row.team for row in cup.places}.isdisjoint(teams)
+
+
+@pytest.mark.parametrize("withdrawn", ["", "withdrawn: {lost: [0, 3]}\n"])
+def test_a_match_of_a_team_that_has_left_is_not_ruled_on(tmp_path, withdrawn):
+    home = Home(tmp_path, LEAGUE + withdrawn)
+    fixture = next(one for one in home.state().fixtures if any("bee" in side.teams for side in one.sides))
+    with home.opened() as tournament:
+        withdraw(tournament, "bee", "the robots are broken")
+        with pytest.raises(DiagnosticError) as error:
+            decide(tournament, fixture.id, RulingKind.CORRECTED, "a goal", scores=[1, 0])
+    assert code_of(error) == "ruling-annulled"

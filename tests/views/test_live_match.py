@@ -149,9 +149,9 @@ def test_what_the_match_waits_for_its_steward_is_not_the_time_that_it_took(tmp_p
 # --- on the command line -----------------------------------------------------------------------------------------------
 
 
-def short(team: Path, *more: str) -> list[str]:
+def short(team: Path, *more: str, duration: str = "1") -> list[str]:
     match = ["match", "--blue", str(team), "--yellow", str(team), *(f"--set={override}" for override in DUEL)]
-    return ["run", *match, "--duration", "1", "--halves", "1", *more]
+    return ["run", *match, "--duration", duration, "--halves", "1", *more]
 
 
 def command(*arguments: str, cwd: Path) -> subprocess.CompletedProcess[str]:
@@ -165,9 +165,9 @@ def started(tmp_path: Path, team: Path) -> Iterator[Callable[..., tuple[subproce
     """Start a live match; gives its process, its port and its token."""
     processes: list[subprocess.Popen[str]] = []
 
-    def start(*more: str) -> tuple[subprocess.Popen[str], int, str]:
+    def start(*more: str, duration: str = "1") -> tuple[subprocess.Popen[str], int, str]:
         process = subprocess.Popen(
-            [*COMMAND, *short(team, *more)],
+            [*COMMAND, *short(team, *more, duration=duration)],
             cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, encoding="utf-8",
         )  # fmt: skip
         processes.append(process)
@@ -236,7 +236,7 @@ def test_after_the_match_it_is_served_until_ctrl_c_whoever_is_connected(
 
 @POSIX
 def test_ctrl_c_ends_a_paused_match(started: Callable[..., Any], tmp_path: Path) -> None:
-    process, port, token = started("--live", "--duration", "100")
+    process, port, token = started("--live", duration="100")
     connection = http.client.HTTPConnection("127.0.0.1", port, timeout=120)
     connection.request("POST", "/steer", b'{"do": "pause"}', {"Authorization": f"Bearer {token}"})
     assert connection.getresponse().status == 200

@@ -159,7 +159,8 @@ class StageContext:
         if outcome is None or outcome.ruled is Ruled.ANNULLED:
             return None
         first, second = fixture.sides
-        return Match(("+".join(first.teams), "+".join(second.teams)), (outcome.scores[0], outcome.scores[1]))
+        teams = ("+".join(first.teams), "+".join(second.teams))
+        return Match(teams, (outcome.scores[0], outcome.scores[1]), outcome.ruled is Ruled.DOUBLE_FORFEIT)
 
     def is_unplayed(self, fixture: Fixture) -> bool:
         """Return whether a fixture has no outcome, not even a hidden one."""

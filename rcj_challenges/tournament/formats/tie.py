@@ -99,7 +99,7 @@ class _Tie:
         """
         staying = [team for team in self.teams if self.context.stays(team, self.round_ + 1)]
         has_left = any(self.context.has_left(team) for team in self.teams)
-        if result.winner or not has_left or any(one.id in self.context.hidden for one in result.fixtures):
+        if result.decided_by or not has_left or any(one.id in self.context.hidden for one in result.fixtures):
             return result
         played = [one for one in result.fixtures if one.id in self.context.outcomes]
         return TieResult(played, result.scores, staying[0] if staying else "", "forfeit")
@@ -146,7 +146,7 @@ class _Tie:
 
     def _extra_time(self, result: TieResult, *, changed: bool, counts_wins: bool = False) -> TieResult:
         """Go on with extra time, if the file has it."""
-        if self.context.tournament.drawn.extra_time is None:
+        if self.context.tournament.drawn.extra_time is None or self._has_double_forfeit(result):
             return self._tie_scenario(result)
         pair = self.teams[::-1] if changed else self.teams
         fixture = self.context.fixture(
@@ -174,7 +174,7 @@ class _Tie:
     def _tie_scenario(self, result: TieResult) -> TieResult:
         """Go on with the tie scenario, if the file has one; then with a lot."""
         tie = self.context.tournament.drawn.tie_scenario
-        if tie is not None:
+        if tie is not None and not self._has_double_forfeit(result):
             use = self.context.names.use(tie.scenario, tie.set)
             is_alone = len(self.context.scenarios[use].seats) == 1
             sides = [((team,),) for team in self.teams] if is_alone else [tuple((team,) for team in self.teams)]
@@ -199,9 +199,17 @@ class _Tie:
             if winner := self._best(fixtures, is_alone=is_alone):
                 result.winner, result.decided_by = winner, "tie_scenario"
                 return result
-        result.winner = min(self.teams, key=lambda team: self.context.lot(self.path, team))
-        result.decided_by = "lot"
+        if self._has_double_forfeit(result):
+            result.decided_by = "forfeit"
+        else:
+            result.winner = min(self.teams, key=lambda team: self.context.lot(self.path, team))
+            result.decided_by = "lot"
         return result
+
+    def _has_double_forfeit(self, result: TieResult) -> bool:
+        """Return whether both have forfeited a match: if the others leave the tie level, neither wins it."""
+        outcomes = [self.context.outcomes.get(one.id) for one in result.fixtures]
+        return any(one is not None and one.ruled is Ruled.DOUBLE_FORFEIT for one in outcomes)
 
     def _best(self, fixtures: list[Fixture], *, is_alone: bool) -> str:
         """Return the team that was better in the tie scenario; empty if they are level."""

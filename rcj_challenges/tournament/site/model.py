@@ -119,6 +119,8 @@ class MatchView:
         if own is None or len(self.outcome.scores) != 2:
             return ""
         ours, theirs = self.outcome.scores[own], self.outcome.scores[1 - own]
+        if self.outcome.ruled is Ruled.DOUBLE_FORFEIT:
+            return "lost"
         return "drawn" if ours == theirs else "won" if ours > theirs else "lost"
 
     def difference_for(self, team: str) -> float:

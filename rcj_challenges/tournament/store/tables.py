@@ -127,13 +127,13 @@ class RulingRow(NamedTuple):
     """A decision of a human referee. Rows are added, never changed or removed."""
 
     kind: str
-    """``forfeit``, ``replay``, ``corrected`` of a fixture; ``withdrawn`` of a team."""
+    """As `RulingKind`; ``undone`` takes back the one before of this fixture, or of this team."""
     reason: str
     at: datetime
     fixture: str = ""
     """Empty if a team withdraws."""
     team: str = ""
-    """The one that forfeits or withdraws."""
+    """The one that forfeits or withdraws; both that forfeit, joined with ``+``."""
     sides: Sequence[Sequence[str]] = ()
     """Team ids of each side: the ruling holds for a fixture of these."""
     scores: Sequence[float] = ()
