@@ -2,6 +2,8 @@
 
 import itertools
 import json
+import os
+import signal
 import socket
 import subprocess
 import sys
@@ -136,6 +138,36 @@ def test_an_editor_stops_at_a_breakpoint_in_the_teams_own_file_reads_a_variable_
     said, complaint = process.communicate(timeout=60)
     assert process.returncode == 0, complaint
     assert said == "fault: None\n"
+
+
+def start_debugged(tmp_path, program, setting="", **options):
+    (tmp_path / "my_team").mkdir()
+    (tmp_path / "my_team" / "robot.py").write_text(program, encoding="utf-8")
+    match = MATCH.format(here=str(Path(__file__).parent), folder=str(tmp_path), team=str(tmp_path / "my_team"))
+    command = [sys.executable, "-c", f"from rcj_challenges.controllers import debugging\n{setting}\n{match}"]
+    pipes = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.PIPE)
+    return subprocess.Popen(command, cwd=ROOT, text=True, **pipes, **options)
+
+
+def test_leaving_the_debugger_ends_the_program_and_is_no_crash(tmp_path):
+    with start_debugged(tmp_path, SHARED, env={**os.environ, "PYTHONBREAKPOINT": "pdb.set_trace"}) as process:
+        said, complaint = process.communicate("q\n", timeout=60)
+    assert "kind='exit'" in said.partition("fault:")[2]
+    assert "Traceback" not in said + complaint
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Ctrl-C is sent as a signal to a group of processes")
+def test_a_taken_port_is_named_with_what_to_attach_to_and_the_wait_can_be_interrupted(tmp_path):
+    pytest.importorskip("debugpy")
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = taken.getsockname()[1]
+        with start_debugged(tmp_path, PROGRAM, f"debugging.PORT = {port}", start_new_session=True) as process:
+            notice, waits = (next(line for line in process.stderr if "port" in line) for _ in range(2))
+            os.killpg(process.pid, signal.SIGINT)
+            _, complaint = process.communicate(timeout=60)
+    assert f"port {port} is taken" in notice
+    assert waits.split()[-1] in notice
+    assert "wait_for_editor" not in complaint
 
 
 def test_breakpoint_in_a_program_that_is_not_debugged_only_prints_one_notice(tmp_path):

@@ -135,6 +135,9 @@ class Boot:
             self._end(kind, detail)
 
     def _crashed(self, kind: str, error: BaseException) -> None:
+        if self._hello["debug"] and type(error) is getattr(sys.modules.get("bdb"), "BdbQuit", None):
+            self._ended("exit", "the program was ended in the debugger")
+            return
         detail, trace = _traceback.describe(error, self._root, self._names)
         if self._connection.over:
             _print_quietly(trace or detail)

@@ -41,9 +41,13 @@ def wait_for_editor(robot: str, folder: str, port: int) -> None:
         try:
             _, port = debugpy.listen(("127.0.0.1", port))
         except (OSError, RuntimeError):
-            _, port = debugpy.listen(("127.0.0.1", 0))
+            _, free = debugpy.listen(("127.0.0.1", 0))
+            print(f'port {port} is taken: set "port" to {free} in launch.json before you attach', file=sys.stderr)
+            port = free
         print(f"{robot} waits for VS Code on port {port}", file=sys.stderr, flush=True)
         debugpy.wait_for_client()
+    except KeyboardInterrupt:  # Ctrl-C also interrupts the match, which reports it
+        raise SystemExit(1) from None
     finally:
         sys.path.remove(folder)
     # The debugger waits by real time, while the program's stands still at a breakpoint.
