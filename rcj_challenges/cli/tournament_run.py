@@ -181,9 +181,9 @@ class RunLines:
         if not self._quiet:
             print_progress(self._console, line)
 
-    def checked(self, team: str, level: str, done: int, total: int) -> None:
+    def checked(self, team: str, scenario: str, level: str, done: int, total: int) -> None:
         """Print the verdict of a check."""
-        self.note(f"check {done}/{total}  {team}  {level}")
+        self.note(f"check {done}/{total}  {team}  {scenario}  {level}")
 
     def played(self, fixture: Fixture, outcome: Outcome, progress: Progress, *, is_doubtful: bool) -> None:
         """Print the score of a match, and of a stage that is over the tables."""

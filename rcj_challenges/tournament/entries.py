@@ -10,6 +10,7 @@ from dataclasses import dataclass, field, replace
 from hashlib import sha256
 from pathlib import Path
 
+from rcj_challenges.controllers.paths import ignored_folder
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.errors import format_error
 from rcj_challenges.scenario.errors import listing
@@ -114,7 +115,11 @@ class TeamLists:
             return {}
         for path in paths:
             is_folder = path.is_dir()
-            if path.name.startswith(".") or not (is_folder or path.suffix.lower() == ".zip"):
+            if (
+                path.name.startswith(".")
+                or ignored_folder(path.name)
+                or not (is_folder or path.suffix.lower() == ".zip")
+            ):
                 continue
             key = id_of(path.name if is_folder else path.stem)
             twin = next((other for other in found if other.casefold() == key.casefold()), None)

@@ -11,6 +11,7 @@ from typing import Any, Self
 
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.errors import format_error
+from rcj_challenges.core.file_names import slug
 from rcj_challenges.records.digest import given_values
 from rcj_challenges.records.folder import replaced
 from rcj_challenges.records.lines import canonical, parsed
@@ -117,7 +118,7 @@ class Workplace:
 
     def report_folder(self, team: str, archive: str) -> Path:
         """Return the folder of the check's reports on a submission of a team."""
-        return self.reports / team / archive[:12]
+        return self.reports / slug(team) / archive[:12]
 
     def keep_scenario(self, loaded: Loaded) -> str:
         """Write a resolved scenario where jobs find it; returns its hash.

@@ -21,7 +21,7 @@ from rcj_challenges.tournament.jobs import MatchJob, Workplace
 from rcj_challenges.tournament.opened import OpenTournament, sides_of
 from rcj_challenges.tournament.reconcile import has_whole_record
 from rcj_challenges.tournament.records import sizes
-from rcj_challenges.tournament.season import Fixture, Outcome, SeasonState
+from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, SeasonState
 from rcj_challenges.tournament.store.store import PlayedFixture
 
 _WAITING_PER_LANE = 1
@@ -135,9 +135,10 @@ class Runner:
                     return
                 continue
             outcomes = self.executor.poll()
+            done = [fixture for outcome in outcomes for fixture in self._tasks[outcome.job.id].fixtures]
             for outcome in outcomes:
                 self._take(outcome)
-            if outcomes and not self._open:
+            if done and (not self._open or (_is_challenge(self._open[0]) and not all(map(_is_challenge, done)))):
                 self._recompute()  # it may have been the match that the next round waited for
             elif not outcomes:
                 self.observer.moment(self._progress())
@@ -215,7 +216,7 @@ class Runner:
         self._compute_state()
         busy = {fixture.id for task in (*self._tasks.values(), *self._alone) for fixture in task.fixtures}
         todo = (fixture for fixture in self._state.open_fixtures() if fixture.id not in busy | self._failed)
-        self._open = deque(todo)
+        self._open = deque(sorted(todo, key=_is_challenge))  # the next round waits for matches
         return bool(self._open or self._alone)
 
     def _compute_state(self) -> None:
@@ -244,6 +245,10 @@ class Runner:
     def _remove_left_overs(self) -> None:
         with suppress(OSError):
             shutil.rmtree(self._place.playing)
+
+
+def _is_challenge(fixture: Fixture) -> bool:
+    return fixture.kind is FixtureKind.CHALLENGE
 
 
 def keep_record(folder: Path, place: Workplace, job_id: str) -> None:

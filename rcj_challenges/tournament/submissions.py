@@ -142,7 +142,7 @@ def _packed(contents: Contents) -> bytes:
 class CheckObserver(Protocol):
     """Sees the checks as they are done."""
 
-    def checked(self, team: str, level: str, done: int, total: int) -> None:
+    def checked(self, team: str, scenario: str, level: str, done: int, total: int) -> None:
         """A submission was checked."""
 
 
@@ -239,7 +239,7 @@ def _noting(
                     _keep_report(report, own, task, store, sandbox)
             failures = [(finding.code, finding.message) for finding in found]
             store.add_check(one.archive, task.scenario, report.level, failures)
-        observer.checked(one.team, report.level, count, len(todo))
+        observer.checked(one.team, task.loaded.scenario.id, report.level, count, len(todo))
 
     return on_done
 

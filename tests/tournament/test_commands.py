@@ -79,6 +79,7 @@ def test_run_checks_plays_and_prints_progress(desk):
     assert code == 0
     lines = out.splitlines()
     assert [line.partition("  ")[0] for line in lines[:4]] == ["check 1/3", "check 2/3", "check 3/3", "1/4"]
+    assert [line.split("  ")[1:] for line in lines[:3]] == [[team, "match", "passed"] for team in ("ada", "bee", "cid")]
     assert "about 3 s left" in lines[3]
     assert desk.checked == 3
     assert desk("run")[0] == 0
@@ -152,7 +153,7 @@ class Checked:
     def __init__(self):
         self.teams = []
 
-    def checked(self, team, level, done, total):
+    def checked(self, team, scenario, level, done, total):
         self.teams.append(team)
 
 

@@ -7,7 +7,7 @@ from rcj_challenges.tournament.fixtures import JobMaker
 from rcj_challenges.tournament.rulings import withdraw
 from rcj_challenges.tournament.season import Status
 from rcj_challenges.tournament.submissions import take_submissions
-from tests.tournament.store_helpers import SUPER_TEAMS, FakeExecutor, Home, Silent, code_of
+from tests.tournament.store_helpers import LEAGUE, SUPER_TEAMS, FakeExecutor, Home, Silent, code_of
 
 
 def test_all_stages_are_played_to_the_end_and_a_second_run_plays_nothing(tmp_path):
@@ -119,3 +119,13 @@ def test_a_team_that_left_without_a_submission_cannot_play_in_a_super_team(tmp_p
         with pytest.raises(DiagnosticError) as error:
             jobs.job_for(fixture)
     assert code_of(error) == "submission-unusable"
+
+
+def test_finals_do_not_wait_for_open_challenges(tmp_path):
+    skills = "  skills: {stage: challenge, seeds: 5, scenarios: {slalom: {scenario: slalom}}}\n"
+    home = Home(tmp_path, LEAGUE.replace("  finals:", f"{skills}  finals:"))
+    seen = Silent()
+    home.play(observer=seen)
+    played = [fixture.partition("/")[0] for _, fixture in seen.seen]
+    assert played.count("skills") == 15
+    assert "skills" in played[played.index("finals") + 4 :], "more challenges than lanes and waiting jobs came after it"

@@ -21,6 +21,7 @@ from rcj_challenges.tournament.played import Submission
 from rcj_challenges.tournament.season import Outcome, Ruled
 from rcj_challenges.tournament.site import Published, SiteSource, hidden_fixtures, publish
 from rcj_challenges.tournament.site.model import Season
+from rcj_challenges.tournament.site.podium import ordinal
 from rcj_challenges.tournament.site.public import read_replay
 from rcj_challenges.tournament.site.schedule import appointments, as_csv, as_ics
 from tests.tournament.site_play import HOSTILE, NOW, SECRET, MadeUpSeason, make_season
@@ -402,3 +403,63 @@ def test_a_record_that_is_damaged_or_gone_leaves_the_result(season: MadeUpSeason
     folder = tmp_path / "data" / "site" / "matches" / match.slug
     assert sorted(one.name for one in folder.iterdir()) == ["index.html", "result.json"]
     assert " : ".join(match.scores) in (folder / "index.html").read_text("utf-8")
+
+
+OVER = {"groups": 9, "finals": 9, "super": 9, "skills": 9}
+
+
+def places_on(page: str) -> list[tuple[str, str]]:
+    """Return place and team of each certificate of a page."""
+    found = re.findall(
+        r'<p class="team"><bdi>(.*?)</bdi>.*?<p class="place"><b>(.*?) place</b>( \(shared\))?', page, re.DOTALL
+    )
+    return [(place + shared, html.unescape(team)) for team, place, shared in found]
+
+
+def test_the_podium_has_the_first_three_places_of_finals_that_have_finished(
+    season: MadeUpSeason, tmp_path: Path
+) -> None:
+    source = season.source(season.outcomes(OVER | {"skills": 0}))
+    publish(source, tmp_path)
+    text = (tmp_path / "site" / "index.html").read_text("utf-8")
+    assert text.count('<ol class="podium">') == 1, "only of the finals while others go on"
+    finals = next(stage for stage in source.state.stages if stage.name == "finals")
+    shown = re.findall(r'<li class="place-(\d)">.*?teams/(\w+)\.html', text, re.DOTALL)
+    assert shown == [(str(row.place), row.team) for row in finals.places[:3]]
+
+
+def test_each_team_of_a_finished_stage_has_a_certificate_and_a_shared_place_is_marked(
+    season: MadeUpSeason, tmp_path: Path
+) -> None:
+    source = season.source(season.outcomes(OVER | {"finals": 0}))
+    state = source.state
+    stages = {stage.name: stage for stage in state.stages}
+    shared = [replace(row, place=1, shared=True) if row.place == 2 else row for row in stages["skills"].places]
+    skills = replace(stages["skills"], places=tuple(replace(row, shared=row.place == 1) for row in shared))
+    publish(replace(source, state=replace(state, stages=(*state.stages[:-1], skills))), tmp_path)
+    folder = tmp_path / "site" / "certificates"
+    assert sorted(page.name for page in folder.iterdir()) == ["groups.html", "skills.html", "super.html"]
+    found = {page.stem: places_on(page.read_text("utf-8")) for page in folder.iterdir()}
+    names = Season(source)
+    assert sorted(found["skills"]) == sorted(
+        (f"{ordinal(row.place)}{' (shared)' if row.shared else ''}", names.name(row.team)) for row in skills.places
+    )
+    assert [len(found[name]) for name in ("groups", "super")] == [
+        len(stages["groups"].teams),
+        len(stages["super"].teams),
+    ]
+
+
+def test_a_match_that_a_lot_decided_shows_the_winner_on_its_page_and_its_card(
+    season: MadeUpSeason, tmp_path: Path
+) -> None:
+    outcomes = season.outcomes({"groups": 5})
+    final = next(one for one in season.engine.state(outcomes).open_fixtures() if one.stage == "finals")
+    outcomes[final.id] = Outcome((1.0, 1.0))
+    source = season.source(outcomes)
+    publish(source, tmp_path)
+    match = Season(source).matches[final.id]
+    for path in (f"matches/{match.slug}/index.html", "stages/finals.html"):
+        text = (tmp_path / "site" / path).read_text("utf-8")
+        assert f"won by lot: <bdi>{html.escape(Season(source).name(match.lot_winner))}</bdi>" in text
+    assert match.lot_winner in match.teams

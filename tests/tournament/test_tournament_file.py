@@ -87,6 +87,14 @@ def test_the_error_of_a_time_shows_its_form_and_time_zone(tmp_path):
     assert "Europe/Berlin" in caught.value.diagnostics[0].help
 
 
+def test_what_comes_with_archives_of_a_mac_is_no_team(tmp_path):
+    for folder in ("__MACOSX", "ada", "bee"):
+        (tmp_path / "teams" / folder).mkdir(parents=True)
+    for file in ("._cid.zip", ".DS_Store", "cid.zip"):
+        (tmp_path / "teams" / file).touch()
+    assert list(loaded(HEAD + "teams_folder: teams\n" + LEAGUE, tmp_path).entries) == ["ada", "bee", "cid"]
+
+
 def test_mistakes_have_line_column_and_a_hint():
     with pytest.raises(TournamentFileError) as caught:
         load_tree(parse_text(HEAD + TEAMS + "stages:\n  league: {stage: round_robbin}\n", "t.yaml"), None)

@@ -84,7 +84,7 @@ def _made_from(season: Season, match: MatchView, templates: str) -> str:
     files = [record / name for name in (REPLAY, STATS, TRAJECTORY)] if record else []
     return fingerprint(
         [
-            templates, repr(match.fixture), match.stage.title, repr(match.outcome), str(match.at),
+            templates, repr(match.fixture), match.stage.title, repr(match.outcome), str(match.at), match.lot_winner,
             [season.name(team) for team in match.teams],
             [match.played.result.get("digest"), match.played.doubtful, repr(match.played.rulings),
              dict(match.played.submissions), str(match.played.played_at)] if match.played else None,

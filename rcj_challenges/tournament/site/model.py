@@ -98,6 +98,12 @@ class MatchView:
         return self.outcome.ruled.words if self.outcome else ""
 
     @property
+    def lot_winner(self) -> str:
+        """The team for which a lot decided after this match, by id; empty without a lot."""
+        ties = (tie for tie in self.stage.ties if tie.decided_by == "lot" and self.outcome is not None)
+        return next((tie.winner for tie in ties if tie.fixtures[-1:] == (self.fixture.id,)), "")
+
+    @property
     def kind(self) -> str:
         """``extra time``; empty for a match or a challenge."""
         ordinary = (FixtureKind.MATCH, FixtureKind.CHALLENGE)

@@ -15,6 +15,7 @@ from rcj_challenges.tournament.seeds import seed_hash
 from rcj_challenges.tournament.site.bracket import bracket_svg
 from rcj_challenges.tournament.site.model import MatchView, Season
 from rcj_challenges.tournament.site.plots import distribution_plot, form_plot
+from rcj_challenges.tournament.site.podium import podiums, publish_certificates
 from rcj_challenges.tournament.site.render import Renderer, day
 from rcj_challenges.tournament.site.schedule import appointments, as_csv, as_feed, as_ics
 from rcj_challenges.tournament.site.tree import Tree
@@ -40,7 +41,7 @@ def publish_overview(tree: Tree, renderer: Renderer, season: Season) -> None:
             path,
             current=[stage for stage in current if any(match.outcome for match in season.of_stage(stage))],
             brackets=brackets,
-            winners=_winners(season),
+            podiums=podiums(season),
             latest=_few(season.latest),
             coming=_few(season.coming),
         ),
@@ -72,16 +73,6 @@ def publish_overview(tree: Tree, renderer: Renderer, season: Season) -> None:
 def _few(matches: Sequence[MatchView]) -> Sequence[MatchView]:
     """Return the first of some matches; runs of challenges, of which there are many, only if there is nothing else."""
     return ([match for match in matches if not match.is_challenge] or matches)[:_ON_OVERVIEW]
-
-
-def _winners(season: Season) -> list[tuple[StageState, list[str]]]:
-    """Return the winner of each stage; none before the end, of stages in groups, and of a shared first place."""
-    found = []
-    for stage in season.state.stages if season.source.is_over else ():
-        first = [row for row in stage.places if row.place == 1]
-        if len(first) == 1 and not (stage.kind == "round_robin" and len(stage.tables) > 1):
-            found.append((stage, first[0].team.split("+")))
-    return found
 
 
 def _versions(season: Season) -> list[str]:
@@ -119,6 +110,8 @@ def publish_stage(tree: Tree, renderer: Renderer, season: Season, stage: StageSt
             matrices=_matrices(season, stage),
         ),
     )
+    if stage.status is Status.FINISHED:
+        publish_certificates(tree, renderer, season, stage)
     if stage.ties:
         path = f"brackets/{name}.html"
         tree.write(path, renderer.page("bracket.html", path, stage=stage, picture=_bracket(season, stage, "../")))

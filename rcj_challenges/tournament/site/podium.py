@@ -1,0 +1,80 @@
+"""What teams have won: the podium of the overview, and certificates to print."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from datetime import datetime
+
+from rcj_challenges.core.file_names import slug
+from rcj_challenges.tournament.season import Row, StageState, Status
+from rcj_challenges.tournament.site.model import Season, group_title
+from rcj_challenges.tournament.site.render import Renderer
+from rcj_challenges.tournament.site.tree import Tree
+
+_PODIUM_PLACES = 3
+
+
+@dataclass(frozen=True, slots=True)
+class Certificate:
+    """One page for one team.
+
+    Attributes:
+        team: id.
+        place: ``2nd place``.
+        shared: whether others have the same place.
+        among: the group; empty if the stage has one ranking.
+        super_team: ids of all teams that won it together; empty if it was one.
+        count: how many were ranked.
+    """
+
+    team: str
+    place: str
+    shared: bool
+    among: str
+    super_team: tuple[str, ...]
+    count: int
+
+
+def podiums(season: Season) -> list[tuple[StageState, list[Row]]]:
+    """Return the first three places of finished knock-outs, and at the end of all stages with one ranking."""
+    found = []
+    for stage in season.state.stages:
+        is_shown = stage.status is Status.FINISHED and (season.source.is_over or stage.ties)
+        if is_shown and not _has_groups(stage):
+            found.append((stage, [row for row in stage.places if row.place <= _PODIUM_PLACES]))
+    return found
+
+
+def publish_certificates(tree: Tree, renderer: Renderer, season: Season, stage: StageState) -> None:
+    """Write the certificates of a stage that has finished: one page for each team, the last place first."""
+    path = f"certificates/{slug(stage.name)}.html"
+    found = sorted(_certificates(season, stage), key=lambda one: one[0], reverse=True)
+    days = [match.played_at for match in season.of_stage(stage) if match.outcome and match.played_at.year > 1]
+    at: datetime | None = max(days, default=None)
+    tree.write(
+        path, renderer.page("certificates.html", path, stage=stage, at=at, certificates=[one for _, one in found])
+    )
+
+
+def _certificates(season: Season, stage: StageState) -> Iterator[tuple[int, Certificate]]:
+    """Yield each certificate with its place; of stages in groups, the place in the group."""
+    rankings = [(table.name, table.rows) for table in stage.tables] if _has_groups(stage) else [("", stage.places)]
+    for group, rows in rankings:
+        among = group_title(stage, group) if group else ""
+        for row in rows:
+            teams = tuple(row.team.split("+"))
+            for team in teams:
+                if not season.teams[team].withdrawn:
+                    members = teams if len(teams) > 1 else ()
+                    yield row.place, Certificate(team, ordinal(row.place), row.shared, among, members, len(rows))
+
+
+def _has_groups(stage: StageState) -> bool:
+    return stage.kind == "round_robin" and len(stage.tables) > 1
+
+
+def ordinal(number: int) -> str:
+    """Return ``1st``, ``2nd``, ``3rd``, ``4th``, ``11th``."""
+    ending = "th" if number // 10 % 10 == 1 else {1: "st", 2: "nd", 3: "rd"}.get(number % 10, "th")
+    return f"{number}{ending}"
