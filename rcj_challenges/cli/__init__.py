@@ -167,6 +167,9 @@ def _install_signal_handlers(interrupted_at_s: list[float]) -> list[int]:
             interrupted_at_s.append(now_s)
             raise KeyboardInterrupt
 
+    if sys.platform != "win32":
+        # Some services start commands that ignore it: the exit codes of programs would be lost, and Bubblewrap hangs.
+        signal.signal(signal.SIGCHLD, signal.SIG_DFL)
     handled = []
     for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK"):  # the last one is Ctrl-Break on Windows
         number = getattr(signal, name, None)

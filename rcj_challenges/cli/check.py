@@ -13,6 +13,7 @@ import typer
 from rcj_challenges.cli.completion import complete_scenarios
 from rcj_challenges.cli.help import SUBMIT, Command
 from rcj_challenges.cli.options import Json, Overrides, Sandbox
+from rcj_challenges.cli.sandbox import require_layers
 from rcj_challenges.cli.stdio import print_json, print_lines, print_progress
 from rcj_challenges.core.errors import RcjError, format_error, room_help
 from rcj_challenges.core.sanitize import sanitize
@@ -113,12 +114,11 @@ def check_submissions(command: CheckCommand) -> int:
     """
     from rcj_challenges.cli.output_paths import refuse_devices
     from rcj_challenges.cli.teams import path_or_sample_team
-    from rcj_challenges.controllers.isolation import active_layers
     from rcj_challenges.scenario.load import load
 
     refuse_devices(html=command.html, fix=command.fix, replay=command.replays)
     loaded = load(command.scenario, command.overrides)
-    active_layers(command.sandbox)
+    require_layers(command.sandbox)
     given = submissions([path_or_sample_team(path) for path in command.paths])
     if command.fix is not None and len(given.paths) != 1:
         raise CheckUsageError(f"--fix repairs one submission at a time, not {len(given.paths)}", "give one of them")

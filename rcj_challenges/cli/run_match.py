@@ -8,6 +8,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from rcj_challenges.cli.sandbox import require_layers
 from rcj_challenges.cli.stdio import as_host_error, output_error, print_json, print_lines, shell_quoted
 from rcj_challenges.cli.team_args import UsageError, assignments, known, open_teams
 from rcj_challenges.core.errors import HostError, interruption_behind
@@ -119,6 +120,8 @@ def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Observer]:
 
     refuse_devices(out=options.out)
     loaded = load(options.scenario, options.overrides)
+    if not options.quiet:
+        require_layers(options.sandbox)
     robots = frozenset(robot for entrant in loaded.scenario.entrants.values() for robot in entrant.robots)
     for robot in (*options.show_output, *options.debug):
         known(robot, robots, "robot")

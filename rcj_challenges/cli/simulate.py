@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.cli import OK, OUR_FAULT, WRONG_INPUT
+from rcj_challenges.cli.sandbox import require_layers
 from rcj_challenges.cli.stdio import print_json, print_progress
 from rcj_challenges.cli.team_args import open_teams
 from rcj_challenges.core.amounts import counted, times
@@ -99,7 +100,6 @@ def _prepared(options: SimulateOptions) -> tuple[Loaded, list[Job], dict[int, Ou
         RcjError: wrong input.
     """
     from rcj_challenges.cli.output_paths import refuse_devices
-    from rcj_challenges.controllers.isolation import active_layers
     from rcj_challenges.match.batch import Job
     from rcj_challenges.records.folder import make_out_folder
     from rcj_challenges.scenario.load import load
@@ -112,7 +112,7 @@ def _prepared(options: SimulateOptions) -> tuple[Loaded, list[Job], dict[int, Ou
     for seat, team in open_teams(loaded, options.teams).items():
         programs[seat] = team.digest
         team.close()
-    active_layers(options.sandbox)
+    require_layers(options.sandbox)
     make_out_folder(options.out, "the records")
     arguments = [options.scenario, "--out", str(options.out), "--no-replay", "--quiet", "--sandbox", options.sandbox]
     arguments += [part for team in options.teams for part in ("--team", team)]

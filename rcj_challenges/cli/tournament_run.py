@@ -15,6 +15,7 @@ from rich.table import Table
 from rich.text import Text
 
 from rcj_challenges.cli import OK, OUR_FAULT
+from rcj_challenges.cli.sandbox import require_layers
 from rcj_challenges.cli.stdio import print_progress
 from rcj_challenges.cli.tournament_tables import score_words, stage_tables
 from rcj_challenges.core.amounts import counted
@@ -60,9 +61,7 @@ def run_tournament(tournament: OpenTournament, options: RunOptions) -> int:
         RcjError: a submission fails the check, or the input or this computer is not as it should be.
         KeyboardInterrupt: it was interrupted; says how far it came.
     """
-    from rcj_challenges.controllers.isolation import active_layers
-
-    active_layers(options.sandbox)
+    require_layers(options.sandbox)
     lanes = options.at_once or os.cpu_count() or 1
     console = console_for()
     observer = observer_for(console, tournament, quiet=options.quiet)

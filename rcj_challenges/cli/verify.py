@@ -13,6 +13,7 @@ import typer
 from rcj_challenges.cli import OK, OUR_FAULT
 from rcj_challenges.cli.help import ORGANIZE, Command
 from rcj_challenges.cli.options import AtOnce, Json, Runs, RunsFolder, Sandbox
+from rcj_challenges.cli.sandbox import require_layers
 from rcj_challenges.cli.stdio import print_json, print_progress
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 
@@ -76,6 +77,7 @@ def verify_runs(
     from rcj_challenges.tournament.verify import verify_all
     from rcj_challenges.views.replay.browse import find_run
 
+    require_layers(sandbox)
     paths = _located(teams)
     folders = [find_run(run, out) for run in runs]
     with tempfile.TemporaryDirectory(prefix="rcj-verify-") as temporary:

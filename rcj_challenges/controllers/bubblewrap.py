@@ -18,22 +18,41 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from rcj_challenges.core.sanitize import sanitize
+
 _PROBE_S = 10.0
 _GONE_S = 1.0
 _DEEPEST = 4  # bubblewrap, its first process inside, the program
 
 
-@functools.cache
 def works(python: str, readable: tuple[str, ...]) -> bool:
-    """Return whether bubblewrap is installed and can start this Python: it needs user name spaces, or root."""
-    if sys.platform != "linux" or shutil.which("bwrap") is None:
-        return False
+    """Return whether bubblewrap is installed and can start this Python."""
+    return _is_installed() and failure(python, readable) is None
+
+
+def _is_installed() -> bool:
+    return sys.platform == "linux" and shutil.which("bwrap") is not None
+
+
+@functools.cache
+def failure(python: str, readable: tuple[str, ...]) -> str | None:
+    """Return why the installed bubblewrap cannot start this Python; None if it can, or is not installed.
+
+    It needs user name spaces, or root; and it hangs if this process ignores SIGCHLD, because it then does so too.
+    """
+    if not _is_installed():
+        return None
     command = [*prefix(python, readable, None), python, "-s", "-S", "-c", "pass"]
     try:
         probe = subprocess.run(command, capture_output=True, timeout=_PROBE_S, check=False)
-    except (OSError, subprocess.SubprocessError):
-        return False
-    return probe.returncode == 0
+    except subprocess.TimeoutExpired:
+        return f"bwrap did not start Python within {_PROBE_S:g} s"
+    except OSError as error:
+        return f"bwrap cannot be started: {error.strerror}"
+    if probe.returncode == 0:
+        return None
+    lines = probe.stderr.decode("utf-8", "replace").splitlines()
+    return sanitize(f"bwrap cannot start Python: {lines[-1] if lines else f'exit code {probe.returncode}'}")
 
 
 def prefix(python: str, readable: tuple[str, ...], private: Path | None) -> list[str]:

@@ -71,8 +71,8 @@ def active_layers(sandbox: str, platform: str = sys.platform) -> tuple[str, ...]
     if sandbox == "off":
         return _ALWAYS
     missing = missing_layers(platform)
-    if sandbox == "strict" and missing:
-        lacking = "; ".join(f"{layer} ({LAYERS[layer]}): {why}" for layer, why in missing.items())
+    if sandbox == "strict" and (refused := missing | dropped_layers(sandbox, platform)):
+        lacking = "; ".join(f"{layer} ({(LAYERS | EXTRA_LAYERS)[layer]}): {why}" for layer, why in refused.items())
         message = f"--sandbox strict: layers of isolation are missing here: {lacking}"
         raise IsolationError(message, "play with --sandbox auto, or on another computer (docs/isolation.md)")
     layers = tuple(layer for layer in LAYERS if layer not in missing)
@@ -85,6 +85,16 @@ def missing_layers(platform: str = sys.platform) -> dict[str, str]:
         return dict(_missing_on_linux())
     why = _NOT_HERE.get(platform, f"nothing is known of {platform}")
     return dict.fromkeys(("no_new_privileges", "filesystem", "system_calls"), why)
+
+
+def dropped_layers(sandbox: str, platform: str = sys.platform) -> dict[str, str]:
+    """Return the layers that programs should get on this platform and do not get on this computer, with the reasons."""
+    if sandbox == "off" or platform != "linux":
+        return {}
+    dropped = missing_layers(platform)
+    if visible_files.can_be_narrow() and (why := bubblewrap.failure(processes.python(), visible_files.readable())):
+        dropped["bubblewrap"] = why
+    return dropped
 
 
 @functools.cache

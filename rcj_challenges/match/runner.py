@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.controllers.isolation import active_layers
+from rcj_challenges.controllers.isolation import active_layers, dropped_layers
 from rcj_challenges.controllers.program import Program
 from rcj_challenges.controllers.program_pool import PoolPlan, ProgramPool
 from rcj_challenges.controllers.team import SuperTeam, Team
@@ -137,7 +137,11 @@ class _MatchRunner:
             team_names={team: plan.name_of(team) for team in plan.teams},
             programs={team: opened.digest for team, opened in plan.teams.items()},
             match_id=plan.match_id,
-            sandbox={"mode": plan.sandbox, "layers": list(active_layers(plan.sandbox))},
+            sandbox={
+                "mode": plan.sandbox,
+                "layers": list(active_layers(plan.sandbox)),
+                "dropped": dropped_layers(plan.sandbox),
+            },
             marks=("debug",) if plan.debug else (),
             unresolved=plan.loaded.unresolved,
             logos=plan.logos,

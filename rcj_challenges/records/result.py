@@ -151,7 +151,9 @@ class RunResult(_Part):
     )
     real_time_factor: float = _described("simulated_s divided by wall_s", ge=0)
     versions: Versions
-    sandbox: dict[str, Any] = _described("how programs were isolated: what was requested, and which layers were active")
+    sandbox: dict[str, Any] = _described(
+        "how programs were isolated: what was requested, which layers were active, and why others were dropped"
+    )
     marks: list[str] = _described("what makes this run special, such as debug: it does not count as a fair match")
     hints: list[HintResult] = Field(
         default=[],

@@ -29,9 +29,9 @@ IN_PLAY = "from controller import Robot\nrobot = Robot()\nrobot.step(32)\n"
 
 @pytest.fixture
 def probed_anew() -> Iterator[None]:
-    bubblewrap.works.cache_clear()
+    bubblewrap.failure.cache_clear()
     yield
-    bubblewrap.works.cache_clear()
+    bubblewrap.failure.cache_clear()
 
 
 def environment_of(pid: int) -> bytes:
@@ -172,18 +172,31 @@ def test_auto_and_strict_take_it(tmp_path: Path) -> None:
     assert "bubblewrap" not in isolation.active_layers("off")
 
 
-@needs_linux
-@pytest.mark.usefixtures("probed_anew")
-@pytest.mark.parametrize("refusal", ["exit 1", "sleep 60"])
-def test_auto_goes_without_a_bubblewrap_that_does_not_work(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, refusal: str
-) -> None:
-    broken = tmp_path / "bwrap"
-    broken.write_text(f"#!/bin/sh\n{refusal}\n", encoding="utf-8")
+@pytest.fixture(params=["echo 'no name spaces' >&2; exit 1", "sleep 60"], ids=["fails", "hangs"])
+def broken_bubblewrap(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+    """A bubblewrap that does not work comes first on the path; returns the reason."""
+    broken = tmp_path / "bin" / "bwrap"
+    broken.parent.mkdir()
+    broken.write_text(f"#!/bin/sh\n{request.param}\n", encoding="utf-8")
     broken.chmod(0o755)
-    monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
+    monkeypatch.setenv("PATH", f"{broken.parent}:{os.environ['PATH']}")
     monkeypatch.setattr(bubblewrap, "_PROBE_S", 0.5)
     assert shutil.which("bwrap") == str(broken)
-    began = time.perf_counter()
+    return "within 0.5 s" if "sleep" in request.param else "no name spaces"
+
+
+@needs_linux
+@pytest.mark.usefixtures("probed_anew")
+def test_a_bubblewrap_that_does_not_work_is_dropped_with_the_reason_and_strict_refuses(broken_bubblewrap: str) -> None:
     assert "bubblewrap" not in isolation.active_layers("auto")
-    assert time.perf_counter() - began < 40  # it would sleep for 60
+    assert broken_bubblewrap in isolation.dropped_layers("auto")["bubblewrap"]
+    with pytest.raises(isolation.IsolationError, match=f"bubblewrap.*{broken_bubblewrap}"):
+        isolation.active_layers("strict")
+    assert isolation.dropped_layers("off") == {}
+
+
+@needs_linux
+@pytest.mark.usefixtures("probed_anew")
+def test_a_layer_that_is_not_installed_is_not_dropped(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(shutil, "which", lambda _: None)
+    assert "bubblewrap" not in (*isolation.active_layers("auto"), *isolation.dropped_layers("auto"))
