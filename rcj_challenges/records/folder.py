@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from rcj_challenges.core.errors import format_error, is_held
+from rcj_challenges.core.regular_files import open_without_waiting
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.records.errors import RecordError
 
@@ -62,7 +63,7 @@ def open_file(path: Path, max_bytes: int = MAX_FILE_BYTES) -> BinaryIO:
         RecordError: it is a pipe or a device, or too large.
         OSError: it is missing, a folder, or cannot be read.
     """
-    file = open(path, "rb", opener=_open_without_waiting)  # noqa: SIM115 - returned
+    file = open_without_waiting(path)
     found = os.fstat(file.fileno())
     if stat.S_ISREG(found.st_mode) and found.st_size <= max_bytes:
         return file
@@ -94,10 +95,6 @@ def write_all(file: Any, pending: bytearray) -> None:
     with naming(file.name):
         while pending:
             del pending[: file.write(pending)]
-
-
-def _open_without_waiting(name: str, flags: int) -> int:
-    return os.open(name, flags | getattr(os, "O_NONBLOCK", 0))  # Windows has no pipes among its files
 
 
 def utc_now() -> datetime:

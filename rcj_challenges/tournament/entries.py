@@ -8,6 +8,7 @@ import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from hashlib import sha256
+from itertools import islice
 from pathlib import Path
 
 from rcj_challenges.controllers.paths import ignored_folder
@@ -18,6 +19,9 @@ from rcj_challenges.scenario.resources import teams_folder
 from rcj_challenges.scenario.tree import Entries, mark_of
 from rcj_challenges.tournament.errors import did_you_mean, problem_at
 from rcj_challenges.tournament.models import Challenge, TeamModel, Tournament
+
+_MAX_STRAYS, _MAX_SEARCHED = 10, 1000
+"""Folders without programs in a folder of submissions, and files that are looked at in each: more are no teams."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,6 +117,11 @@ class TeamLists:
             message = f"the folder '{name}' cannot be read: {format_error(error)}"
             self._add(where, "teams-folder", message, "create it, and put each team's ZIP into it")
             return {}
+        strays = [path for path in paths if path.is_dir() and not _has_program(path)]
+        if len(strays) > max(_MAX_STRAYS, len(paths) // 2):
+            message = f"the folder '{name}' has {len(strays)} folders without programs, such as '{strays[0].name}'"
+            self._add(where, "teams-folder", message, "give the folder in which each team has its ZIP")
+            return {}
         for path in paths:
             is_folder = path.is_dir()
             if (
@@ -120,6 +129,10 @@ class TeamLists:
                 or ignored_folder(path.name)
                 or not (is_folder or path.suffix.lower() == ".zip")
             ):
+                continue
+            if not _is_inside(path):
+                message = f"'{path.name}' is a pipe, a device, or a link that does not lead to a file in the folder"
+                self._add(where, "teams-folder", message, "put the team's ZIP itself there")
                 continue
             key = id_of(path.name if is_folder else path.stem)
             twin = next((other for other in found if other.casefold() == key.casefold()), None)
@@ -166,6 +179,20 @@ class TeamLists:
                 message = f"'{path.name}' is of no team of this tournament"
                 help_ = did_you_mean(key, entries, "Name it after its team's id, or remove it")
                 self._add(where, "unknown-team", message, help_)
+
+
+def _has_program(folder: Path) -> bool:
+    """Return whether there is a program among the first files in a folder and those below it."""
+    names = (name for _, _, files in os.walk(folder) for name in files)
+    return any(name.lower().endswith(".py") for name in islice(names, _MAX_SEARCHED))
+
+
+def _is_inside(path: Path) -> bool:
+    """Return whether a path is a folder or a regular file; a link has to lead to a file in its own folder."""
+    if not path.is_symlink():
+        return path.is_dir() or path.is_file()
+    target = Path(os.path.realpath(path))
+    return target.is_file() and Path(os.path.realpath(path.parent)) in target.parents
 
 
 def id_of(file_name: str) -> str:

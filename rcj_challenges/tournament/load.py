@@ -10,12 +10,13 @@ from pydantic import ValidationError
 
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.errors import format_error
+from rcj_challenges.core.regular_files import open_regular
 from rcj_challenges.scenario.errors import ScenarioError, listing
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.scenario.messages.explain import explain
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Scenario
-from rcj_challenges.scenario.reading.yaml_strict import parse_bytes
+from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES, parse_bytes
 from rcj_challenges.scenario.resources import names_in, shipped_scenarios, tournaments_folder
 from rcj_challenges.scenario.tree import Entries, Mark, Node, in_names, mark_of, plain
 from rcj_challenges.tournament.checks import check
@@ -124,7 +125,8 @@ def read_tree(path: Path, shown: str) -> Node:
         TournamentFileError: it cannot be read, or is not strict YAML.
     """
     try:
-        return parse_bytes(path.read_bytes(), shown)
+        with open_regular(path) as file:
+            return parse_bytes(file.read(MAX_BYTES + 1), shown)
     except OSError as error:
         help_ = "give a file that you may read"
         raise TournamentFileError([problem_at(Mark(shown), "unreadable-file", format_error(error), help_)]) from None

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from rcj_challenges.core.regular_files import open_regular
 from rcj_challenges.scenario.resources import names_in, tournaments_folder
 
 _VERSION = re.compile(rb"^[\"']?tournament_version[\"']?\s*:", re.MULTILINE)
@@ -14,7 +15,7 @@ _MAX_BYTES = 1_000_000
 def is_tournament(source: str) -> bool:
     """Return whether a file has the key ``tournament_version``, or ``source`` is the name of a shipped tournament."""
     try:
-        with Path(source).open("rb") as file:
+        with open_regular(Path(source)) as file:
             return _VERSION.search(file.read(_MAX_BYTES)) is not None
     except (OSError, ValueError):
         return source in names_in(tournaments_folder())

@@ -21,6 +21,7 @@ from rcj_challenges.controllers.submission_limits import MAX_PACKED_BYTES
 from rcj_challenges.controllers.team import opening_of
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError, InFile
 from rcj_challenges.core.errors import format_error
+from rcj_challenges.core.regular_files import open_regular
 from rcj_challenges.records.folder import replaced
 from rcj_challenges.records.lines import json_line
 from rcj_challenges.scenario.load import Loaded
@@ -119,9 +120,11 @@ def keep_submission(source: Path, folder: Path) -> tuple[str, Path]:
 
 
 def _bytes_of(path: Path) -> bytes:
-    if path.stat().st_size > _MAX_PACKED_BYTES:
+    with open_regular(path) as file:
+        content = file.read(_MAX_PACKED_BYTES + 1)
+    if len(content) > _MAX_PACKED_BYTES:
         raise TeamError(f"it is larger than {_MAX_PACKED_BYTES // 1_000_000} MB")
-    return path.read_bytes()
+    return content
 
 
 def _packed(contents: Contents) -> bytes:

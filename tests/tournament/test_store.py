@@ -175,7 +175,17 @@ def test_an_empty_store_beside_records_is_damage(tmp_path, writing):
     (home.data / "records" / "one").mkdir(exist_ok=True)
     for path in home.data.glob(f"{STORE_FILE}*"):
         path.unlink()
+    open_store(home.data, writing=False)  # moved away: all is played again
     (home.data / STORE_FILE).touch()
     with pytest.raises(DiagnosticError) as error:
         open_store(home.data, writing=writing)
     assert code_of(error) == "store-damaged"
+
+
+def test_a_store_that_was_moved_away_is_made_again(tmp_path):
+    home = Home(tmp_path)
+    state, _ = home.play()
+    (home.data / "records" / "one").mkdir(exist_ok=True)
+    for path in home.data.glob(f"{STORE_FILE}*"):
+        path.unlink()
+    assert home.play()[0].outcomes == state.outcomes

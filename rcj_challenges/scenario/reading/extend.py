@@ -11,6 +11,7 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from rcj_challenges import __version__
+from rcj_challenges.core.regular_files import open_regular
 from rcj_challenges.scenario.errors import ScenarioError, choice_of, did_you_mean, nearest
 from rcj_challenges.scenario.models.scenario import SCHEMA_VERSION
 from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES, parse_bytes, parse_text, refuse_size
@@ -51,7 +52,7 @@ class Source:
             ScenarioError: it cannot be read, or is not strict YAML.
         """
         try:
-            with path.open("rb") as file:
+            with open_regular(path) as file:
                 data = file.read(MAX_BYTES + 1)
                 size = max(len(data), os.fstat(file.fileno()).st_size)
         except OSError as error:

@@ -298,13 +298,14 @@ class Store:
         Raises:
             DiagnosticError: it is damaged, or of another version.
         """
-        if writing and self._path.exists() and self._path.stat().st_size:
+        was_there = self._path.exists()  # to connect makes it
+        if writing and was_there and self._path.stat().st_size:
             with self._engine.connect() as connection:
                 verdict = connection.exec_driver_sql("PRAGMA quick_check(1)").scalar()
             if verdict != "ok":
                 raise _damaged(self._path, str(verdict))
         if self._is_new():
-            if self._path.exists() and self.place.records.is_dir() and any(self.place.records.iterdir()):
+            if was_there and any(self.place.records.glob("[!.]*")):
                 raise _damaged(self._path, "it is empty, but there are records of matches")
             if not writing:
                 self._engine.dispose()
