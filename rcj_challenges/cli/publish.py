@@ -22,12 +22,18 @@ _MIN_SEED_LETTERS = 16
 
 
 def publish_tournament(
-    tournament: OpenTournament, now: datetime, premieres: Sequence[str], url: str, out: Path | None
+    tournament: OpenTournament,
+    now: datetime,
+    premieres: Sequence[str],
+    url: str,
+    out: Path | None,
+    *,
+    may_shrink: bool,
 ) -> int:
     """Publish, and print where everything is; returns the exit code.
 
     Raises:
-        DiagnosticError: a file cannot be written, or there is no such stage.
+        DiagnosticError: a file cannot be written, the site of before shows more matches, or there is no such stage.
     """
     source = site_source(tournament, now, premieres, url)
     data = out if out is not None else tournament.store.place.folder
@@ -35,7 +41,9 @@ def publish_tournament(
     try:
         with Progress(console=console, transient=True, disable=not console.is_terminal) as bars:
             task = bars.add_task("matches", total=None)
-            published = publish(source, data, lambda done, total: bars.update(task, completed=done, total=total))
+            published = publish(
+                source, data, lambda done, total: bars.update(task, completed=done, total=total), may_shrink=may_shrink
+            )
     except OSError as error:
         message = f"cannot write {sanitize(error.filename or data)}: {format_error(error)}"
         help_ = "make room, give access or choose another folder with --out; the site of before is still there"

@@ -92,6 +92,13 @@ def run(
     shared: Annotated[
         bool, typer.Option("--shared", help="The workers of the cluster see the data folder under the same path.")
     ] = False,
+    redraw: Annotated[
+        bool, typer.Option("--redraw", help="Draw again after a change; matches of pairs that still exist are kept.")
+    ] = False,
+    add: Annotated[
+        list[str] | None,
+        typer.Option("--add", metavar="TEAM", help="Take a late team into what is not drawn yet, and round robins."),
+    ] = None,
     quiet: _Quiet = False,
 ) -> None:
     """Check all submissions, then play what has not been played yet. After an interruption, run it again to continue.
@@ -102,7 +109,9 @@ def run(
     from rcj_challenges.cli.tournament_run import RunOptions, run_tournament
 
     with opened(file, data, writing=True) as tournament:
-        options = RunOptions(at_once, sandbox, frozenset(accept or ()), cascade, quiet, cluster, shared)
+        options = RunOptions(
+            at_once, sandbox, frozenset(accept or ()), cascade, quiet, cluster, shared, redraw, tuple(add or ())
+        )
         raise typer.Exit(run_tournament(tournament, options))
 
 
@@ -147,13 +156,16 @@ def publish(
     out: Annotated[
         Path | None, typer.Option("--out", metavar="DIR", help="Where to write it; default: the data folder.")
     ] = None,
+    fewer: Annotated[
+        bool, typer.Option("--fewer", help="Replace the site even if it shows more matches than the new one.")
+    ] = False,
 ) -> None:
     """Write the site with all results released so far, and a private folder for each team."""
     from rcj_challenges.cli.publish import publish_tournament
     from rcj_challenges.records.folder import utc_now
 
     with opened(file, data) as tournament:
-        raise typer.Exit(publish_tournament(tournament, utc_now(), premiere or [], url, out))
+        raise typer.Exit(publish_tournament(tournament, utc_now(), premiere or [], url, out, may_shrink=fewer))
 
 
 @tournament_app.command(

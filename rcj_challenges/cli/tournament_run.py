@@ -26,6 +26,7 @@ from rcj_challenges.tournament.executor import Executor, LocalExecutor
 from rcj_challenges.tournament.fixtures import JobMaker
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.reconcile import other_pythons, reconcile
+from rcj_challenges.tournament.redrawing import add_teams, redraw
 from rcj_challenges.tournament.runner import Progress, Runner
 from rcj_challenges.tournament.season import Fixture, Outcome, SeasonState, Status
 from rcj_challenges.tournament.submissions import Failure, Submitted, check_submissions, take_submissions
@@ -52,6 +53,8 @@ class RunOptions:
     quiet: bool
     cluster: str | None = None
     shared: bool = False
+    redraw: bool = False
+    added: tuple[str, ...] = ()
 
 
 def run_tournament(tournament: OpenTournament, options: RunOptions) -> int:
@@ -65,6 +68,8 @@ def run_tournament(tournament: OpenTournament, options: RunOptions) -> int:
     lanes = options.at_once or os.cpu_count() or 1
     console = console_for()
     observer = observer_for(console, tournament, quiet=options.quiet)
+    for line in (redraw(tournament) if options.redraw else []) + add_teams(tournament, options.added):
+        observer.note(line)
     # A cluster that cannot be used is found before submissions are checked, which takes minutes.
     with _executor(tournament, options, lanes, observer) as executor:
         jobs = prepare(tournament, options, lanes, observer)

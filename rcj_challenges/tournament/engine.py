@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
+from rcj_challenges.tournament.drawing import Drawn
 from rcj_challenges.tournament.formats.challenge import challenge
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
 from rcj_challenges.tournament.formats.knock_out import knock_out
@@ -25,11 +26,15 @@ class Season:
     Args:
         loaded: the tournament.
         teams: by id, with the names that are shown; those of the file by default.
+        drawn: what was drawn before; what is drawn now is added.
     """
 
-    def __init__(self, loaded: LoadedTournament, teams: Mapping[str, Team] | None = None) -> None:
+    def __init__(
+        self, loaded: LoadedTournament, teams: Mapping[str, Team] | None = None, drawn: Drawn | None = None
+    ) -> None:
         self.loaded = loaded
         self.teams = dict(loaded.teams() if teams is None else teams)
+        self.drawn = Drawn.of(loaded.tournament.seed, self.teams) if drawn is None else drawn
         self._tournament = loaded.tournament
         self._names = ScenarioNames(loaded.tournament, loaded.path.parent)
         self._sizes = stage_sizes(loaded.tournament, self.teams, loaded.scenarios, self._names)
@@ -54,6 +59,7 @@ class Season:
                 scenarios=self.loaded.scenarios,
                 teams=self.teams,
                 entries=self.loaded.entries,
+                drawn=self.drawn,
                 outcomes=counted,
                 hidden=hidden,
                 cuts=self._cuts[name],
@@ -88,7 +94,8 @@ class Season:
         """Return the teams of a stage; None if they are not decided yet."""
         here = {team: one for team, one in self.teams.items() if not one.withdrawn or name in one.last_rounds}
         if stage.from_ is None:
-            return [Entrant(team, one.pot) for team, one in here.items()]
+            late = self.drawn.left_out.get(name, ())
+            return [Entrant(team, pot) for team, pot in self.drawn.pots.items() if team in here and team not in late]
         source = states[stage.from_]
         if source.status is not Status.FINISHED:
             return None

@@ -131,6 +131,20 @@ stage-closed
 A changed submission, scenario or ruling would change a match that later matches were drawn from.
 Undo the change; or give --cascade: then all that depends on it is played again.
 
+drawn-before
+Matches have been played, and since then the teams, their pots or the seed have changed.
+Undo the change; or take late teams in with `tournament run FILE --add TEAM`; or draw again with
+`tournament run FILE --redraw`, which keeps the matches of pairs that still exist.
+
+added-too-late
+All stages that a late team could play in have been drawn.
+A team can be added to a round robin or challenges until they have finished, and to other stages until their first
+match. Remove the team, or draw again with --redraw.
+
+fewer-matches
+The site that was published before shows more matches than the new one would.
+`tournament status FILE` shows what counts now. If that is right, publish with --fewer.
+
 cannot-go-on
 This computer cannot continue: most often its disk is full.
 Played matches are kept. Fix what the message says, and run the command again.

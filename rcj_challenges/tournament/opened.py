@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
+from rcj_challenges.tournament.drawing import Drawn
 from rcj_challenges.tournament.engine import Season
 from rcj_challenges.tournament.load import LoadedTournament
 from rcj_challenges.tournament.played import RulingKind
@@ -44,6 +45,7 @@ class OpenTournament:
 
     loaded: LoadedTournament
     store: Store
+    _kept_draws: int = -1
 
     @cached_property
     def rulings(self) -> list[RulingRow]:
@@ -61,17 +63,39 @@ class OpenTournament:
         return self._season(self.held)
 
     def _season(self, rulings: Sequence[RulingRow]) -> Season:
+        teams = self._teams(rulings)
+        self.drawn.check(self.loaded.tournament.seed, teams)
+        return Season(self.loaded, teams, self.drawn)
+
+    @property
+    def teams(self) -> dict[str, Team]:
+        """The teams of the file, as they are called and whether they are still there."""
+        return self._teams(self.held)
+
+    def _teams(self, rulings: Sequence[RulingRow]) -> dict[str, Team]:
         names = display_names(self.loaded.entries, self.store.current_submissions())
         withdrawn = [row for row in rulings if row.kind == RulingKind.WITHDRAWN]
         left = {row.team: (True, dict(row.last_rounds), number) for number, row in enumerate(withdrawn)}
-        teams = {
+        return {
             team: Team(team, names[team], entry.pot, *left.get(team, ())) for team, entry in self.loaded.entries.items()
         }
-        return Season(self.loaded, teams)
+
+    @cached_property
+    def drawn(self) -> Drawn:
+        """What was drawn, and is drawn from now on."""
+        kept = self.store.drawn() if self.store.has_begun() else None
+        return Drawn.of(self.loaded.tournament.seed, self.loaded.teams()) if kept is None else Drawn(**kept)
+
+    def keep_drawn(self) -> None:
+        """Keep what was drawn since the last time."""
+        if len(self.drawn.draws) != self._kept_draws:
+            self.store.keep_drawn(self.drawn.to_json())
+            self._kept_draws = len(self.drawn.draws)
 
     def refresh(self) -> None:
-        """Read teams and rulings again."""
-        for name in ("rulings", "held", "season"):
+        """Read teams, rulings and what was drawn again."""
+        self._kept_draws = -1
+        for name in ("rulings", "held", "season", "drawn"):
             self.__dict__.pop(name, None)
 
     def state(self, played: Mapping[str, PlayedFixture] | None = None) -> SeasonState:
@@ -85,6 +109,10 @@ class OpenTournament:
     def state_and_outcomes(self) -> tuple[SeasonState, dict[str, Outcome]]:
         """Return the state, and what was played and decided before withdrawals are applied, by fixture."""
         return _state(self.season, self.store.played(), self.held)
+
+    def state_as_drawn(self) -> SeasonState:
+        """Return the state with the teams that were drawn, also when the file has others now."""
+        return _state(Season(self.loaded, self.teams, self.drawn), self.store.played(), self.held)[0]
 
     def state_with(self, ruling: RulingRow, played: Mapping[str, PlayedFixture]) -> SeasonState:
         """Return what the state would be with one more ruling.

@@ -133,6 +133,7 @@ def _note(
     if lost and not cascade:
         fixture = lost[0]
         raise stage_closed(f"the ruling may change the teams of '{fixture}', which has been played already")
+    tournament.keep_drawn()
     store.add_ruling(row, forget=[*replayed, *lost])
     tournament.refresh()
     return lost

@@ -222,6 +222,7 @@ class Runner:
     def _compute_state(self) -> None:
         began = self.clock_s()
         self._state = self.tournament.state(self._played)
+        self.tournament.keep_drawn()
         self._state_at_s = self.clock_s()
         self._state_took_s = self._state_at_s - began
 

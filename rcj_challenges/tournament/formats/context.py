@@ -6,6 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from rcj_challenges.tournament.drawing import Drawn
 from rcj_challenges.tournament.entries import TeamEntry
 from rcj_challenges.tournament.models import LostBy, MatchesModel, StageModel, Tournament
 from rcj_challenges.tournament.scenarios import ScenarioInfo, ScenarioNames, ScenarioUse
@@ -44,6 +45,7 @@ class StageContext:
         scenarios: what is known of them.
         teams: all of the tournament, by id.
         entries: where their submissions are, by id.
+        drawn: what was drawn before; what is drawn now is added.
         outcomes: by fixture; what the withdrawal of teams brings is added.
         hidden: fixtures that were played but whose outcomes are left out: withdrawals do not decide them.
         cuts: the last places of each table that others are kept apart from: between place 2 and 3 stands 2.
@@ -56,6 +58,7 @@ class StageContext:
     scenarios: Mapping[ScenarioUse, ScenarioInfo]
     teams: Mapping[str, Team]
     entries: Mapping[str, TeamEntry]
+    drawn: Drawn
     outcomes: dict[str, Outcome]
     hidden: Collection[str] = ()
     cuts: frozenset[int] = frozenset()
@@ -146,7 +149,9 @@ class StageContext:
             sides=tuple([Side(seat, teams) for seat, teams in zip(seats, sides, strict=True)]),
             scenario=use.source,
             overrides=use.overrides,
-            seed=derived_seed(self.tournament.seed, f"{self.name}/{seed_path}" if seed_path else name),
+            seed=derived_seed(
+                self.drawn.match_seed, f"{self.name}/{seed_path}" if seed_path else self.drawn.moved.get(name, name)
+            ),
             kind=kind,
             tie=tie,
             leg=leg,

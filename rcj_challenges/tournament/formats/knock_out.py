@@ -56,8 +56,12 @@ def seeded(context: StageContext, stage: KnockOut, entrants: Sequence[Entrant]) 
         by_team = {entrant.team: entrant for entrant in entrants}
         if "" in by_team:
             return [replace(entrant, origin="drawn") for entrant in entrants]
-        order = shuffled(context.tournament.seed, f"{context.name}/seeding", list(by_team))
-        return [by_team[team] for team in order]
+        order = context.drawn.draw(
+            context.name,
+            list(by_team) if stage.from_ else None,
+            lambda: shuffled(context.tournament.seed, f"{context.name}/seeding", list(by_team)),
+        )
+        return [by_team[team] for team in order if team in by_team]
     if stage.from_ is None:
         return sorted(entrants, key=lambda one: one.pot or inf)
     return list(entrants)

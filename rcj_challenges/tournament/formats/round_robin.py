@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
+from rcj_challenges.tournament.drawing import Rounds
 from rcj_challenges.tournament.formats.circle import pairings
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
 from rcj_challenges.tournament.formats.groups import groups_of
@@ -19,8 +20,9 @@ def round_robin(context: StageContext, stage: RoundRobin, entrants: Sequence[Ent
     key = ("round_robin", context.name, teams)
     if key not in context.cache:
         pots = {entrant.team: entrant.pot for entrant in entrants}
-        groups = groups_of(stage, pots, context.tournament.seed, f"{context.name}/groups")
-        context.cache[key] = groups, {name: _fixtures(context, stage, name, own) for name, own in groups.items()}
+        drawn = context.drawn.draw(context.name, teams if stage.from_ else None, lambda: _drawn(context, stage, pots))
+        groups = {name: [team for team in own if team in pots] for name, (own, _) in drawn.items()}
+        context.cache[key] = groups, {name: _fixtures(context, stage, name, own) for name, (_, own) in drawn.items()}
     groups, by_group = context.cache[key]
     annulled = {team for fixtures in by_group.values() for team in _settle_withdrawn(context, fixtures)}
     tables: list[Table] = []
@@ -51,15 +53,25 @@ def round_robin(context: StageContext, stage: RoundRobin, entrants: Sequence[Ent
     )
 
 
-def _fixtures(context: StageContext, stage: RoundRobin, group: str, teams: Sequence[str]) -> list[Fixture]:
+def _drawn(context: StageContext, stage: RoundRobin, pots: Mapping[str, int]) -> dict[str, tuple[list[str], Rounds]]:
+    groups = groups_of(stage, pots, context.tournament.seed, f"{context.name}/groups")
+    return {
+        name: (
+            list(own),
+            [[[own[one], own[other]] for one, other in pairs] for pairs in pairings(len(own), stage.legs)],
+        )
+        for name, own in groups.items()
+    }
+
+
+def _fixtures(context: StageContext, stage: RoundRobin, group: str, rounds: Rounds) -> list[Fixture]:
     found = []
     where = f"Group {humanized(group)}, " if group else ""
-    for number, pairs in enumerate(pairings(len(teams), stage.legs), 1):
+    for number, pairs in enumerate(rounds, 1):
         path = f"{group}/round{number}" if group else f"round{number}"
         title = f"{where}round {number}"
         for one, other in pairs:
-            pair = teams[one], teams[other]
-            found.append(context.match(path, stage, pair, number, title[:1].upper() + title[1:], group))
+            found.append(context.match(path, stage, (one, other), number, title[:1].upper() + title[1:], group))
     return found
 
 

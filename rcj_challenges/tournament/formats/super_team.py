@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from rcj_challenges.tournament.formats.circle import pairings
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
@@ -16,7 +16,11 @@ def super_team(context: StageContext, stage: SuperTeam, entrants: Sequence[Entra
     """Return the state of a stage of super teams. A team that leaves in the middle still lends its program."""
     teams = tuple(entrant.team for entrant in entrants)
     robots = min(context.scenarios[context.names.of_matches(stage)].seats.values())
-    sides = stage.super_teams or drawn(teams, robots, context.tournament.seed, context.name)
+    sides = stage.super_teams or context.drawn.draw(
+        context.name,
+        teams if stage.from_ else None,
+        lambda: drawn(teams, robots, context.tournament.seed, context.name),
+    )
     fixtures = _fixtures(context, stage, sides)
     matches = [match for one in fixtures if (match := context.result(one)) is not None]
     is_complete = context.are_decided(fixtures)
@@ -50,7 +54,7 @@ def drawn(teams: Sequence[str], size: int, seed: int | str, use: str) -> dict[st
     return {f"super{i // size + 1}": tuple(order[i : i + size]) for i in range(0, len(order), size)}
 
 
-def _fixtures(context: StageContext, stage: SuperTeam, sides: dict[str, tuple[str, ...]]) -> list[Fixture]:
+def _fixtures(context: StageContext, stage: SuperTeam, sides: Mapping[str, Sequence[str]]) -> list[Fixture]:
     names = list(sides)
     return [
         context.match(
@@ -59,7 +63,7 @@ def _fixtures(context: StageContext, stage: SuperTeam, sides: dict[str, tuple[st
             (names[one], names[other]),
             number,
             f"{humanized(names[one])} and {humanized(names[other])}, round {number}",
-            sides=(sides[names[one]], sides[names[other]]),
+            sides=(tuple(sides[names[one]]), tuple(sides[names[other]])),
         )
         for number, pairs in enumerate(pairings(len(names), stage.legs), 1)
         for one, other in pairs

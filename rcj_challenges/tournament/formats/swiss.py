@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -48,7 +48,8 @@ class _Course:
     order: list[str]
     fixtures: list[Fixture] = field(default_factory=list)
     byes: list[tuple[int, str]] = field(default_factory=list)
-    points: dict[str, float] = field(default_factory=lambda: defaultdict(float))
+    free_wins: Counter[str] = field(default_factory=Counter)
+    """By team the wins without a match: byes, and opponents that have left."""
     matches: list[Match] = field(default_factory=list)
     drawn_rounds: int = 0
 
@@ -59,7 +60,7 @@ class _Course:
             self.drawn_rounds = number
             if bye:
                 self.byes.append((number, bye))
-                self.points[bye] += self.context.tournament.points.win
+                self.free_wins[bye] += 1
             self.fixtures += fixtures
             self._settle_withdrawn(fixtures)
             self.matches += [match for one in fixtures if (match := self.context.result(one)) is not None]
@@ -74,20 +75,25 @@ class _Course:
 
     def table(self, *, complete: bool) -> Table:
         """Return the table of what has been played."""
-        return table("", self.order, self.matches, self.context.rules(), complete=complete, extra_points=self.points)
+        points = {team: number * self.context.tournament.points.win for team, number in self.free_wins.items()}
+        return table("", self.order, self.matches, self.context.rules(), complete=complete, extra_points=points)
 
     def _draw(self, number: int) -> tuple[list[Fixture], str]:
         rows = self.table(complete=False).rows
         present = [row for row in rows if self.context.stays(row.team, number)]
-        drawn_before = tuple(fixture.id for fixture in self.fixtures)
-        key = ("swiss", self.context.name, tuple((row.team, row.points) for row in present), drawn_before)
+        # Wins and losses, not points and places: rules of tables that change later leave a drawn round as it is.
+        counts = sorted((row.team, row.won, row.drawn, row.lost, self.free_wins[row.team]) for row in present)
+        inputs = number, counts, [fixture.id for fixture in self.fixtures]
+        pairs, bye = self.context.drawn.draw(
+            self.context.name, inputs, lambda: pair([self._player(row.team, row.points) for row in present], number)
+        )
+        key = ("swiss", self.context.name, number, tuple(map(tuple, pairs)))
         if key not in self.context.cache:
-            pairs, bye = pair([self._player(row.team, row.points) for row in present], number)
             path, title = f"round{number}", f"Round {number}"
-            fixtures = [self.context.match(path, self.stage, teams, number, title) for teams in pairs]
-            self.context.cache[key] = fixtures, bye
-        drawn: tuple[list[Fixture], str] = self.context.cache[key]
-        return drawn
+            self.context.cache[key] = [
+                self.context.match(path, self.stage, (one, other), number, title) for one, other in pairs
+            ]
+        return self.context.cache[key], bye
 
     def _player(self, team: str, points: float) -> Player:
         met, balance = set(), 0
@@ -108,4 +114,4 @@ class _Course:
             was_played = not self.context.is_unplayed(fixture)
             self.context.lose_if_left(fixture)
             if left is not None and not was_played and not isinstance(self.context.tournament.withdrawn, LostBy):
-                self.points[fixture.sides[1 - left].teams[0]] += self.context.tournament.points.win
+                self.free_wins[fixture.sides[1 - left].teams[0]] += 1

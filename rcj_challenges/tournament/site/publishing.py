@@ -9,6 +9,7 @@ from importlib.resources import files
 from pathlib import Path
 
 from rcj_challenges import __version__
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.tournament.played import Submission
 from rcj_challenges.tournament.site.likeness import LEAST_SHARE, LENGTH, like_pairs
 from rcj_challenges.tournament.site.matches import publish_match
@@ -46,7 +47,11 @@ class Published:
 
 
 def publish(
-    source: SiteSource, data: Path, progress: Callable[[int, int], None] = lambda _done, _total: None
+    source: SiteSource,
+    data: Path,
+    progress: Callable[[int, int], None] = lambda _done, _total: None,
+    *,
+    may_shrink: bool = False,
 ) -> Published:
     """Write the site, the folders of the teams, the premieres' data, and the page for the organizer.
 
@@ -54,9 +59,11 @@ def publish(
         source: what is shown.
         data: the tournament's data folder.
         progress: called with how many matches are done, and how many there are.
+        may_shrink: whether a site with more matches may be replaced.
 
     Raises:
         ForeignFolderError: something that is not ours is in the way.
+        DiagnosticError: the site of before has more matches.
         OSError: a file cannot be written; the site of before is still there.
     """
     season = Season(source)
@@ -64,6 +71,10 @@ def publish(
     made_with = _templates()
     total = len(season.released)
     with Tree(data / SITE) as tree, Tree(data / PREMIERES) as premieres:
+        if total < tree.folders_before and not may_shrink:
+            message = f"the site shows {tree.folders_before} matches, and the new one would show {total}"
+            help_ = "'status' shows what counts now; give --fewer to replace the site"
+            raise DiagnosticError(Diagnostic("fewer-matches", message, help_))
         tree.write("style.css", renderer.style)
         for done, match in enumerate(season.released):
             progress(done, total)

@@ -88,6 +88,11 @@ class Tree:
             raise
         shutil.rmtree(self._old, ignore_errors=True)
 
+    @property
+    def folders_before(self) -> int:
+        """How many folders the target was made of the last time (see `folder`)."""
+        return len(self._known)
+
     def write(self, path: str, content: str | bytes) -> None:
         """Write one file; one whose content is the same as before keeps its time, so that uploads skip it."""
         # Half of a surrogate pair in a name must not stop the whole site.

@@ -28,6 +28,7 @@ from sqlalchemy import (
     event,
     insert,
     inspect,
+    literal,
     select,
     update,
 )
@@ -58,7 +59,7 @@ from rcj_challenges.tournament.store.tables import (
 
 STORE_FILE = "store.sqlite"
 _Row = TypeVar("_Row", SubmissionRow, CheckRow, JobRow, PlayedRow, RulingRow)
-_VERSION_KEY = "store_version"
+_VERSION_KEY, _DRAWN_KEY = "store_version", "drawn"
 _BUSY_S = 30.0
 _DAMAGED = ("malformed", "could not decode", "not a database", "file is encrypted", "no such table", "no such column")
 _FULL = ("full", "disk i/o", "readonly", "unable to open")
@@ -226,6 +227,36 @@ class Store:
         """Let no job count for these fixtures any more; the jobs themselves and their records stay."""
         with self.transaction() as connection:
             _forget(connection, fixtures)
+
+    # --- what was drawn -----------------------------------------------------------------------------------------------
+
+    def has_begun(self) -> bool:
+        """Return whether anything was played or decided."""
+        with self.transaction() as connection:
+            rows = [connection.execute(select(table).limit(1)).first() for table in (PLAYED, RULING)]
+        return any(row is not None for row in rows)
+
+    def drawn(self) -> dict[str, Any] | None:
+        """Return what was drawn, as in `Drawn.to_json`; None if nothing is kept."""
+        with self.transaction() as connection:
+            kept = connection.scalar(select(META.c.value).where(META.c.key == _DRAWN_KEY))
+        return None if kept is None else json.loads(kept)
+
+    def keep_drawn(self, drawn: Mapping[str, Any], moved: Mapping[str, str] | None = None) -> None:
+        """Keep what was drawn, and in the same transaction let results count for fixtures with other ids.
+
+        Args:
+            drawn: as in `Drawn.to_json`.
+            moved: by fixture, the id that it had before; rulings are repeated, since rows of them never change.
+        """
+        with self.transaction() as connection:
+            _put(connection, META, key=_DRAWN_KEY, value=json.dumps(drawn))
+            _forget(connection, moved or ())
+            for fixture, before in (moved or {}).items():
+                connection.execute(update(PLAYED).where(PLAYED.c.fixture == before).values(fixture=fixture))
+                columns = {name: RULING.c[name] for name in RulingRow._fields} | {"fixture": literal(fixture)}
+                rows = select(*columns.values()).where(RULING.c.fixture == before).order_by(RULING.c.id)
+                connection.execute(insert(RULING).from_select(list(columns), rows))
 
     # --- rulings ------------------------------------------------------------------------------------------------------
 
