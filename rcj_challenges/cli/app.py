@@ -9,7 +9,7 @@ import typer
 
 from rcj_challenges import __version__
 from rcj_challenges.cli import check, judge, run, stats, tournament, verify, video
-from rcj_challenges.cli.completion import complete_scenarios
+from rcj_challenges.cli.completion import complete_scenarios, complete_teams
 from rcj_challenges.cli.help import PLAY, WATCH, WRITE, Command, Group
 from rcj_challenges.cli.options import (
     AtOnce,
@@ -24,6 +24,7 @@ from rcj_challenges.cli.options import (
     RunsFolder,
     Sandbox,
     ScenarioName,
+    Seeds,
     Teams,
     Yellow,
     all_overrides,
@@ -205,7 +206,7 @@ def sheet(
 )
 def simulate(
     scenario: ScenarioName,
-    seeds: Annotated[str, typer.Option("--seeds", metavar="1..N", help="Which seeds: 1..10, 3 or 1,4,7..9.")] = "1..10",
+    seeds: Seeds = "1..10",
     team: Teams = None,
     blue: Blue = None,
     yellow: Yellow = None,
@@ -227,6 +228,35 @@ def simulate(
             command.SimulateOptions(scenario, seeds, teams, overrides, out, at_once, json_, quiet, sandbox)
         )
     )
+
+
+@app.command(cls=Command, rich_help_panel=PLAY, epilog="rcj-challenge compare my_team old_team --against ball_chaser")
+def compare(
+    new: Annotated[str, typer.Argument(metavar="NEW", help="The changed team.", autocompletion=complete_teams)],
+    old: Annotated[str, typer.Argument(metavar="OLD", help="The team before.", autocompletion=complete_teams)],
+    against: Annotated[
+        str | None, typer.Option("--against", metavar="TEAM", help="The opponent.", autocompletion=complete_teams)
+    ] = None,
+    scenario: Annotated[
+        str, typer.Option("--scenario", metavar="SCENARIO", help="What is played.", autocompletion=complete_scenarios)
+    ] = "match",
+    seeds: Seeds = "1..20",
+    duration: Duration = None,
+    halves: Halves = None,
+    set_: Overrides = None,
+    out: OutFolder = Path("runs"),
+    at_once: AtOnce = None,
+    json_: Json = False,
+    quiet: Quiet = False,
+    sandbox: Sandbox = "auto",
+) -> None:
+    """Compare two versions of a team: same seeds, opponent and seat. Is the difference more than chance?"""
+    from rcj_challenges.cli import compare as command
+    from rcj_challenges.cli.simulate import SimulateOptions
+
+    overrides = all_overrides(set_, duration, halves)
+    options = SimulateOptions(scenario, seeds, [], overrides, out, at_once, json_, quiet, sandbox)
+    raise typer.Exit(command.compare(new, old, against, options))
 
 
 @app.command(cls=Command, rich_help_panel=PLAY, epilog="rcj-challenge teams")

@@ -21,6 +21,7 @@ Sandbox = Annotated[
 Json = Annotated[bool, typer.Option("--json", help="Print JSON and nothing else.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="Print no progress.")]
 AtOnce = Annotated[int | None, typer.Option("--at-once", metavar="N", min=1, help="Matches at a time; default: cores.")]
+Seeds = Annotated[str, typer.Option("--seeds", metavar="1..N", help="Which seeds: 1..10, 3 or 1,4,7..9.")]
 Runs = Annotated[
     list[Path] | None,
     typer.Argument(metavar="RUN...", help="Folders of records, or beginnings of their names; default: the newest."),

@@ -242,7 +242,7 @@ def _report_interruption(
         half = result["halves"][-1]
         number = f"half {half['half']} of {scenario.match.halves}"
         where = f"after {number}" if half["complete"] else f"in {number} at {clock(half['ticks'] * TICK_S)}"
-        where += f": {_score_lines(scenario, result)[0]}"
+        where += f": {score_lines(scenario, result)[0]}"
     print_lines(console, f"interrupted {where}", f"record: {folder}")
     if result["halves"]:
         print_lines(console, f"watch:  rcj-challenge view {shell_quoted(folder)}")
@@ -264,7 +264,7 @@ def _print_outcome(
     if options.json:
         print_json({**result, "hints": hints, "folder": str(folder)})
         return
-    lines = _score_lines(scenario, result) + _fault_lines(result["faults"])
+    lines = score_lines(scenario, result) + _fault_lines(result["faults"])
     lines += [f"hint for {', '.join(hint['robots'])}: {hint['help']}" for hint in hints]
     pace = f"{result['real_time_factor']:.0f} x real time"
     lines += [f"{result['simulated_s']:.0f} s played in {result['wall_s']:.1f} s ({pace})", f"record: {folder}"]
@@ -275,7 +275,7 @@ def _print_outcome(
     print_lines(console, *lines)
 
 
-def _score_lines(scenario: Scenario, result: dict[str, Any]) -> list[str]:
+def score_lines(scenario: Scenario, result: dict[str, Any]) -> list[str]:
     """Return the score, and a line for each place of the ranking."""
     from rcj_challenges.views.naming import changes_sides
     from rcj_challenges.views.score_lines import score_line

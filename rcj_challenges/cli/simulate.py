@@ -64,15 +64,19 @@ def simulate(options: SimulateOptions) -> int:
     Raises:
         RcjError: wrong input, so that none was played.
     """
+    from rcj_challenges.scenario.load import load
+
     try:
-        loaded, jobs, known = _prepared(options)
+        loaded = load(options.scenario, options.overrides)
+        jobs, known = prepared(loaded, options)
     except KeyboardInterrupt as error:
         raise KeyboardInterrupt("no match had begun, and nothing is recorded") from error
     from rcj_challenges.match.batch import play_many
     from rcj_challenges.views.console import console_for
 
     rank = loaded.scenario.result.rank
-    progress = _Progress(console_for(to_stderr=True), len(jobs), known, quiet=options.quiet or options.json)
+    quiet = options.quiet or options.json
+    progress = Progress(console_for(to_stderr=True), len(jobs), list(known.values()), quiet=quiet)
     todo = [job for job in jobs if job.seed not in known]
     try:
         played = play_many(todo, options.at_once or os.cpu_count() or 1, progress.done)
@@ -93,8 +97,8 @@ def simulate(options: SimulateOptions) -> int:
     return (WRONG_INPUT if len(wrong) == len(failed) else OUR_FAULT) if failed else OK
 
 
-def _prepared(options: SimulateOptions) -> tuple[Loaded, list[Job], dict[int, Outcome]]:
-    """Return the scenario, what is to be played, and the outcomes that are known by their seeds.
+def prepared(loaded: Loaded, options: SimulateOptions) -> tuple[list[Job], dict[int, Outcome]]:
+    """Return what is to be played, and the outcomes that are known by their seeds.
 
     Raises:
         RcjError: wrong input.
@@ -102,11 +106,9 @@ def _prepared(options: SimulateOptions) -> tuple[Loaded, list[Job], dict[int, Ou
     from rcj_challenges.cli.output_paths import refuse_devices
     from rcj_challenges.match.batch import Job
     from rcj_challenges.records.folder import make_out_folder
-    from rcj_challenges.scenario.load import load
 
     refuse_devices(out=options.out)
     seeds = parse_seeds(options.seeds)
-    loaded = load(options.scenario, options.overrides)
     # Errors of teams are reported once here, not for each seed.
     programs = {}
     for seat, team in open_teams(loaded, options.teams).items():
@@ -118,7 +120,7 @@ def _prepared(options: SimulateOptions) -> tuple[Loaded, list[Job], dict[int, Ou
     arguments += [part for team in options.teams for part in ("--team", team)]
     arguments += [part for entry in options.overrides for part in ("--set", entry)]
     jobs = [Job(seed, tuple(arguments)) for seed in dict.fromkeys(seeds)]
-    return loaded, jobs, _known(jobs, loaded, programs, options.out)
+    return jobs, _known(jobs, loaded, programs, options.out)
 
 
 def _known(jobs: Sequence[Job], loaded: Loaded, programs: Mapping[str, str], out: Path) -> dict[int, Outcome]:
@@ -245,9 +247,11 @@ def _spread(scores: Sequence[float]) -> dict[str, float]:
     return {"least": min(scores), "median": statistics.median(scores), "mean": mean, "most": max(scores)}
 
 
-class _Progress:
-    def __init__(self, console: Console, total: int, known: Mapping[int, Outcome], *, quiet: bool) -> None:
-        self.outcomes: list[Outcome] = list(known.values())
+class Progress:
+    """Prints a line for each match that is over, and keeps the outcomes."""
+
+    def __init__(self, console: Console, total: int, known: Sequence[Outcome], *, quiet: bool) -> None:
+        self.outcomes = list(known)
         self._known = len(known)
         self._console = console
         self._total = total
@@ -258,6 +262,7 @@ class _Progress:
             print_progress(console, line)
 
     def done(self, outcome: Outcome) -> None:
+        """Count a match and print how it ended."""
         self.outcomes.append(outcome)
         if self._quiet:
             return

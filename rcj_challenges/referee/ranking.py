@@ -59,7 +59,7 @@ def ranking(scenario: Scenario, scores: Mapping[str, Score], halves: Sequence[Ta
         team: [_value(criterion, team, scores[team], scenario, halves) for criterion in criteria] for team in scores
     }
     keys = {
-        team: [_sign(criterion) * value for criterion, value in zip(criteria, own, strict=True)]
+        team: [sign(criterion) * value for criterion, value in zip(criteria, own, strict=True)]
         for team, own in values.items()
     }
     best_first = sorted(values, key=keys.__getitem__)
@@ -99,7 +99,8 @@ def _count(half: Tally, name: str, robots: tuple[str, ...]) -> Score:
     return of_the_robots(half.counters[name]) - of_the_robots(half.began.get(name, 0))
 
 
-def _sign(criterion: RankByScore | RankByTime | RankByCounter) -> int:
+def sign(criterion: RankByScore | RankByTime | RankByCounter) -> int:
+    """Return 1 if the least value of a criterion is best, -1 if the greatest is."""
     order = (
         criterion.score
         if isinstance(criterion, RankByScore)
