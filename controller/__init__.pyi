@@ -7,7 +7,9 @@ import builtins
 import os as os
 import sys as sys
 from collections.abc import Sequence
-from typing import Any, Literal, Self, overload
+from typing import Any, Literal, LiteralString, Self, overload
+
+from typing_extensions import deprecated
 
 __all__ = ['Accelerometer', 'Altimeter', 'AnsiCodes', 'Brake', 'Camera', 'CameraRecognitionObject', 'Compass', 'Connector', 'ContactPoint', 'Device', 'Display', 'DistanceSensor', 'Emitter', 'Field', 'GPS', 'Gyro', 'ImageRef', 'InertialUnit', 'Joystick', 'Keyboard', 'LED', 'Lidar', 'LidarPoint', 'LightSensor', 'Motion', 'Motor', 'Mouse', 'MouseState', 'Node', 'Pen', 'PositionSensor', 'Radar', 'RadarTarget', 'RangeFinder', 'Receiver', 'Robot', 'Sensor', 'Skin', 'Speaker', 'Supervisor', 'TouchSensor', 'VacuumGripper', 'os', 'sys']
 
@@ -154,6 +156,9 @@ class Robot:
     def getDevice(self, name: Literal["left wheel sensor", "right wheel sensor"]) -> PositionSensor: ...
     @overload
     def getDevice(self, name: Literal["ball receiver", "receiver", "supervisor receiver", "team receiver"]) -> Receiver: ...
+    @overload
+    @deprecated("check the name; robots of the match have: ball receiver, compass, distancesensor back, distancesensor front, distancesensor left, distancesensor right, gps, left wheel motor, left wheel sensor, lidar, receiver, right wheel motor, right wheel sensor, supervisor receiver, team emitter, team receiver")
+    def getDevice(self, name: LiteralString) -> Any: ...
     @overload
     def getDevice(self, name: str) -> Any:
         """Return the device of that name; None, and a message, if the robot has none.

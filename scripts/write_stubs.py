@@ -30,7 +30,9 @@ import builtins
 import os as os
 import sys as sys
 from collections.abc import Sequence
-from typing import Any, Literal, Self, overload
+from typing import Any, Literal, LiteralString, Self, overload
+
+from typing_extensions import deprecated
 
 '''
 CLASSES = {
@@ -127,11 +129,19 @@ def _method(name: str, function: types.FunctionType) -> list[str]:
 
 
 def _get_device(function: types.FunctionType) -> list[str]:
-    """Return an overload for each class of devices of the shipped kits, and one for all other names."""
+    """Return an overload for each class of devices of the shipped kits, one for other written names, one for all.
+
+    Other names are deprecated and not wrong: a kit of one's own may have them, and a name put together of written
+    parts counts as written too. Literals of common slips, each with the nearest name, would be proposed for completion.
+    """
     lines: list[str] = []
-    for kind, names in _device_names().items():
+    known = _device_names()
+    for kind, names in known.items():
         literal = ", ".join(f'"{name}"' for name in names)
         lines += ["    @overload", f"    def getDevice(self, name: Literal[{literal}]) -> {kind}: ..."]
+    listed = ", ".join(sorted(name for names in known.values() for name in names))
+    lines += ["    @overload", f'    @deprecated("check the name; robots of the match have: {listed}")']
+    lines += ["    def getDevice(self, name: LiteralString) -> Any: ..."]
     return [*lines, "    @overload", *_method("getDevice", function)]
 
 

@@ -18,10 +18,11 @@ IMPLEMENTATION = ROOT / "rcj_challenges" / "controllers" / "program_side"
 CLEAN = {key: value for key, value in os.environ.items() if not key.startswith(("PYTHON", "COV_"))}
 
 
-def pyright(folder: Path) -> dict[str, set[int]]:
+def pyright(folder: Path, **settings: str) -> dict[str, set[int]]:
     """Return the lines that pyright marks as errors, by file name."""
     command = [sys.executable, "-m", "basedpyright", "--outputjson", "--pythonpath", sys.executable, "-p", str(folder)]
-    (folder / "pyrightconfig.json").write_text('{"typeCheckingMode": "standard"}', encoding="utf-8")
+    config = json.dumps({"typeCheckingMode": "standard", **settings})
+    (folder / "pyrightconfig.json").write_text(config, encoding="utf-8")
     done = subprocess.run(command, capture_output=True, text=True, encoding="utf-8", check=False)
     marked: dict[str, set[int]] = {}
     for found in json.loads(done.stdout)["generalDiagnostics"]:
@@ -35,6 +36,21 @@ def test_pyright_finds_all_ten_mistakes_and_nothing_else(tmp_path):
     expected = {number for number, line in enumerate(lines, 1) if re.search(r"# \d+: ", line)}
     assert len(expected) == 10
     assert pyright(tmp_path) == {"ten_mistakes.py": expected}
+
+
+DEVICES = """\
+from controller import Robot
+robot = Robot()
+robot.getDevice("left whel motor")
+robot.getDevice("lidar")
+for name in ("left wheel motor", "right wheel motor", input()):
+    robot.getDevice(name).setVelocity(5)
+"""
+
+
+def test_a_slip_in_the_name_of_a_device_is_marked(tmp_path):
+    (tmp_path / "robot.py").write_text(DEVICES, encoding="utf-8")
+    assert pyright(tmp_path, reportDeprecated="error") == {"robot.py": {3}}
 
 
 @pytest.mark.nightly
