@@ -148,7 +148,7 @@ def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Observer]:
     quiet = options.quiet or options.json
     observer = create_observer(console, loaded.scenario, quiet=quiet, shared=bool(options.debug))
     if options.debug and find_spec("debugpy") is None:
-        help_ = "to stop in VS Code too: pip install 'rcj-challenges[debug]'"
+        help_ = 'to stop in VS Code too: pip install "rcj-challenges[debug]"'
         print_lines(console, f"debug: breakpoint() stops in this terminal; {help_}")
     return plan, console, observer
 

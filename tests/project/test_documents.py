@@ -94,3 +94,13 @@ def test_every_command_and_every_option_stands_in_a_document(name):
     ]
     missing = [names for names in spellings if not any(re.search(rf"(?<![\w-]){one}(?![\w-])", text) for one in names)]
     assert missing == []
+
+
+COMMAND = re.compile(r"^(?:pip|rcj-challenge) .*$", re.MULTILINE)
+
+
+def test_commands_in_the_documents_can_be_typed_into_every_shell():
+    """PowerShell 5 has no ``&&``, and cmd passes single quotes on."""
+    commands = [command for document in DOCUMENTS for command in COMMAND.findall(document.read_text(encoding="utf-8"))]
+    assert len(commands) > 40
+    assert [command for command in commands if "&&" in command or "'" in command.partition("  #")[0]] == []
