@@ -75,9 +75,7 @@ class MatchReport(_Part):
     simulated_s: float = _described("how long was played in s", ge=0)
     wall_s: float = _described("how long that took in s", ge=0)
     layers: list[str] = _described("layers of isolation around the programs")
-    dropped_layers: dict[str, str] = _described(
-        "layers that this computer should have and cannot use, with the reasons", default={}
-    )
+    dropped_layers: dict[str, str] = _described("layers that could not be used, with the reasons", default={})
     replay: str = _described("file of the replay page, if one was requested")
     no_replay: str = _described("why there is no replay page although one was requested; usually empty", default="")
     robots: list[RobotReport] = _described("the robots of the team")

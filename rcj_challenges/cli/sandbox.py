@@ -15,7 +15,5 @@ def require_layers(sandbox: str) -> None:
     from rcj_challenges.views.console import console_for
 
     active_layers(sandbox)
-    dropped = dropped_layers(sandbox)
-    if dropped:
-        lines = [f"isolation: programs run without the layer {layer}: {why}" for layer, why in dropped.items()]
-        print_lines(console_for(to_stderr=True), *lines)
+    for layer, why in dropped_layers(sandbox).items():
+        print_lines(console_for(to_stderr=True), f"isolation: programs run without the layer {layer}: {why}")

@@ -151,9 +151,7 @@ class RunResult(_Part):
     )
     real_time_factor: float = _described("simulated_s divided by wall_s", ge=0)
     versions: Versions
-    sandbox: dict[str, Any] = _described(
-        "how programs were isolated: what was requested, which layers were active, and why others were dropped"
-    )
+    sandbox: dict[str, Any] = _described("how programs were isolated: request, active layers, dropped ones and why")
     marks: list[str] = _described("what makes this run special, such as debug: it does not count as a fair match")
     hints: list[HintResult] = Field(
         default=[],
