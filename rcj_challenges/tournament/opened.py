@@ -83,8 +83,16 @@ class OpenTournament:
     @cached_property
     def drawn(self) -> Drawn:
         """What was drawn, and is drawn from now on."""
-        kept = self.store.drawn() if self.store.has_begun() else None
-        return Drawn.of(self.loaded.tournament.seed, self.loaded.teams()) if kept is None else Drawn(**kept)
+        if has_begun := self.store.has_begun():
+            kept = self.store.drawn()
+            if kept is not None:
+                return Drawn(**kept)
+        drawn = Drawn.of(self.loaded.tournament.seed, self.loaded.teams())
+        if has_begun:  # by a version that kept no draws: its Swiss rounds stay as it has paired them
+            drawn.by_exchanges = True
+            _state(Season(self.loaded, self.teams, drawn), self.store.played(), self.held)
+            drawn.by_exchanges = False
+        return drawn
 
     def keep_drawn(self) -> None:
         """Keep what was drawn since the last time."""

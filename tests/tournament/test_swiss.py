@@ -1,13 +1,19 @@
 """Swiss stages: the pairing of teams, and the table that decides it."""
 
+import sqlite3
 from collections import Counter
+from contextlib import closing
+from fractions import Fraction
+from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.tournament.formats.pairing import Player, pair
+from rcj_challenges.tournament.season import Outcome
 from tests.tournament.seasons import by_chance, by_strength, names, order, play, season, stage, teams_of
+from tests.tournament.store_helpers import LEAGUE, Home
 
 SWISS = "  swiss: {{stage: swiss, rounds: {}}}\n"
 
@@ -15,7 +21,7 @@ SWISS = "  swiss: {{stage: swiss, rounds: {}}}\n"
 @st.composite
 def fields_of_teams(draw):
     """Draw a number of teams, a number of rounds that they allow, and a seed for the scores."""
-    teams = draw(st.integers(2, 64))
+    teams = draw(st.integers(2, 24))
     return teams, draw(st.integers(1, min(9, -(-teams // 2)))), draw(st.integers(0, 10**6))
 
 
@@ -129,3 +135,85 @@ def test_seats_that_differ_by_more_than_two_come_before_equal_points():
 
 def test_of_all_equal_pairings_that_of_the_nearest_in_the_table_is_taken():
     assert paired((3, 1), (3, 1), (3, 1), (3, -1), (3, -1), (3, -1))[0] == ["03", "14", "25"]
+
+
+def matchings(rest):
+    """Return all ways to pair; with an odd number one is paired with None."""
+    if len(rest) < 2:
+        return [[]]
+    first, *others = rest
+    return [[(first, one), *more] for one in others for more in matchings([two for two in others if two != one])]
+
+
+def badness(players, pairs):
+    """Return what is bad about a pairing, the gravest first."""
+    rank = {None: len(players)}
+    points = {number: Fraction(player.points) for number, player in enumerate(players)}
+    points[None] = points[len(players) - 1]
+    met = [(players[one], players[other]) for one, other in pairs if other is not None]
+    sides = [
+        x for one, other in met for x in (min(one.balance, other.balance) + 1, max(one.balance, other.balance) - 1)
+    ]
+    return (
+        sum(other.team in one.met for one, other in met),
+        sum(players[one].had_bye for one, other in pairs if other is None),
+        sum(max(0, abs(side) - 2) for side in sides),
+        sum((points[one] - points[other]) ** 2 for one, other in pairs),
+        sum(max(0, abs(side) - 1) for side in sides),
+        sum((one - rank.get(other, other)) ** 2 for one, other in pairs),
+    )
+
+
+@st.composite
+def middles(draw):
+    """Draw teams in the middle of a stage, some of whose opponents have left."""
+    count = draw(st.integers(2, 10))
+    met = {frozenset(pair) for pair in draw(st.lists(st.tuples(st.integers(0, 12), st.integers(0, 12)), max_size=30))}
+    unit = draw(st.sampled_from([1, 0.5, 0.1, 1 / 3, 1_000_000]))
+    players = [
+        Player(
+            f"t{number}",
+            draw(st.integers(0, 6)) * unit,
+            draw(st.integers(-2, 2)),
+            {f"t{one}" for pair in met if number in pair for one in pair - {number}},
+            draw(st.booleans()),
+        )
+        for number in range(count)
+    ]
+    return sorted(players, key=lambda one: -one.points)
+
+
+@given(middles())
+def test_no_pairing_is_better(players):
+    found, bye = pair(players, 1)
+    by_id = {player.team: number for number, player in enumerate(players)}
+    indices = [*range(len(players)), *([None] if len(players) % 2 else [])]
+    ours = [tuple(sorted(by_id[team] for team in teams)) for teams in found] + ([(by_id[bye], None)] if bye else [])
+    assert badness(players, ours) == min(badness(players, pairs) for pairs in matchings(indices))
+
+
+def test_two_winners_meet_and_the_teams_that_drew_meet_losers():
+    one = season(SWISS.format(3), names(6))
+    first = [fixture.id for fixture in one.state({}).open_fixtures()]
+    state = one.state(dict(zip(first, (Outcome((0.0, 1.0)), Outcome((0.0, 1.0)), Outcome((0.0, 0.0))), strict=True)))
+    points = {row.team: row.points for row in state.stages[0].tables[0].rows}
+    assert sorted(sorted(points[team] for team in teams_of(fixture)) for fixture in state.open_fixtures()) == [
+        [0, 1], [0, 1], [3, 3],
+    ]  # fmt: skip
+
+
+def test_a_running_stage_of_a_store_without_draws_goes_on_with_its_pairs(tmp_path):
+    home = Home(tmp_path, LEAGUE.partition("stages:")[0] + "stages: {league: {stage: swiss, rounds: 3}}\n",
+                ("ada", "bee", "cid", "dan", "eve", "fay"))  # fmt: skip
+    home.data.mkdir()
+    with closing(sqlite3.connect(home.data / "store.sqlite")) as store:
+        store.executescript((Path(__file__).parent / "swiss_store_without_draws.sql").read_text("utf-8"))
+    drawn = ["league/round2/cid-bee", "league/round2/eve-fay", "league/round2/dan-ada"]
+    for writing in (False, True, False):
+        with home.opened(writing=writing) as tournament:
+            state = tournament.state()
+            assert [one.id for one in state.fixtures if one.round == 2] == drawn
+            assert state.outcomes[drawn[0]].scores == (1, 1)
+            if writing:
+                tournament.keep_drawn()
+                assert tournament.store.drawn() is not None

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
+from itertools import combinations
+from math import lcm
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,23 +28,19 @@ class Player:
     had_bye: bool
 
 
-def pair(players: Sequence[Player], round_: int) -> tuple[list[tuple[str, str]], str]:
+def pair(players: Sequence[Player], round_: int, *, by_exchanges: bool = False) -> tuple[list[tuple[str, str]], str]:
     """Return the pairs, the first team of each on the first seat, and the team with a bye (empty: none).
 
-    Neighbours in the table are paired; then pairs exchange partners as long as that makes the round better. What
-    counts, first things first: no rematch and no second bye, seats that differ by two at most, equal points, equal
-    seats, neighbours. As long as each has met less than half of the others, two pairs of which one is a rematch can
-    always be exchanged for a better one: such rounds have none.
+    Of all pairings the best is taken. What counts, first things first: few rematches, few second byes, seats that
+    differ by two at most, equal points, equal seats, neighbours in the table.
 
     Args:
         players: in the order of the table.
         round_: from 1.
+        by_exchanges: whether to pair as before the best was found: for rounds that were drawn then.
     """
-    size = len(players) + len(players) % 2
-    costs = {(one, other): _cost(players, one, other) for other in range(size) for one in range(other)}
-    pairs = [(one, one + 1) for one in range(0, size, 2)]
-    while _exchange(pairs, costs):
-        pass
+    costs = _costs(players)
+    pairs = _exchanged(costs, len(players)) if by_exchanges else _matched(costs)
     found, bye = [], ""
     for number, (one, other) in enumerate(sorted(pairs)):
         if other == len(players):
@@ -53,42 +52,60 @@ def pair(players: Sequence[Player], round_: int) -> tuple[list[tuple[str, str]],
     return found, bye
 
 
-def _exchange(pairs: list[tuple[int, int]], costs: Mapping[tuple[int, int], int]) -> bool:
-    """Let pairs exchange partners where that costs less; return whether any did."""
-    has_changed = False
-    for i in range(len(pairs)):
-        for j in range(i + 1, len(pairs)):
+def _matched(costs: Mapping[tuple[int, int], int]) -> list[tuple[int, int]]:
+    """Return the pairing that costs least."""
+    import networkx as nx  # noqa: PLC0415 - loaded only when a round is drawn
+
+    graph = nx.Graph()
+    graph.add_weighted_edges_from((one, other, -cost) for (one, other), cost in costs.items())
+    return [_ordered(one, other) for one, other in nx.max_weight_matching(graph, maxcardinality=True)]
+
+
+def _exchanged(costs: Mapping[tuple[int, int], int], count: int) -> list[tuple[int, int]]:
+    """Return neighbours, which then exchange partners as long as that costs less for two pairs."""
+    pairs = [(one, one + 1) for one in range(0, count, 2)]
+    has_changed = True
+    while has_changed:
+        has_changed = False
+        for i, j in combinations(range(len(pairs)), 2):
             (a, b), (c, d) = pairs[i], pairs[j]
             straight, crossed = (_ordered(a, c), _ordered(b, d)), (_ordered(a, d), _ordered(b, c))
             best = min(straight, crossed, key=lambda two: costs[two[0]] + costs[two[1]])
             if costs[best[0]] + costs[best[1]] < costs[pairs[i]] + costs[pairs[j]]:
                 pairs[i], pairs[j] = best
                 has_changed = True
-    return has_changed
+    return pairs
 
 
 def _ordered(one: int, other: int) -> tuple[int, int]:
     return (one, other) if one < other else (other, one)
 
 
-def _cost(players: Sequence[Player], one: int, other: int) -> int:
-    """Return what it costs to pair two, of which ``one`` stands above; the one behind the last is the bye."""
+def _costs(players: Sequence[Player]) -> dict[tuple[int, int], int]:
+    """Return what each pair costs: exact, and by each criterion more than all pairs together by those after it."""
+    size = len(players) + len(players) % 2
+    exact = [Fraction(player.points) for player in players]
+    unit = lcm(*(points.denominator for points in exact))
+    points = [int(one * unit) for one in exact]
+    criteria = {pair: _criteria(players, points, *pair) for pair in combinations(range(size), 2)}
+    costs = dict.fromkeys(criteria, 0)
+    for column in range(6):
+        above = size * max((own[column] for own in criteria.values()), default=0) + 1
+        costs = {pair: costs[pair] * above + own[column] for pair, own in criteria.items()}
+    return costs
+
+
+def _criteria(players: Sequence[Player], points: Sequence[int], one: int, other: int) -> tuple[int, ...]:
+    """Return by criterion what it costs to pair two, the first of which is higher in the table.
+
+    The one behind the last is the bye.
+    """
     first = players[one]
-    uneven = very_uneven = 0
     if other == len(players):
-        is_again, points = first.had_bye, first.points - players[-1].points
-    else:
-        second = players[other]
-        is_again, points = second.team in first.met, first.points - second.points
-        # The team that was less often on the first seat begins there.
-        least, most = min(first.balance, second.balance) + 1, max(first.balance, second.balance) - 1
-        uneven = max(0, abs(least) - 1) + max(0, abs(most) - 1)
-        very_uneven = max(0, abs(least) - 2) + max(0, abs(most) - 2)
-    # Each weight is larger than all that two pairs can cost by what comes after it.
-    return (
-        is_again * 10**24
-        + very_uneven * 10**20
-        + round(100 * points * points) * 10**11
-        + uneven * 10**8
-        + (other - one) ** 2
-    )
+        return 0, int(first.had_bye), 0, (points[one] - points[-1]) ** 2, 0, (other - one) ** 2
+    second = players[other]
+    # The team that was less often on the first seat begins there.
+    least, most = min(first.balance, second.balance) + 1, max(first.balance, second.balance) - 1
+    uneven, very_uneven = (max(0, abs(least) - by) + max(0, abs(most) - by) for by in (1, 2))
+    is_again = int(second.team in first.met)
+    return is_again, 0, very_uneven, (points[one] - points[other]) ** 2, uneven, (other - one) ** 2

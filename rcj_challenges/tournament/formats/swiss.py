@@ -85,7 +85,13 @@ class _Course:
         counts = sorted((row.team, row.won, row.drawn, row.lost, self.free_wins[row.team]) for row in present)
         inputs = number, counts, [fixture.id for fixture in self.fixtures]
         pairs, bye = self.context.drawn.draw(
-            self.context.name, inputs, lambda: pair([self._player(row.team, row.points) for row in present], number)
+            self.context.name,
+            inputs,
+            lambda: pair(
+                [self._player(row.team, row.points) for row in present],
+                number,
+                by_exchanges=self.context.drawn.by_exchanges,
+            ),
         )
         key = ("swiss", self.context.name, number, tuple(map(tuple, pairs)))
         if key not in self.context.cache:
