@@ -160,7 +160,7 @@ class Robot:
     @deprecated("check the name; robots of the match have: ball receiver, compass, distancesensor back, distancesensor front, distancesensor left, distancesensor right, gps, left wheel motor, left wheel sensor, lidar, receiver, right wheel motor, right wheel sensor, supervisor receiver, team emitter, team receiver")
     def getDevice(self, name: LiteralString) -> Any: ...
     @overload
-    def getDevice(self, name: str) -> Any:
+    def getDevice(self, name: str) -> Any:  # type: ignore[overload-cannot-match]
         """Return the device of that name; None, and a message, if the robot has none.
 
         Example:

@@ -142,7 +142,9 @@ def _get_device(function: types.FunctionType) -> list[str]:
     listed = ", ".join(sorted(name for names in known.values() for name in names))
     lines += ["    @overload", f'    @deprecated("check the name; robots of the match have: {listed}")']
     lines += ["    def getDevice(self, name: LiteralString) -> Any: ..."]
-    return [*lines, "    @overload", *_method("getDevice", function)]
+    # mypy takes a LiteralString for a str.
+    head, *documented = _method("getDevice", function)
+    return [*lines, "    @overload", f"{head}  # type: ignore[overload-cannot-match]", *documented]
 
 
 def _device_names() -> dict[str, list[str]]:
