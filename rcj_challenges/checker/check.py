@@ -81,6 +81,7 @@ def check_file(
     options: CheckOptions,
     repaired: list[str] | None = None,
     named: SubmissionName | None = None,
+    on_stage: Callable[[StageName], None] = lambda _: None,
 ) -> FileReport:
     """Check one submission. Whatever its bytes are, this ends with a report.
 
@@ -90,12 +91,13 @@ def check_file(
         options: what to do.
         repaired: earlier repairs of it, safe to show.
         named: its name among several; None: that of its file.
+        on_stage: called when a stage begins.
 
     Raises:
         TeamError: there is nothing at this path that can be opened.
     """
     began = time.perf_counter()
-    check = _Check(loaded, options, named or name_submissions([path])[0])
+    check = _Check(loaded, options, named or name_submissions([path])[0], on_stage)
     try:
         check.run(path)
     except HostError as error:
@@ -146,7 +148,10 @@ class _Check:
         hindrance_code: of that error.
     """
 
-    def __init__(self, loaded: Loaded, options: CheckOptions, named: SubmissionName) -> None:
+    def __init__(
+        self, loaded: Loaded, options: CheckOptions, named: SubmissionName, on_stage: Callable[[StageName], None]
+    ) -> None:
+        self._on_stage = on_stage
         self.hindrance = ""
         self.hindrance_code = ""
         self._loaded = loaded
@@ -250,6 +255,7 @@ class _Check:
         if obstacle:
             self._stages[name] = Stage(name, skipped=obstacle)
             return
+        self._on_stage(name)
         with self._errors_as_findings(name):
             self._stages[name] = stage()
 

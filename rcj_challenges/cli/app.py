@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from rcj_challenges import __version__
-from rcj_challenges.cli import check, judge, run, stats, tournament, verify, video
+from rcj_challenges.cli import check, judge, run, site, stats, submit, tournament, verify, video
 from rcj_challenges.cli.completion import complete_scenarios, complete_teams
 from rcj_challenges.cli.help import PLAY, WATCH, WRITE, Command, Group
 from rcj_challenges.cli.options import (
@@ -297,4 +297,6 @@ judge.register(app)
 stats.register(app)
 video.register(app)
 tournament.register(app)
+site.register(app)
+submit.register(app)
 verify.register(app)

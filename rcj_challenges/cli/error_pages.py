@@ -15,6 +15,12 @@ PAGES: dict[str, str] = {
     "bad-seeds": "The seeds cannot be read.\n\nWrite 1..10, 3 or 1,4,7..9.",
     "bad-team-name": "The name of a team has no characters that can be shown.\n\nUse letters.",
     "cannot-write-output": "The output of the command cannot be written.\n\nFree some space, or print elsewhere.",
+    "not-taken": "The site did not take the archive. The message says why.\n\nDo what it says, and hand it in again.",
+    "site-unreachable": (
+        "The site does not answer at this address.\n\nCompare the address with the card, and check your connection. "
+        "What was handed in is what you have a receipt for."
+    ),
+    "wrong-card": "The code is not that of any card.\n\nCompare it with the card; a mentor can replace a lost one.",
     "device-name": "A file has the name of a Windows device, such as CON or AUX.\n\nChoose another name.",
     "internal-error": (
         "Something went wrong in this program, not in your input.\n\n"

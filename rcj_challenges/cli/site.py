@@ -1,0 +1,128 @@
+"""``rcj-challenge site``: a web site on which teams hand in and are checked by playing."""
+
+from __future__ import annotations
+
+from importlib.util import find_spec
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rcj_challenges.cli.help import ORGANIZE, Command, Group
+from rcj_challenges.core.errors import RcjError
+
+if TYPE_CHECKING:
+    from rcj_challenges.web.config import SiteConfig
+
+site_app = typer.Typer(
+    name="site",
+    cls=Group,
+    rich_markup_mode=None,
+    help="Host a web site on which teams hand in and are checked by playing.",
+    no_args_is_help=True,
+    add_completion=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+    epilog="rcj-challenge site init club\nrcj-challenge site serve club",
+)
+
+_SAMPLES = ("all_sensors", "ball_chaser", "roles_and_radio", "fast_shooter")
+"""Of the sample teams; the last one is for another scenario, so that a report of a rejected one can be seen."""
+
+Folder = Annotated[Path, typer.Argument(metavar="FOLDER", help="The folder of the site.")]
+Trust = Annotated[
+    bool, typer.Option("--trust-all-teams", help="Run programs also where they cannot be isolated strictly.")
+]
+
+
+def register(app: typer.Typer) -> None:
+    """Add the commands."""
+    app.add_typer(site_app, rich_help_panel=ORGANIZE)
+
+
+def _ensure_extra() -> None:
+    if find_spec("django") is None:
+        help_ = 'pip install "rcj-challenges[web]"'
+        raise RcjError("a site needs the extra [web], which is not installed", help_, code="site-extra")
+
+
+def opened(folder: Path, *, trust_all_teams: bool = False) -> SiteConfig:
+    """Return the settings of a site, with Django set up.
+
+    Raises:
+        RcjError: the extra is not installed, or the folder has no site.
+    """
+    _ensure_extra()
+    from rcj_challenges.web.config import load_site, set_up
+
+    config = load_site(folder, trust_all_teams=trust_all_teams)
+    set_up(config)
+    return config
+
+
+@site_app.command("init", cls=Command, epilog="rcj-challenge site init club")
+def init(
+    folder: Folder,
+    title: Annotated[str, typer.Option("--title", metavar="TEXT", help="What the pages are called.")] = "Soccer club",
+    demo: Annotated[bool, typer.Option("--demo", help="With four sample teams that have handed in.")] = False,
+) -> None:
+    """Make the folder of a new site."""
+    _ensure_extra()
+    from rcj_challenges.web.config import make_site, set_up
+    from rcj_challenges.web.serving import migrate
+
+    config = make_site(folder, title)
+    set_up(config)
+    migrate(config)
+    if demo:
+        from rcj_challenges.cli.teams import locate_team
+        from rcj_challenges.web.demo import make_demo
+
+        for line in make_demo({name: locate_team(name) for name in _SAMPLES}):
+            typer.echo(line)
+    typer.echo(f"made {folder}; start it with: rcj-challenge site serve {folder}")
+
+
+@site_app.command("serve", cls=Command, epilog="rcj-challenge site serve club --host 0.0.0.0 --port 8000")
+def serve(
+    folder: Folder,
+    host: Annotated[str, typer.Option("--host", metavar="ADDRESS", help="The address to listen at.")] = "127.0.0.1",
+    port: Annotated[int, typer.Option("--port", metavar="N", min=0, max=65535, help="The port; 0: a free one.")] = 8000,
+    dispatch: Annotated[
+        bool, typer.Option("--dispatch/--no-dispatch", help="Whether checks also run on this computer.")
+    ] = True,
+    trust_all_teams: Trust = False,
+) -> None:
+    """Serve the site, and check what teams hand in."""
+    config = opened(folder, trust_all_teams=trust_all_teams)
+    from rcj_challenges.web import serving
+
+    if dispatch:
+        serving.ensure_isolation(config)
+    serving.migrate(config)
+
+    def on_start(address: str) -> None:
+        typer.echo(f"{config.title}: {address}")
+        link = serving.first_link(address)
+        if link is not None:
+            typer.echo(f"first organizer (this link works once): {link}")
+
+    serving.serve(config, host, port, dispatch=dispatch, on_start=on_start)
+
+
+@site_app.command("worker", cls=Command, epilog="rcj-challenge site worker club")
+def worker(folder: Folder, trust_all_teams: Trust = False) -> None:
+    """Run a dispatcher: it checks what teams hand in."""
+    config = opened(folder, trust_all_teams=trust_all_teams)
+    from rcj_challenges.web.serving import work
+
+    work(config)
+
+
+@site_app.command("migrate", cls=Command, epilog="rcj-challenge site migrate club")
+def migrate(folder: Folder) -> None:
+    """Bring the database up to date, after an update of this program."""
+    config = opened(folder)
+    from rcj_challenges.web.serving import migrate as bring_up_to_date
+
+    done = bring_up_to_date(config)
+    typer.echo("\n".join(done) if done else "the database is up to date")

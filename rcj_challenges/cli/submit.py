@@ -1,0 +1,156 @@
+"""``rcj-challenge submit``: hands a ZIP in on a site, waits for the check, and prints its report."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import http.client
+import json
+import os
+import time
+from pathlib import Path
+from typing import Annotated, Any
+from urllib.parse import urlsplit
+
+import typer
+
+from rcj_challenges.cli.help import SUBMIT, Command
+from rcj_challenges.cli.options import Json
+from rcj_challenges.cli.stdio import print_json
+from rcj_challenges.core.errors import RcjError, format_error
+from rcj_challenges.core.sanitize import sanitize
+
+_CODE_VARIABLE = "RCJ_CARD"
+_TIMEOUT_S = 150
+_POLL_S = 2.0
+_DONE = frozenset({"accepted", "rejected", "unchecked", "superseded"})
+_EXIT_CODES = {"accepted": 0, "superseded": 0, "rejected": 1, "unchecked": 2}
+
+
+class SubmitError(RcjError):
+    """The site cannot be reached, or does not take the archive."""
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command."""
+    app.command(
+        "submit",
+        cls=Command,
+        rich_help_panel=SUBMIT,
+        epilog="rcj-challenge submit my_team.zip --site http://club.lan:8000",
+    )(_submit)
+
+
+def _submit(
+    archive: Annotated[Path, typer.Argument(metavar="FILE", help="The ZIP to hand in.")],
+    site: Annotated[str, typer.Option("--site", metavar="ADDRESS", help="The address of the site.")],
+    code: Annotated[
+        str | None,
+        typer.Option("--code", metavar="CODE", help=f"The code of the card; else {_CODE_VARIABLE} or asked for."),
+    ] = None,
+    wait: Annotated[bool, typer.Option("--wait/--no-wait", help="Wait for the check, and print its report.")] = True,
+    json_: Json = False,
+) -> None:
+    """Hand in a ZIP on a site, wait until it is checked, and print the report.
+
+    Exit status as of check: 0: accepted; 1: rejected; 2: wrong usage, not taken, or not checked.
+    """
+    card = code or os.environ.get(_CODE_VARIABLE) or typer.prompt("code of the card", hide_input=True)
+    api = _Site(site, card)
+    receipt = api.hand_in(_read(archive))
+    if not json_:
+        late = " (late)" if receipt["is_late"] else ""
+        typer.echo(f"received as number {receipt['number']}{late}: {receipt['sha256']}, {receipt['received_at']}")
+    state = api.wait(receipt["id"], quiet=json_) if wait else receipt
+    if json_:
+        print_json(state)
+    elif wait:
+        _print(state)
+    raise typer.Exit(_EXIT_CODES[state["state"]] if wait else 0)
+
+
+def _read(path: Path) -> bytes:
+    try:
+        if not path.is_file():
+            raise SubmitError(f"{sanitize(path)}: this is no file", "give a ZIP", code="cannot-open")
+        return path.read_bytes()
+    except OSError as error:
+        raise SubmitError(f"{sanitize(path)}: {format_error(error)}", "give a ZIP", code="cannot-open") from error
+
+
+def _print(state: dict[str, Any]) -> None:
+    """Print the verdict, as ``check`` does if there is a report."""
+    from rcj_challenges.checker.report import FileReport, check_report
+    from rcj_challenges.checker.report_text import print_report
+    from rcj_challenges.views.console import console_for
+
+    if state["report"] is not None:
+        report = FileReport.model_validate(state["report"])
+        print_report(console_for(to_stderr=False), check_report("", "", "strict", [report], []))
+    typer.echo(f"{state['state']}{'; this one plays' if state['is_active'] else ''}")
+
+
+class _Site:
+    """The interface of a site.
+
+    Args:
+        address: of the site, with http or https.
+        code: of the team's card.
+    """
+
+    def __init__(self, address: str, code: str) -> None:
+        parts = urlsplit(address)
+        if parts.scheme not in {"http", "https"} or not parts.hostname:
+            raise SubmitError(
+                f"--site {sanitize(address)}: this is no address", "--site http://club.lan:8000", code="bad-option"
+            )
+        self._address = address
+        self._parts = parts
+        self._headers = {"Authorization": f"Bearer {code}"}
+
+    def hand_in(self, data: bytes) -> dict[str, Any]:
+        """Send an archive; return the receipt."""
+        digest = base64.b64encode(hashlib.sha256(data).digest()).decode()
+        return self._request("POST", "/api/v1/submissions", data, {"Content-Digest": f"sha-256=:{digest}:"})
+
+    def wait(self, pk: int, *, quiet: bool) -> dict[str, Any]:
+        """Wait until a submission is checked; return its state."""
+        shown = ""
+        while True:
+            state = self._request("GET", f"/api/v1/submissions/{pk}")
+            if state["state"] in _DONE:
+                return state
+            now = f"place {state['place']} in the queue" if state["state"] == "queued" else f"checking {state['stage']}"
+            if now != shown and not quiet:
+                typer.echo(now, err=True)
+                shown = now
+            time.sleep(_POLL_S)
+
+    def _request(
+        self, method: str, path: str, body: bytes | None = None, headers: dict[str, str] | None = None
+    ) -> dict[str, Any]:
+        kind = http.client.HTTPSConnection if self._parts.scheme == "https" else http.client.HTTPConnection
+        connection = kind(self._parts.hostname or "", self._parts.port, timeout=_TIMEOUT_S)
+        try:
+            connection.request(method, self._parts.path.rstrip("/") + path, body, {**self._headers, **(headers or {})})
+            answer = connection.getresponse()
+            text = answer.read(10_000_000)
+        except (OSError, http.client.HTTPException) as error:
+            message = f"{sanitize(self._address)} cannot be reached: {format_error(error)}"
+            raise SubmitError(
+                message, "check the address; nothing was handed in unless there was a receipt", code="site-unreachable"
+            ) from error
+        finally:
+            connection.close()
+        try:
+            data = json.loads(text)
+        except ValueError:
+            data = {"message": text.decode("utf-8", "replace")}
+        if not isinstance(data, dict):
+            data = {}
+        if answer.status == http.client.UNAUTHORIZED:
+            raise SubmitError("the site does not know this code", "compare it with the card", code="wrong-card")
+        if answer.status >= http.client.BAD_REQUEST:
+            why = sanitize(data.get("message", data.get("detail", "")), 300) or answer.reason
+            raise SubmitError(f"the site did not take it: {why}", "see the message; then try again", code="not-taken")
+        return data

@@ -1,0 +1,131 @@
+"""The interface for programs: ``rcj-challenge submit`` and whatever a school writes for itself."""
+
+from __future__ import annotations
+
+import base64
+from datetime import datetime
+from typing import Any
+
+from django.conf import settings
+from django.http import HttpRequest
+from django.utils import timezone
+from ninja import NinjaAPI, Schema
+from ninja.security import HttpBearer
+
+from rcj_challenges.web.accounts import team_of_code
+from rcj_challenges.web.models import Entry, Season, Submission, Team
+from rcj_challenges.web.receiving import RefusedError, ensure_may_upload, receive
+from rcj_challenges.web.views.team import _progress, begun
+
+
+class Receipt(Schema):
+    """What a team gets for an upload."""
+
+    id: int
+    number: int
+    sha256: str
+    begun_at: datetime
+    received_at: datetime
+    is_late: bool
+    address: str
+
+
+class SubmissionState(Receipt):
+    """Where a submission stands, with the report of its check."""
+
+    state: str
+    stage: str
+    place: int
+    estimate_s: int | None
+    is_active: bool
+    report: dict[str, Any] | None
+
+
+class Me(Schema):
+    """What a code opens."""
+
+    team: str
+    season: str | None
+    closes_at: datetime | None
+
+
+class Problem(Schema):
+    """Why something is refused."""
+
+    code: str
+    message: str
+
+
+class _Card(HttpBearer):
+    def authenticate(self, request: HttpRequest, token: str) -> Team | None:
+        """Return the team of a code."""
+        return team_of_code(token[:60], timezone.now())
+
+
+api = NinjaAPI(title="RCJ Challenges", version="1", auth=_Card(), docs_url=None, openapi_url="openapi.json")
+
+
+def _receipt(found: Submission) -> dict[str, Any]:
+    return {
+        "id": found.pk,
+        "number": found.number,
+        "sha256": found.sha256,
+        "begun_at": found.begun_at,
+        "received_at": found.received_at,
+        "is_late": found.is_late,
+        "address": f"/my/submissions/{found.pk}",
+    }
+
+
+_REFUSALS = {400: Problem, 409: Problem, 429: Problem, 507: Problem}
+
+
+@api.post("submissions", response={201: Receipt, **_REFUSALS})
+def hand_in(request: HttpRequest) -> tuple[int, dict[str, Any]]:
+    """Hand in the archive that is the body. `Content-Digest: sha-256=:…:` is compared, if sent."""
+    team: Team = request.auth  # type: ignore[attr-defined]  # set by the library
+    given = getattr(request, "scope", {}).get("rcj.upload")
+    if given is None:
+        return 400, {"code": "no-file", "message": "send the ZIP as the body"}
+    path, sha256, size = given
+    wanted = request.headers.get("Content-Digest", "")
+    digest = base64.b64encode(bytes.fromhex(sha256)).decode()
+    if wanted and wanted != f"sha-256=:{digest}:":
+        return 400, {"code": "damaged", "message": "the bytes that came are not those of Content-Digest; send it again"}
+    begun_at = begun(request)
+    try:
+        season = ensure_may_upload(team, Season.objects.filter(is_current=True).first(), begun_at)
+        return 201, _receipt(receive(team, season, path, sha256, size, begun_at, timezone.now(), "api"))
+    except RefusedError as refused:
+        return refused.status, {"code": refused.code, "message": str(refused)}
+
+
+@api.get("submissions/{pk}", response={200: SubmissionState, 404: Problem})
+def look_up(request: HttpRequest, pk: int) -> tuple[int, dict[str, Any]]:
+    """Return where a submission of the team stands."""
+    team: Team = request.auth  # type: ignore[attr-defined]  # set by the library
+    found = Submission.objects.filter(pk=pk, team=team, is_deleted=False).select_related("season").first()
+    if found is None:
+        return 404, {"code": "unknown-submission", "message": "this team has no submission with this number"}
+    is_active = Entry.objects.filter(active=found).exists()
+    return 200, {**_receipt(found), **_progress(found), "is_active": is_active, "report": found.report}
+
+
+@api.get("me", response=Me)
+def me(request: HttpRequest) -> dict[str, Any]:
+    """Return the team of the code, and what it can hand in for."""
+    team: Team = request.auth  # type: ignore[attr-defined]  # set by the library
+    season = Season.objects.filter(is_current=True).first()
+    return {
+        "team": team.name,
+        "season": season.title if season else None,
+        "closes_at": season.closes_at if season else None,
+    }
+
+
+def openapi_text() -> str:
+    """Return the description of the interface, as committed."""
+    import json  # noqa: PLC0415 - only a script needs it
+
+    assert settings.configured  # noqa: S101
+    return json.dumps(api.get_openapi_schema(), indent=2, sort_keys=True) + "\n"

@@ -1,0 +1,13 @@
+"""Registers the site with Django."""
+
+from __future__ import annotations
+
+from django.apps import AppConfig
+
+
+class WebConfig(AppConfig):
+    """The site as a Django app."""
+
+    name = "rcj_challenges.web"
+    label = "web"
+    verbose_name = "League"

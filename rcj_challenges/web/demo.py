@@ -1,0 +1,47 @@
+"""A club to look at: four sample teams that have handed in."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import zipfile
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+from django.utils import timezone
+
+from rcj_challenges.web import jobs
+from rcj_challenges.web.accounts import give_card
+from rcj_challenges.web.blobs import Blobs
+from rcj_challenges.web.config import current_site
+from rcj_challenges.web.models import Group, Season, Team
+from rcj_challenges.web.receiving import receive
+
+
+def make_demo(samples: Mapping[str, Path]) -> Iterator[str]:
+    """Make a team for each sample, hand its programs in, and yield a line with the code of its card.
+
+    Args:
+        samples: by the name of a team, the folder with its programs.
+    """
+    blobs, now = Blobs(current_site().folder), timezone.now()
+    with jobs.writing():
+        season = Season.objects.create(title="Demo season")
+        group = Group.objects.create(label="Sample teams")
+        teams = {name: Team.objects.create(group=group, name=name, is_name_public=True) for name in samples}
+        codes = {name: give_card(team) for name, team in teams.items()}
+    for name, folder in samples.items():
+        received = blobs.incoming / f"demo-{teams[name].pk}"
+        data = _zipped(folder)
+        received.write_bytes(data)
+        receive(teams[name], season, received, hashlib.sha256(data).hexdigest(), len(data), now, now, "page")
+        yield f"{name}: {codes[name]}"
+
+
+def _zipped(folder: Path) -> bytes:
+    made = io.BytesIO()
+    with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as archive:
+        for path in sorted(folder.rglob("*")):
+            if path.is_file() and "__pycache__" not in path.parts:
+                archive.write(path, path.relative_to(folder).as_posix())
+    return made.getvalue()

@@ -1,0 +1,212 @@
+"""The dispatcher: leases jobs, has them done by processes of their own, and stores what came of them."""
+
+from __future__ import annotations
+
+import json
+import os
+import secrets
+import shutil
+import socket
+import subprocess
+import threading
+import time
+from collections.abc import Callable
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+from django.db import close_old_connections, connections
+from django.utils import timezone
+
+from rcj_challenges import __version__
+from rcj_challenges.match.worker_pool import python_command
+from rcj_challenges.web import jobs
+from rcj_challenges.web.blobs import Blobs
+from rcj_challenges.web.config import SiteConfig
+from rcj_challenges.web.jobs import Verdict
+from rcj_challenges.web.models import Job, State, Submission, Worker
+from rcj_challenges.web.receiving import accept_repaired
+
+_START = "import sys; sys.path.append(sys.argv[1]); from rcj_challenges.web.check_process import work; work()"
+_POLL_S = 0.5
+_MAX_JOB_S = 3600.0
+
+
+class _HostFaultError(Exception):
+    """A job could not be done because of this computer or a bug of ours."""
+
+
+class Dispatcher:
+    """Does jobs in as many lanes as the site has.
+
+    Args:
+        config: the settings of the site.
+        now: returns the time.
+    """
+
+    def __init__(self, config: SiteConfig, now: Callable[[], datetime] = timezone.now) -> None:
+        self.name = f"{socket.gethostname()}-{os.getpid()}-{secrets.token_hex(3)}"[:80]
+        self._config = config
+        self._blobs = Blobs(config.folder)
+        self._now = now
+        self._held: set[tuple[int, int]] = set()
+        self._processes: dict[tuple[int, int], subprocess.Popen[str]] = {}
+        self._lock = threading.Lock()
+        self._stopped = threading.Event()
+
+    def run(self) -> None:
+        """Work until `stop` is called; then the running processes are ended, and their jobs go back by their leases."""
+        lanes = [threading.Thread(target=self._lane) for _ in range(self._config.lanes)]
+        for lane in lanes:
+            lane.start()
+        while not self._stopped.wait(jobs.HEARTBEAT_S):
+            self._heartbeat()
+        for lane in lanes:
+            lane.join()
+
+    def stop(self) -> None:
+        """End."""
+        self._stopped.set()
+        with self._lock:
+            for process in self._processes.values():
+                if process.stdin is not None:
+                    process.stdin.close()
+
+    def do_next(self) -> bool:
+        """Claim a job and do it; return False if there is none."""
+        if not self._blobs.has_room():
+            return False
+        job = jobs.claim(self.name, self._now())
+        if job is None:
+            return False
+        claim = (job.pk, job.attempt)
+        with self._lock:
+            self._held.add(claim)
+        began = time.monotonic()
+        try:
+            store = self._do(job, claim)
+            jobs.finish(job, self._now(), time.monotonic() - began, store)
+        except _HostFaultError as error:
+            jobs.fail(job, self._now(), time.monotonic() - began, str(error))
+        finally:
+            with self._lock:
+                self._held.discard(claim)
+        return True
+
+    def _lane(self) -> None:
+        while not self._stopped.is_set():
+            try:
+                if self.do_next():
+                    continue
+            except Exception as error:  # noqa: BLE001 - the database may be away for a moment
+                print(f"dispatcher: {type(error).__name__}: {error}", flush=True)  # noqa: T201 - its log
+            close_old_connections()
+            self._stopped.wait(_POLL_S)
+        connections.close_all()
+
+    def _heartbeat(self) -> None:
+        """Renew the leases; a process whose lease another worker has is ended."""
+        now = self._now()
+        with self._lock:
+            held = set(self._held)
+        try:
+            Worker.objects.update_or_create(
+                name=self.name,
+                defaults={"seen_at": now, "lanes": self._config.lanes, "versions": {"rcj-challenges": __version__}},
+            )
+            lost = held - jobs.renew(self.name, held, now)
+        except Exception as error:  # noqa: BLE001 - the database may be away for a moment
+            print(f"dispatcher: {type(error).__name__}: {error}", flush=True)  # noqa: T201 - its log
+            return
+        with self._lock:
+            for claim in lost & self._held:
+                if claim in self._processes:
+                    self._processes[claim].kill()
+
+    def _do(self, job: Job, claim: tuple[int, int]) -> Callable[[Job], None]:
+        """Do a job; return what stores its result."""
+        submission = job.submission
+        if submission is None:
+            raise _HostFaultError(f"there is no way to do jobs of the kind {job.kind}")
+        if job.kind == "repair":
+            return self._repair(job, submission, claim)
+        folder = report_folder(self._config.folder, submission)
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(parents=True)
+        answer = self._answer(job, claim, {"kind": "check", "folder": str(folder)}, submission)
+        report = answer["report"]
+        if answer["host"] or report["level"] == "unchecked":
+            raise _HostFaultError(report["hindrance"] or "the check itself failed")
+        state = State.REJECTED if report["level"] == "failure" else State.ACCEPTED
+        verdict = Verdict(state, report["level"], report["digest"], report)
+        return lambda _: jobs.store_verdict(submission, verdict)
+
+    def _repair(self, job: Job, submission: Submission, claim: tuple[int, int]) -> Callable[[Job], None]:
+        out = self._blobs.incoming / f"repair-{job.pk}-{job.attempt}.zip"
+        out.unlink(missing_ok=True)
+        answer = self._answer(job, claim, {"kind": "repair", "out": str(out)}, submission)
+        if answer["repaired"] is None:
+            return lambda _: None
+        sha256, size = self._blobs.keep_file(out)
+        out.unlink()
+
+        def store(_job: Job) -> None:
+            accept_repaired(submission, sha256, size, self._now())
+
+        return store
+
+    def _answer(
+        self, job: Job, claim: tuple[int, int], request: dict[str, Any], submission: Submission
+    ) -> dict[str, Any]:
+        """Have a process of its own do a job; return its last line."""
+        season = submission.season
+        request |= {
+            "path": str(self._blobs.path(submission.sha256)),
+            "name": f"{submission.team.public_name}, no. {submission.number}",
+            "scenario": season.scenario,
+            "overrides": season.overrides,
+            "sandbox": "auto" if self._config.trust_all_teams else "strict",
+        }
+        with subprocess.Popen(
+            python_command(_START), stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, encoding="utf-8"
+        ) as process:
+            timer = threading.Timer(_MAX_JOB_S, process.kill)
+            timer.start()
+            with self._lock:
+                self._processes[claim] = process
+            try:
+                last = self._read(job, process, request)
+            finally:
+                timer.cancel()
+                with self._lock:
+                    del self._processes[claim]
+                if process.stdin is not None:
+                    process.stdin.close()
+        if last is None:
+            raise _HostFaultError(f"the check process ended without a report (exit status {process.returncode})")
+        return last
+
+    @staticmethod
+    def _read(job: Job, process: subprocess.Popen[str], request: dict[str, Any]) -> dict[str, Any] | None:
+        assert process.stdin is not None  # noqa: S101 - both are pipes
+        assert process.stdout is not None  # noqa: S101
+        try:
+            process.stdin.write(json.dumps(request) + "\n")
+            process.stdin.flush()
+        except OSError:
+            return None
+        for line in process.stdout:
+            try:
+                message = json.loads(line)
+            except ValueError:
+                continue
+            if "stage" in message:
+                jobs.report_progress(job, message["stage"])
+            else:
+                return dict(message)
+        return None
+
+
+def report_folder(site: Path, submission: Submission) -> Path:
+    """Return the folder with the page and the replays of a check."""
+    return site / "reports" / str(submission.pk)

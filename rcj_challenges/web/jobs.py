@@ -1,0 +1,203 @@
+"""The queue: jobs are leased to dispatchers, so that nothing is lost however a process ends.
+
+A job and the submission it is about change in one transaction. A claim has a lease, which its worker renews; a lease
+that runs out gives the job back. A result counts only for the claim that it belongs to.
+"""
+
+from __future__ import annotations
+
+import fcntl
+from collections.abc import Callable, Collection, Iterator
+from contextlib import contextmanager
+from datetime import datetime, timedelta
+from typing import Any, NamedTuple
+
+from django.db import connection, transaction
+from django.db.models import F, FloatField, OuterRef, QuerySet, Subquery, Sum, Value
+from django.db.models.functions import Coalesce
+
+from rcj_challenges.web.config import current_site
+from rcj_challenges.web.models import Entry, Job, JobState, State, Submission, Team
+
+LEASE = timedelta(seconds=60)
+HEARTBEAT_S = 5.0
+MAX_TRIES = 3
+_RETRY_AFTER = timedelta(seconds=5)
+_DAY = timedelta(days=1)
+
+PRIORITY = {"check": 0, "event": 1, "placement": 2, "practice": 3, "ladder": 4, "again": 5}
+"""Kinds of jobs, the most urgent first."""
+
+
+class Verdict(NamedTuple):
+    """What a check found.
+
+    Attributes:
+        state: of the submission.
+        level: of the report.
+        digest: of the programs.
+        report: as JSON.
+    """
+
+    state: State
+    level: str
+    digest: str
+    report: dict[str, Any] | None
+
+
+@contextmanager
+def writing() -> Iterator[None]:
+    """Write to the database in one transaction, in turn: SQLite's own lock lets one process starve another."""
+    if connection.vendor != "sqlite":
+        with transaction.atomic():
+            yield
+        return
+    with current_site().write_lock.open("ab") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        with transaction.atomic():
+            yield
+
+
+def enqueue_check(submission: Submission, now: datetime, *, again: int = 0) -> Job:
+    """Put the check of a submission into the queue; called inside `writing`."""
+    return Job.objects.create(
+        kind="check",
+        key=f"check/{submission.pk}/{again}" if again else f"check/{submission.pk}",
+        submission=submission,
+        team=submission.team,
+        priority=PRIORITY["check"],
+        not_before=now,
+        created_at=now,
+    )
+
+
+def waiting(now: datetime) -> QuerySet[Job]:
+    """Return the queued jobs that may be claimed, in the order in which they are claimed.
+
+    A team whose jobs took the least time of the last 24 hours goes first; one that has used its time waits.
+    """
+    used = (
+        Job.objects.filter(team=OuterRef("team"), finished_at__gt=now - _DAY)
+        .order_by()
+        .values("team")
+        .annotate(total=Sum("lane_s"))
+        .values("total")
+    )
+    share = Coalesce(Subquery(used, output_field=FloatField()), Value(0.0))
+    queued = Job.objects.filter(state=JobState.QUEUED, not_before__lte=now)
+    return (
+        queued.annotate(share=share).filter(share__lt=current_site().lane_s_per_day).order_by("priority", "share", "id")
+    )
+
+
+def claim(worker: str, now: datetime, kinds: Collection[str] = tuple(PRIORITY)) -> Job | None:
+    """Lease the next job to a worker; None: there is none."""
+    with writing():
+        return_expired(now)
+        found = waiting(now).filter(kind__in=kinds)
+        if connection.vendor == "postgresql":
+            found = found.select_for_update(skip_locked=True, of=("self",))
+        job = found.first()
+        if job is None:
+            return None
+        job.state, job.worker, job.attempt, job.tries = JobState.RUNNING, worker, job.attempt + 1, job.tries + 1
+        job.started_at, job.lease_until, job.progress = now, now + LEASE, ""
+        job.save(update_fields=("state", "worker", "attempt", "tries", "started_at", "lease_until", "progress"))
+        if job.submission is not None:
+            Submission.objects.filter(pk=job.submission.pk, state=State.QUEUED).update(state=State.CHECKING)
+        return job
+
+
+def renew(worker: str, held: Collection[tuple[int, int]], now: datetime) -> set[tuple[int, int]]:
+    """Renew the leases of a worker's claims (job and attempt); return those that it still holds."""
+    with writing():
+        still = set()
+        for job, attempt in held:
+            mine = Job.objects.filter(pk=job, worker=worker, attempt=attempt, state=JobState.RUNNING)
+            if mine.update(lease_until=now + LEASE):
+                still.add((job, attempt))
+        return still
+
+
+def report_progress(job: Job, progress: str) -> None:
+    """Store which stage a job has reached, if it is still this worker's."""
+    with writing():
+        mine = Job.objects.filter(pk=job.pk, worker=job.worker, attempt=job.attempt, state=JobState.RUNNING)
+        mine.update(progress=progress[:40])
+
+
+def finish(job: Job, now: datetime, lane_s: float, store: Callable[[Job], None]) -> bool:
+    """End a job and store its result, in one transaction; return False if the claim is no longer valid.
+
+    Args:
+        job: as it was claimed.
+        now: the time.
+        lane_s: how long it occupied a lane, in s.
+        store: stores the result; runs in the transaction.
+    """
+    with writing():
+        mine = Job.objects.filter(pk=job.pk, worker=job.worker, attempt=job.attempt, state=JobState.RUNNING)
+        done = mine.update(
+            state=JobState.DONE, finished_at=now, lane_s=F("lane_s") + lane_s, lease_until=None, error=""
+        )
+        if not done:
+            return False
+        store(job)
+        return True
+
+
+def store_verdict(submission: Submission, verdict: Verdict) -> None:
+    """Store what a check found; the newest accepted submission of a team becomes the one that plays."""
+    submission.state, submission.level, submission.digest = verdict.state, verdict.level, verdict.digest
+    submission.report = verdict.report
+    submission.save(update_fields=("state", "level", "digest", "report"))
+    if verdict.state == State.ACCEPTED:
+        team = Team.objects.select_for_update().get(pk=submission.team_id)
+        entry, _ = Entry.objects.get_or_create(team=team, season_id=submission.season_id)
+        if entry.active is None or entry.active.number < submission.number:
+            entry.active = submission
+            entry.save(update_fields=("active",))
+
+
+def fail(job: Job, now: datetime, lane_s: float, error: str) -> bool:
+    """Give a job back because of a fault that is not the team's; after the last attempt it is stuck.
+
+    Returns:
+        Whether the claim was still valid.
+    """
+    with writing():
+        mine = Job.objects.filter(pk=job.pk, worker=job.worker, attempt=job.attempt, state=JobState.RUNNING)
+        if not mine.exists():
+            return False
+        mine.update(lane_s=F("lane_s") + lane_s, error=error[:400])
+        _give_back(Job.objects.get(pk=job.pk), now)
+        return True
+
+
+def return_expired(now: datetime) -> int:
+    """Give back the jobs whose leases have run out; whoever looks at the queue next does it. Returns how many."""
+    expired = list(Job.objects.filter(state=JobState.RUNNING, lease_until__lt=now))
+    for job in expired:
+        _give_back(job, now)
+    return len(expired)
+
+
+def try_again(job: Job, now: datetime) -> None:
+    """Put a stuck job back into the queue, with all its attempts."""
+    with writing():
+        if Job.objects.filter(pk=job.pk, state=JobState.STUCK).update(
+            state=JobState.QUEUED, tries=0, not_before=now, error=""
+        ):
+            Submission.objects.filter(job=job.pk, state=State.UNCHECKED).update(state=State.QUEUED)
+
+
+def _give_back(job: Job, now: datetime) -> None:
+    is_stuck = job.tries >= MAX_TRIES
+    job.state = JobState.STUCK if is_stuck else JobState.QUEUED
+    job.worker, job.lease_until, job.not_before = "", None, now + _RETRY_AFTER * (job.tries - 1)
+    job.save(update_fields=("state", "worker", "lease_until", "not_before"))
+    if job.submission_id is not None:
+        state = State.UNCHECKED if is_stuck else State.QUEUED
+        Submission.objects.filter(pk=job.submission_id, state=State.CHECKING).update(
+            state=state, is_counted=not is_stuck
+        )

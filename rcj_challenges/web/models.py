@@ -1,0 +1,243 @@
+"""The tables of the site. A job's state is the state of its submission: both change in one transaction (`jobs`)."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from django.contrib.auth.base_user import AbstractBaseUser, BaseUserManager
+from django.db import models
+from django.db.models import Q
+
+
+class Role(models.TextChoices):
+    """What an account may do: a mentor runs one group, an organizer the site."""
+
+    MENTOR = "mentor"
+    ORGANIZER = "organizer"
+
+
+class AccountManager(BaseUserManager["Account"]):
+    """Makes accounts."""
+
+    def create_account(self, name: str, password: str, role: Role, group: Group | None = None) -> Account:
+        """Create an account with a hashed password."""
+        account = self.model(name=name, role=role, group=group)
+        account.set_password(password)
+        account.save()
+        return account
+
+
+class Group(models.Model):
+    """A school or club, labelled without names of persons."""
+
+    label = models.CharField(max_length=60, unique=True)
+    quota = models.PositiveIntegerField(default=40)
+
+    def __str__(self) -> str:
+        return self.label
+
+
+class Account(AbstractBaseUser):
+    """An organizer or a mentor. It has a name, and no e-mail address."""
+
+    name = models.CharField(max_length=40, unique=True)
+    role = models.CharField(max_length=10, choices=Role.choices)
+    group = models.ForeignKey(Group, on_delete=models.PROTECT, null=True, blank=True)
+    is_active = models.BooleanField(default=True)
+    failures = models.PositiveIntegerField(default=0)
+    locked_until = models.DateTimeField(null=True, blank=True)
+
+    USERNAME_FIELD = "name"
+    objects = AccountManager()
+
+    @property
+    def is_staff(self) -> bool:
+        """Whether it may open the lists of the organizers."""
+        return self.is_active and self.role == Role.ORGANIZER
+
+    def has_perm(self, perm: str, obj: Any = None) -> bool:
+        """Return whether it may change something in the lists; nothing is deleted there."""
+        return self.is_staff and ".delete_" not in perm
+
+    def has_module_perms(self, app_label: str) -> bool:
+        """Return whether it may see the lists of an app."""
+        return self.is_staff
+
+
+class Invite(models.Model):
+    """A link with which somebody makes an account, once."""
+
+    code_hmac = models.CharField(max_length=64, unique=True)
+    role = models.CharField(max_length=10, choices=Role.choices)
+    group = models.ForeignKey(Group, on_delete=models.PROTECT, null=True, blank=True)
+    expires_at = models.DateTimeField()
+    used_at = models.DateTimeField(null=True, blank=True)
+
+
+class Team(models.Model):
+    """A team: a public name and a card. Who its members are is known to its mentor only."""
+
+    group = models.ForeignKey(Group, on_delete=models.PROTECT)
+    name = models.CharField(max_length=40)
+    is_name_public = models.BooleanField(default=False)
+    code_hmac = models.CharField(max_length=64, null=True, blank=True, unique=True)
+    epoch = models.PositiveIntegerField(default=0)
+    last_used_at = models.DateTimeField(null=True, blank=True)
+    deleted_at = models.DateTimeField(null=True, blank=True)
+
+    def __str__(self) -> str:
+        return self.public_name
+
+    @property
+    def public_name(self) -> str:
+        """The name that everybody sees: its own once a person has released it."""
+        if self.deleted_at is not None:
+            return f"deleted team {self.pk}"
+        return self.name if self.is_name_public else f"Team {self.pk}"
+
+
+class Season(models.Model):
+    """What is played in a time, and when programs are taken for it."""
+
+    title = models.CharField(max_length=80)
+    scenario = models.CharField(max_length=200, default="match")
+    overrides = models.JSONField(default=list, blank=True)
+    opens_at = models.DateTimeField(null=True, blank=True)
+    closes_at = models.DateTimeField(null=True, blank=True)
+    is_current = models.BooleanField(default=True)
+
+    class Meta:
+        constraints = (
+            models.UniqueConstraint(fields=("is_current",), condition=Q(is_current=True), name="one_current_season"),
+        )
+
+    def __str__(self) -> str:
+        return self.title
+
+
+class State(models.TextChoices):
+    """Where a submission stands.
+
+    ``unchecked`` is our fault and costs nothing; ``superseded``: a newer one came before its turn.
+    """
+
+    QUEUED = "queued"
+    CHECKING = "checking"
+    ACCEPTED = "accepted"
+    REJECTED = "rejected"
+    UNCHECKED = "unchecked", "not checked"
+    SUPERSEDED = "superseded"
+
+
+class Submission(models.Model):
+    """What a team has handed in.
+
+    Attributes:
+        begun_at: when its upload began, which is what counts for a deadline.
+        received_at: when it was on the disk and in the database.
+        level: the verdict of the check; empty until there is one.
+        report: the report of the check as JSON.
+        is_counted: whether it counts for the quotas: not if it was our fault, superseded or known before.
+    """
+
+    team = models.ForeignKey(Team, on_delete=models.PROTECT)
+    season = models.ForeignKey(Season, on_delete=models.PROTECT)
+    number = models.PositiveIntegerField()
+    sha256 = models.CharField(max_length=64, db_index=True)
+    size_bytes = models.PositiveIntegerField()
+    begun_at = models.DateTimeField()
+    received_at = models.DateTimeField()
+    via = models.CharField(max_length=10)
+    is_late = models.BooleanField(default=False)
+    is_counted = models.BooleanField(default=True)
+    state = models.CharField(max_length=12, choices=State.choices, default=State.QUEUED)
+    level = models.CharField(max_length=10, blank=True)
+    digest = models.CharField(max_length=64, blank=True)
+    report = models.JSONField(null=True, blank=True)
+    repaired_from = models.ForeignKey("self", on_delete=models.PROTECT, null=True, blank=True)
+    is_deleted = models.BooleanField(default=False)
+
+    class Meta:
+        constraints = (models.UniqueConstraint(fields=("team", "season", "number"), name="one_number_a_season"),)
+        ordering = ("-id",)
+
+    def __str__(self) -> str:
+        return f"{self.team} {self.number}"
+
+
+class Entry(models.Model):
+    """A team's place in a season: which of its accepted submissions plays."""
+
+    team = models.ForeignKey(Team, on_delete=models.CASCADE)
+    season = models.ForeignKey(Season, on_delete=models.CASCADE)
+    active = models.ForeignKey(Submission, on_delete=models.PROTECT, null=True, blank=True)
+
+    class Meta:
+        constraints = (models.UniqueConstraint(fields=("team", "season"), name="one_entry_a_season"),)
+
+
+class JobState(models.TextChoices):
+    """Where a job stands; ``stuck`` is an alarm on the organizers' desk."""
+
+    QUEUED = "queued"
+    RUNNING = "running"
+    DONE = "done"
+    STUCK = "stuck"
+
+
+class Job(models.Model):
+    """Work for a dispatcher, leased to one at a time.
+
+    Attributes:
+        key: what it does, so that nothing is done twice.
+        attempt: how often it has been claimed; a result counts only with the number of its claim.
+        tries: claims since it was put into the queue; after the last one it is stuck.
+        lane_s: how long it has occupied a lane, in s.
+    """
+
+    kind = models.CharField(max_length=12)
+    key = models.CharField(max_length=120, unique=True)
+    submission = models.ForeignKey(Submission, on_delete=models.CASCADE, null=True, blank=True)
+    team = models.ForeignKey(Team, on_delete=models.CASCADE, null=True, blank=True)
+    payload = models.JSONField(default=dict)
+    priority = models.IntegerField(default=0)
+    state = models.CharField(max_length=8, choices=JobState.choices, default=JobState.QUEUED)
+    attempt = models.PositiveIntegerField(default=0)
+    tries = models.PositiveIntegerField(default=0)
+    worker = models.CharField(max_length=80, blank=True)
+    lease_until = models.DateTimeField(null=True, blank=True)
+    not_before = models.DateTimeField()
+    created_at = models.DateTimeField()
+    started_at = models.DateTimeField(null=True, blank=True)
+    finished_at = models.DateTimeField(null=True, blank=True)
+    lane_s = models.FloatField(default=0.0)
+    progress = models.CharField(max_length=40, blank=True)
+    error = models.CharField(max_length=400, blank=True)
+
+    class Meta:
+        indexes = (
+            models.Index(fields=("state", "priority", "id")),
+            models.Index(fields=("team", "finished_at")),
+        )
+
+    def __str__(self) -> str:
+        return self.key
+
+
+class Worker(models.Model):
+    """A dispatcher that has been seen."""
+
+    name = models.CharField(max_length=80, unique=True)
+    seen_at = models.DateTimeField()
+    lanes = models.PositiveIntegerField()
+    versions = models.JSONField(default=dict)
+
+
+class Audit(models.Model):
+    """What was done with consequences, by whom, and why; only ever added to."""
+
+    at = models.DateTimeField()
+    actor = models.CharField(max_length=60)
+    act = models.CharField(max_length=40)
+    about = models.CharField(max_length=120)
+    reason = models.CharField(max_length=200, blank=True)

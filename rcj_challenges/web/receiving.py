@@ -1,0 +1,147 @@
+"""Takes what teams hand in: a receipt is given when it is on the disk and in the database."""
+
+from __future__ import annotations
+
+from datetime import datetime, timedelta
+from pathlib import Path
+
+from django.db.models import Max, Sum
+
+from rcj_challenges.web import jobs
+from rcj_challenges.web.blobs import Blobs
+from rcj_challenges.web.config import current_site
+from rcj_challenges.web.models import Job, JobState, Season, State, Submission, Team
+
+MAX_UPLOAD = timedelta(seconds=120)
+_HOUR, _DAY = timedelta(hours=1), timedelta(days=1)
+
+
+class RefusedError(Exception):
+    """An upload that is not taken; the message says why and what to do.
+
+    Attributes:
+        status: of the HTTP answer.
+        code: stable, for programs.
+    """
+
+    def __init__(self, status: int, code: str, message: str) -> None:
+        super().__init__(message)
+        self.status = status
+        self.code = code
+
+
+def ensure_may_upload(team: Team, season: Season | None, begun_at: datetime) -> Season:
+    """Return the season that an upload is for.
+
+    Raises:
+        RefusedError: the season takes no uploads yet, or the team has handed in too often, or there is no room.
+    """
+    if season is None:
+        raise RefusedError(409, "no-season", "nothing is open for uploads; the organizers announce the next season")
+    if season.opens_at is not None and begun_at < season.opens_at:
+        raise RefusedError(409, "not-open", f"uploads open on {season.opens_at:%Y-%m-%d at %H:%M %Z}")
+    if not Blobs(current_site().folder).has_room():
+        raise RefusedError(507, "disk-full", "the site has no room for more; the organizers can see this")
+    counted = Submission.objects.filter(team=team, is_counted=True)
+    config = current_site()
+    if counted.filter(received_at__gt=begun_at - _HOUR).count() >= config.uploads_per_hour:
+        raise RefusedError(429, "too-often", f"{config.uploads_per_hour} uploads an hour are taken; try again later")
+    today = counted.filter(received_at__gt=begun_at - _DAY)
+    size = today.aggregate(total=Sum("size_bytes"))["total"] or 0
+    if today.count() >= config.uploads_per_day or size >= config.upload_bytes_per_day:
+        raise RefusedError(429, "too-often", f"{config.uploads_per_day} uploads a day are taken; try again tomorrow")
+    return season
+
+
+def receive(
+    team: Team,
+    season: Season,
+    received: Path,
+    sha256: str,
+    size_bytes: int,
+    begun_at: datetime,
+    now: datetime,
+    via: str,
+) -> Submission:
+    """Take an archive: store it, and queue its check, in one transaction; return it with its number.
+
+    Bytes that were checked before for this season get the earlier verdict at once.
+
+    Args:
+        team: that hands it in.
+        season: it is for.
+        received: the file in `Blobs.incoming`; it is moved away.
+        sha256: of its content.
+        size_bytes: its size.
+        begun_at: when the upload began: what counts for the deadline, unless it took longer than `MAX_UPLOAD`.
+        now: the time.
+        via: ``page``, ``api`` or ``repair``.
+
+    Raises:
+        OSError: the disk is full or broken.
+    """
+    Blobs(current_site().folder).keep(received, sha256)
+    return _record(team, season, sha256, size_bytes, begun_at, now, via)
+
+
+def accept_repaired(submission: Submission, sha256: str, size_bytes: int, now: datetime) -> Submission:
+    """Make a new submission of a repaired archive; called inside `jobs.writing`."""
+    return _record_here(
+        submission.team, submission.season, sha256, size_bytes, now, now, "repair", repaired_from=submission
+    )
+
+
+def _record(
+    team: Team, season: Season, sha256: str, size_bytes: int, begun_at: datetime, now: datetime, via: str
+) -> Submission:
+    with jobs.writing():
+        return _record_here(team, season, sha256, size_bytes, begun_at, now, via)
+
+
+def _record_here(
+    team: Team,
+    season: Season,
+    sha256: str,
+    size_bytes: int,
+    begun_at: datetime,
+    now: datetime,
+    via: str,
+    repaired_from: Submission | None = None,
+) -> Submission:
+    team = Team.objects.select_for_update().get(pk=team.pk)
+    mine = Submission.objects.filter(team=team, season=season)
+    number = (mine.aggregate(last=Max("number"))["last"] or 0) + 1
+    counts_from = max(begun_at, now - MAX_UPLOAD)
+    earlier = Submission.objects.filter(
+        sha256=sha256, season=season, state__in=(State.ACCEPTED, State.REJECTED), is_deleted=False
+    ).filter(team=team).order_by("-id").first()  # fmt: skip
+    submission = Submission.objects.create(
+        team=team,
+        season=season,
+        number=number,
+        sha256=sha256,
+        size_bytes=size_bytes,
+        begun_at=begun_at,
+        received_at=now,
+        via=via,
+        is_late=season.closes_at is not None and counts_from > season.closes_at,
+        is_counted=earlier is None and via != "repair",
+        repaired_from=repaired_from,
+    )
+    _supersede(mine.exclude(pk=submission.pk).filter(state=State.QUEUED))
+    if earlier is not None:
+        jobs.store_verdict(
+            submission, jobs.Verdict(State(earlier.state), earlier.level, earlier.digest, earlier.report)
+        )
+    else:
+        jobs.enqueue_check(submission, now)
+    return submission
+
+
+def _supersede(queued: object) -> None:
+    """End the checks of older submissions that have not begun: the newest one is what the team wants to know about."""
+    for submission in queued:  # type: ignore[attr-defined]
+        ended = Job.objects.filter(submission=submission, state=JobState.QUEUED).update(state=JobState.DONE)
+        if ended:
+            submission.state, submission.is_counted = State.SUPERSEDED, False
+            submission.save(update_fields=("state", "is_counted"))

@@ -1,0 +1,42 @@
+"""The addresses of the site."""
+
+from __future__ import annotations
+
+from django.contrib import admin
+from django.urls import path
+
+from rcj_challenges.web.api import api
+from rcj_challenges.web.views import desk, mentor, public, team
+
+urlpatterns = [
+    path("", public.home, name="home"),
+    path("style.css", public.style, name="style"),
+    path("enter", public.enter, name="enter"),
+    path("login", public.login, name="login"),
+    path("leave", public.leave, name="leave"),
+    path("invite/<str:code>", public.invited, name="invited"),
+    path("privacy", public.privacy, name="privacy"),
+    path("help", public.help_page, name="help"),
+    path("healthz", public.healthz, name="healthz"),
+    path("my", team.my, name="my"),
+    path("my/upload", team.upload, name="upload"),
+    path("my/submissions/<int:pk>", team.submission, name="submission"),
+    path("my/submissions/<int:pk>/state", team.submission_state, name="submission_state"),
+    path("my/submissions/<int:pk>/report", team.report, name="report"),
+    path("my/submissions/<int:pk>/archive", team.archive, name="archive"),
+    path("my/submissions/<int:pk>/repair", team.repair, name="repair"),
+    path("my/submissions/<int:pk>/activate", team.activate, name="activate"),
+    path("my/submissions/<int:pk>/<str:name>", team.replay, name="replay"),
+    path("group", mentor.group, name="group"),
+    path("group/teams/new", mentor.new_teams, name="new_teams"),
+    path("group/teams/<int:pk>", mentor.team, name="team"),
+    path("group/teams/<int:pk>/card", mentor.new_card, name="new_card"),
+    path("group/teams/<int:pk>/delete", mentor.delete_team, name="delete_team"),
+    path("desk", desk.desk, name="desk"),
+    path("desk/jobs/<int:pk>/again", desk.job_again, name="job_again"),
+    path("desk/teams/<int:pk>/release", desk.release_name, name="release_name"),
+    path("desk/invite", desk.new_invite, name="new_invite"),
+    path("desk/export", desk.export, name="export"),
+    path("admin/", admin.site.urls),
+    path("api/v1/", api.urls),
+]

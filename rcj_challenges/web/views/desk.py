@@ -1,0 +1,94 @@
+"""Pages of organizers: the queue and its alarms, invitations, names, and the export."""
+
+from __future__ import annotations
+
+import tempfile
+import zipfile
+from datetime import timedelta
+from typing import Any
+
+from django.http import FileResponse, HttpRequest, HttpResponse, HttpResponseBase
+from django.shortcuts import get_object_or_404, redirect
+from django.utils import timezone
+from django.utils.translation import gettext
+
+from rcj_challenges.core.sanitize import sanitize
+from rcj_challenges.web import jobs
+from rcj_challenges.web.accounts import Viewer, invite, write_audit
+from rcj_challenges.web.blobs import Blobs
+from rcj_challenges.web.config import current_site
+from rcj_challenges.web.models import Audit, Entry, Group, Job, JobState, Role, Season, Team, Worker
+from rcj_challenges.web.pages import message_page, page
+from rcj_challenges.web.views.guards import only
+
+
+@only("organizer")
+def desk(request: HttpRequest, viewer: Viewer) -> HttpResponse:
+    """Show what needs a person: stuck jobs, names to release, dispatchers, the disk."""
+    now = timezone.now()
+    values: dict[str, Any] = {
+        "stuck": Job.objects.filter(state=JobState.STUCK).select_related("team", "submission")[:50],
+        "running": Job.objects.filter(state=JobState.RUNNING).select_related("team")[:50],
+        "waiting": jobs.waiting(now).select_related("team")[:50],
+        "count": Job.objects.filter(state=JobState.QUEUED).count(),
+        "workers": Worker.objects.filter(seen_at__gt=now - timedelta(days=1)).order_by("-seen_at"),
+        "names": Team.objects.filter(is_name_public=False, deleted_at=None).select_related("group")[:100],
+        "groups": Group.objects.order_by("label"),
+        "audit": Audit.objects.order_by("-id")[:20],
+        "has_room": Blobs(current_site().folder).has_room(),
+        "season": Season.objects.filter(is_current=True).first(),
+    }
+    return page(request, "desk.html", viewer, now=now, lease=jobs.LEASE, **values)
+
+
+@only("organizer", post=True)
+def job_again(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBase:
+    """Put a stuck job back into the queue."""
+    job = get_object_or_404(Job, pk=pk)
+    jobs.try_again(job, timezone.now())
+    write_audit(viewer, "try again", job, "", timezone.now())
+    return redirect("desk")
+
+
+@only("organizer", post=True)
+def release_name(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBase:
+    """Show a team's own name to all."""
+    team = get_object_or_404(Team, pk=pk, deleted_at=None)
+    Team.objects.filter(pk=pk).update(is_name_public=True)
+    write_audit(viewer, "release name", f"team {team.pk}: {team.name}", "", timezone.now())
+    return redirect("desk")
+
+
+@only("organizer", post=True)
+def new_invite(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
+    """Make a link for a mentor of a group, or for another organizer; it is shown this once."""
+    role = Role.ORGANIZER if request.POST.get("role") == Role.ORGANIZER else Role.MENTOR
+    label = sanitize(" ".join(request.POST.get("group", "").split()), 60)
+    if role == Role.MENTOR and not label:
+        return message_page(request, 400, gettext("No group"), gettext("Write the label of the mentor's group."))
+    now = timezone.now()
+    with jobs.writing():
+        group = None
+        if role == Role.MENTOR:
+            group, _ = Group.objects.get_or_create(label=label, defaults={"quota": current_site().team_quota})
+        code = invite(role, group, now)
+        write_audit(viewer, "invite", group or role, "", now)
+    return page(request, "invite.html", viewer, address=request.build_absolute_uri(f"/invite/{code}"), group=group)
+
+
+@only("organizer")
+def export(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
+    """Return a ZIP with one archive for each team that plays, as ``tournament run`` takes them."""
+    blobs = Blobs(current_site().folder)
+    entries = Entry.objects.filter(season__is_current=True, active__isnull=False, team__deleted_at=None)
+    made = tempfile.TemporaryFile()  # noqa: SIM115 - the answer closes it
+    with zipfile.ZipFile(made, "w") as archive:
+        lines = []
+        for entry in entries.select_related("team", "active").order_by("team__pk"):
+            assert entry.active is not None  # noqa: S101 - filtered
+            name = f"team{entry.team_id}.zip"
+            archive.write(blobs.path(entry.active.sha256), f"submissions/{name}")
+            lines.append(f"{entry.active.sha256}  submissions/{name}\n")
+        archive.writestr("hashes.txt", "".join(lines))
+    made.seek(0)
+    return FileResponse(made, as_attachment=True, filename="submissions.zip", content_type="application/zip")
