@@ -14,7 +14,7 @@ from rcj_challenges.tournament.json_schema import FILE, schema_is_fresh, schema_
 from rcj_challenges.tournament.load import load_tournament
 from rcj_challenges.tournament.release import release_times
 from rcj_challenges.tournament.season import FixtureKind
-from tests.tournament.seasons import by_chance, play, stage
+from tests.tournament.seasons import by_chance, by_strength, play, stage
 
 VALIDATOR = jsonschema.Draft202012Validator(tournament_schema())
 HEAD = {"tournament_version": 1, "title": "T", "seed": 1, "teams": {"a": {"sample": "x"}}}
@@ -68,7 +68,7 @@ def test_every_key_of_a_tournament_has_a_description():
 
 def test_cup_is_small_and_has_a_swiss_stage():
     one = load_tournament("cup")
-    state = play(Season(one), by_chance(1))
+    state = play(Season(one), by_strength)
     assert {found.kind for found in state.stages} >= {"swiss", "knock_out"}
     assert sum(found.expected_matches for found in state.stages) == 13
     assert max(info.duration_s for info in one.scenarios.values()) <= 120
