@@ -16,6 +16,7 @@ from rcj_challenges.core.errors import RcjError
 from rcj_challenges.match.batch import Job, play_many
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.season import SeasonState
+from rcj_challenges.tournament.workload import work_left
 
 _TRIAL_S = 10
 _BYTES_PER_S: dict[str, float] = {"full": 39_000.0, "replay": 600.0, "result": 60.0}
@@ -29,15 +30,19 @@ class Cost:
     """What a tournament will take.
 
     Attributes:
-        matches: in all.
-        simulated_s: of all matches that are left.
-        wall_s: that these take on this computer, as many at a time as it has cores; None if that is not known.
+        matches: in all, as far as is known.
+        most_matches: with all extra time and other matches that may be needed to decide ties.
+        simulated_s, most_simulated_s: of all matches that are left.
+        wall_s, most_wall_s: that these take on this computer, as many at a time as it has cores; None if unknown.
         disk_bytes: of all records that are to come.
     """
 
     matches: int
+    most_matches: int
     simulated_s: float
+    most_simulated_s: float
     wall_s: float | None
+    most_wall_s: float | None
     disk_bytes: float
 
 
@@ -58,35 +63,41 @@ def print_plan(tournament: OpenTournament, *, as_json: bool) -> int:
         for fixture in stage.fixtures:
             sides = " - ".join(team_words(state.teams, side.teams) for side in fixture.sides)
             lines.append(f"  {fixture.id}  {sides}")
-    took = "" if cost.wall_s is None else f", about {cost.wall_s / 60:.0f} min on this computer"
+    took = ""
+    if cost.wall_s is not None and cost.most_wall_s is not None:
+        took = f", about {_range(cost.wall_s / 60, cost.most_wall_s / 60)} min on this computer"
+    count = f"{_range(cost.matches, cost.most_matches)} match{'es' if cost.most_matches != 1 else ''}"
     disk = f"about {cost.disk_bytes / 1e6:.0f} MB of records"
     lines.append(
-        f"{counted(cost.matches, 'match', 'matches')} in all; what is left: "
-        f"{cost.simulated_s / 3600:.1f} h simulated{took}, {disk}"
+        f"{count} in all; what is left: "
+        f"{_range(cost.simulated_s / 3600, cost.most_simulated_s / 3600, 1)} h simulated{took}, {disk}"
     )
     say("\n".join(lines), sys.stdout)
     return OK
 
 
+def _range(least: float, most: float, digits: int = 0) -> str:
+    texts = dict.fromkeys((f"{least:.{digits}f}", f"{most:.{digits}f}"))
+    return " to ".join(texts)
+
+
 def estimate(tournament: OpenTournament, state: SeasonState) -> Cost:
     """Return what the matches that have no outcome yet will take."""
-    infos = {(use.source, use.overrides): info for use, info in tournament.loaded.scenarios.items()}
-    simulated_s = disk_bytes = 0.0
-    for stage in state.stages:
-        known = [infos[fixture.scenario, fixture.overrides].duration_s for fixture in stage.fixtures]
-        mean_s = sum(known) / len(known) if known else _mean_s(tournament)
-        left = max(0, stage.expected_matches - sum(fixture.id in state.outcomes for fixture in stage.fixtures))
-        records = tournament.loaded.records(stage.name)
-        simulated_s += left * mean_s
-        disk_bytes += left * (_BYTES_PER_MATCH[records] + mean_s * _BYTES_PER_S[records])
+    simulated_s = more_s = disk_bytes = 0.0
+    left = work_left(tournament.loaded, state)
+    for one in left:
+        records = tournament.loaded.records(one.stage)
+        simulated_s += one.matches * one.mean_s
+        more_s += one.more * one.mean_s
+        disk_bytes += one.matches * (_BYTES_PER_MATCH[records] + one.mean_s * _BYTES_PER_S[records])
     factor = _real_time_factor(tournament)
-    wall_s = None if factor is None else simulated_s / factor / (os.cpu_count() or 1)
-    return Cost(sum(stage.expected_matches for stage in state.stages), simulated_s, wall_s, disk_bytes)
-
-
-def _mean_s(tournament: OpenTournament) -> float:
-    durations_s = [info.duration_s for info in tournament.loaded.scenarios.values()]
-    return sum(durations_s) / len(durations_s)
+    wall_s, most_wall_s = (
+        None if factor is None else total_s / factor / (os.cpu_count() or 1)
+        for total_s in (simulated_s, simulated_s + more_s)
+    )
+    matches = sum(stage.expected_matches for stage in state.stages)
+    most = matches + sum(one.more for one in left)
+    return Cost(matches, most, simulated_s, simulated_s + more_s, wall_s, most_wall_s, disk_bytes)
 
 
 def _real_time_factor(tournament: OpenTournament) -> float | None:

@@ -3,17 +3,29 @@
 from __future__ import annotations
 
 import sys
+from contextlib import suppress
 from dataclasses import asdict
 from typing import Any, Literal
 
 from rcj_challenges.cli import OK
 from rcj_challenges.cli.stdio import print_json, say
-from rcj_challenges.cli.tournament_tables import score_words, stage_tables, team_words
+from rcj_challenges.cli.tournament_tables import duration_words, score_words, stage_tables, team_words
 from rcj_challenges.core.sanitize import sanitize
+from rcj_challenges.records.lines import parsed
 from rcj_challenges.tournament.csv_text import csv_text
+from rcj_challenges.tournament.jobs import Workplace
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.season import SeasonState
 from rcj_challenges.tournament.store.lock import is_locked
+
+_NEWEST_SHOWN = 5
+
+
+def _progress(place: Workplace) -> dict[str, Any]:
+    """Return what a run has left about its progress; empty if there is nothing yet."""
+    with suppress(OSError, ValueError):
+        return dict(parsed(place.progress.read_bytes()))
+    return {}
 
 
 def print_status(tournament: OpenTournament, *, as_json: bool) -> int:
@@ -29,9 +41,17 @@ def print_status(tournament: OpenTournament, *, as_json: bool) -> int:
         }
         for stage in state.stages
     ]
+    is_running = is_locked(store.place.folder)
+    progress = _progress(store.place) if is_running else {}
+    newest = [one for one in store.latest_fixtures(_NEWEST_SHOWN) if one in state.outcomes]
+    fixtures = {fixture.id: fixture for fixture in state.fixtures}
     status: dict[str, Any] = {
         "title": tournament.loaded.tournament.title,
-        "is_running": is_locked(store.place.folder),
+        "is_running": is_running,
+        "in_play": progress.get("in_play", []),
+        "left_s": progress.get("left_s"),
+        "latest": [{"match": one, "scores": state.outcomes[one].scores} for one in newest],
+        "failed_submissions": store.failed_submissions(),
         "stages": stages,
         "doubtful": store.doubtful_fixtures(),
         "failed": store.complaints(),
@@ -41,7 +61,11 @@ def print_status(tournament: OpenTournament, *, as_json: bool) -> int:
         print_json(status)
         return OK
     lines = [f"{status['title']}: {'is being written to at present' if status['is_running'] else 'nothing is running'}"]
+    lines += [f"in play: {fixture}" for fixture in status["in_play"]]
+    lines += [f"about {duration_words(status['left_s'])} left"] if status["left_s"] else []
     lines += [f"{one['stage']}: {one['status']}, {one['done']} of {one['expected']} matches" for one in stages]
+    lines += [f"played: {one}  {score_words(fixtures[one], state.outcomes[one], state.teams)}" for one in newest]
+    lines += [f"fails the check: {team}: {sanitize(why)}" for team, why in status["failed_submissions"].items()]
     lines += [f"doubtful, a time limit decided something: {fixture}" for fixture in status["doubtful"]]
     lines += [f"withdrawn: {team}" for team in status["withdrawn"]]
     lines += [f"could not be played: {sanitize(complaint.strip())}" for complaint in status["failed"]]

@@ -17,7 +17,7 @@ from rich.text import Text
 from rcj_challenges.cli import OK, OUR_FAULT
 from rcj_challenges.cli.sandbox import require_layers
 from rcj_challenges.cli.stdio import print_progress
-from rcj_challenges.cli.tournament_tables import score_words, stage_tables
+from rcj_challenges.cli.tournament_tables import duration_words, score_words, stage_tables
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.sanitize import sanitize
@@ -33,7 +33,6 @@ from rcj_challenges.tournament.submissions import Failure, Submitted, check_subm
 from rcj_challenges.views.console import console_for
 
 _NEWEST_SHOWN = 5
-_UNITS = (("h", 3600.0), ("min", 60.0))
 
 
 class SubmissionsFailError(DiagnosticError):
@@ -269,7 +268,5 @@ def _current_tables(state: SeasonState) -> Sequence[Table]:
 
 
 def _left(progress: Progress) -> str:
-    if progress.left_s is None or not progress.left:
-        return ""
-    unit, unit_s = next((one for one in _UNITS if progress.left_s >= 2 * one[1]), ("s", 1.0))
-    return f"  about {progress.left_s / unit_s:.0f} {unit} left"
+    is_known = progress.left_s is not None and progress.left
+    return f"  about {duration_words(progress.left_s or 0)} left" if is_known else ""

@@ -12,6 +12,15 @@ if TYPE_CHECKING:
     from rich.table import Table as RichTable
 
 
+_UNITS = (("h", 3600.0), ("min", 60.0))
+
+
+def duration_words(duration_s: float) -> str:
+    """Return ``12 min``: a duration in a unit of which there are at least two."""
+    unit, unit_s = next((one for one in _UNITS if duration_s >= 2 * one[1]), ("s", 1.0))
+    return f"{duration_s / unit_s:.0f} {unit}"
+
+
 def team_words(teams: Mapping[str, Team], ids: str | Sequence[str]) -> str:
     """Return what a team is called, or a super team, given by its ids or by these joined with ``+``."""
     members = ids.split("+") if isinstance(ids, str) else ids

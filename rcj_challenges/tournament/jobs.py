@@ -112,6 +112,11 @@ class Workplace:
         return self.records / job_id
 
     @property
+    def progress(self) -> Path:
+        """What a run leaves for `status`: the fixtures in play, and the time left in s; None if that is unknown."""
+        return self.folder / "progress.json"
+
+    @property
     def reports(self) -> Path:
         """Where the reports of the check are, by team."""
         return self.folder / "checks"

@@ -8,12 +8,14 @@ from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
+from itertools import islice
 from pathlib import Path
 from typing import Protocol
 
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.errors import format_error
-from rcj_challenges.records.folder import when_free
+from rcj_challenges.records.folder import replaced, when_free
+from rcj_challenges.records.lines import json_line
 from rcj_challenges.records.result import has_time_fault
 from rcj_challenges.tournament.executor import Executor, JobOutcome
 from rcj_challenges.tournament.fixtures import JobMaker, outcome_of, summary_of
@@ -21,8 +23,10 @@ from rcj_challenges.tournament.jobs import MatchJob, Workplace
 from rcj_challenges.tournament.opened import OpenTournament, sides_of
 from rcj_challenges.tournament.reconcile import has_whole_record
 from rcj_challenges.tournament.records import sizes
+from rcj_challenges.tournament.scenarios import ScenarioUse
 from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, SeasonState
 from rcj_challenges.tournament.store.store import PlayedFixture
+from rcj_challenges.tournament.workload import work_left
 
 _WAITING_PER_LANE = 1
 """Jobs that wait in the executor, so that no lane is idle while a result is written."""
@@ -103,7 +107,9 @@ class Runner:
     _alone: deque[_Task] = field(default_factory=deque)
     _open: deque[Fixture] = field(default_factory=deque)
     _failed: set[str] = field(default_factory=set)
-    _walls_s: list[float] = field(default_factory=list)
+    _wall_s: float = 0.0
+    _planned_s: float = 0.0
+    _in_play: list[str] | None = None
     _state_at_s: float = 0.0
     _state_took_s: float = 0.0
 
@@ -130,6 +136,7 @@ class Runner:
     def _play_all(self) -> None:
         while True:
             self._feed()
+            self._keep_progress()
             if not self._tasks:
                 if not self._recompute():
                     return
@@ -200,7 +207,9 @@ class Runner:
             task.job, "played", summary=summary, files=sizes(self._place.record_of(task.job.id)),
             doubtful=is_doubtful, counts_for=counts,
         )  # fmt: skip
-        self._walls_s.append(summary["wall_s"])
+        self._wall_s += summary["wall_s"]
+        use = ScenarioUse(task.fixtures[0].scenario, task.fixtures[0].overrides)
+        self._planned_s += self.tournament.loaded.scenarios[use].duration_s
         self._count(task, counts, is_doubtful=is_doubtful)
 
     def _count(self, task: _Task, counts: list[tuple[Fixture, Outcome]], *, is_doubtful: bool) -> None:
@@ -234,8 +243,21 @@ class Runner:
         done = len(self._played.keys() | self._state.outcomes.keys())
         running = min(len(self._tasks), self.executor.lanes)
         left = max(expected - done, len(self._open) + len(self._tasks) + len(self._alone))
-        left_s = sum(self._walls_s) / len(self._walls_s) * left / self.executor.lanes if self._walls_s else None
+        left_s = None
+        if self._planned_s:
+            work = work_left(self.tournament.loaded, self._state)
+            mean_s = sum(one.matches * one.mean_s for one in work) / max(1, sum(one.matches for one in work))
+            left_s = self._wall_s / self._planned_s * mean_s * left / self.executor.lanes
         return Progress(self._state, done, running, left, left_s)
+
+    def _keep_progress(self) -> None:
+        """Leave what `status` shows in another terminal."""
+        playing = islice(self._tasks.values(), self.executor.lanes)
+        in_play = [fixture.id for task in playing for fixture in task.fixtures]
+        if in_play != self._in_play:
+            self._in_play = in_play
+            with replaced(self._place.progress) as file:
+                file.write(json_line({"in_play": in_play, "left_s": self._progress().left_s}))
 
     # --- files --------------------------------------------------------------------------------------------------------
 

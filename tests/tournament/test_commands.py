@@ -9,11 +9,12 @@ import pytest
 from rcj_challenges.checker.findings import Finding
 from rcj_challenges.checker.report import FileReport, StageReport
 from rcj_challenges.cli import tournament_run, tournament_verify
+from rcj_challenges.cli.tournament_results import print_status
 from rcj_challenges.tournament import submissions
 from rcj_challenges.tournament.fixtures import JobMaker
 from rcj_challenges.tournament.jobs import MatchJob
 from tests.cli.in_this_process import here
-from tests.tournament.store_helpers import LEAGUE, FakeExecutor, Home, let_other_versions_have_played
+from tests.tournament.store_helpers import LEAGUE, FakeExecutor, Home, Silent, let_other_versions_have_played
 
 
 def report(path, level):
@@ -325,3 +326,46 @@ def test_a_rerun_with_another_digest_replaces_nothing(desk):
     desk.ends = {}
     desk("run")
     assert desk.executors[-1].jobs == []
+
+
+def test_status_shows_from_a_second_terminal_what_is_in_play_and_how_long_the_rest_takes(desk, capsys):
+    seen = []
+
+    class Second(Silent):
+        def played(self, fixture, outcome, progress, *, is_doubtful):
+            with desk.home.opened(writing=False) as tournament:
+                assert print_status(tournament, as_json=True) == 0
+            seen.append((fixture.id, json.loads(capsys.readouterr().out)))
+
+    desk.home.play(observer=Second())
+    first, second = seen[0], seen[1]
+    assert (first[1]["is_running"], len(first[1]["in_play"])) == (True, 2)
+    assert first[0] in first[1]["in_play"], "it ended a moment ago"
+    assert second[1]["left_s"] == 1.5, "three matches of a second, two at a time"
+    assert second[1]["latest"][0]["match"] in (first[0], second[0])
+    after = desk.json("status")
+    assert (after["is_running"], after["in_play"], after["left_s"]) == (False, [], None)
+    assert len(after["latest"]) == 4
+
+
+def test_status_names_submissions_that_fail_the_check(desk):
+    desk.failing = 1
+    desk("run")
+    assert desk.json("status")["failed_submissions"] == {"ada": "it crashed"}
+    desk.home.hand_in("ada", "mended")
+    desk.failing = 0
+    assert desk("run")[0] == 0
+    assert desk.json("status")["failed_submissions"] == {}
+
+
+def test_plan_counts_extra_time_as_a_range(desk):
+    text = LEAGUE.replace(
+        "stages:", "drawn: {extra_time: {match.half_s: 2}, tie_scenario: {scenario: slalom}}\nstages:"
+    )
+    desk.home.file.write_text(text, encoding="utf-8")
+    cost = desk.json("plan")["cost"]
+    assert (cost["matches"], cost["most_matches"]) == (4, 7), "the final, extra time, and each team by itself"
+    assert desk("run")[0] == 0
+    cost = desk.json("plan")["cost"]
+    assert cost["most_matches"] == cost["matches"]
+    assert cost["simulated_s"] == cost["most_simulated_s"] == 0

@@ -177,6 +177,24 @@ class Store:
         """Return all jobs that were played or tried, by id."""
         return {row.id: row for row in self._rows(JOB, JobRow)}
 
+    def latest_fixtures(self, count: int) -> list[str]:
+        """Return the fixtures that were played last, the newest first."""
+        query = select(PLAYED.c.fixture).order_by(PLAYED.c.played_at.desc(), PLAYED.c.fixture).limit(count)
+        with self.transaction() as connection:
+            return list(connection.scalars(query))
+
+    def failed_submissions(self) -> dict[str, str]:
+        """Return why submissions that would play now fail the check, by team."""
+        verdicts: dict[str, list[CheckRow]] = {}
+        for row in self.checks().values():
+            verdicts.setdefault(row.archive, []).append(row)
+        return {
+            team: "; ".join(message for _, message in row.findings)
+            for (team, _), handed in self.current_submissions().items()
+            for row in verdicts.get(handed.archive, ())
+            if row.level == "failure"
+        }
+
     def doubtful_fixtures(self) -> list[str]:
         """Return the fixtures for which doubtful jobs count."""
         query = select(PLAYED.c.fixture).join_from(PLAYED, JOB).where(JOB.c.doubtful).order_by(PLAYED.c.fixture)
