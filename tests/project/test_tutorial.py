@@ -7,6 +7,8 @@ import typer.main
 
 from rcj_challenges.cli.app import app
 from rcj_challenges.cli.new_team import new_team
+from rcj_challenges.scenario.lint.registry import lint
+from rcj_challenges.scenario.load import load_text
 from scripts.try_tutorial import PAGE, steps, write
 
 STEPS = list(steps(PAGE.read_text(encoding="utf-8")))
@@ -29,3 +31,8 @@ def test_changes_of_the_tutorial_fit_the_files_that_it_makes(tmp_path, monkeypat
             write(step, tmp_path)
     compile((tmp_path / "my_team" / "robot.py").read_text(encoding="utf-8"), "robot.py", "exec")
     assert (tmp_path / "my_rules.yaml").is_file()
+
+
+def test_rules_of_the_tutorial_give_no_warning():
+    (rules,) = (step for step in STEPS if step.file == "my_rules.yaml")
+    assert [str(finding) for finding in lint(load_text(rules.new, file=rules.file))] == []
