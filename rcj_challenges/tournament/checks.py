@@ -278,11 +278,14 @@ class _Checks:
                     yield self._at((*path, name, index), "listed-teams", message, "keep it once")
 
     def _rounds(self, path: tuple[Step, ...], stage: Swiss, size: StageSize) -> Iterator[Diagnostic]:
-        most = -(-size.teams // 2)
+        most, safe = size.teams - 1, -(-size.teams // 2)
         if stage.rounds > most:
             message = f"{stage.rounds} rounds are too many for {size.teams} teams"
-            help_ = f"at most {most}: with more, a round without a rematch may not exist; all meet in a round_robin"
-            yield self._at((*path, "rounds"), "too-many-rounds", message, help_)
+            yield self._at((*path, "rounds"), "too-many-rounds", message, f"at most {most}; all meet in a round_robin")
+        elif stage.rounds > safe:
+            message = f"in {stage.rounds} rounds of {size.teams} teams a rematch may be unavoidable"
+            help_ = f"up to {safe} rounds need no rematch; all meet in a round_robin"
+            yield self._at((*path, "rounds"), "rematch-possible", message, help_, "warning")
 
     def _knock_out(self, path: tuple[Step, ...], stage: KnockOut, size: StageSize) -> Iterator[Diagnostic]:
         if stage.legs > 1 and stage.best_of > 1:

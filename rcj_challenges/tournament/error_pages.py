@@ -61,8 +61,12 @@ The lists of groups or super teams do not fit the teams.
 Each team must be in one group; a super team has one team for each robot of a side.
 
 too-many-rounds
+A Swiss stage has more rounds than a team has opponents.
+Use fewer rounds than teams, or a round_robin, in which all teams meet.
+
+rematch-possible
 A Swiss stage has so many rounds that two teams may have to meet twice.
-Use at most half as many rounds as teams, rounded up, or a round_robin, in which all teams meet.
+With at most half as many rounds as teams, rounded up, no rematch is needed.
 
 useless-tie-break
 A tie-break cannot decide anything.

@@ -28,7 +28,17 @@ PlaceRange = Annotated[
 ]
 Place = Annotated[int, Field(ge=1, le=9999, description="one place")]
 Settings = dict[str, Scalar]
-TieBreak = Literal["points", "head_to_head", "goal_difference", "goals", "wins", "lot"]
+TieBreak = Literal[
+    "points",
+    "head_to_head",
+    "goal_difference",
+    "goals",
+    "wins",
+    "buchholz",
+    "median_buchholz",
+    "sonneborn_berger",
+    "lot",
+]
 Records = Literal["full", "replay", "result"]
 
 
@@ -136,7 +146,12 @@ class Swiss(MatchesModel):
     """In each round, teams with equal points meet; no two meet twice. With an odd number of teams, one has a bye."""
 
     stage: Literal["swiss"]
-    rounds: int = described(..., "number of rounds; at most half the number of teams, rounded up", ge=1, le=64)
+    rounds: int = described(
+        ...,
+        "number of rounds, fewer than teams; above half the number of teams, two may have to meet twice",
+        ge=1,
+        le=64,
+    )
     play_off: bool = described(
         False, "whether teams that share a place play each other if only some of them can advance; after that, a lot"
     )
@@ -233,7 +248,10 @@ class Tournament(Strict):
     tie_breaks: Annotated[tuple[TieBreak, ...], Field(strict=False, min_length=1)] = described(
         ("points", "goal_difference", "goals", "head_to_head"),
         "how a table is ranked, first criterion first. head_to_head: a table of the matches between the teams "
-        "that are level. Teams that remain level share their place, unless the last criterion is lot",
+        "that are level. buchholz: the sum of the points of a team's opponents; median_buchholz: without the best and "
+        "the worst of them, if it has met three; sonneborn_berger: the points of those it beat, and half of those "
+        "it drew with. In these three a bye counts as no opponent, and an opponent that has left counts with the "
+        "points it has. Teams that remain level share their place, unless the last criterion is lot",
     )
     drawn: DrawnMatches = described(DrawnMatches.model_construct(), "what decides a knock-out tie that is level")
     withdrawn: Literal["annulled"] | LostBy = described(

@@ -143,11 +143,27 @@ class _Ranking:
             return {team: self.rules.lot(team) for team in teams}
         if word == "head_to_head":
             return self._head_to_head(teams)
+        if word in ("buchholz", "median_buchholz", "sonneborn_berger"):
+            return {team: -round(self._by_opponents(word, team), 9) for team in teams}
         tallies = self.tallies
         if word == "goal_difference":
             return {team: tallies[team].conceded - tallies[team].goals for team in teams}
         attribute = {"points": "points", "goals": "goals", "wins": "won"}[word]
         return {team: -getattr(tallies[team], attribute) for team in teams}
+
+    def _by_opponents(self, word: str, team: str) -> float:
+        met: list[tuple[float, float]] = []  # points of each opponent, and the share of them that a result gives
+        for match in self.matches:
+            for own, other in ((0, 1), (1, 0)):
+                if match.teams[own] == team:
+                    ahead = match.goals[own] - match.goals[other]
+                    met.append(
+                        (self.tallies[match.teams[other]].points, 1.0 if ahead > 0 else 0.5 if ahead == 0 else 0)
+                    )
+        if word == "sonneborn_berger":
+            return sum(points * share for points, share in met)
+        found = sorted(points for points, _ in met)
+        return sum(found[1:-1] if word == "median_buchholz" and len(found) > 2 else found)
 
     def _head_to_head(self, teams: list[str]) -> dict[str, Any]:
         if not self._by_team:

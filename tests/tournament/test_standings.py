@@ -127,3 +127,20 @@ def test_table_does_not_depend_on_the_order_of_matches(drawn):
     teams, games, words = drawn
     whole = rules(*words, "head_to_head", "lot")
     assert table("", teams, games, whole, complete=True) == table("", teams, games[::-1], whole, complete=True)
+
+
+def test_opponents_decide_by_their_points():
+    # a beats b and draws with c; b beats c and d; c beats d; d beats a
+    matches = [Match(tuple(pair), goals) for pair, goals in (
+        ("ab", (1, 0)), ("ac", (0, 0)), ("bc", (1, 0)), ("bd", (1, 0)), ("cd", (1, 0)), ("da", (1, 0)),
+    )]  # fmt: skip
+    points = {"a": 4, "b": 6, "c": 4, "d": 3}
+    found = {
+        word: [row.team for row in table("", "abcd", matches, TableRules(3, 1, 0, (word,), str), complete=True).rows]
+        for word in ("buchholz", "median_buchholz", "sonneborn_berger")
+    }
+    assert points == {row.team: row.points for row in table(
+        "", "abcd", matches, TableRules(3, 1, 0, ("points",), str), complete=True).rows}  # fmt: skip
+    assert found["buchholz"] == ["d", "a", "c", "b"]  # 14, 13, 13, 11
+    assert found["median_buchholz"] == ["a", "b", "c", "d"]  # 4 each
+    assert found["sonneborn_berger"] == ["a", "b", "c", "d"]  # 8, 7, 5, 4

@@ -72,6 +72,11 @@ def test_a_mistake_of_form_is_reported_once_with_its_place(text, expected, tmp_p
     assert refused(text, tmp_path) == expected
 
 
+def test_more_rounds_than_half_the_teams_are_a_warning(tmp_path):
+    (warning,) = loaded(HEAD + TEAMS + "stages:\n  s: {stage: swiss, rounds: 3}\n", tmp_path).warnings
+    assert (warning.code, warning.where.path) == ("rematch-possible", "stages.s.rounds")
+
+
 def test_a_time_that_comes_twice_is_a_warning_that_names_both(tmp_path):
     text = HEAD + TEAMS + "time_zone: Europe/Berlin\nstages: {l: {stage: round_robin, release: 2026-10-25 02:45}}\n"
     (warning,) = loaded(text, tmp_path).warnings
@@ -147,7 +152,7 @@ def test_all_mistakes_are_reported_at_once_in_the_order_of_the_file(tmp_path):
         (HEAD + TEAMS + "stages:\n  l: {stage: round_robin, groups: {A: [a, b], B: [c, x]}}\n", [("listed-teams", "stages.l.groups"), ("unknown-team", "stages.l.groups.B[1]")]),
         (HEAD + TEAMS + "stages:\n  l: {stage: round_robin, groups: {A: [a, b], B: [c, d, a]}}\n", [("listed-teams", "stages.l.groups.B[2]")]),
         (HEAD + TEAMS + LEAGUE + "  l: {stage: round_robin, from: league, groups: {A: [a, b]}}\n", [("listed-teams", "stages.l.groups")]),
-        (HEAD + TEAMS + "stages:\n  s: {stage: swiss, rounds: 3}\n", [("too-many-rounds", "stages.s.rounds")]),
+        (HEAD + TEAMS + "stages:\n  s: {stage: swiss, rounds: 4}\n", [("too-many-rounds", "stages.s.rounds")]),
         (HEAD + TEAMS + "stages:\n  k: {stage: knock_out, legs: 2, best_of: 3}\n", [("legs-and-best-of", "stages.k.best_of")]),
         (HEAD + TEAMS + LOT + LEAGUE + "  k: {stage: knock_out, from: league, places: 1-3, third_place: true}\n", [("too-few-teams", "stages.k.third_place")]),
         (HEAD + TEAMS + "stages:\n  c: {stage: challenge, scenarios: {m: {scenario: match}}}\n", [("wrong-seats", "stages.c.scenarios.m.scenario")]),
