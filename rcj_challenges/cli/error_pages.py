@@ -21,6 +21,7 @@ PAGES: dict[str, str] = {
         "What was handed in is what you have a receipt for."
     ),
     "wrong-card": "The code is not that of any card.\n\nCompare it with the card; a mentor can replace a lost one.",
+    "bad-url": "The address of a site cannot be one.\n\nBegin it with https:// or http://.",
     "device-name": "A file has the name of a Windows device, such as CON or AUX.\n\nChoose another name.",
     "internal-error": (
         "Something went wrong in this program, not in your input.\n\n"

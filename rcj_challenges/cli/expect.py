@@ -7,9 +7,10 @@ import time
 from collections.abc import Sequence
 from typing import Any
 
-from rcj_challenges.cli.stdio import print_json, say
+from rcj_challenges.cli.stdio import print_json, say, shown_path
 from rcj_challenges.cli.validate import flat
 from rcj_challenges.core.amounts import counted
+from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.expect.runner import run_test
 from rcj_challenges.scenario.errors import ScenarioError
@@ -97,7 +98,7 @@ def _inherited_from(loaded: Loaded, name: str) -> str | None:
 
 
 def _show(report: dict[str, Any]) -> None:
-    say(f"{report['file']}: {report['title']}", sys.stdout)
+    say(f"{shown_path(report['file'])}: {sanitize(report['title'])}", sys.stdout)
     if not report["tests"]:
         say("  no tests: add expect: (docs/authoring.md says how)", sys.stdout)
     for test in report["tests"]:

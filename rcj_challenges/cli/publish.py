@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from datetime import datetime
 from pathlib import Path
@@ -17,6 +18,7 @@ from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.site import SiteSource, publish, site_source
 from rcj_challenges.views.console import console_for
 
+_WEB_ADDRESS = re.compile(r"https?://[\w.-]+(:\d+)?(/\S*)?", re.IGNORECASE)
 _MIN_SEED_LETTERS = 16
 """A shorter seed can be found by trial: its hash does not hide it."""
 
@@ -33,8 +35,13 @@ def publish_tournament(
     """Publish, and print where everything is; returns the exit code.
 
     Raises:
-        DiagnosticError: a file cannot be written, the site of before shows more matches, or there is no such stage.
+        DiagnosticError: a file cannot be written, the site of before shows more matches, there is no such stage, or
+            the address is none.
     """
+    if url and not _WEB_ADDRESS.fullmatch(url):
+        help_ = "give the address of the site as browsers know it: https://cup.example"
+        message = f"--url {sanitize(url)} does not begin with http:// or https://"
+        raise DiagnosticError(Diagnostic("bad-url", message, help_))
     source = site_source(tournament, now, premieres, url)
     data = out if out is not None else tournament.store.place.folder
     console = console_for()

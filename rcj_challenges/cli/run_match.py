@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.cli.sandbox import require_layers
-from rcj_challenges.cli.stdio import as_host_error, output_error, print_json, print_lines, shell_quoted
+from rcj_challenges.cli.stdio import as_host_error, output_error, print_json, print_lines, shell_quoted, shown_path
 from rcj_challenges.cli.team_args import UsageError, assignments, known, open_teams
 from rcj_challenges.core.errors import HostError, interruption_behind
 from rcj_challenges.core.sanitize import sanitize
@@ -225,7 +225,7 @@ def _open_page(folder: Path, console: Console) -> None:
 
     page, opened = open_replay(folder)
     if not opened:
-        print_lines(console, f"no browser could be started here: open {page} in one")
+        print_lines(console, f"no browser could be started here: open {shown_path(page)} in one")
 
 
 def _report_interruption(
@@ -243,7 +243,7 @@ def _report_interruption(
         number = f"half {half['half']} of {scenario.match.halves}"
         where = f"after {number}" if half["complete"] else f"in {number} at {clock(half['ticks'] * TICK_S)}"
         where += f": {score_lines(scenario, result)[0]}"
-    print_lines(console, f"interrupted {where}", f"record: {folder}")
+    print_lines(console, f"interrupted {where}", f"record: {shown_path(folder)}")
     if result["halves"]:
         print_lines(console, f"watch:  rcj-challenge view {shell_quoted(folder)}")
     if error.trouble:
@@ -267,9 +267,10 @@ def _print_outcome(
     lines = score_lines(scenario, result) + _fault_lines(result["faults"])
     lines += [f"hint for {', '.join(hint['robots'])}: {hint['help']}" for hint in hints]
     pace = f"{result['real_time_factor']:.0f} x real time"
-    lines += [f"{result['simulated_s']:.0f} s played in {result['wall_s']:.1f} s ({pace})", f"record: {folder}"]
+    lines.append(f"{result['simulated_s']:.0f} s played in {result['wall_s']:.1f} s ({pace})")
+    lines.append(f"record: {shown_path(folder)}")
     if replay:
-        lines.append(f"watch:  {folder / 'replay.html'}")
+        lines.append(f"watch:  {shown_path(folder / 'replay.html')}")
     elif not _has_ticks(outcome):
         lines.append("watch:  there is nothing to show, the match was over before its first tick")
     print_lines(console, *lines)

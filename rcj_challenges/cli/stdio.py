@@ -111,9 +111,21 @@ def _is_file(stream: Any) -> bool:
 def shell_quoted(path: object) -> str:
     """Return a path as it is typed into a shell: in double quotes, which every shell knows, if it needs quotes."""
     text = str(path)
+    if os.sep == "/" and not text.isprintable():  # a console prints escapes for what cannot be seen or is no UTF-8
+        return "$'" + "".join(_shell_escaped(byte) for byte in os.fsencode(text)) + "'"
     if os.sep == "/" and re.search(r'[$`"\\!]', text):  # these mean something to a POSIX shell within double quotes
         return shlex.quote(text)
     return text if re.fullmatch(r"[\w./\\:@+,=-]+", text) else f'"{text}"'
+
+
+def shown_path(path: object) -> str:
+    """Return a path for a terminal: as it is, or where it would be printed with escapes as it is typed into a shell."""
+    return str(path) if str(path).isprintable() else shell_quoted(path)
+
+
+def _shell_escaped(byte: int) -> str:
+    letter = chr(byte)
+    return letter if letter.isascii() and letter.isprintable() and letter not in "\\'" else f"\\x{byte:02x}"
 
 
 def discard_output(stream: Any) -> None:

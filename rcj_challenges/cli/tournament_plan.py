@@ -13,6 +13,7 @@ from rcj_challenges.cli.stdio import print_json, say
 from rcj_challenges.cli.tournament_tables import team_words
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.errors import RcjError
+from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.match.batch import Job, play_many
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.season import SeasonState
@@ -59,7 +60,7 @@ def print_plan(tournament: OpenTournament, *, as_json: bool) -> int:
     for stage in state.stages:
         known, expected = len(stage.fixtures), stage.expected_matches
         later = f", {expected - known} more once their teams are known" if expected > known else ""
-        lines.append(f"{stage.title} ({stage.name}): {counted(known, 'match', 'matches')}{later}")
+        lines.append(f"{sanitize(stage.title)} ({stage.name}): {counted(known, 'match', 'matches')}{later}")
         for fixture in stage.fixtures:
             sides = " - ".join(team_words(state.teams, side.teams) for side in fixture.sides)
             lines.append(f"  {fixture.id}  {sides}")

@@ -60,7 +60,8 @@ def print_status(tournament: OpenTournament, *, as_json: bool) -> int:
     if as_json:
         print_json(status)
         return OK
-    lines = [f"{status['title']}: {'is being written to at present' if status['is_running'] else 'nothing is running'}"]
+    doing = "is being written to at present" if status["is_running"] else "nothing is running"
+    lines = [f"{sanitize(status['title'])}: {doing}"]
     lines += [f"in play: {fixture}" for fixture in status["in_play"]]
     lines += [f"about {duration_words(status['left_s'])} left"] if status["left_s"] else []
     lines += [f"{one['stage']}: {one['status']}, {one['done']} of {one['expected']} matches" for one in stages]

@@ -6,6 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from rcj_challenges.core.measures import number_words
+from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.tournament.season import Fixture, Outcome, Row, SeasonState, StageState, Table, Team
 
 if TYPE_CHECKING:
@@ -58,7 +59,7 @@ def _table(stage: StageState, table: Table, teams: Mapping[str, Team]) -> RichTa
     from rich.table import Table as RichTable
     from rich.text import Text
 
-    title = f"{stage.title} {table.name}".strip()
+    title = sanitize(f"{stage.title} {table.name}".strip())
     if table.columns:
         shown = RichTable("", "team", *table.columns, title=Text(title))
         for row in table.rows:
@@ -81,7 +82,7 @@ def _bracket(stage: StageState, teams: Mapping[str, Team]) -> RichTable:
     from rich.table import Table as RichTable
     from rich.text import Text
 
-    shown = RichTable("tie", "first", "", "second", "winner", "by", title=Text(stage.title))
+    shown = RichTable("tie", "first", "", "second", "winner", "by", title=Text(sanitize(stage.title)))
     for tie in stage.ties:
         first, second = (
             team_words(teams, team) if team else source for team, source in zip(tie.teams, tie.sources, strict=True)

@@ -6,9 +6,10 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
-from rcj_challenges.cli.stdio import print_json, say
+from rcj_challenges.cli.stdio import print_json, say, shown_path
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError, InFile
+from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.lint.registry import lint
@@ -62,7 +63,7 @@ def _verdict(
     if not as_json:
         warned = f"; {counted(len(findings), 'warning')}" if findings else ""
         verdict = "no" if strict and findings else "ok"
-        say(f"{verdict}  {path}: {summary}{warned}", sys.stdout)
+        say(f"{verdict}  {shown_path(path)}: {sanitize(summary, 500)}{warned}", sys.stdout)
         for finding in findings:
             say(str(finding), sys.stderr)
     report = {"summary": summary, "findings": [finding.to_json() for finding in findings]}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from rcj_challenges.cli.stdio import print_lines
+from rcj_challenges.cli.stdio import print_lines, shown_path
 from rcj_challenges.core.sanitize import sanitize
 
 _NARROW = 70
@@ -21,7 +21,7 @@ def view_record(run: Path | None, out: Path) -> int:
     from rcj_challenges.views.replay.browse import find_run, open_replay
 
     page, opened = open_replay(find_run(run, out))
-    sys.stdout.write(f"{page}\n")
+    sys.stdout.write(f"{shown_path(page)}\n")
     if not opened:
         sys.stdout.write("no browser could be started here: open this file in one\n")
     return 0
@@ -38,7 +38,7 @@ def rebuild_replay(run: Path | None, out: Path) -> int:
     from rcj_challenges.views.replay.browse import find_run
 
     folder = find_run(run, out)
-    sys.stdout.write(f"{write_replay(folder)}\n")
+    sys.stdout.write(f"{shown_path(write_replay(folder))}\n")
     for problem in read_run(folder).problems:
         sys.stderr.write(f"{sanitize(problem, 500)}\n")
     return 0

@@ -54,6 +54,13 @@ def test_each_match_gets_a_page_and_the_next_time_it_is_taken_over(tmp_path, pub
     assert (home.data / "organizer" / "likeness.html").is_file()
 
 
+@pytest.mark.parametrize("url", ["javascript:alert(1)", "file:///etc", "cup.example", "https://", "http://["])
+def test_the_address_of_a_site_is_one_of_the_web(tmp_path, publish, url):
+    home = Home(tmp_path)
+    assert publish(home, "--url", url)[0] == 2
+    assert not (home.data / "site").exists()
+
+
 def test_teams_called_like_pages_have_pages_and_folders_of_their_own(tmp_path, publish):
     teams = ("index", "style", "about")
     home = Home(tmp_path, teams=teams)
