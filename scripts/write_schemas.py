@@ -1,4 +1,4 @@
-"""Write the schemas of what the commands answer: ``run --json`` and ``check --json``.
+"""Write the schemas of what the commands print, ``run --json`` and ``check --json``, and of the interface of a site.
 
     python scripts/write_schemas.py
 
@@ -7,21 +7,44 @@ That of scenario files is written by ``rcj-challenge schema``, for authors have 
 
 from __future__ import annotations
 
+import argparse
+import sys
+import tempfile
 from pathlib import Path
 
 from rcj_challenges.checker.report import schema_text
 from rcj_challenges.records.result import result_schema_text
 
 FOLDER = Path(__file__).parents[1] / "schemas"
-TEXTS = {"check.schema.json": schema_text, "result.schema.json": result_schema_text}
 
 
-def main() -> None:
-    """Write them all."""
+def site_text() -> str:
+    """Return the OpenAPI description of a site."""
+    from rcj_challenges.web.config import make_site, set_up  # noqa: PLC0415 - half a second
+
+    with tempfile.TemporaryDirectory() as folder:
+        set_up(make_site(Path(folder) / "site", "Site"))
+        from rcj_challenges.web.api import openapi_text  # noqa: PLC0415 - once Django is set up
+
+        return openapi_text()
+
+
+TEXTS = {"check.schema.json": schema_text, "result.schema.json": result_schema_text, "site.openapi.json": site_text}
+
+
+def main() -> int:
+    """Write them all, or with --check compare them; returns the exit code."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--check", action="store_true")
+    if parser.parse_args().check:
+        stale = [name for name, text in TEXTS.items() if (FOLDER / name).read_text(encoding="utf-8") != text()]
+        print(f"stale: {stale}; run python scripts/write_schemas.py" if stale else "fresh")
+        return 1 if stale else 0
     for name, text in TEXTS.items():
         (FOLDER / name).write_text(text(), encoding="utf-8", newline="\n")
         print(f"{FOLDER.name}/{name}")
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

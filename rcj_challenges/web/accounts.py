@@ -62,7 +62,7 @@ class Viewer(NamedTuple):
     def may_see(self, team: Team) -> bool:
         """Return whether it may see what a team has handed in, its reports and its output."""
         if team.deleted_at is not None:
-            return self.is_organizer
+            return False
         if self.is_organizer or (self.team is not None and self.team.pk == team.pk):
             return True
         return self.group is not None and self.group.pk == team.group_id

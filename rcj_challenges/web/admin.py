@@ -93,6 +93,7 @@ class AuditAdmin(Listed):
     search_fields = ("about", "actor")
 
 
+admin.site.site_header = admin.site.site_title = "RCJ Challenges"
 admin.site.register(Submission, SubmissionAdmin)
 admin.site.register(Team, TeamAdmin)
 admin.site.register(Job, JobAdmin)

@@ -8,6 +8,7 @@ from django.urls import path
 from rcj_challenges.web.api import api
 from rcj_challenges.web.views import desk, mentor, public, team
 
+handler404 = public.not_found
 urlpatterns = [
     path("", public.home, name="home"),
     path("style.css", public.style, name="style"),
@@ -37,6 +38,7 @@ urlpatterns = [
     path("desk/teams/<int:pk>/release", desk.release_name, name="release_name"),
     path("desk/invite", desk.new_invite, name="new_invite"),
     path("desk/export", desk.export, name="export"),
+    path("admin/login/", public.login),  # Django's own has no back-off
     path("admin/", admin.site.urls),
     path("api/v1/", api.urls),
 ]

@@ -30,7 +30,8 @@ def group(request: HttpRequest, viewer: Viewer) -> HttpResponse:
     ).order_by("pk")  # fmt: skip
     if viewer.group is not None:
         teams = teams.filter(group=viewer.group)
-    return page(request, "group.html", viewer, teams=teams, error="")
+    groups = [] if viewer.group else Group.objects.order_by("label")
+    return page(request, "group.html", viewer, teams=teams, groups=groups)
 
 
 @only("mentor", post=True)
@@ -38,10 +39,13 @@ def new_teams(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
     """Make teams, one for each line, and show their cards, this once."""
     names = [sanitize(" ".join(line.split()), 40) for line in request.POST.get("names", "").splitlines()]
     names = [name for name in names if name][:_MAX_AT_ONCE]
-    owner = viewer.group or Group.objects.filter(pk=request.POST.get("group") or 0).first()
-    if owner is None or not names:
+    label = sanitize(" ".join(request.POST.get("group", "").split()), 60)
+    if not names or not (viewer.group or label):
         return message_page(request, 400, gettext("Nothing to make"), gettext("Write the name of a team on each line."))
     with jobs.writing():
+        owner = (
+            viewer.group or Group.objects.get_or_create(label=label, defaults={"quota": current_site().team_quota})[0]
+        )
         if Team.objects.filter(group=owner, deleted_at=None).count() + len(names) > owner.quota:
             text = gettext("An organizer can raise the number of teams of your group.")
             return message_page(request, 409, gettext("Too many teams"), text)

@@ -117,6 +117,11 @@ def help_page(request: HttpRequest) -> HttpResponse:
     return page(request, "help.html")
 
 
+def not_found(request: HttpRequest, exception: Exception) -> HttpResponse:
+    """Show that there is no such page, or none for this viewer."""
+    return message_page(request, 404, gettext("There is no such page"), gettext("Or it is not for you to see."))
+
+
 @require_GET
 def healthz(_request: HttpRequest) -> JsonResponse:
     """Return whether the site works, for watchdogs."""
