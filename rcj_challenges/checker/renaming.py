@@ -153,15 +153,16 @@ def _find(entry: PurePosixPath, files: Files, seats: Sequence[Entrant], *, is_on
         if path.name.casefold().endswith((".py", HIDDEN_ENDING)) and len(path.parts) == len(entry.parts)
     ]
     imports = Counter(word for path in programs for word in imported_words(files[path]))
+    stems = {path.stem.encode("utf-8", "surrogateescape") for path in files}
     ranks: dict[int, list[PurePosixPath]] = {}
     for path in programs:
         stem, own_imports = path.stem.encode("utf-8", "surrogateescape"), imported_words(files[path])
         is_library = imports[stem] > (stem in own_imports)
-        rank = _likeness(path, entry)
+        is_program = b"controller" in own_imports or like_an_entry(path) or not own_imports.isdisjoint(stems - {stem})
+        rank = _likeness(path, entry, is_program=is_program)
         if is_library and (len(entry.parts) == 1 or rank < _CLEAR):
             rank = 0
         elif not rank:
-            is_program = b"controller" in own_imports or like_an_entry(path)
             rank = int(is_only_one and is_program and path.name not in asked_names)
         if rank and path not in asked and files[path].strip(BLANK):
             ranks.setdefault(rank, []).append(path)
@@ -171,11 +172,15 @@ def _find(entry: PurePosixPath, files: Files, seats: Sequence[Entrant], *, is_on
     return best[0] if len(best) == 1 else None
 
 
-def _likeness(path: PurePosixPath, entry: PurePosixPath) -> int:
-    """Return how much the names suggest that a file is an entry point; 0: not at all."""
+def _likeness(path: PurePosixPath, entry: PurePosixPath, *, is_program: bool) -> int:
+    """Return how much the names suggest that a file is an entry point; 0: not at all.
+
+    The folder alone suggests it only of a file that drives a robot: another may be all that is left of the team's work.
+    """
     is_same = path.name == entry.name or path.name.casefold() == entry.name + ".txt"
     is_like = alike(path.stem, entry.stem) or (like_an_entry(path) and same_number(path.stem, entry.stem))
     is_in_its_folder = len(entry.parts) > 1 and alike(str(path.parent), str(entry.parent))
+    is_in_its_folder = is_in_its_folder and (is_same or is_like or is_program)
     return _CLEAR * is_same + is_like + is_in_its_folder
 
 

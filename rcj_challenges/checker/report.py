@@ -268,8 +268,13 @@ def format_finding(finding: Finding) -> str:
 def first_cause(stages: Sequence[Stage | StageReport], level: Level) -> str:
     """Return what to fix first and how, in one line; empty if everything is in order."""
     found = (finding for stage in stages for finding in stage.findings)
-    first = next((finding for finding in found if finding.level == level != "passed"), None)
+    first = _by_hand_first([finding for finding in found if finding.level == level != "passed"])
     return "; ".join(filter(None, (format_finding(first), first.help))) if first is not None else ""
+
+
+def _by_hand_first(found: Sequence[Finding]) -> Finding | None:
+    """Return the first finding that a repair does not put right, else the first."""
+    return next((finding for finding in found if not finding.repair), found[0] if found else None)
 
 
 def verdict(file: FileReport) -> str:
@@ -285,7 +290,8 @@ def verdict(file: FileReport) -> str:
     amount = "this" if repairable == len(found) else "part of this"
     fix = f"; --fix OUT.zip repairs {amount}" if repairable else ""
     if failures:
-        first = f" First: {found[0].help or found[0].message}"
+        cause = _by_hand_first(found) or found[0]
+        first = f" First: {cause.help or cause.message}"
         return f"It cannot play like this: {counted(failures, 'failure')}{warned}{fix}.{first}"
     if any(stage.skipped for stage in file.stages):
         return f"In order as far as it was checked{warned}{fix}."

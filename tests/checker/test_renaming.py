@@ -28,6 +28,11 @@ def plan(files):
     return [(str(move.old), str(move.new)) for move in found.moves], bool(found.caution)
 
 
+@pytest.mark.parametrize("left", [b"SPEED = 9\n", b"import math\ndef angle(x, y):\n    return math.atan2(y, x)\n"])
+def test_what_is_left_without_the_main_program_is_not_made_one(left):
+    assert plan(below(TEAM, {"helper.py": left})) is None
+
+
 @pytest.mark.parametrize(
     ("files", "moves"),
     [

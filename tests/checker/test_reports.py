@@ -165,7 +165,7 @@ def test_a_terminal_shows_stages_findings_help_and_details():
     assert "             line 3" in lines
     assert "         watch: r/a.html" in lines
     assert "B1 | world" in lines
-    assert any(line.startswith("         B1: way 1.00 m") and line.endswith(", crash") for line in lines)
+    assert any(line.startswith("         B1: driven 1.00 m") and line.endswith(", crash") for line in lines)
 
 
 def test_many_submissions_end_with_a_table_and_a_summary():
