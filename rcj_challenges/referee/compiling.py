@@ -13,9 +13,9 @@ from rcj_challenges.referee.state import State
 from rcj_challenges.rules.fields import Names
 from rcj_challenges.rules.mirror import Mirror
 from rcj_challenges.scenario.floor import floor_parts
+from rcj_challenges.scenario.half_start import spots_set_by_rules
 from rcj_challenges.scenario.models.state import Sequence
 from rcj_challenges.scenario.sequence_info import followed, phases_of
-from rcj_challenges.scenario.set_spots import spots_set_by_rules
 from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.clock_events import ClockEvents
 from rcj_challenges.tracking.contacts import Contacts

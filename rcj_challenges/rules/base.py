@@ -12,9 +12,11 @@ from pydantic import Discriminator, Field, GetCoreSchemaHandler, Tag
 from pydantic_core import CoreSchema, core_schema
 
 from rcj_challenges.rules.binder import Binder, Scope
+from rcj_challenges.rules.effects import Effect, Moment, Writes
 from rcj_challenges.rules.fields import Name, Names, Point, Strict, described
 from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import number
+from rcj_challenges.rules.refs import SectionRef, ref_of
 from rcj_challenges.tracking.bound_rules import Act, Firing, Reader, Test
 from rcj_challenges.tracking.places import PlaceRequest, PlaceResolver
 from rcj_challenges.tracking.state import Number
@@ -37,6 +39,7 @@ class Word(Strict):
         EXAMPLE: sections of a scenario that show it; run as a test and printed in the reference.
         SENTENCE: how the rule sheet describes the one in the example.
         ASKS_WHERE: whether it asks where something is.
+        READS_MESSAGES: whether it reads messages from robots to the referee.
     """
 
     # ClassVar alone: pydantic would evaluate ClassVar[str] again for each word.
@@ -44,11 +47,16 @@ class Word(Strict):
     EXAMPLE: ClassVar = ""
     SENTENCE: ClassVar = ""
     ASKS_WHERE: ClassVar = False
+    READS_MESSAGES: ClassVar = False
 
     @classmethod
     def name(cls) -> str:
         """Return how the file writes the word."""
         return str(get_args(cls.model_fields[cls.KEY].annotation)[0])
+
+    def stands_for(self, _bound: str) -> bool:
+        """Return whether it is about ``each`` or about ``other`` without naming it in a field."""
+        return False
 
     def distances_m(self) -> tuple[tuple[Name | Point, float], ...]:
         """Return the fixed distances in m that it compares with, each with the name or point it is measured from."""
@@ -159,11 +167,13 @@ class Trigger(Word):
         LIMIT: the field with the limit that it measures against; empty: none.
         REASON: what follows the entity where a replay says why it fired, with its fields, `measured` and `limit`.
         ABOUT: the field with what it can be about; it need not have one.
+        MUST_EXCEED: whether what it measures must be more than its limit.
         IS_TIME: whether a time sets it off, so that its rules fire after all else of their priority.
     """
 
     KEY = "trigger"
     ABOUT: ClassVar = "entity"
+    MUST_EXCEED: ClassVar = False
     IS_TIME: ClassVar = False
     MEASURED: ClassVar = ""
     LIMIT: ClassVar = ""
@@ -172,6 +182,10 @@ class Trigger(Word):
     def bind(self, to: Binder) -> None:
         """Bind a rule to this trigger: to a tracker, or to the clock's events."""
         raise NotImplementedError
+
+    def moment(self) -> Moment | None:
+        """Return what it waits for, if readers of rules need it."""
+        return None
 
     def describe(self, phrases: Phrases) -> str:
         """Return the part of a sentence that follows ``When``."""
@@ -253,9 +267,22 @@ class Action(Word):
         """Return what carries out the action when its rule fires."""
         raise NotImplementedError
 
+    def effects(self) -> tuple[Effect, ...]:
+        """Return what it changes; unless a word says otherwise, what its fields name as written."""
+        references = ((name, ref_of(type(self), name)) for name in type(self).model_fields)
+        return tuple(
+            Writes(one.sections[0], getattr(self, name))
+            for name, one in references
+            if isinstance(one, SectionRef) and one.is_written
+        )
+
     def describe(self, phrases: Phrases) -> str:
         """Return the action as a clause: ``yellow gets 1 point``."""
         raise NotImplementedError
+
+    def points_row(self, _phrases: Phrases) -> tuple[str, str] | None:
+        """Return which entrant gets points, and how many, for the table of points; None: it gives none."""
+        return None
 
 
 class FormWord(Word):
@@ -301,6 +328,10 @@ class PlaceWord(FormWord):
     def put(self, phrases: Phrases, _entity: Names, *, plural: bool) -> str:
         """Return where something is put: ``put on the spot “centre”``, ``each put on the spot “centre”``."""
         return f"{'each ' if plural else ''}put {self.describe(phrases)}"
+
+    def fixed(self) -> Name | Point | None:
+        """Return the spot or the point that it always is; None: it is one of several, or moves."""
+        return None
 
     def is_where_it_is(self, _entity: Names) -> bool:
         """Return whether an entity is put right where it is already."""

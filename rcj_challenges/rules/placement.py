@@ -4,6 +4,7 @@ from typing import Annotated, Literal, Protocol
 
 from pydantic import Field
 
+from rcj_challenges.rules.effects import Places
 from rcj_challenges.rules.facing import Facing, facing_words
 from rcj_challenges.rules.fields import Names, NotNegative, Point
 from rcj_challenges.rules.kick import Kick
@@ -51,6 +52,12 @@ class _Placement(Protocol):
     def on_failure(self) -> Literal["retry", "stay"]: ...
     @property
     def kick(self) -> Kick | None: ...
+
+
+def places(placement: _Placement, names: Names, at: At, also: Mirror | None = None) -> Places:
+    """Return a placement as an effect; ``also``: the mirror of the whole layout."""
+    mirrors = tuple(one for one in (placement.mirror, also) if one is not None)
+    return Places(names, place_of(at), placement.facing, placement.noise_m, placement.kick, mirrors)
 
 
 def placement_words(phrases: Phrases, entity: Names, at: At, placement: _Placement) -> str:

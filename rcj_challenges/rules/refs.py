@@ -5,7 +5,7 @@ A field says so in its annotation, ``entity: Annotated[Names, ENTITIES]``. The c
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
 
@@ -27,6 +27,7 @@ class Ref:
         instead: what to write in place of what is of these kinds, such as of an obstacle, where something that moves or
             tips is needed; empty: the usual.
         instead_of: those kinds.
+        is_written: whether an action changes what is named.
     """
 
     noun: str
@@ -38,6 +39,7 @@ class Ref:
     keys: bool = False
     instead: str = ""
     instead_of: frozenset[str] = frozenset({"obstacle", "fixed obstacle"})
+    is_written: bool = False
 
 
 @dataclass(frozen=True)
@@ -49,12 +51,14 @@ class SectionRef:
         sections: where it may be defined.
         words: names that exist without being defined.
         keys: True if the names are the keys of the mapping.
+        is_written: whether an action changes what is named.
     """
 
     noun: str
     sections: tuple[str, ...]
     words: frozenset[str] = frozenset()
     keys: bool = False
+    is_written: bool = False
 
 
 @dataclass(frozen=True)
@@ -110,7 +114,7 @@ ONE_ROBOT = Ref("robot", _ROBOT)
 ZONES = Ref("zone", _ZONE, groups=True, each=True, drawn=True)
 GATES = Ref("gate", _GATE, groups=True, each=True, drawn=True)
 SPOTS = Ref("spot", _SPOT, groups=True)
-SPOT = Ref("spot", _SPOT)
+WRITTEN_SPOT = Ref("spot", _SPOT, is_written=True)
 MEASURED_TO = Ref(
     "entity, obstacle, spot, zone or gate", MOVING | FIXED | _SPOT | _ZONE | _GATE, groups=True, each=True, drawn=True
 )
@@ -129,3 +133,7 @@ DRAW = SectionRef("draw", ("draws",))
 PHASE = SectionRef("phase", ("phases",), words=frozenset({"play"}))
 SEQUENCE = SectionRef("sequence", ("sequences",))
 ENTRANT = SectionRef("entrant", ("entrants",))
+
+WRITTEN_COUNTER, WRITTEN_FLAG, WRITTEN_TIMER, WRITTEN_DRAW, WRITTEN_SEQUENCE = (
+    replace(one, is_written=True) for one in (COUNTER, FLAG, TIMER, DRAW, SEQUENCE)
+)

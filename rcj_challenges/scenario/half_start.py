@@ -1,14 +1,16 @@
-"""Rules that fire as a half starts, in their order: which of them always do, and in which phases."""
+"""What rules do as a half starts: which of them fire, and which draws and spots they set before anything reads them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import groupby
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from rcj_challenges.rules.actions.set_phase import SetPhase
-from rcj_challenges.rules.triggers.half_started import HalfStarted
-from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.rules.base import ValueWord
+from rcj_challenges.rules.effects import Draws, HalfStart, SetsPhase, SetsSpot
+from rcj_challenges.scenario.models.places import Spot
+from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.scenario.roster import BOUND
 
 
 class Turn(NamedTuple):
@@ -31,7 +33,7 @@ def rules_at_start(scenario: Scenario) -> Iterator[Turn]:
     """Yield the rules with the trigger ``half_started``, in the order in which they fire."""
     first = frozenset({scenario.first_phase})
     phases = first
-    starting = [one for one in scenario.rules.items() if any(isinstance(two, HalfStarted) for two in one[1].triggers)]
+    starting = [one for one in scenario.rules.items() if one[1].moments(HalfStart)]
     for _, group in groupby(sorted(starting, key=lambda one: one[1].priority), key=lambda one: one[1].priority):
         then = phases  # a phase that a rule sets begins after the rules of its priority
         for name, rule in group:
@@ -40,14 +42,63 @@ def rules_at_start(scenario: Scenario) -> Iterator[Turn]:
                 continue
             surely = phases <= own and not rule.conditions and rule.exclusive is None
             yield Turn(name, phases, phases & own, surely)
-            entered = [action.phase for action in rule.actions if isinstance(action, SetPhase)][:1]
-            if entered and phases & own and then == phases:
-                then = frozenset(entered) if surely else then.union(entered)
-            elif entered and phases & own:
-                then = then.union(entered)
+            entered = [one.phase for one in rule.effects(SetsPhase)][:1] if phases & own else []
+            if entered:
+                then = frozenset(entered) if surely and then == phases else then.union(entered)
         phases = then
 
 
-def firing_each_half(scenario: Scenario) -> frozenset[str]:
-    """Return the rules that fire as each half starts, in any case."""
-    return frozenset(turn.name for turn in rules_at_start(scenario) if turn.surely)
+def _firing_each_half(scenario: Scenario) -> list[Rule]:
+    return [scenario.rules[turn.name] for turn in rules_at_start(scenario) if turn.surely]
+
+
+# --- draws ------------------------------------------------------------------------------------------------------------
+
+
+def set_from_the_start(scenario: Scenario) -> frozenset[str]:
+    """Return the draws that rules set as each half starts and that nothing draws again: chance never decides them."""
+    setting = {
+        one.draw
+        for rule in _firing_each_half(scenario)
+        for one in rule.effects(Draws)
+        if one.value is not None and (one.value not in BOUND or one.value in scenario.draws[one.draw].values)
+    }
+    drawn = {one.draw for one in scenario.effects(Draws) if one.value is None}
+    return frozenset(setting - drawn - (_used_at_start(scenario) if setting else set()))
+
+
+def _used_at_start(scenario: Scenario) -> set[str]:
+    """Return the names in rules that fire at the start, which see what was drawn, and in durations."""
+    lasting = [one.lasts_s for section in (scenario.timers, scenario.phases) for one in section.values()]
+    rules = [rule for rule in scenario.rules.values() if rule.moments(HalfStart)]
+    others = [one for rule in rules for one in rule.actions if not any(isinstance(e, Draws) for e in one.effects())]
+    named = (*(one for one in lasting if isinstance(one, ValueWord)), *(one for r in rules for one in r.conditions))
+    return {name for model in (*named, *others) for name in _texts(model.model_dump())}
+
+
+def _texts(data: Any) -> Iterator[str]:
+    if isinstance(data, str):
+        yield data
+    for inner in data.values() if isinstance(data, dict) else data if isinstance(data, list | tuple) else ():
+        yield from _texts(inner)
+
+
+# --- spots ------------------------------------------------------------------------------------------------------------
+
+
+def spots_set_by_rules(scenario: Scenario) -> tuple[str, ...]:
+    """Return the spots that a rule sets, in the order of the file, where each half starts with them."""
+    named = {one.spot for one in scenario.effects(SetsSpot)}
+    return tuple(name for name in scenario.spots if name in named)
+
+
+def fixed_spots(scenario: Scenario) -> dict[str, Spot]:
+    """Return the spots that no rule sets."""
+    named = spots_set_by_rules(scenario)
+    return {name: spot for name, spot in scenario.spots.items() if name not in named}
+
+
+def spots_set_at_start(scenario: Scenario) -> tuple[str, ...]:
+    """Return the spots that a rule always sets as a half starts: they are never where the file has them."""
+    named = {e.spot for rule in _firing_each_half(scenario) for e in rule.effects(SetsSpot) if e.is_certain}
+    return tuple(name for name in scenario.spots if name in named)

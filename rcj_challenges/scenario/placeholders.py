@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 from rcj_challenges.core.amounts import round_score
 from rcj_challenges.core.measures import number_words
-from rcj_challenges.rules.actions.score import Score
+from rcj_challenges.rules.effects import Scores
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 
@@ -25,26 +25,11 @@ def placeholders_in(says: str) -> tuple[str, ...]:
     return tuple(dict.fromkeys(_IN_BRACES.findall(says)))
 
 
-def points_of(rule: Rule) -> frozenset[float | None]:
-    """Return how many points the score actions of a rule give; None stands for what is known only when it fires."""
-    return frozenset(_points(action) for action in rule.actions if isinstance(action, Score))
-
-
-def _points(action: Score) -> float | None:
-    depends_on_the_score = action.keeps_at_least is not None or action.keeps_at_most is not None
-    if not isinstance(action.points, int | float) or depends_on_the_score:
-        return None
-    least, most = action.at_least, action.at_most
-    points = action.points if least is None else max(action.points, least)
-    return points if most is None else min(points, most)
-
-
 def fill_params(rule: Rule, params: Mapping[str, Scalar]) -> str:
     """Return what a rule says, with its params filled in, and its points if it gives one plain number."""
     known = {name: _as_text(value) for name, value in params.items() if name not in PLACEHOLDERS}
-    points = points_of(rule)
-    number = next(iter(points)) if len(points) == 1 else None
-    if number is not None:
+    points = {one.points for one in rule.effects(Scores)}
+    if len(points) == 1 and (number := points.pop()) is not None:
         known["points"] = _as_text(number)
     return _filled(rule.says, known)
 

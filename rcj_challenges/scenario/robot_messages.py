@@ -3,14 +3,10 @@
 from __future__ import annotations
 
 from rcj_challenges.devices.team_emitter import TeamEmitterDevice
-from rcj_challenges.rules.conditions.told import Told
-from rcj_challenges.rules.triggers.tells import Tells
-from rcj_challenges.rules.values.reported import ReportedValue
+from rcj_challenges.rules.base import Word
 from rcj_challenges.scenario.kit_devices import devices_of
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.walk import walk
-
-_LISTENING = (Tells, Told, ReportedValue)
 
 
 def referee_listens(scenario: Scenario) -> bool:
@@ -18,7 +14,8 @@ def referee_listens(scenario: Scenario) -> bool:
 
     If none does, the referee's channels are closed to programs, as in the original.
     """
-    return any(isinstance(model, _LISTENING) for model, _ in walk((scenario.rules, scenario.broadcast)))
+    words = (word for word, _ in walk((scenario.rules, scenario.broadcast)) if isinstance(word, Word))
+    return any(word.READS_MESSAGES for word in words)
 
 
 def robots_with_emitter(scenario: Scenario) -> list[str]:

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from rcj_challenges.rules.effects import Touch
 from rcj_challenges.rules.fields import Names, Scalar
-from rcj_challenges.rules.triggers.touches import Touches
 from rcj_challenges.scenario.models.scenario import MAX_GROUPS, MAX_MEMBERS, Rule, Scenario
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Node, node_at
 
@@ -156,15 +156,14 @@ class Roster:
             each: for which member the rule is; the whole group of its ``for_each``: for any of them.
         """
         found: set[str] = set()
-        for trigger in rule.triggers:
-            if isinstance(trigger, Touches):
-                found |= touched(self.expand(trigger.entity, each), self.expand(trigger.other, each))
+        for touch in rule.moments(Touch):
+            found |= touched(self.expand(touch.entity, each), self.expand(touch.other, each))
         return tuple(sorted(found, key=self.index.__getitem__))
 
 
 def has_other(rule: Rule) -> bool:
     """Return whether a rule may name ``other``: each of its triggers is a touch."""
-    return all(isinstance(trigger, Touches) for trigger in rule.triggers)
+    return len(rule.moments(Touch)) == len(rule.triggers)
 
 
 def touched(entities: tuple[str, ...], others: tuple[str, ...]) -> set[str]:

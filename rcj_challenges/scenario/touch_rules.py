@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from rcj_challenges.rules.actions.score import Score
+from rcj_challenges.rules.base import Word
+from rcj_challenges.rules.effects import Scores, Touch
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.refs import Ref, has_drawn_value, ref_of
-from rcj_challenges.rules.triggers.touches import Touches
-from rcj_challenges.rules.values.word import WordValue
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.placeholders import placeholders_in
 from rcj_challenges.scenario.roster import OTHER, has_other, with_each
@@ -19,22 +18,18 @@ def names_other(rule: Rule, scenario: Scenario) -> bool:
     """Return whether a rule of touches asks about what was touched, acts on it or names it in a text."""
     if not has_other(rule):
         return False
-    parts = (model for model, _ in walk((rule.conditions, rule.actions)))
-    return OTHER in placeholders_in(rule.says) or any(_names_it(model, scenario) for model in parts)
-
-
-def _names_it(model: Strict, scenario: Scenario) -> bool:
-    if isinstance(model, WordValue):
-        return model.word == "other_name"
-    if isinstance(model, Score):
-        return model.entrant == OTHER and OTHER not in scenario.entrants
-    return with_other(model, "") is not model
+    receives = OTHER not in scenario.entrants and any(one.entrant == OTHER for one in rule.effects(Scores))
+    return (
+        receives
+        or OTHER in placeholders_in(rule.says)
+        or for_other(rule, "") != rule
+        or any(isinstance(one, Word) and one.stands_for(OTHER) for one, _ in walk((rule.conditions, rule.actions)))
+    )
 
 
 def written_others(rule: Rule) -> tuple[str, ...]:
     """Return the names behind ``other`` as the rule's triggers write them: groups as groups."""
-    touches = (trigger for trigger in rule.triggers if isinstance(trigger, Touches))
-    return tuple(dict.fromkeys(name for trigger in touches for name in with_each(trigger.other, rule.for_each)))
+    return tuple(dict.fromkeys(name for one in rule.moments(Touch) for name in with_each(one.other, rule.for_each)))
 
 
 def for_other(rule: Rule, other: str) -> Rule:

@@ -6,7 +6,7 @@ from rcj_challenges.core.amounts import round_score
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Number, Phrases
 from rcj_challenges.rules.bounds import amount_bound, bounds_words, change_bound, subtracted_parts
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.refs import COUNTER, WHOSE
+from rcj_challenges.rules.refs import WHOSE, WRITTEN_COUNTER
 from rcj_challenges.rules.values import Points, amount_words, compile_points
 
 
@@ -14,7 +14,7 @@ class Count(Action):
     """Change a counter."""
 
     action: Literal["count"]
-    counter: Annotated[Name, COUNTER] = described(..., "the counter")
+    counter: Annotated[Name, WRITTEN_COUNTER] = described(..., "the counter")
     entity: Annotated[Name | None, WHOSE] = described(
         None, "for a counter kept per entity: which entity, or each; if omitted: all of them"
     )

@@ -5,16 +5,17 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from rcj_challenges.rules.base import Act, Action, Binder, Phrases
+from rcj_challenges.rules.effects import Draws
 from rcj_challenges.rules.fields import Name, Scalar, described
 from rcj_challenges.rules.phrasing import quoted_measure
-from rcj_challenges.rules.refs import DRAW, DrawnValue
+from rcj_challenges.rules.refs import WRITTEN_DRAW, DrawnValue
 
 
 class DrawAction(Action):
     """Draw again, or set a draw to a value."""
 
     action: Literal["draw"]
-    draw: Annotated[Name, DRAW] = described(..., "the draw")
+    draw: Annotated[Name, WRITTEN_DRAW] = described(..., "the draw")
     as_: Annotated[Scalar | None, DrawnValue()] = Field(
         None,
         alias="as",
@@ -41,6 +42,9 @@ expect:
     def compile(self, to: Binder) -> Act:
         name, fixed = self.draw, None if self.as_ is None else to.drawn_value(self.as_)
         return lambda _firing: to.decide_draw(name, fixed)
+
+    def effects(self) -> tuple[Draws]:
+        return (Draws(self.draw, self.as_),)
 
     def describe(self, phrases: Phrases) -> str:
         if self.as_ is None:

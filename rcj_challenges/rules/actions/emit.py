@@ -3,6 +3,7 @@
 from typing import Literal
 
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
+from rcj_challenges.rules.effects import Emits
 from rcj_challenges.rules.fields import EventName, Name, described
 from rcj_challenges.rules.values import Value, compile_value, value_words
 
@@ -44,6 +45,9 @@ expect:
             to.emit(name, {key: read(firing) for key, read in payload.items()}, about)
 
         return act
+
+    def effects(self) -> tuple[Emits]:
+        return (Emits(self.event),)
 
     def describe(self, phrases: Phrases) -> str:
         entries = ", ".join(f"{key}: {value_words(phrases, entry)}" for key, entry in self.payload.items())

@@ -3,6 +3,7 @@
 from typing import Literal
 
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
+from rcj_challenges.rules.effects import Ends
 from rcj_challenges.rules.fields import described
 
 
@@ -47,6 +48,9 @@ expect:
             state.match_over = state.match_over or is_match
 
         return act
+
+    def effects(self) -> tuple[Ends]:
+        return (Ends(),)
 
     def describe(self, phrases: Phrases) -> str:
         return f"the {self.what} ends" + (f" ({self.reason})" if self.reason else "")

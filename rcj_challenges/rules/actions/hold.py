@@ -4,6 +4,7 @@ from math import inf
 from typing import Annotated, Literal
 
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
+from rcj_challenges.rules.effects import Holds
 from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.refs import ROBOTS
 from rcj_challenges.rules.values import Lasts, duration_words
@@ -67,6 +68,9 @@ expect:
                 state.held.hold(robots, state.tick + ticks)
 
         return act
+
+    def effects(self) -> tuple[Holds]:
+        return (Holds(self.entity, for_a_time=self.for_s is not None),)
 
     def describe(self, phrases: Phrases) -> str:
         subject = phrases.all_of(self.entity)

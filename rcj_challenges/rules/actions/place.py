@@ -3,11 +3,12 @@
 from typing import Annotated, Literal
 
 from rcj_challenges.rules.base import Act, Action, Binder, Phrases
+from rcj_challenges.rules.effects import Places, PlacesLayout
 from rcj_challenges.rules.facing import Facing
 from rcj_challenges.rules.fields import Name, Names, described
 from rcj_challenges.rules.mirror import Mirror
 from rcj_challenges.rules.phrasing import WAITING_NOTE, quoted
-from rcj_challenges.rules.placement import Attempts, ClearanceM, NoiseM, Roll, WithoutRoom, placement_words
+from rcj_challenges.rules.placement import Attempts, ClearanceM, NoiseM, Roll, WithoutRoom, placement_words, places
 from rcj_challenges.rules.places import At
 from rcj_challenges.rules.refs import ENTITIES, SectionRef
 from rcj_challenges.rules.values.draw import DrawValue
@@ -58,6 +59,15 @@ expect:
         else:
             jobs = [to.placement_job(self, entity) for entity in to.entities(self.entity or ())]
         return lambda _firing: to.place(jobs)
+
+    def effects(self) -> tuple[Places | PlacesLayout, ...]:
+        match self.layout:
+            case None:
+                return (places(self, self.entity or (), self.at or "start"),)
+            case DrawValue(draw=draw):
+                return (PlacesLayout(draw, is_drawn=True, mirror=self.mirror),)
+            case layout:
+                return (PlacesLayout(layout, is_drawn=False, mirror=self.mirror),)
 
     def describe(self, phrases: Phrases) -> str:
         if self.entity is not None and self.at is not None:

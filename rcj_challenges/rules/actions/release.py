@@ -4,6 +4,7 @@ from typing import Annotated, Literal
 
 from rcj_challenges.rules.actions.hold import Hold
 from rcj_challenges.rules.base import Act, Action, Binder, Phrases
+from rcj_challenges.rules.effects import Releases
 from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.refs import ROBOTS
 
@@ -23,6 +24,9 @@ class Release(Action):
     def compile(self, to: Binder) -> Act:
         robots = to.entities(self.entity)
         return lambda _firing: to.release(robots)
+
+    def effects(self) -> tuple[Releases]:
+        return (Releases(self.entity),)
 
     def describe(self, phrases: Phrases) -> str:
         return f"{phrases.all_of(self.entity).does('is', 'are')} let go"

@@ -4,11 +4,12 @@ from typing import Annotated, Literal
 
 from rcj_challenges.rules.actions.place import Place
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
+from rcj_challenges.rules.effects import Removes
 from rcj_challenges.rules.facing import Facing
 from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.phrasing import WAITING_NOTE
 from rcj_challenges.rules.placement import looks_words, put_words
-from rcj_challenges.rules.places import At
+from rcj_challenges.rules.places import At, place_of
 from rcj_challenges.rules.refs import ENTITIES
 from rcj_challenges.rules.values import Lasts, duration_words
 
@@ -61,6 +62,9 @@ expect:
                     to.place_later(job, max(1, away()))
 
         return act
+
+    def effects(self) -> tuple[Removes]:
+        return (Removes(self.entity, None if self.for_s is None else place_of(self.back_at)),)
 
     def describe(self, phrases: Phrases) -> str:
         subject = phrases.all_of(self.entity)

@@ -5,7 +5,8 @@ from typing import Annotated, Literal
 
 from rcj_challenges.core.amounts import round_score
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
-from rcj_challenges.rules.bounds import bounds_words, change_bound, subtracted_parts
+from rcj_challenges.rules.bounds import amount_bound, bounds_words, change_bound, subtracted_parts
+from rcj_challenges.rules.effects import Scores
 from rcj_challenges.rules.fields import Name, Strict, described
 from rcj_challenges.rules.phrasing import LAST_TOUCH_NOTE, counted, plain
 from rcj_challenges.rules.refs import THING, SectionRef
@@ -106,6 +107,13 @@ expect:
         whose = self.entrant if robot is None else drivers.get(robot)
         return lambda: whose
 
+    def effects(self) -> tuple[Scores]:
+        points = self.points if isinstance(self.points, int | float) else None
+        entrant = self.entrant if isinstance(self.entrant, str) else None
+        depends_on_the_score = self.keeps_at_least is not None or self.keeps_at_most is not None
+        given = None if points is None or depends_on_the_score else amount_bound(self)(points)
+        return (Scores(entrant, given, may_gain=points is None or points > 0),)
+
     def describe(self, phrases: Phrases) -> str:
         receiver, points, bounds = self.receiver(phrases), self.points, bounds_words(self, "score")
         if taken := subtracted_parts(self, points):
@@ -113,6 +121,9 @@ expect:
         if not isinstance(points, int | float):
             return f"{receiver} gets points: {amount_words(phrases, points)}{bounds}"
         return f"{receiver} {'loses' if points < 0 else 'gets'} {counted(abs(points), 'point')}{bounds}"
+
+    def points_row(self, phrases: Phrases) -> tuple[str, str]:
+        return self.receiver(phrases), f"{amount_words(phrases, self.points)}{bounds_words(self, 'score')}"
 
     def receiver(self, phrases: Phrases) -> str:
         """Return the receiver of the points: ``yellow``, or ``the team of the last to touch the ball``."""

@@ -4,14 +4,14 @@ from typing import Annotated, Literal
 
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.refs import ENTITY, SEQUENCE
+from rcj_challenges.rules.refs import ENTITY, WRITTEN_SEQUENCE
 
 
 class SequenceAction(Action):
     """Restart a sequence: its completed steps are lost."""
 
     action: Literal["sequence"]
-    sequence: Annotated[Name, SEQUENCE] = described(..., "the sequence")
+    sequence: Annotated[Name, WRITTEN_SEQUENCE] = described(..., "the sequence")
     entity: Annotated[Name | None, ENTITY] = described(
         None, "for a sequence kept per entity: which entity, or each; if omitted: all of them"
     )

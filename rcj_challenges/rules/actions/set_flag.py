@@ -5,14 +5,14 @@ from typing import Annotated, Literal
 
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.refs import FLAG, WHOSE
+from rcj_challenges.rules.refs import WHOSE, WRITTEN_FLAG
 
 
 class SetFlag(Action):
     """Set or clear a flag."""
 
     action: Literal["set_flag"]
-    flag: Annotated[Name, FLAG] = described(..., "the flag")
+    flag: Annotated[Name, WRITTEN_FLAG] = described(..., "the flag")
     entity: Annotated[Name | None, WHOSE] = described(
         None, "for a flag kept per entity: which entity, or each; if omitted: all of them"
     )

@@ -3,6 +3,7 @@
 from typing import Annotated, Literal
 
 from rcj_challenges.rules.base import Act, Action, Binder, Phrases
+from rcj_challenges.rules.effects import SetsPhase
 from rcj_challenges.rules.fields import Name, described
 from rcj_challenges.rules.phrasing import quoted
 from rcj_challenges.rules.refs import PHASE
@@ -41,6 +42,9 @@ expect:
     def compile(self, to: Binder) -> Act:
         phase = self.phase
         return lambda _firing: to.enter_phase(phase)
+
+    def effects(self) -> tuple[SetsPhase]:
+        return (SetsPhase(self.phase),)
 
     def describe(self, phrases: Phrases) -> str:
         return f"the phase {quoted(self.phase)} begins"

@@ -4,12 +4,14 @@ from collections.abc import Callable
 from typing import Annotated, Literal
 
 from rcj_challenges.core.messages import position_in
-from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
+from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases, PlaceWord
+from rcj_challenges.rules.effects import SetsSpot
 from rcj_challenges.rules.fields import Name, Point, described
 from rcj_challenges.rules.mirror import Mirror
 from rcj_challenges.rules.places.on_line import OnLine
+from rcj_challenges.rules.places.point import AtPoint
 from rcj_challenges.rules.places.uniform_in import UniformIn
-from rcj_challenges.rules.refs import FIXED, MOVING, SPOT, Ref
+from rcj_challenges.rules.refs import FIXED, MOVING, WRITTEN_SPOT, Ref
 from rcj_challenges.rules.values.reported import ReportedValue
 
 
@@ -21,7 +23,7 @@ class SetSpot(Action):
     """
 
     action: Literal["set_spot"]
-    spot: Annotated[Name, SPOT] = described(..., "the spot")
+    spot: Annotated[Name, WRITTEN_SPOT] = described(..., "the spot")
     to: Annotated[
         Name | Point | ReportedValue | UniformIn | OnLine,
         Ref(
@@ -106,6 +108,11 @@ expect:
                 return lambda: sample(state.stream(stream))
             case _:
                 return to.locate(self.to)
+
+    def effects(self) -> tuple[SetsSpot]:
+        at = AtPoint(point=self.to) if isinstance(self.to, tuple) else self.to
+        where = at if isinstance(at, PlaceWord) else None
+        return (SetsSpot(self.spot, where, self.mirror, not isinstance(self.to, ReportedValue)),)
 
     def describe(self, phrases: Phrases) -> str:
         if isinstance(self.to, ReportedValue):

@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.refs import TIMER, WHOSE
+from rcj_challenges.rules.refs import WHOSE, WRITTEN_TIMER
 from rcj_challenges.tracking.state import Clock
 
 
@@ -12,7 +12,7 @@ class TimerAction(Action):
     """Start, stop or reset a timer."""
 
     action: Literal["timer"]
-    timer: Annotated[Name, TIMER] = described(..., "the timer")
+    timer: Annotated[Name, WRITTEN_TIMER] = described(..., "the timer")
     entity: Annotated[Name | None, WHOSE] = described(
         None, "for a timer kept per entity: which entity, or each; if omitted: all of them"
     )

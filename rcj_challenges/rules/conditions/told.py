@@ -19,6 +19,7 @@ class Told(Condition, Message):
     entity: Annotated[Names, ROBOTS] = described(..., "a robot, each, or a group with `of`")
     of: Quantifier = described("any", "how many members of a group must have sent it")
 
+    READS_MESSAGES = True
     EXAMPLE = """
 # A question with a number as its answer: the right one gives 5 points, any other costs one.
 draws: {number: {values: [1, 2, 3]}}

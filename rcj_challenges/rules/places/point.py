@@ -32,5 +32,8 @@ expect:
     def aim(self, phrases: Phrases) -> str:
         return phrases.point(self.point)
 
+    def fixed(self) -> Point:
+        return self.point
+
     def options(self) -> tuple[Point, ...]:
         return (self.point,)

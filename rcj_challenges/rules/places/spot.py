@@ -41,5 +41,8 @@ expect:
         read = to.spot(to.members(self.spot)[0])
         return PlaceResolver(lambda request: request.mirrored(read()))
 
+    def fixed(self) -> Name:
+        return self.spot
+
     def describe(self, phrases: Phrases) -> str:
         return f"on {phrases.thing(self.spot)}"

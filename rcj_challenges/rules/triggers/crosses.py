@@ -5,6 +5,7 @@ from typing import Annotated, Literal
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.regions import Cell
 from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
+from rcj_challenges.rules.effects import Crossing
 from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.refs import ENTITIES, GATES
 from rcj_challenges.tracking.bound_rules import HitBuffer, TriggerBinding
@@ -56,6 +57,9 @@ expect:
                     tracker = to.track(GateTracker, (entity, gate, draw), entity, line, drawn)
                     for direction in _DIRECTIONS[self.direction]:
                         tracker.by_direction[direction].append(to.binding(entity))
+
+    def moment(self) -> Crossing:
+        return Crossing(self.entity, self.gate, self.direction)
 
     def describe(self, phrases: Phrases) -> str:
         way = {"either": "", "forward": " forward", "backward": " backward"}[self.direction]

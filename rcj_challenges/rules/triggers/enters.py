@@ -3,6 +3,7 @@
 from typing import Annotated, Literal
 
 from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
+from rcj_challenges.rules.effects import Entry
 from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.refs import ENTITIES, ZONES
 from rcj_challenges.tracking.zone_tracker import ZoneTracker
@@ -40,6 +41,9 @@ expect:
     def bind(self, to: Binder) -> None:
         for entity in to.entities(self.entity):
             zone_tracker(to, entity, self.zone).entering.append(to.binding(entity))
+
+    def moment(self) -> Entry:
+        return Entry(self.entity, self.zone)
 
     def describe(self, phrases: Phrases) -> str:
         return f"{phrases.any_of(self.entity)} enters {phrases.any_of(self.zone)}"

@@ -3,6 +3,7 @@
 from typing import Annotated, Literal
 
 from rcj_challenges.rules.base import Binder, Phrases, Trigger
+from rcj_challenges.rules.effects import EventSeen
 from rcj_challenges.rules.fields import EventName, Names, described
 from rcj_challenges.rules.refs import KEEPING, Ref
 
@@ -42,6 +43,9 @@ expect:
         for name in (None,) if self.entity is None else to.members(self.entity):
             index = None if name is None else to.index_of(name)  # a zone or a gate has none
             events.setdefault((self.event, name), []).append(to.binding(index))
+
+    def moment(self) -> EventSeen:
+        return EventSeen(self.event, self.entity)
 
     def describe(self, phrases: Phrases) -> str:
         return f"{self.event} was announced" + (f" of {phrases.any_of(self.entity)}" if self.entity else "")

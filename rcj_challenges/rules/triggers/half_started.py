@@ -3,6 +3,7 @@
 from typing import Literal
 
 from rcj_challenges.rules.base import Binder, Phrases, Trigger
+from rcj_challenges.rules.effects import HalfStart
 
 
 class HalfStarted(Trigger):
@@ -29,6 +30,9 @@ expect:
 
     def bind(self, to: Binder) -> None:
         to.clock_events.half_started.append(to.binding())
+
+    def moment(self) -> HalfStart:
+        return HalfStart()
 
     def describe(self, phrases: Phrases) -> str:
         return "a half starts"

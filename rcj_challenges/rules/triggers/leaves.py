@@ -3,6 +3,7 @@
 from typing import Annotated, Literal
 
 from rcj_challenges.rules.base import ENTITY_DESCRIPTION, Binder, Phrases, Trigger
+from rcj_challenges.rules.effects import Exit
 from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.refs import ENTITIES, ZONES
 from rcj_challenges.rules.triggers.enters import zone_tracker
@@ -36,6 +37,9 @@ expect:
     def bind(self, to: Binder) -> None:
         for entity in to.entities(self.entity):
             zone_tracker(to, entity, self.zone).leaving.append(to.binding(entity))
+
+    def moment(self) -> Exit:
+        return Exit(self.entity, self.zone)
 
     def describe(self, phrases: Phrases) -> str:
         # Of several zones: out of all of them.

@@ -28,6 +28,7 @@ class NoProgress(Trigger):
     within_s: DurationS = described(..., "length of the window in s; for a held robot, the window starts on release")
 
     MEASURED = "the length in m of its path"
+    MUST_EXCEED = True
     LIMIT = "distance_m"
     REASON = "made no progress: {measured} m in {within_s:g} s, at least {limit} m"
     EXAMPLE = """

@@ -5,6 +5,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from rcj_challenges.rules.base import Binder, Phrases, Trigger
+from rcj_challenges.rules.effects import PhaseStart
 from rcj_challenges.rules.fields import Name, described
 from rcj_challenges.rules.phrasing import quoted
 from rcj_challenges.rules.refs import PHASE
@@ -39,6 +40,9 @@ expect:
     def bind(self, to: Binder) -> None:
         """Bind a rule to a phase: it is entered when the one before runs out, or one tick after ``set_phase``."""
         to.clock_events.entered.setdefault(self.phase, []).append((self.from_, to.binding()))
+
+    def moment(self) -> PhaseStart:
+        return PhaseStart(self.phase)
 
     def describe(self, phrases: Phrases) -> str:
         return f"the phase {quoted(self.phase)} begins" + (f" after {quoted(self.from_)}" if self.from_ else "")

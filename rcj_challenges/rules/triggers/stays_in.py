@@ -27,6 +27,7 @@ class StaysIn(Trigger):
 
     MEASURED = "the time in s of the stay"
     ASKS_WHERE = True
+    MUST_EXCEED = True
     LIMIT = "limit_s"
     REASON = "stayed for {measured} s, at most {limit} s"
     EXAMPLE = """

@@ -18,6 +18,7 @@ class Tells(Trigger, Message):
     trigger: Literal["tells"]
     entity: Annotated[Names, ROBOTS] = described("robots", "a robot, a group (any member), or each")
 
+    READS_MESSAGES = True
     MEASURED = "the number told"
     EXAMPLE = """
 # Where is the treasure? The closer the position that a robot reports, the more points; each robot may report once.

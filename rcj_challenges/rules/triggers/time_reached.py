@@ -3,6 +3,7 @@
 from typing import Literal
 
 from rcj_challenges.rules.base import Binder, Phrases, Trigger
+from rcj_challenges.rules.effects import AtTime
 from rcj_challenges.rules.fields import DurationS, described
 from rcj_challenges.rules.phrasing import seconds
 from rcj_challenges.tracking.clock_events import Alarm
@@ -40,6 +41,9 @@ expect:
 
     def bind(self, to: Binder) -> None:
         to.clock_events.wait_for(Alarm(to.binding(), self.at_s, self.every_s))
+
+    def moment(self) -> AtTime:
+        return AtTime(self.at_s)
 
     def describe(self, phrases: Phrases) -> str:
         again = f", and again every {seconds(self.every_s)} until it ends" if self.every_s else ""

@@ -4,6 +4,7 @@ from typing import Annotated, Literal
 
 from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.rules.base import Binder, Phrases, Trigger
+from rcj_challenges.rules.effects import Touch
 from rcj_challenges.rules.fields import DurationS, Names, NotNegative, described
 from rcj_challenges.rules.phrasing import seconds
 from rcj_challenges.rules.refs import FIXED, MOVING, THINGS, Ref
@@ -102,6 +103,9 @@ expect:
                     if self.every_s is not None:
                         key = (pair, self.every_s, apart)
                         to.track(LastingTouchTracker, key, to.contacts, *key).bindings.append(binding)
+
+    def moment(self) -> Touch:
+        return Touch(self.entity, self.other)
 
     def describe(self, phrases: Phrases) -> str:
         again = f", and again every {seconds(self.every_s)} while they touch" if self.every_s else ""

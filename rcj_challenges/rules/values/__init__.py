@@ -4,8 +4,8 @@ A value stands in the payload of an event and in the broadcast. Some are numbers
 compared; those of a sum have a weight.
 """
 
-from collections.abc import Callable
-from typing import Annotated
+from collections.abc import Callable, Mapping
+from typing import Annotated, Protocol
 
 from pydantic import Field
 
@@ -115,6 +115,18 @@ def compile_bound(bound: Bound, to: Scope) -> Callable[[], Number]:
         return bound.now(to)
     constant = plain(bound)
     return lambda: constant
+
+
+def longest_s(lasts_s: object, draws: Mapping[str, "_Draw"]) -> float | None:
+    """Return how long something lasts at most, in s; None if it has no length, or a counter decides."""
+    if isinstance(lasts_s, DrawnDuration):
+        return max(float(value) for value in draws[lasts_s.draw].values)
+    return lasts_s if isinstance(lasts_s, int | float) else None
+
+
+class _Draw(Protocol):
+    @property
+    def values(self) -> tuple[Scalar, ...]: ...
 
 
 def duration_s(lasts_s: Lasts, state: RefereeState, each: str | None, least_s: float = TICK_S) -> float:

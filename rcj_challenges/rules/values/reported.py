@@ -19,6 +19,7 @@ class ReportedValue(ValueWord):
     told: Annotated[Name, ROBOT] = described(..., "a robot, or each")
 
     KEY = "told"
+    READS_MESSAGES = True
     EXAMPLE = """
 # A wager: the goal pays as many points as the robot announced beforehand.
 counters: {wager: {}}

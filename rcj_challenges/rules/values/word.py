@@ -45,6 +45,9 @@ expect:
 """
     SENTENCE = "the time in s"
 
+    def stands_for(self, bound: str) -> bool:
+        return bound == FACTS[self.word].about and (self.of is None or bound == "other")
+
     def read(self, to: Scope) -> Reader:
         read, of = FACTS[self.word].read, self.of
         return lambda firing: read(to, firing, of)
@@ -107,16 +110,19 @@ def _rounded(number: float | None) -> Number | None:
 class _Fact(NamedTuple):
     read: Callable[[Scope, Firing, str | None], Any]
     says: str
+    about: str = ""
 
 
 FACTS: dict[str, _Fact] = {
-    "robot_name": _Fact(_robot_name, "the name of the robot"),
-    "entity_name": _Fact(lambda _to, firing, _of: firing.subject or "", "the name of the one concerned"),
-    "each_name": _Fact(lambda _to, firing, _of: firing.rule.each or "", "the name of the one that the rule is for"),
-    "other_name": _Fact(lambda _to, firing, _of: firing.rule.other or "", "the name of the other one"),
-    "team_name": _Fact(lambda to, firing, of: team_name_of(to.state, firing, of), "the team name"),
-    "entrant": _Fact(lambda to, firing, of: entrant_of(to.state, firing, of), "the entrant"),
-    "score": _Fact(_score, "the score"),
+    "robot_name": _Fact(_robot_name, "the name of the robot", "each"),
+    "entity_name": _Fact(lambda _to, firing, _of: firing.subject or "", "the name of the one concerned", "each"),
+    "each_name": _Fact(
+        lambda _to, firing, _of: firing.rule.each or "", "the name of the one that the rule is for", "each"
+    ),
+    "other_name": _Fact(lambda _to, firing, _of: firing.rule.other or "", "the name of the other one", "other"),
+    "team_name": _Fact(lambda to, firing, of: team_name_of(to.state, firing, of), "the team name", "each"),
+    "entrant": _Fact(lambda to, firing, of: entrant_of(to.state, firing, of), "the entrant", "each"),
+    "score": _Fact(_score, "the score", "each"),
     "halftime": _Fact(lambda to, _firing, _of: to.state.half.half, "the number of the half"),
     "match_id": _Fact(lambda to, _firing, _of: to.state.half.match_id, "the number of the match"),
     "total_match_time_s": _Fact(lambda to, _firing, _of: to.half_length_s(), "the length of the half in s"),

@@ -4,19 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
-from rcj_challenges.rules.actions.place import Place
-from rcj_challenges.rules.actions.remove import Remove
-from rcj_challenges.rules.actions.set_phase import SetPhase
-from rcj_challenges.rules.base import Action
+from rcj_challenges.rules.effects import Effect, Places, PlacesLayout, Removes, SetsPhase
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.refs import Ref, Reference, ref_of
-from rcj_challenges.rules.values.draw import DrawnDuration
+from rcj_challenges.scenario.layouts import alternatives
 from rcj_challenges.scenario.load import Loaded
-from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.tree import Entries, Path, node_at
 from rcj_challenges.scenario.walk import walk
+
+_E = TypeVar("_E", bound=Effect)
 
 
 class Use(NamedTuple):
@@ -72,8 +71,8 @@ class LintContext:
             model = scenario.phases.get(here)
             onward = [model.next] if model is not None and model.lasts_s is not None else []
             for rule in scenario.rules.values():
-                if is_active_in(rule, here):
-                    onward += [action.phase for action in rule.actions if isinstance(action, SetPhase)]
+                if rule.is_active_in(here):
+                    onward += [one.phase for one in rule.effects(SetsPhase)]
             entered.update(onward)
             todo += [phase for phase in dict.fromkeys(onward) if phase not in todo]
         return frozenset(entered)
@@ -85,17 +84,16 @@ class LintContext:
 
     def is_reachable(self, rule: Rule) -> bool:
         """Return whether a rule is active in a phase that can be entered."""
-        return any(is_active_in(rule, phase) for phase in self.reachable_phases)
+        return any(rule.is_active_in(phase) for phase in self.reachable_phases)
 
     def reachable_rules(self) -> Iterator[tuple[str, Rule]]:
         """Yield the rules that can fire as far as phases go."""
         return ((name, rule) for name, rule in self.scenario.rules.items() if self.is_reachable(rule))
 
-    def reachable_actions(self) -> Iterator[tuple[Action, Rule, Path]]:
-        """Yield the actions of these rules."""
+    def reachable_effects(self, kind: type[_E]) -> Iterator[tuple[_E, Rule, Path]]:
+        """Yield the effects of one kind that these rules have, each with the path of its action."""
         for name, rule in self.reachable_rules():
-            for index, action in enumerate(rule.actions):
-                yield action, rule, ("rules", name, "actions", index)
+            yield from ((effect, rule, path) for effect, path in effects_in(name, rule, kind))
 
     def members(self, names: str | tuple[str, ...], rule: Rule) -> frozenset[str]:
         """Return what names in a rule may stand for: of ``each``, ``other`` and draws all that they may ever be."""
@@ -103,14 +101,10 @@ class LintContext:
 
     def moved(self, rule: Rule) -> frozenset[str]:
         """Return the entities that a rule may place or remove."""
-        moved: set[str] = set()
-        for action in rule.actions:
-            if isinstance(action, Place | Remove) and action.entity is not None:
-                moved |= self.members(action.entity, rule)
-            if isinstance(action, Place) and isinstance(action.layout, str):
-                for placing in self.scenario.placements[action.layout]:
-                    moved |= self.members(placing.entity, rule)
-        return frozenset(moved)
+        moving: list[Removes | Places] = [*rule.effects(Removes), *rule.effects(Places)]
+        laid = [alternatives(self.scenario, one) for one in rule.effects(PlacesLayout) if not one.is_drawn]
+        moving += [one for layouts in laid for layout in layouts for one in layout]
+        return frozenset(name for one in moving for name in self.members(one.names, rule))
 
     def is_own(self, path: Path) -> bool:
         """Return whether a value or an entry stands in the author's own file, not in a base."""
@@ -119,16 +113,10 @@ class LintContext:
         return mark is not None and mark.file == self.tree.mark.file
 
 
-def is_active_in(rule: Rule, phase: str) -> bool:
-    """Return whether a rule is active in a phase."""
-    return rule.phases == "any" or phase in rule.phases
-
-
-def longest_s(lasts_s: object, scenario: Scenario) -> float | None:
-    """Return how long something lasts at most, in s; None if it has no length, or a counter decides."""
-    if isinstance(lasts_s, DrawnDuration):
-        return max(float(value) for value in scenario.draws[lasts_s.draw].values)
-    return lasts_s if isinstance(lasts_s, int | float) else None
+def effects_in(name: str, rule: Rule, kind: type[_E]) -> Iterator[tuple[_E, Path]]:
+    """Yield the effects of one kind that a rule has, each with the path of its action."""
+    for index, action in enumerate(rule.actions):
+        yield from ((one, ("rules", name, "actions", index)) for one in action.effects() if isinstance(one, kind))
 
 
 def _names(value: Any, reference: Reference) -> Iterator[str]:

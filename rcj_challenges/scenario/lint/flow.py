@@ -4,20 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rcj_challenges.rules.actions.emit import Emit
-from rcj_challenges.rules.actions.end import End
-from rcj_challenges.rules.actions.score import Score
-from rcj_challenges.rules.actions.set_phase import SetPhase
-from rcj_challenges.rules.triggers.crosses import Crosses
-from rcj_challenges.rules.triggers.enters import Enters
-from rcj_challenges.rules.triggers.event import OnEvent
-from rcj_challenges.rules.triggers.half_started import HalfStarted
-from rcj_challenges.rules.triggers.leaves import Leaves
-from rcj_challenges.rules.triggers.phase_entered import PhaseEntered
-from rcj_challenges.rules.values.word import WordValue
+from rcj_challenges.rules.base import Word
+from rcj_challenges.rules.effects import (
+    Crossing,
+    Emits,
+    Ends,
+    Entry,
+    EventSeen,
+    Exit,
+    HalfStart,
+    PhaseStart,
+    Scores,
+    SetsPhase,
+)
 from rcj_challenges.scenario.errors import did_you_mean, listing
 from rcj_challenges.scenario.lint.base import LintRule, Suspicion
-from rcj_challenges.scenario.lint.context import LintContext, is_active_in
+from rcj_challenges.scenario.lint.context import LintContext, effects_in
 from rcj_challenges.scenario.models.scenario import RankByScore, Rule
 from rcj_challenges.scenario.roster import EACH
 from rcj_challenges.scenario.tree import Path
@@ -42,7 +44,7 @@ class PhaseNeverEntered(LintRule):
         first = ctx.scenario.first_phase
         for name, rule in ctx.reachable_rules() if first not in ctx.entered_phases else ():
             for index, trigger in enumerate(rule.triggers):
-                if isinstance(trigger, PhaseEntered) and trigger.phase == first:
+                if trigger.moment() == PhaseStart(first):
                     path: Path = ("rules", name, "triggers", index, "phase")
                     yield self.at(path, phase=first, where=" after the start of a half (half_started)")
 
@@ -64,12 +66,13 @@ class RuleNeverFires(LintRule):
                 continue
             for index, trigger in enumerate(rule.triggers):
                 path: Path = ("rules", name, "triggers", index)
-                if isinstance(trigger, HalfStarted) and not is_active_in(rule, first):
-                    why = f"a half starts in phase '{first}', in which this rule is inactive"
-                    yield self.at(path, why=why, phase=first)
-                if isinstance(trigger, PhaseEntered) and not is_active_in(rule, trigger.phase):
-                    why = f"when '{trigger.phase}' is entered this rule is inactive: its phases are "
-                    yield self.at((*path, "phase"), why=why + listing(rule.phases), phase=trigger.phase)
+                match trigger.moment():
+                    case HalfStart() if not rule.is_active_in(first):
+                        why = f"a half starts in phase '{first}', in which this rule is inactive"
+                        yield self.at(path, why=why, phase=first)
+                    case PhaseStart(phase) if not rule.is_active_in(phase):
+                        why = f"when '{phase}' is entered this rule is inactive: its phases are "
+                        yield self.at((*path, "phase"), why=why + listing(rule.phases), phase=phase)
 
 
 class EventNeverEmitted(LintRule):
@@ -81,9 +84,12 @@ class EventNeverEmitted(LintRule):
 
     def check(self, ctx: LintContext) -> Iterator[Suspicion]:
         """Yield triggers, and the author's own tests, with unknown events."""
-        emitted = {action.event: None for action, _, _ in ctx.reachable_actions() if isinstance(action, Emit)}
+        emitted = {effect.event: None for effect, _, _ in ctx.reachable_effects(Emits)}
         awaited: list[tuple[Path, str]] = [
-            ((*path, "event"), model.event) for model, path in ctx.models if isinstance(model, OnEvent)
+            (("rules", name, "triggers", index, "event"), moment.event)
+            for name, rule in ctx.scenario.rules.items()
+            for index, trigger in enumerate(rule.triggers)
+            if isinstance(moment := trigger.moment(), EventSeen)
         ]
         for name, test in ctx.scenario.expect.items():
             for index, expected in enumerate(test.events or ()):
@@ -105,11 +111,11 @@ class MissingSays(LintRule):
     def check(self, ctx: LintContext) -> Iterator[Suspicion]:
         """Yield the first action of each rule that needs a sentence."""
         for name, rule in ctx.scenario.rules.items():
-            for index, action in enumerate(rule.actions):
-                if not rule.says and isinstance(action, Emit | Score):
-                    what = f"event '{action.event}'" if isinstance(action, Emit) else "a change of the score"
-                    yield self.at(("rules", name, "actions", index), what=what)
-                    break
+            found = [(path, f"event '{one.event}'") for one, path in effects_in(name, rule, Emits)]
+            found += [(path, "a change of the score") for _, path in effects_in(name, rule, Scores)]
+            if found and not rule.says:
+                path, what = min(found, key=lambda one: one[0][-1])
+                yield self.at(path, what=what)
 
 
 class ScoresOnce(LintRule):
@@ -122,11 +128,11 @@ class ScoresOnce(LintRule):
     def check(self, ctx: LintContext) -> Iterator[Suspicion]:
         """Yield triggers about a group in rules that score without for_each."""
         for name, rule in ctx.scenario.rules.items():
-            if rule.for_each is None and any(isinstance(action, Score) for action in rule.actions):
-                for index, trigger in enumerate(rule.triggers):
-                    if isinstance(trigger, Enters | Leaves | Crosses) and len(ctx.members(trigger.entity, rule)) > 1:
-                        names = trigger.entity if isinstance(trigger.entity, str) else listing(trigger.entity)
-                        yield self.at(("rules", name, "triggers", index), group=names)
+            for index, trigger in enumerate(rule.triggers if rule.for_each is None and rule.effects(Scores) else ()):
+                match trigger.moment():
+                    case Entry(names, _) | Exit(names, _) | Crossing(names, _, _) if len(ctx.members(names, rule)) > 1:
+                        group = names if isinstance(names, str) else listing(names)
+                        yield self.at(("rules", name, "triggers", index), group=group)
 
 
 class EachOfNone(LintRule):
@@ -213,12 +219,12 @@ class EventLoop(LintRule):
     @staticmethod
     def _listeners(rule: Rule, rules: dict[str, Rule], ctx: LintContext) -> list[str]:
         """Return the rules that every event of a rule triggers, in a phase in which both are active."""
-        emitted = {action.event for action in rule.actions if isinstance(action, Emit)}
+        emitted = {EventSeen(one.event, None) for one in rule.effects(Emits)}
         return [
             name
             for name, other in rules.items()
-            if any(isinstance(one, OnEvent) and one.event in emitted and one.entity is None for one in other.triggers)
-            and any(is_active_in(rule, phase) and is_active_in(other, phase) for phase in ctx.reachable_phases)
+            if emitted & {*other.moments(EventSeen)}
+            and any(rule.is_active_in(phase) and other.is_active_in(phase) for phase in ctx.reachable_phases)
         ]
 
 
@@ -233,23 +239,20 @@ class NoWayToScore(LintRule):
     def check(self, ctx: LintContext) -> Iterator[Suspicion]:
         """Yield the section of rules."""
         by_score = isinstance(ctx.scenario.result.rank[0], RankByScore)
-        if by_score and not any(isinstance(action, Score) for action, _, _ in ctx.reachable_actions()):
+        if by_score and not any(ctx.reachable_effects(Scores)):
             yield self.at(("rules",))
 
 
 def _is_limited(rule: Rule) -> bool:
     """Return whether something may keep a rule from firing again."""
     limited = rule.conditions or rule.cooldown_s is not None or rule.max_executions is not None
-    return bool(limited) or any(isinstance(action, SetPhase | End) for action in rule.actions)
-
-
-_WORDS_OF_EACH = frozenset({"robot_name", "entity_name", "each_name", "team_name", "entrant", "score"})
+    return bool(limited or rule.effects(SetsPhase) or rule.effects(Ends))
 
 
 def _names_each(part: object) -> bool:
     """Return whether a rule, or a part of one, names ``each`` or prints its name."""
     for model, _ in walk(part):
-        if isinstance(model, WordValue) and model.word in _WORDS_OF_EACH and model.of is None:
+        if isinstance(model, Word) and model.stands_for(EACH):
             return True
         for field in type(model).model_fields:
             value = getattr(model, field)

@@ -6,21 +6,17 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 
 from rcj_challenges.geometry.polygons import Point
-from rcj_challenges.rules.actions.place import Place
-from rcj_challenges.rules.actions.remove import Remove
-from rcj_challenges.rules.actions.set_phase import SetPhase
 from rcj_challenges.rules.base import Trigger
-from rcj_challenges.rules.places.point import AtPoint
-from rcj_challenges.rules.places.spot import AtSpot
-from rcj_challenges.rules.triggers.half_started import HalfStarted
+from rcj_challenges.rules.effects import HalfStart, Places, Removes, SetsPhase
+from rcj_challenges.rules.placement import places
 from rcj_challenges.scenario.checks.ground import Floor, obstacle_bodies
 from rcj_challenges.scenario.floor import floor_parts, on_floor
+from rcj_challenges.scenario.half_start import fixed_spots
 from rcj_challenges.scenario.lint.base import LintRule, Suspicion
-from rcj_challenges.scenario.lint.context import LintContext, is_active_in
-from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, Placing, RectZone, Zone
+from rcj_challenges.scenario.lint.context import LintContext, effects_in
+from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.outlines import Part, disc, overlap, robot_outline
-from rcj_challenges.scenario.set_spots import fixed_spots
 from rcj_challenges.scenario.tree import Path
 
 
@@ -95,16 +91,12 @@ class NeverOnTheField(LintRule):
 
     def check(self, ctx: LintContext) -> Iterator[Suspicion]:
         """Yield the removal."""
-        placed: set[str] = set()
-        for action, rule, _ in ctx.reachable_actions():
-            if isinstance(action, Place) and action.entity is not None:
-                placed |= ctx.members(action.entity, rule)
+        placed = {name for one, rule, _ in ctx.reachable_effects(Places) for name in ctx.members(one.names, rule)}
         for layout in ctx.scenario.placements.values():
             placed.update(name for placing in layout for name in ctx.roster.expand(placing.entity))
-        for action, rule, path in ctx.reachable_actions():
-            at_start = not rule.conditions and any(isinstance(one, HalfStarted) for one in rule.triggers)
-            if at_start and isinstance(action, Remove) and action.for_s is None:
-                for gone in sorted(ctx.members(action.entity, rule) - placed):
+        for effect, rule, path in ctx.reachable_effects(Removes):
+            if effect.back_at is None and not rule.conditions and rule.moments(HalfStart):
+                for gone in sorted(ctx.members(effect.names, rule) - placed):
                     yield self.at(path, name=gone)
 
 
@@ -133,10 +125,10 @@ class TwoRulesMoveOneThing(LintRule):
             return True
         if first.for_each != second.for_each and "each" in {*dict(trigger).values()}:
             return True
-        leaves = any(isinstance(one, SetPhase) and not is_active_in(second, one.phase) for one in first.actions)
+        leaves = any(not second.is_active_in(one.phase) for one in first.effects(SetsPhase))
         if leaves and first.priority < second.priority:
             return True
-        return not any(is_active_in(first, phase) and is_active_in(second, phase) for phase in ctx.reachable_phases)
+        return not any(first.is_active_in(phase) and second.is_active_in(phase) for phase in ctx.reachable_phases)
 
 
 class NoRoom(LintRule):
@@ -148,23 +140,25 @@ class NoRoom(LintRule):
 
     def check(self, ctx: LintContext) -> Iterator[Suspicion]:
         """Yield placements at fixed points where what is placed does not fit."""
-        groups: list[list[tuple[Placing | Place, Path]]] = [
-            [(model, path)] for model, path in ctx.models if isinstance(model, Place)
+        groups: list[list[tuple[Places, Path]]] = [
+            [one] for name, rule in ctx.scenario.rules.items() for one in effects_in(name, rule, Places)
         ]
-        for layout, placings in ctx.scenario.placements.items():
-            groups.append([(placing, ("placements", layout, index)) for index, placing in enumerate(placings)])
+        groups += [
+            [(places(one, one.entity, one.at), ("placements", layout, index)) for index, one in enumerate(placings)]
+            for layout, placings in ctx.scenario.placements.items()
+        ]
         floor = Floor(ctx.scenario.field)
         fixed = [body.parts for body in obstacle_bodies(ctx.scenario) if body.fixed]
         spots = fixed_spots(ctx.scenario)
         for group in groups:
             standing: dict[str, tuple[Part, ...]] = {}
             for placing, path in group:
-                point = placing.at.point if isinstance(placing.at, AtPoint) else None
-                if isinstance(placing.at, AtSpot) and placing.at.spot in spots:
-                    point = spots[placing.at.spot].x_m, spots[placing.at.spot].y_m
-                name = str(placing.entity)
+                where = placing.at.fixed()
+                spot = spots.get(where) if isinstance(where, str) else None
+                point = where if isinstance(where, tuple) else (spot.x_m, spot.y_m) if spot is not None else None
+                name = str(placing.names)
                 outline = _outline(name, point, placing, ctx) if point is not None else None
-                if outline is None or placing.noise_m != (0.0, 0.0) or placing.mirror is not None:
+                if outline is None or placing.noise_m != (0.0, 0.0) or placing.mirrors:
                     continue
                 standing.pop(name, None)
                 below = next((other for other, there in standing.items() if overlap(outline, there)), None)
@@ -175,7 +169,7 @@ class NoRoom(LintRule):
                 standing[name] = outline
 
 
-def _outline(name: str, point: Point, placing: Placing | Place, ctx: LintContext) -> tuple[Part, ...] | None:
+def _outline(name: str, point: Point, placing: Places, ctx: LintContext) -> tuple[Part, ...] | None:
     """Return what a ball or a robot covers at a point; None for anything else."""
     if name in ctx.scenario.balls:
         return disc(ctx.scenario.balls[name].radius_m).at((*point, 0.0))

@@ -3,33 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, ClassVar
+from typing import ClassVar
 
-from rcj_challenges.rules.actions.count import Count
-from rcj_challenges.rules.actions.draw import DrawAction
-from rcj_challenges.rules.actions.hold import Hold
-from rcj_challenges.rules.actions.release import Release
-from rcj_challenges.rules.actions.sequence import SequenceAction
-from rcj_challenges.rules.actions.set_flag import SetFlag
-from rcj_challenges.rules.actions.set_spot import SetSpot
-from rcj_challenges.rules.actions.timer import TimerAction
-from rcj_challenges.rules.actions.toggle_flag import ToggleFlag
+from rcj_challenges.rules.effects import Holds, Releases
 from rcj_challenges.rules.refs import SectionRef
 from rcj_challenges.scenario.errors import place_of
+from rcj_challenges.scenario.half_start import spots_set_by_rules
 from rcj_challenges.scenario.lint.base import LintRule, Suspicion
 from rcj_challenges.scenario.lint.context import LintContext, Use
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe
 from rcj_challenges.scenario.placeholders import PLACEHOLDERS, placeholders_in
-from rcj_challenges.scenario.set_spots import spots_set_by_rules
 from rcj_challenges.scenario.tree import Leaf, nodes_in
 
 _TESTS = (Expectation, Given, Keyframe)
-_WRITERS: dict[str, tuple[type[Any], ...]] = {
-    "counters": (Count,),
-    "flags": (SetFlag, ToggleFlag),
-    "timers": (TimerAction,),
-    "draws": (DrawAction,),
-}
 
 
 class NeverRead(LintRule):
@@ -42,11 +28,11 @@ class NeverRead(LintRule):
 
     def check(self, ctx: LintContext) -> Iterator[Suspicion]:
         """Yield state that only rules' actions or tests name."""
-        for section, writers in _WRITERS.items():
+        for section in ("counters", "flags", "timers", "draws"):
             for name in getattr(ctx.scenario, section):
-                if all(use.model in (*writers, *_TESTS) for use in _uses_of(name, section, ctx)):
+                if not _is_read(name, section, ctx):
                     yield self.at((section, name), noun=section[:-1], name=name)
-        read = _names_on_field(ctx, but_set_spots=True)
+        read = _names_on_field(ctx)
         for name in spots_set_by_rules(ctx.scenario):
             if name not in read:
                 yield self.at(("spots", name), noun="spot", name=name)
@@ -70,9 +56,8 @@ class NeverWritten(LintRule):
         """Yield state that keeps its initial value."""
         for section, (action, verb) in self._ACTIONS.items():
             for name, entry in getattr(ctx.scenario, section).items():
-                models = {use.model for use in _uses_of(name, section, ctx)}
-                is_read = bool(models - {*_WRITERS[section], *_TESTS})
-                if is_read and not models & {*_WRITERS[section]} and not getattr(entry, "starts", False):
+                is_written = any(use.reference.is_written for use in _uses_of(name, section, ctx))
+                if _is_read(name, section, ctx) and not is_written and not getattr(entry, "starts", False):
                     yield self.at((section, name), noun=section[:-1], name=name, action=action, verb=verb)
 
 
@@ -115,7 +100,7 @@ class NeverUsed(LintRule):
             used["params"] |= {*placeholders_in(text)} - {*PLACEHOLDERS}
         for section in ("sequences", "placements"):
             # To reset a sequence is no use of it if nothing depends on its steps.
-            uses = (use for use in ctx.uses if use.model is not SequenceAction)
+            uses = (use for use in ctx.uses if not use.reference.is_written)
             used[section] = {use.name for use in uses if _may_name(use, section)}
         # A layout may be one of the values of a draw.
         used["placements"] |= {str(value) for draw in scenario.draws.values() for value in draw.values}
@@ -132,14 +117,12 @@ class HeldForever(LintRule):
     def check(self, ctx: LintContext) -> Iterator[Suspicion]:
         """Yield actions that hold a driven robot to the end of the half."""
         left = {robot for entrant in ctx.scenario.entrants.values() for robot in entrant.robots}
-        for action, rule, _ in ctx.reachable_actions():
-            if isinstance(action, Release):
-                left -= ctx.members(action.entity, rule)
-        for action, rule, path in ctx.reachable_actions():
-            if isinstance(action, Hold) and action.for_s is None:
-                robots = sorted(ctx.members(action.entity, rule) & left)
-                if robots:
-                    yield self.at(path, robots=", ".join(robots))
+        for effect, rule, _ in ctx.reachable_effects(Releases):
+            left -= ctx.members(effect.names, rule)
+        for held, rule, path in ctx.reachable_effects(Holds):
+            robots = () if held.for_a_time else sorted(ctx.members(held.names, rule) & left)
+            if robots:
+                yield self.at(path, robots=", ".join(robots))
 
 
 class InheritedTestLeftOut(LintRule):
@@ -162,16 +145,22 @@ def _uses_of(name: str, section: str, ctx: LintContext) -> list[Use]:
     return [use for use in ctx.uses if use.name == name and _may_name(use, section)]
 
 
+def _is_read(name: str, section: str, ctx: LintContext) -> bool:
+    """Return whether something depends on an entry; tests are no use of it."""
+    uses = _uses_of(name, section, ctx)
+    return any(not use.reference.is_written and use.model not in _TESTS for use in uses)
+
+
 def _may_name(use: Use, section: str) -> bool:
     if isinstance(use.reference, SectionRef):
         return section in use.reference.sections
     return section == "draws" and use.reference.drawn
 
 
-def _names_on_field(ctx: LintContext, *, but_set_spots: bool = False) -> set[str]:
-    """Return what is named on the field, members of groups and values of draws included; tests are no use."""
+def _names_on_field(ctx: LintContext) -> set[str]:
+    """Return what is read on the field, members of groups and values of draws included; tests are no use."""
     draws = ctx.scenario.draws
     uses = (use for use in ctx.uses if use.is_on_field and use.model not in _TESTS)
-    named = {use.name for use in uses if not (but_set_spots and use.model is SetSpot and use.path[-1] == "spot")}
+    named = {use.name for use in uses if not use.reference.is_written}
     named |= {str(value) for name in named & draws.keys() for value in draws[name].values}
     return named | set(ctx.roster.expand(tuple(named)))

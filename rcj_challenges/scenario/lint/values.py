@@ -10,16 +10,14 @@ from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.conditions.distance import Distance
 from rcj_challenges.rules.conditions.speed import Speed
 from rcj_challenges.rules.conditions.way import WayIs
+from rcj_challenges.rules.effects import Scores
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.kick import MAX_KICK_MPS
-from rcj_challenges.rules.triggers.no_progress import NoProgress
-from rcj_challenges.rules.triggers.stays_in import StaysIn
-from rcj_challenges.rules.triggers.time_reached import TimeReached
-from rcj_challenges.rules.triggers.timer_expired import TimerExpired
+from rcj_challenges.rules.values import longest_s
 from rcj_challenges.scenario.errors import choice_of
 from rcj_challenges.scenario.halves import MAX_LENGTHS, clock_may_stop, longest_half_s
 from rcj_challenges.scenario.lint.base import LintRule, Suspicion
-from rcj_challenges.scenario.lint.context import LintContext, is_active_in, longest_s
+from rcj_challenges.scenario.lint.context import LintContext
 from rcj_challenges.scenario.models.scenario import Keyframe, Rule
 from rcj_challenges.scenario.placeholders import PLACEHOLDERS, placeholders_in
 from rcj_challenges.scenario.tree import Path
@@ -40,12 +38,12 @@ class LimitTooLong(LintRule):
         playing_s = longest_half * (MAX_LENGTHS if clock_may_stop(ctx.scenario) else 1)
         for model, path in ctx.models:
             for key in self._KEYS if path[:1] in (("rules",), ("timers",), ("phases",)) else ():
-                seconds = longest_s(getattr(model, key, None), ctx.scenario)
+                seconds = longest_s(getattr(model, key, None), ctx.scenario.draws)
                 if not seconds:
                     continue
-                after_s = longest_half if isinstance(model, TimeReached) else playing_s
+                after_s = longest_half if key == "at_s" else playing_s
                 # What must last longer than its limit needs one tick more.
-                over = ticks_from_s(seconds) + isinstance(model, StaysIn | NoProgress)
+                over = ticks_from_s(seconds) + (isinstance(model, Trigger) and model.MUST_EXCEED)
                 phase_s = self._phase_s(ctx, path) if isinstance(model, Trigger) and key != "at_s" else None
                 if over > ticks_from_s(after_s):
                     yield self.at((*path, key), seconds=seconds, what="half", after_s=after_s)
@@ -56,9 +54,9 @@ class LimitTooLong(LintRule):
     def _phase_s(ctx: LintContext, path: Path) -> float | None:
         """Return how long the one phase lasts in which a rule is active, in s; None if that is open."""
         rule = ctx.scenario.rules[str(path[1])]
-        phases = [phase for phase in ctx.reachable_phases if is_active_in(rule, phase)]
+        phases = [phase for phase in ctx.reachable_phases if rule.is_active_in(phase)]
         phase = ctx.scenario.phases.get(phases[0]) if len(phases) == 1 else None
-        return None if phase is None else longest_s(phase.lasts_s, ctx.scenario)
+        return None if phase is None else longest_s(phase.lasts_s, ctx.scenario.draws)
 
 
 class AngleInDegrees(LintRule):
@@ -175,8 +173,8 @@ class PlaceholderNeverFilled(LintRule):
     def _why_empty(blank: str, rule: Rule) -> str:
         if blank == "each" and rule.for_each is None:
             return "this rule has no for_each"
-        if blank == "limit" and not any(one.LIMIT or isinstance(one, TimerExpired) for one in rule.triggers):
+        if blank == "limit" and not any(one.LIMIT or one.measures_its_limit() for one in rule.triggers):
             return "no trigger of this rule has a limit"
-        if blank == "points" and not any(action.name() == "score" for action in rule.actions):
+        if blank == "points" and not rule.effects(Scores):
             return "this rule gives no points"
         return ""

@@ -1,11 +1,12 @@
 """The whole file: rules, results, limits, tests, and the sections put together."""
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, TypeVar
 
 from pydantic import Field
 
 from rcj_challenges.rules.actions import AnyAction
 from rcj_challenges.rules.conditions import AnyCondition
+from rcj_challenges.rules.effects import Effect, Moment
 from rcj_challenges.rules.fields import DurationS, EventName, Name, One, Point, Scalar, Strict, described
 from rcj_challenges.rules.message import Said
 from rcj_challenges.rules.refs import COUNTER, ENTRANT, FIXED, KEEPERS, MOVING, ONE_ROBOT, PHASE, Ref, SectionRef
@@ -22,6 +23,9 @@ MAX_GROUPS = 256
 MAX_MEMBERS = 512
 MAX_ROWS = 64
 """Bounds far above any challenge, so that resolving groups of groups takes no time worth mentioning."""
+
+_E = TypeVar("_E", bound=Effect)
+_M = TypeVar("_M", bound=Moment)
 
 RowValues = Annotated[dict[Name, Scalar | tuple[Scalar, ...]], Field(max_length=MAX_ROWS)]
 """What stands beside one of the names for which a rule is repeated."""
@@ -87,6 +91,18 @@ class Rule(Strict):
         max_length=500,
     )
     sheet: bool = described(True, "false: the rule is left out of the rule sheet")
+
+    def effects(self, kind: type[_E]) -> list[_E]:
+        """Return the effects of one kind that its actions have."""
+        return [one for action in self.actions for one in action.effects() if isinstance(one, kind)]
+
+    def moments(self, kind: type[_M]) -> list[_M]:
+        """Return the moments of one kind that its triggers wait for."""
+        return [moment for one in self.triggers if isinstance(moment := one.moment(), kind)]
+
+    def is_active_in(self, phase: str) -> bool:
+        """Return whether the rule is active in a phase."""
+        return self.phases == "any" or phase in self.phases
 
 
 class Broadcast(Strict):
@@ -345,3 +361,7 @@ class Scenario(Strict):
         {},
         "tests of the rules, each named after what must happen; `inherited: null` removes those of the base scenario",
     )
+
+    def effects(self, kind: type[_E]) -> list[_E]:
+        """Return the effects of one kind that its rules have."""
+        return [one for rule in self.rules.values() for one in rule.effects(kind)]

@@ -7,10 +7,10 @@ from typing import NamedTuple
 
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.rules.phrasing import degrees
+from rcj_challenges.scenario.half_start import spots_set_at_start, spots_set_by_rules
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.outlines import extent, obstacle_outline
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.set_spots import spots_set_at_start, spots_set_by_rules
 from rcj_challenges.scenario.start_poses import start_noise_m, start_pose
 from rcj_challenges.views.drawing.distances import measured_distances
 from rcj_challenges.views.drawing.paper import MARKER_PX, Entry, Paper, Section

@@ -17,11 +17,10 @@ from rcj_challenges.rules.mirror import Mirror
 from rcj_challenges.rules.places import place_of
 from rcj_challenges.rules.places.point import AtPoint
 from rcj_challenges.rules.values.draw import DrawValue
-from rcj_challenges.scenario.half_start import rules_at_start
+from rcj_challenges.scenario.half_start import fixed_spots, rules_at_start
 from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.roster import EACH, OTHER, Roster, as_tuple
-from rcj_challenges.scenario.set_spots import fixed_spots
 from rcj_challenges.scenario.start_poses import start_noise_m, start_pose
 from rcj_challenges.scenario.touch_rules import written_others
 from rcj_challenges.views.drawing.shapes import Point, point_words

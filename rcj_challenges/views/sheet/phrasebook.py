@@ -8,11 +8,11 @@ from rcj_challenges.rules.actions.remove import Remove
 from rcj_challenges.rules.fields import Names, Scalar
 from rcj_challenges.rules.phrasing import Subject, listed, plain, quoted, quoted_measure
 from rcj_challenges.rules.quantifier import AtLeast
+from rcj_challenges.scenario.half_start import set_from_the_start
 from rcj_challenges.scenario.halves import clock_may_stop
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.roster import BOUND, OTHER, WALLS, Roster, as_tuple, with_each
 from rcj_challenges.scenario.sequence_info import followed
-from rcj_challenges.scenario.set_draws import set_from_the_start
 from rcj_challenges.scenario.touch_rules import names_other
 
 _MEASURED_BY_SEVERAL = "what was measured"
