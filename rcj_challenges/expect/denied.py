@@ -4,22 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterable, Mapping
 from math import inf
-from typing import NamedTuple
+from typing import NamedTuple, assert_never
 
 import yaml
 
 from rcj_challenges.core.timing import s_from_ticks
-from rcj_challenges.rules.actions import AnyAction
-from rcj_challenges.rules.actions.count import Count
-from rcj_challenges.rules.actions.emit import Emit
-from rcj_challenges.rules.actions.end import End
-from rcj_challenges.rules.actions.hold import Hold
-from rcj_challenges.rules.actions.release import Release
-from rcj_challenges.rules.actions.score import Score
-from rcj_challenges.rules.actions.set_flag import SetFlag
-from rcj_challenges.rules.actions.set_phase import SetPhase
-from rcj_challenges.rules.actions.toggle_flag import ToggleFlag
 from rcj_challenges.rules.base import Condition
+from rcj_challenges.rules.effects import (
+    Draws,
+    Effect,
+    Emits,
+    Ends,
+    Holds,
+    Places,
+    PlacesLayout,
+    Releases,
+    Removes,
+    Scores,
+    SetsPhase,
+    SetsSpot,
+    Writes,
+)
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import EACH, OTHER
 from rcj_challenges.tracking.bound_rules import Denied
@@ -31,8 +36,7 @@ class Wanted(NamedTuple):
     Attributes:
         missing: the events that did not come, with the time in s at which they were expected, if at any.
         scores: the entrants with another score.
-        counters: the counters with another value.
-        flags: the flags with another value.
+        entries: the counters and flags with another value, each with its section.
         phase: the phase that it should be; None: it is.
         over: whether nothing, or the half only, is over that should be.
         held: whether a robot is held that should not be, or the other way round.
@@ -40,8 +44,7 @@ class Wanted(NamedTuple):
 
     missing: Mapping[str, float | None]
     scores: Container[str] = ()
-    counters: Container[str] = ()
-    flags: Container[str] = ()
+    entries: Container[tuple[str, str]] = ()
     phase: str | None = None
     over: bool = False
     held: bool = False
@@ -69,11 +72,12 @@ def denied_condition_notes(
     noted = 0
     for name, ticks in denied.items():
         rule = scenario.rules[name]
-        emitted = [one.event for one in rule.actions if isinstance(one, Emit) and one.event in wanted.missing]
-        if not (emitted or any(_does(one, wanted) for one in rule.actions)) or name in fired or noted == _MAX_NOTES:
+        does = [one for action in rule.actions for one in action.effects() if _changes(one, wanted)]
+        if not does or name in fired or noted == _MAX_NOTES:
             continue
         noted += 1
-        tick = _nearest(ticks, wanted.missing[emitted[0]] if emitted else None)
+        emitted = (wanted.missing[one.event] for one in does if isinstance(one, Emits))
+        tick = _nearest(ticks, next(emitted, None))
         condition, held_after = ticks[tick]
         which = _as_written(rule.conditions[condition])
         yet = _YET if held_after else ""
@@ -87,27 +91,26 @@ def _as_written(condition: Condition) -> str:
     return str(yaml.safe_dump(data, default_flow_style=True, sort_keys=False, width=inf)).strip()
 
 
-def _does(action: AnyAction, wanted: Wanted) -> bool:
-    """Return whether an action changes what differs from the expectations, apart from events."""
-    match action:
-        case Score():
-            does = bool(wanted.scores) and _may_be(action.entrant, wanted.scores)
-        case Count():
-            does = action.counter in wanted.counters
-        case SetFlag() | ToggleFlag():
-            does = action.flag in wanted.flags
-        case SetPhase():
-            does = action.phase == wanted.phase
-        case End():
-            does = wanted.over
+def _changes(effect: Effect, wanted: Wanted) -> bool:  # noqa: PLR0911 - one for each kind
+    """Return whether an effect is on what differs from the expectations."""
+    match effect:
+        case Emits(event):
+            return event in wanted.missing
+        case Scores(entrant):
+            # Each, other and the last to touch something may be any of them.
+            return bool(wanted.scores) and (entrant in (None, EACH, OTHER) or entrant in wanted.scores)
+        case Writes(section, name):
+            return (section, name) in wanted.entries
+        case SetsPhase(phase):
+            return phase == wanted.phase
+        case Ends():
+            return wanted.over
+        case Holds() | Releases():
+            return wanted.held
+        case Places() | PlacesLayout() | Removes() | Draws() | SetsSpot():
+            return False
         case _:
-            does = wanted.held and isinstance(action, Hold | Release)
-    return does
-
-
-def _may_be(entrant: object, scores: Container[str]) -> bool:
-    """Return whether a score may be that of one of some entrants; ``each`` and the last toucher may be any of them."""
-    return not isinstance(entrant, str) or entrant in (EACH, OTHER) or entrant in scores
+            assert_never(effect)
 
 
 def _nearest(ticks: Iterable[int], at_s: float | None) -> int:

@@ -7,8 +7,7 @@ from collections.abc import Collection, Container, Iterable, Iterator
 from rcj_challenges.core.play import Placement
 from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.referee.zones import region_of
-from rcj_challenges.rules.actions.emit import Emit
-from rcj_challenges.rules.triggers.enters import Enters
+from rcj_challenges.rules.effects import Emits, Entry
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.roster import Roster, with_each
 
@@ -30,8 +29,7 @@ def put_inside_notes(
         fired: the rules that have fired.
     """
     for name, rule in scenario.rules.items():
-        emitted = {action.event for action in rule.actions if isinstance(action, Emit)}
-        if name in fired or not any(event in missing for event in emitted):
+        if name in fired or not any(one.event in missing for one in rule.effects(Emits)):
             continue
         found = next(_inside(placements, rule, scenario, roster), None)
         if found is not None:
@@ -46,10 +44,8 @@ def _inside(
     placements: Collection[tuple[int, Placement]], rule: Rule, scenario: Scenario, roster: Roster
 ) -> Iterator[tuple[int, str, str]]:
     """Yield when what was put into a zone that a trigger of the rule waits for it to enter."""
-    for trigger in rule.triggers:
-        if not isinstance(trigger, Enters):
-            continue
-        entities, zones = (roster.expand(with_each(names, rule.for_each)) for names in (trigger.entity, trigger.zone))
+    for entry in rule.moments(Entry):
+        entities, zones = (roster.expand(with_each(names, rule.for_each)) for names in (entry.entity, entry.zone))
         for tick, put in placements:
             name = roster.entities[put.entity]
             if put.parked or name not in entities:

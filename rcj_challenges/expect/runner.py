@@ -16,7 +16,7 @@ from rcj_challenges.expect.put_inside import put_inside_notes
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.ranking import Tally, ranking
-from rcj_challenges.rules.actions.end import End
+from rcj_challenges.rules.effects import Ends
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.draw_order import places_of, series_of
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe, Scenario
@@ -138,8 +138,7 @@ def _wanted(differences: Collection[str], match: ScriptedMatch, expected: Expect
     return Wanted(
         missing=_missing(differences, expected),
         scores=_scores(match, expected),
-        counters={name for name in expected.counters if ("counter", name) in differing},
-        flags={name for name in expected.flags if ("flag", name) in differing},
+        entries={(f"{kind}s", name) for kind, name in differing if kind in ("counter", "flag")},
         phase=expected.phase if ("phase", ":") in differing else None,
         over=expected.ended != "none" and ("ended", ":") in differing,
         held=any((name, "held") in differing for name in expected.held or ()),
@@ -155,15 +154,11 @@ def _early_end_notes(match: ScriptedMatch, scenario: Scenario, expected: Expecta
     if not (wanted.missing or left_out or expected.ended == "none"):
         return
     what = "match" if match.output.ends_match else "half"
-    ending = (f.rule for f in reversed(match.firings) if f.suppressed is None and _ends(scenario, f.rule))
+    ending = (f.rule for f in reversed(match.firings) if f.suppressed is None and scenario.rules[f.rule].effects(Ends))
     rule = next(ending, None)
     if rule is not None:
         at_s = s_from_ticks(match.tick)
         yield f"note: {rule} ended the {what} at {at_s:g} s, and so the test; it lasts {expected.lasts_s:g} s"
-
-
-def _ends(scenario: Scenario, rule: str) -> bool:
-    return any(isinstance(one, End) for one in scenario.rules[rule].actions)
 
 
 def _missing(differences: Iterable[str], expected: Expectation) -> dict[str, float | None]:

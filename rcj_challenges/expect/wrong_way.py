@@ -8,8 +8,8 @@ from typing import NamedTuple
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.geometry.regions import crossing
+from rcj_challenges.rules.effects import Crossing
 from rcj_challenges.rules.fields import Names
-from rcj_challenges.rules.triggers.crosses import Crosses
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import Sequence
 from rcj_challenges.scenario.roster import Roster, with_each
@@ -54,16 +54,16 @@ class WrongWays:
                 yield _Passage(entity, gate, -1, f"no step of {name}, which counts only gates crossed forward")
 
     def _of_rule(self, name: str, rule: Rule) -> Iterable[_Passage]:
-        for trigger in rule.triggers:
-            if not isinstance(trigger, Crosses) or trigger.direction == "either":
+        for one in rule.moments(Crossing):
+            if one.direction == "either":
                 continue
-            unheard = f"not counted by the rule {name}, which has direction: {trigger.direction}"
+            unheard = f"not counted by the rule {name}, which has direction: {one.direction}"
             for each in (None,) if rule.for_each is None else self._members(rule.for_each, None):
-                for entity in self._entities(trigger.entity, each):
+                for entity in self._entities(one.entity, each):
                     # A gate that is drawn is not looked at: it may be another one at that time.
-                    for gate in self._members(trigger.gate, each):
+                    for gate in self._members(one.gate, each):
                         if gate in self._gates:
-                            yield _Passage(entity, gate, _WRONG[trigger.direction], unheard)
+                            yield _Passage(entity, gate, _WRONG[one.direction], unheard)
 
     def _members(self, names: Names, each: str | None) -> tuple[str, ...]:
         return self._roster.expand(with_each(names, each))

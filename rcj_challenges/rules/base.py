@@ -4,7 +4,7 @@ A word is one file: its model, what the referee makes of it, its sentence on the
 imports neither the referee nor the sheet, only the protocols `Binder` and `Phrases`.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 from typing import Annotated, Any, ClassVar, Union, get_args
 
@@ -13,7 +13,7 @@ from pydantic_core import CoreSchema, core_schema
 
 from rcj_challenges.rules.binder import Binder, Scope
 from rcj_challenges.rules.effects import Effect, Moment, Writes
-from rcj_challenges.rules.fields import Name, Names, Point, Strict, described
+from rcj_challenges.rules.fields import Name, Names, Point, Scalar, Strict, described
 from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import number
 from rcj_challenges.rules.refs import SectionRef, ref_of
@@ -373,6 +373,10 @@ class ValueWord(FormWord):
     def describe(self, phrases: Phrases) -> str:
         """Return the value in words: ``whether the flag “out” is set``."""
         raise NotImplementedError
+
+    def exactly(self, _phrases: Phrases) -> str | Sequence[Scalar]:
+        """Return for programs that receive the value its form, or all that it may be; empty: the words suffice."""
+        return ""
 
     def describe_number(self, phrases: Phrases) -> str:
         """Return the value in words where a number is asked for: ``1 if the flag “out” is set``."""

@@ -8,7 +8,7 @@ from typing import Any
 from rcj_challenges.core.measures import measure, measured_words, number_words
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.referee.ranking import Tally, counted_for, ranked_counters
-from rcj_challenges.rules.actions.score import Score
+from rcj_challenges.rules.effects import Scores
 from rcj_challenges.scenario.models.scenario import RankByScore, Scenario
 
 Value = int | float
@@ -17,7 +17,7 @@ Value = int | float
 def shows_score(scenario: Scenario) -> bool:
     """Return whether a scoreboard has points to show: rules give some, or the ranking compares them."""
     ranked = any(isinstance(criterion, RankByScore) for criterion in scenario.result.rank)
-    return ranked or any(isinstance(action, Score) for rule in scenario.rules.values() for action in rule.actions)
+    return ranked or bool(scenario.effects(Scores))
 
 
 def counted_names(scenario: Scenario) -> list[dict[str, str]]:

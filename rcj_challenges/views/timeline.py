@@ -17,7 +17,7 @@ from rcj_challenges.core.play import Event, Fault, Firing, HalfInfo
 from rcj_challenges.records.referee_log import RefereeLog
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.records.trajectory import HalfTrack
-from rcj_challenges.rules.actions.emit import Emit
+from rcj_challenges.rules.effects import Emits
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.views.standing import RankingCounters, Value
 
@@ -125,10 +125,7 @@ class TimelineBuilder:
         """Begin a run; of points without an event, the first ones of each rule and half are in the timeline."""
         self.timeline = Timeline()
         self._max_unannounced = max_unannounced
-        self._emitted = {
-            name: [action.event for action in rule.actions if isinstance(action, Emit)]
-            for name, rule in scenario.rules.items()
-        }
+        self._emitted = {name: [one.event for one in rule.effects(Emits)] for name, rule in scenario.rules.items()}
         self._ranking = RankingCounters(scenario)
         self._unannounced: Counter[str] = Counter()
         self._half = HalfTimeline(0, {}, {})

@@ -124,6 +124,11 @@ def longest_s(lasts_s: object, draws: Mapping[str, "_Draw"]) -> float | None:
     return lasts_s if isinstance(lasts_s, int | float) else None
 
 
+def is_counted(lasts_s: Lasts) -> bool:
+    """Return whether a counter says how long something lasts."""
+    return isinstance(lasts_s, CounterValue)
+
+
 class _Draw(Protocol):
     @property
     def values(self) -> tuple[Scalar, ...]: ...

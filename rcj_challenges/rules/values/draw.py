@@ -37,6 +37,9 @@ expect:
         draws, name = to.state.draws, self.draw
         return lambda: draws[name]
 
+    def exactly(self, phrases: Phrases) -> tuple[Scalar, ...]:
+        return phrases.draw_values(self.draw)
+
     def describe(self, phrases: Phrases) -> str:
         return phrases.what_drawn(self.draw)
 

@@ -42,5 +42,8 @@ expect:
 
         return read
 
+    def exactly(self, _phrases: Phrases) -> str:
+        return "[x, y, yaw] in m and rad, of a spot [x, y]; null while it is off the field"
+
     def describe(self, phrases: Phrases) -> str:
         return f"the position of {phrases.thing(self.position_of)}"

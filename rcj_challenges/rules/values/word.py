@@ -52,6 +52,9 @@ expect:
         read, of = FACTS[self.word].read, self.of
         return lambda firing: read(to, firing, of)
 
+    def exactly(self, phrases: Phrases) -> tuple[str, ...]:
+        return phrases.phases() if self.word == "phase" else ()
+
     def describe(self, phrases: Phrases) -> str:
         words = phrases.measured if self.word == "measured" else FACTS[self.word].says
         return f"{words} of {phrasing.plain(self.of)}" if self.of else words

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections import Counter as Tally
 from collections.abc import Iterator
 
-from rcj_challenges.rules.actions.draw import DrawAction
+from rcj_challenges.rules.effects import Draws
 from rcj_challenges.rules.phrasing import listed, number, quoted, quoted_measure, seconds
-from rcj_challenges.rules.values import duration_words, value_words
-from rcj_challenges.rules.values.counter import CounterValue
+from rcj_challenges.rules.values import duration_words, is_counted, value_words
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.models.state import Counter, Draw, Flag, Phase, Sequence, Timer
@@ -44,7 +43,7 @@ def course_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
 def _phase_words(phrases: Phrasebook, name: str, phase: Phase) -> str:
     lasts = "lasts until a rule begins another"
     if phase.lasts_s:
-        begun = " when it begins" if isinstance(phase.lasts_s, CounterValue) else ""
+        begun = " when it begins" if is_counted(phase.lasts_s) else ""
         lasts = f"lasts {duration_words(phrases, phase.lasts_s)}{begun}, then {quoted(phase.next)} follows"
     kickoff = "; meanwhile a kick-off is awaited" if phase.waiting_for_kickoff else ""
     clock = "goes on" if phase.clock == "runs" else "stands still, timers go on"
@@ -83,8 +82,7 @@ def _draw_words(phrases: Phrasebook, name: str, draw: Draw) -> str:
     if draw.not_again is not None:
         again += f"; in {'a half' if draw.not_again == 'half' else 'the match'} all come before one comes again"
     keep = "once a match" if draw.keep == "match" else "when a half starts"
-    actions = [action for rule in phrases.scenario.rules.values() for action in rule.actions]
-    by_rules = {action.as_ is None for action in actions if isinstance(action, DrawAction) and action.draw == name}
+    by_rules = {one.value is None for one in phrases.scenario.effects(Draws) if one.draw == name}
     also = "".join(
         (", and again when a rule says so" if True in by_rules else "", "; rules also set it" * (False in by_rules))
     )

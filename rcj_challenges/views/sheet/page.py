@@ -6,13 +6,11 @@ from collections.abc import Iterator, Mapping
 
 from rcj_challenges.devices.team_emitter import TeamEmitterDevice
 from rcj_challenges.robots.channels import entrant_of
-from rcj_challenges.rules.actions.place import Place
-from rcj_challenges.rules.actions.score import Score
-from rcj_challenges.rules.bounds import bounds_words
+from rcj_challenges.rules.effects import PlacesLayout
 from rcj_challenges.rules.phrasing import counted, listed, number, plain, quoted, quoted_measure, seconds
 from rcj_challenges.rules.placement import placement_words
-from rcj_challenges.rules.values import amount_words
 from rcj_challenges.scenario.halves import clock_may_stop, half_lengths_s
+from rcj_challenges.scenario.layouts import layouts_of
 from rcj_challenges.scenario.models.limits import Limits
 from rcj_challenges.scenario.models.scenario import (
     RankByCounter,
@@ -25,7 +23,6 @@ from rcj_challenges.scenario.models.scenario import (
 from rcj_challenges.scenario.placeholders import description_of
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.drawing.field import picture_of
-from rcj_challenges.views.drawing.placement_areas import layouts_of
 from rcj_challenges.views.sheet.course import course_blocks, length_words
 from rcj_challenges.views.sheet.document import Block, Items, Section, Sheet, Table
 from rcj_challenges.views.sheet.field import field_blocks
@@ -80,11 +77,8 @@ def _scoring(scenario: Scenario, phrases: Phrasebook, rules: Mapping[str, Rule])
 def _points_rows(phrases: Phrasebook, rule: Rule) -> Iterator[tuple[str, str, str]]:
     points: dict[str, list[str]] = {}
     own = phrases.within(rule)
-    for action in rule.actions:
-        if isinstance(action, Score):
-            points.setdefault(action.receiver(own), []).append(
-                f"{amount_words(own, action.points)}{bounds_words(action, 'score')}"
-            )
+    for receiver, words in filter(None, (action.points_row(own) for action in rule.actions)):
+        points.setdefault(receiver, []).append(words)
     when = says_sentence(own, rule) or f"{when_words(rule, phrases)}."
     yield from ((when, receiver, ", plus ".join(parts)) for receiver, parts in points.items())
 
@@ -120,12 +114,12 @@ def _own_counter(phrases: Phrasebook, name: str) -> str:
 
 def _layouts(phrases: Phrasebook, rules: Mapping[str, Rule]) -> Iterator[str]:
     scenario = phrases.scenario
-    actions = [action for rule in rules.values() for action in rule.actions if isinstance(action, Place)]
-    used = {name for action in actions for name in layouts_of(scenario, action)}
+    placed = [one for rule in rules.values() for one in rule.effects(PlacesLayout)]
+    used = {name for one in placed for name in layouts_of(scenario, one)}
     for name, layout in scenario.placements.items():
         if name in used:
-            placed = (placement_words(phrases, placing.entity, placing.at, placing) for placing in layout)
-            yield f"{quoted(name)}: {'; '.join(placed)}."
+            words = (placement_words(phrases, placing.entity, placing.at, placing) for placing in layout)
+            yield f"{quoted(name)}: {'; '.join(words)}."
 
 
 def _submission(scenario: Scenario) -> Iterator[Block]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from rcj_challenges.rules.actions.remove import Remove
+from rcj_challenges.rules.effects import Removes
 from rcj_challenges.rules.fields import Names, Scalar
 from rcj_challenges.rules.phrasing import Subject, listed, plain, quoted, quoted_measure
 from rcj_challenges.rules.quantifier import AtLeast
@@ -162,8 +162,7 @@ class Phrasebook:
 
     def may_be_off(self) -> bool:
         """Return whether a rule takes anything off the field."""
-        rules = self.scenario.rules.values()
-        return any(isinstance(action, Remove) for rule in rules for action in rule.actions)
+        return bool(self.scenario.effects(Removes))
 
     def clock_may_stop(self) -> bool:
         """Return whether a phase stops the clock of the half."""
@@ -255,6 +254,10 @@ class Phrasebook:
     def draw_values(self, draw: str) -> tuple[Scalar, ...]:
         """Return the values of a draw."""
         return self.scenario.draws[draw].values
+
+    def phases(self) -> tuple[str, ...]:
+        """Return the names of all phases."""
+        return tuple(dict.fromkeys(("play", *self.scenario.phases)))
 
     # --- what a name stands for in a rule ----------------------------------------------------------------------------
 

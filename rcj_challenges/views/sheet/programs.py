@@ -4,19 +4,16 @@ from __future__ import annotations
 
 import json
 import struct
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 
 from rcj_challenges.core.messages import MAX_LETTERS
 from rcj_challenges.core.timing import TICK_MS
 from rcj_challenges.devices.supervisor_receiver import SupervisorReceiverDevice
 from rcj_challenges.robots.channels import entrant_of, listening_channels
-from rcj_challenges.rules.actions.emit import Emit
-from rcj_challenges.rules.fields import Scalar
+from rcj_challenges.rules.base import ValueWord
+from rcj_challenges.rules.effects import Emits
 from rcj_challenges.rules.phrasing import listed, plain
 from rcj_challenges.rules.values import Value, value_words
-from rcj_challenges.rules.values.draw import DrawValue
-from rcj_challenges.rules.values.position_of import PositionValue
-from rcj_challenges.rules.values.word import WordValue
 from rcj_challenges.scenario.kit_devices import devices_of
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Broadcast, Rule, Scenario
@@ -47,7 +44,7 @@ def program_sections(scenario: Scenario, phrases: Phrasebook, rules: Mapping[str
         yield Section("What programs can send to the referee", sent)
     events: dict[str, list[str]] = {}
     for rule in rules.values():
-        for event in {action.event: None for action in rule.actions if isinstance(action, Emit)}:
+        for event in dict.fromkeys(one.event for one in rule.effects(Emits)):
             events.setdefault(event, []).append(says_sentence(phrases, rule))
     if events:
         rows = ((event, " Or: ".join(filter(None, dict.fromkeys(said)))) for event, said in events.items())
@@ -119,27 +116,20 @@ def _values(fields: Mapping[str, Value], phrases: Phrasebook) -> Table:
             key,
             json.dumps(entry, ensure_ascii=False)
             if isinstance(entry, str | int | float)
-            else value_words(phrases, entry) + _exactly(phrases.scenario, entry),
+            else value_words(phrases, entry) + _exactly(phrases, entry),
         )
         for key, entry in fields.items()
     )
     return Table(("key", "value"), tuple(rows))
 
 
-def _exactly(scenario: Scenario, entry: object) -> str:
+def _exactly(phrases: Phrasebook, entry: object) -> str:
     """Return what a program must know of a value to the letter: what it compares with, and what a list holds."""
-    match entry:
-        case DrawValue():
-            values: Sequence[Scalar] = scenario.draws[entry.draw].values
-        case WordValue(word="phase"):
-            values = ("play", *(phase for phase in scenario.phases if phase != "play"))
-        case PositionValue():
-            return ": [x, y, yaw] in m and rad, of a spot [x, y]; null while it is off the field"
-        case _:
-            return ""
-    # As JSON, since 1 and true are one to Python.
-    written = dict.fromkeys(json.dumps(one, ensure_ascii=False) for one in values)
-    return f": {listed(list(written), 'or')}"
+    exactly = entry.exactly(phrases) if isinstance(entry, ValueWord) else ""
+    if not isinstance(exactly, str):
+        # As JSON, since 1 and true are one to Python.
+        exactly = listed(list(dict.fromkeys(json.dumps(one, ensure_ascii=False) for one in exactly)), "or")
+    return exactly and f": {exactly}"
 
 
 def _sent(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rcj_challenges.rules.actions.score import Score
+from rcj_challenges.rules.effects import Entry, Scores
 from rcj_challenges.rules.fields import Names
-from rcj_challenges.rules.triggers.enters import Enters
 from rcj_challenges.scenario.models.field import FieldModel
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.roster import Roster, with_each
@@ -26,21 +25,18 @@ def attacked_ends(scenario: Scenario, roster: Roster) -> dict[str, frozenset[int
     found: dict[str, set[int]] = {seat: set() for seat in scenario.entrants}
     for rule in scenario.rules.values():
         ends = _ends_entered(rule, scenario, roster)
-        for action in rule.actions:
-            if isinstance(action, Score) and not (isinstance(action.points, int | float) and action.points <= 0):
-                for seat in _receivers(action, rule, scenario, roster):
-                    found[seat].update(ends)
+        for score in (one for one in rule.effects(Scores) if one.may_gain):
+            for seat in _receivers(score, rule, scenario, roster):
+                found[seat].update(ends)
     if scenario.field.goals and not any(found.values()):
         found = _by_start(scenario)
     return {seat: frozenset(ends) for seat, ends in found.items()}
 
 
-def _receivers(action: Score, rule: Rule, scenario: Scenario, roster: Roster) -> list[str]:
+def _receivers(score: Scores, rule: Rule, scenario: Scenario, roster: Roster) -> list[str]:
     """Return the seats that may get the points; none if it depends on the last touch."""
-    if not isinstance(action.entrant, str):
-        return []
-    if action.entrant in scenario.entrants:
-        return [action.entrant]
+    if score.entrant is None or score.entrant in scenario.entrants:
+        return [] if score.entrant is None else [score.entrant]
     robots = set(roster.expand(rule.for_each or ()))
     return [seat for seat, entrant in scenario.entrants.items() if robots & set(entrant.robots)]
 
@@ -57,9 +53,9 @@ def goal_widths(field: FieldModel) -> Mapping[int, float]:
 
 def _ends_entered(rule: Rule, scenario: Scenario, roster: Roster) -> set[int]:
     balls, ends = set(scenario.balls), set()
-    for trigger in rule.triggers:
-        if isinstance(trigger, Enters) and balls & set(_members(trigger.entity, rule, roster)):
-            for name in _members(trigger.zone, rule, roster):
+    for entry in rule.moments(Entry):
+        if balls & set(_members(entry.entity, rule, roster)):
+            for name in _members(entry.zone, rule, roster):
                 zone = scenario.zones.get(name)
                 ys = [y for _, y in visible_outline(zone, scenario.field, _EVERYWHERE)] if zone is not None else []
                 if ys and abs(sum(ys) / len(ys)) > _AT_THE_END * scenario.field.length_m / 2:
