@@ -8,17 +8,13 @@ from itertools import product
 from typing import NamedTuple
 
 from rcj_challenges.core.play import Pose2
-from rcj_challenges.rules.actions.place import Place
-from rcj_challenges.rules.actions.remove import Remove
-from rcj_challenges.rules.actions.set_spot import SetSpot
 from rcj_challenges.rules.base import PlaceWord
+from rcj_challenges.rules.effects import Places, PlacesLayout, Removes, SetsSpot
 from rcj_challenges.rules.fields import Names
 from rcj_challenges.rules.mirror import Mirror
 from rcj_challenges.rules.places import place_of
-from rcj_challenges.rules.places.point import AtPoint
-from rcj_challenges.rules.values.draw import DrawValue
 from rcj_challenges.scenario.half_start import fixed_spots, rules_at_start
-from rcj_challenges.scenario.models.places import Placing
+from rcj_challenges.scenario.layouts import alternatives
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.roster import EACH, OTHER, Roster, as_tuple
 from rcj_challenges.scenario.start_poses import start_noise_m, start_pose
@@ -28,7 +24,6 @@ from rcj_challenges.views.drawing.shapes import Point, point_words
 Flip = tuple[bool, bool]
 """Whether x becomes -x, and whether y becomes -y."""
 AS_WRITTEN: Flip = (False, False)
-_MirroredPlacing = tuple[Placing | Place, list[Flip]]
 
 
 @dataclass(frozen=True)
@@ -90,17 +85,17 @@ def first_poses(scenario: Scenario, roster: Roster) -> dict[str, Pose2 | None]:
 def _placed(scenario: Scenario, roster: Roster, rule: Rule, before: dict[str, Pose2 | None]) -> dict[str, Pose2 | None]:
     """Return where a rule puts things; None for what it takes off the field or may put elsewhere."""
     placed: dict[str, Pose2 | None] = {}
-    for action in rule.actions:
-        if isinstance(action, Remove):
-            placed |= dict.fromkeys(roster.expand(_names(action.entity, rule)))
-        if not isinstance(action, Place):
+    for effect in (one for action in rule.actions for one in action.effects()):
+        if isinstance(effect, Removes):
+            placed |= dict.fromkeys(roster.expand(_names(effect.names, rule)))
+        if not isinstance(effect, Places | PlacesLayout):
             continue
         ends: list[dict[str, Pose2 | None]] = []
-        for placings in _alternatives(scenario, action):
+        for layout in alternatives(scenario, effect):
             ends.append(dict(placed))
-            for placing, flips in placings:
-                for name in roster.expand(_names(placing.entity or (), rule)):
-                    ends[-1][name] = _certain_pose(scenario, roster, placing, flips, name)
+            for one in layout:
+                for name in roster.expand(_names(one.names, rule)):
+                    ends[-1][name] = _certain_pose(scenario, roster, one, name)
         for name in {name for end in ends for name in end}:
             first, *others = (end.get(name, before[name]) for end in ends)
             placed[name] = first if all(other == first for other in others) else None
@@ -111,13 +106,6 @@ def flipped(point: Point, flip: Flip) -> Point:
     """Return a point mirrored."""
     # Adding 0 turns -0 into 0.
     return (-point[0] + 0.0 if flip[0] else point[0], -point[1] + 0.0 if flip[1] else point[1])
-
-
-def layouts_of(scenario: Scenario, action: Place) -> list[str]:
-    """Return the layouts that an action may place."""
-    if isinstance(action.layout, DrawValue):
-        return [str(value) for value in scenario.draws[action.layout.draw].values]
-    return [] if action.layout is None else [action.layout]
 
 
 class _Put(NamedTuple):
@@ -131,48 +119,37 @@ class _Put(NamedTuple):
 
 
 def _puts(scenario: Scenario, rule: Rule) -> Iterator[_Put]:
-    for action in rule.actions:
-        if isinstance(action, Remove) and action.for_s is not None:
-            yield _Put(_names(action.entity, rule), place_of(action.back_at))
-        elif isinstance(action, SetSpot):
-            at = AtPoint(point=action.to) if isinstance(action.to, tuple) else action.to
-            if isinstance(at, PlaceWord):
-                yield from (_Put((action.spot,), at, flip=flip) for flip in _flips(action.mirror))
-        elif isinstance(action, Place):
-            for placing, flips in (one for layout in _alternatives(scenario, action) for one in layout):
-                names = _names(placing.entity or (), rule)
-                for flip in flips:
-                    yield _Put(names, place_of(placing.at or "start"), placing.noise_m, flip)
-                    if placing.kick is not None:
-                        yield _Put(names, place_of(placing.kick.towards), flip=flip, is_aim=True)
-
-
-def _alternatives(scenario: Scenario, action: Place) -> list[list[_MirroredPlacing]]:
-    """Return what an action puts somewhere, and how that may be mirrored, for each layout that it may place."""
-    if action.entity is not None:
-        return [[(action, _flips(action.mirror))]]
-    layouts = (scenario.placements[name] for name in layouts_of(scenario, action))
-    return [[(placing, _flips(placing.mirror, action.mirror)) for placing in layout] for layout in layouts]
+    for effect in (one for action in rule.actions for one in action.effects()):
+        match effect:
+            case Removes(names, PlaceWord() as back_at):
+                yield _Put(_names(names, rule), back_at)
+            case SetsSpot(spot, PlaceWord() as at, mirror):
+                yield from (_Put((spot,), at, flip=flip) for flip in _flips(mirror))
+            case Places() | PlacesLayout():
+                for put in (one for layout in alternatives(scenario, effect) for one in layout):
+                    names = _names(put.names, rule)
+                    for flip in _flips(*put.mirrors):
+                        yield _Put(names, put.at, put.noise_m, flip)
+                        if put.kick is not None:
+                            yield _Put(names, place_of(put.kick.towards), flip=flip, is_aim=True)
 
 
 def _flips(*mirrors: Mirror | None) -> list[Flip]:
     """Return all ways in which mirrors, one applied after the other, may mirror a place."""
     ways: list[list[Flip]] = []
-    for mirror in mirrors:
-        flip = AS_WRITTEN if mirror is None else (mirror.axis in ("x", "both"), mirror.axis in ("y", "both"))
-        ways.append([flip] if mirror is None or mirror.when is None else [AS_WRITTEN, flip])
+    for mirror in filter(None, mirrors):
+        flip = mirror.axis in ("x", "both"), mirror.axis in ("y", "both")
+        ways.append([flip] if mirror.when is None else [AS_WRITTEN, flip])
     return sorted({(sum(x for x, _ in way) % 2 == 1, sum(y for _, y in way) % 2 == 1) for way in product(*ways)})
 
 
-def _certain_pose(
-    scenario: Scenario, roster: Roster, placing: Placing | Place, flips: list[Flip], name: str
-) -> Pose2 | None:
+def _certain_pose(scenario: Scenario, roster: Roster, put: Places, name: str) -> Pose2 | None:
     """Return the only pose that a placement can give; None if chance or the course of the half decides."""
-    start, at = start_pose(scenario, name), place_of(placing.at or "start")
-    points = _points(scenario, roster, at) if at.options() else [start[:2]]
-    if at.IS_SPREAD or len(points) != 1 or len(flips) != 1:
+    start, flips = start_pose(scenario, name), _flips(*put.mirrors)
+    points = _points(scenario, roster, put.at) if put.at.options() else [start[:2]]
+    if put.at.IS_SPREAD or len(points) != 1 or len(flips) != 1:
         return None
-    yaw_rad = float(placing.facing) if isinstance(placing.facing, int | float) else start[2]
+    yaw_rad = float(put.facing) if isinstance(put.facing, int | float) else start[2]
     return (*flipped(points[0], flips[0]), yaw_rad)
 
 
