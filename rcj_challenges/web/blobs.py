@@ -6,6 +6,10 @@ import hashlib
 import os
 import time
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rcj_challenges.web.models import Submission
 
 MIN_FREE_BYTES = 2_000_000_000
 _STALE_S = 3600.0
@@ -69,3 +73,14 @@ class Blobs:
         """Return whether enough of the disk is free to take more."""
         state = os.statvfs(self._folder)
         return state.f_bavail * state.f_frsize >= MIN_FREE_BYTES
+
+
+def report_folder(site: Path, submission: Submission, attempt: int | None = None) -> Path:
+    """Return the folder with the page and the replays of a check.
+
+    Args:
+        site: the folder of the site.
+        submission: that was checked.
+        attempt: the claim that is writing it; None: the one that is shown.
+    """
+    return site / "reports" / (f"{submission.pk}" if attempt is None else f"{submission.pk}.{attempt}")

@@ -11,17 +11,16 @@ import subprocess
 import threading
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from datetime import datetime
-from pathlib import Path
 from typing import Any
 
-from django.db import close_old_connections, connections
-from django.utils import timezone
+from django.db import DatabaseError, close_old_connections, connections
 
 from rcj_challenges import __version__
 from rcj_challenges.match.worker_pool import python_command
 from rcj_challenges.web import jobs
-from rcj_challenges.web.blobs import Blobs
+from rcj_challenges.web.blobs import Blobs, report_folder
 from rcj_challenges.web.config import SiteConfig
 from rcj_challenges.web.jobs import Verdict
 from rcj_challenges.web.models import Job, State, Submission, Worker
@@ -44,7 +43,7 @@ class Dispatcher:
         now: returns the time.
     """
 
-    def __init__(self, config: SiteConfig, now: Callable[[], datetime] = timezone.now) -> None:
+    def __init__(self, config: SiteConfig, now: Callable[[], datetime] = jobs.database_now) -> None:
         self.name = f"{socket.gethostname()}-{os.getpid()}-{secrets.token_hex(3)}"[:80]
         self._config = config
         self._blobs = Blobs(config.folder)
@@ -54,18 +53,27 @@ class Dispatcher:
         self._lock = threading.Lock()
         self._stopped = threading.Event()
 
-    def run(self) -> None:
-        """Work until `stop` is called; then the running processes are ended, and their jobs go back by their leases."""
+    def run(self, parent: int | None = None) -> None:
+        """Work until it is interrupted; then the running processes are ended, and their jobs given back.
+
+        Args:
+            parent: a process with which this one ends.
+        """
         lanes = [threading.Thread(target=self._lane) for _ in range(self._config.lanes)]
         for lane in lanes:
             lane.start()
-        while not self._stopped.wait(jobs.HEARTBEAT_S):
-            self._heartbeat()
+        try:
+            while parent is None or os.getppid() == parent:
+                self._heartbeat()
+                time.sleep(jobs.HEARTBEAT_S)
+        except KeyboardInterrupt:
+            pass
+        finally:
+            self._stop()
         for lane in lanes:
             lane.join()
 
-    def stop(self) -> None:
-        """End."""
+    def _stop(self) -> None:
         self._stopped.set()
         with self._lock:
             for process in self._processes.values():
@@ -85,13 +93,28 @@ class Dispatcher:
         began = time.monotonic()
         try:
             store = self._do(job, claim)
-            jobs.finish(job, self._now(), time.monotonic() - began, store)
-        except _HostFaultError as error:
-            jobs.fail(job, self._now(), time.monotonic() - began, str(error))
+            self._insist(lambda took_s: jobs.finish(job, self._now(), took_s, store), began)
+        except (_HostFaultError, OSError) as error:
+            text, is_try = str(error), not self._stopped.is_set()
+            self._insist(lambda took_s: jobs.fail(job, self._now(), took_s, text, is_try=is_try), began)
         finally:
             with self._lock:
                 self._held.discard(claim)
         return True
+
+    def _insist(self, end: Callable[[float], bool], began: float) -> None:
+        """Store how a job ended; if the database is away, try again as long as a lease lasts."""
+        took_s = time.monotonic() - began
+        until = time.monotonic() + jobs.LEASE.total_seconds()
+        while True:
+            try:
+                end(took_s)
+            except DatabaseError:
+                close_old_connections()
+                if time.monotonic() > until or self._stopped.wait(_POLL_S):
+                    raise
+            else:
+                return
 
     def _lane(self) -> None:
         while not self._stopped.is_set():
@@ -130,8 +153,9 @@ class Dispatcher:
             raise _HostFaultError(f"there is no way to do jobs of the kind {job.kind}")
         if job.kind == "repair":
             return self._repair(job, submission, claim)
-        folder = report_folder(self._config.folder, submission)
-        shutil.rmtree(folder, ignore_errors=True)
+        folder = report_folder(self._config.folder, submission, job.attempt)
+        for left in folder.parent.glob(f"{submission.pk}.*"):
+            shutil.rmtree(left, ignore_errors=True)
         folder.mkdir(parents=True)
         answer = self._answer(job, claim, {"kind": "check", "folder": str(folder)}, submission)
         report = answer["report"]
@@ -139,7 +163,15 @@ class Dispatcher:
             raise _HostFaultError(report["hindrance"] or "the check itself failed")
         state = State.REJECTED if report["level"] == "failure" else State.ACCEPTED
         verdict = Verdict(state, report["level"], report["digest"], report)
-        return lambda _: jobs.store_verdict(submission, verdict)
+
+        def store(_job: Job) -> None:
+            jobs.store_verdict(submission, verdict)
+            if folder.exists():  # else it was moved by a first attempt to store the verdict
+                shown = report_folder(self._config.folder, submission)
+                shutil.rmtree(shown, ignore_errors=True)
+                folder.rename(shown)
+
+        return store
 
     def _repair(self, job: Job, submission: Submission, claim: tuple[int, int]) -> Callable[[Job], None]:
         out = self._blobs.incoming / f"repair-{job.pk}-{job.attempt}.zip"
@@ -174,6 +206,8 @@ class Dispatcher:
             timer.start()
             with self._lock:
                 self._processes[claim] = process
+                if self._stopped.is_set() and process.stdin is not None:
+                    process.stdin.close()
             try:
                 last = self._read(job, process, request)
             finally:
@@ -193,7 +227,7 @@ class Dispatcher:
         try:
             process.stdin.write(json.dumps(request) + "\n")
             process.stdin.flush()
-        except OSError:
+        except (OSError, ValueError):  # it has ended, or is to end
             return None
         for line in process.stdout:
             try:
@@ -201,12 +235,8 @@ class Dispatcher:
             except ValueError:
                 continue
             if "stage" in message:
-                jobs.report_progress(job, message["stage"])
+                with suppress(DatabaseError):  # the stage is only shown
+                    jobs.report_progress(job, message["stage"])
             else:
                 return dict(message)
         return None
-
-
-def report_folder(site: Path, submission: Submission) -> Path:
-    """Return the folder with the page and the replays of a check."""
-    return site / "reports" / str(submission.pk)

@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 from django.db import connection, transaction
 from django.db.models import F, FloatField, OuterRef, QuerySet, Subquery, Sum, Value
 from django.db.models.functions import Coalesce
+from django.utils import timezone
 
 from rcj_challenges.web.config import current_site
 from rcj_challenges.web.models import Entry, Job, JobState, State, Submission, Team
@@ -58,6 +59,16 @@ def writing() -> Iterator[None]:
             yield
 
 
+def database_now() -> datetime:
+    """Return the time by the clock that all workers share: that of the server, if there is one."""
+    if connection.vendor == "sqlite":
+        return timezone.now()
+    with connection.cursor() as cursor:
+        cursor.execute("SELECT clock_timestamp()")
+        now: datetime = cursor.fetchone()[0]
+    return now
+
+
 def enqueue_check(submission: Submission, now: datetime, *, again: int = 0) -> Job:
     """Put the check of a submission into the queue; called inside `writing`."""
     return Job.objects.create(
@@ -77,7 +88,7 @@ def waiting(now: datetime) -> QuerySet[Job]:
     A team whose jobs took the least time of the last 24 hours goes first; one that has used its time waits.
     """
     used = (
-        Job.objects.filter(team=OuterRef("team"), finished_at__gt=now - _DAY)
+        Job.objects.filter(team=OuterRef("team"), started_at__gt=now - _DAY)
         .order_by()
         .values("team")
         .annotate(total=Sum("lane_s"))
@@ -94,10 +105,7 @@ def claim(worker: str, now: datetime, kinds: Collection[str] = tuple(PRIORITY)) 
     """Lease the next job to a worker; None: there is none."""
     with writing():
         return_expired(now)
-        found = waiting(now).filter(kind__in=kinds)
-        if connection.vendor == "postgresql":
-            found = found.select_for_update(skip_locked=True, of=("self",))
-        job = found.first()
+        job = _locked(waiting(now).filter(kind__in=kinds)).first()
         if job is None:
             return None
         job.state, job.worker, job.attempt, job.tries = JobState.RUNNING, worker, job.attempt + 1, job.tries + 1
@@ -106,6 +114,11 @@ def claim(worker: str, now: datetime, kinds: Collection[str] = tuple(PRIORITY)) 
         if job.submission is not None:
             Submission.objects.filter(pk=job.submission.pk, state=State.QUEUED).update(state=State.CHECKING)
         return job
+
+
+def _locked(found: QuerySet[Job]) -> QuerySet[Job]:
+    """Lock rows without those that another transaction is changing; SQLite has one writer at a time anyway."""
+    return found.select_for_update(skip_locked=True, of=("self",)) if connection.vendor == "postgresql" else found
 
 
 def renew(worker: str, held: Collection[tuple[int, int]], now: datetime) -> set[tuple[int, int]]:
@@ -159,24 +172,37 @@ def store_verdict(submission: Submission, verdict: Verdict) -> None:
             entry.save(update_fields=("active",))
 
 
-def fail(job: Job, now: datetime, lane_s: float, error: str) -> bool:
+def fail(job: Job, now: datetime, lane_s: float, error: str, *, is_try: bool = True) -> bool:
     """Give a job back because of a fault that is not the team's; after the last attempt it is stuck.
+
+    Args:
+        job: as it was claimed.
+        now: the time.
+        lane_s: how long it occupied a lane, in s.
+        error: what happened.
+        is_try: False if the worker was only stopped: that is not counted.
 
     Returns:
         Whether the claim was still valid.
     """
     with writing():
         mine = Job.objects.filter(pk=job.pk, worker=job.worker, attempt=job.attempt, state=JobState.RUNNING)
-        if not mine.exists():
+        tries = job.tries if is_try else job.tries - 1
+        if not mine.update(lane_s=F("lane_s") + lane_s, error=error[:400], tries=tries):
             return False
-        mine.update(lane_s=F("lane_s") + lane_s, error=error[:400])
         _give_back(Job.objects.get(pk=job.pk), now)
         return True
 
 
 def return_expired(now: datetime) -> int:
-    """Give back the jobs whose leases have run out; whoever looks at the queue next does it. Returns how many."""
-    expired = list(Job.objects.filter(state=JobState.RUNNING, lease_until__lt=now))
+    """Give back the jobs whose leases have run out; whoever looks at the queue next does it. Returns how many.
+
+    Times that lie further ahead than any can have been set come from a clock that was set back since: they are
+    brought to the present.
+    """
+    Job.objects.filter(state=JobState.RUNNING, lease_until__gt=now + LEASE).update(lease_until=now + LEASE)
+    Job.objects.filter(state=JobState.QUEUED, not_before__gt=now + MAX_TRIES * _RETRY_AFTER).update(not_before=now)
+    expired = list(_locked(Job.objects.filter(state=JobState.RUNNING, lease_until__lt=now)))
     for job in expired:
         _give_back(job, now)
     return len(expired)
@@ -194,7 +220,7 @@ def try_again(job: Job, now: datetime) -> None:
 def _give_back(job: Job, now: datetime) -> None:
     is_stuck = job.tries >= MAX_TRIES
     job.state = JobState.STUCK if is_stuck else JobState.QUEUED
-    job.worker, job.lease_until, job.not_before = "", None, now + _RETRY_AFTER * (job.tries - 1)
+    job.worker, job.lease_until, job.not_before = "", None, now + _RETRY_AFTER * max(0, job.tries - 1)
     job.save(update_fields=("state", "worker", "lease_until", "not_before"))
     if job.submission_id is not None:
         state = State.UNCHECKED if is_stuck else State.QUEUED

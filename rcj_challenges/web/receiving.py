@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import os
+import shutil
+from contextlib import suppress
 from datetime import datetime, timedelta
 from pathlib import Path
 
-from django.db.models import Max, Sum
+from django.db.models import Max, QuerySet, Sum
+from django.utils.timezone import localtime
 
 from rcj_challenges.web import jobs
-from rcj_challenges.web.blobs import Blobs
+from rcj_challenges.web.blobs import Blobs, report_folder
 from rcj_challenges.web.config import current_site
 from rcj_challenges.web.models import Job, JobState, Season, State, Submission, Team
 
@@ -39,7 +43,8 @@ def ensure_may_upload(team: Team, season: Season | None, begun_at: datetime) -> 
     if season is None:
         raise RefusedError(409, "no-season", "nothing is open for uploads; the organizers announce the next season")
     if season.opens_at is not None and begun_at < season.opens_at:
-        raise RefusedError(409, "not-open", f"uploads open on {season.opens_at:%Y-%m-%d at %H:%M %Z}")
+        opens_at = localtime(season.opens_at)
+        raise RefusedError(409, "not-open", f"uploads open on {opens_at:%Y-%m-%d at %H:%M %Z}")
     if not Blobs(current_site().folder).has_room():
         raise RefusedError(507, "disk-full", "the site has no room for more; the organizers can see this")
     counted = Submission.objects.filter(team=team, is_counted=True)
@@ -133,14 +138,22 @@ def _record_here(
         jobs.store_verdict(
             submission, jobs.Verdict(State(earlier.state), earlier.level, earlier.digest, earlier.report)
         )
+        _link_report(earlier, submission)
     else:
         jobs.enqueue_check(submission, now)
     return submission
 
 
-def _supersede(queued: object) -> None:
+def _link_report(earlier: Submission, submission: Submission) -> None:
+    """Show the pages of an earlier check of the same bytes; without them there is still the verdict."""
+    folder = current_site().folder
+    with suppress(OSError):
+        shutil.copytree(report_folder(folder, earlier), report_folder(folder, submission), copy_function=os.link)
+
+
+def _supersede(queued: QuerySet[Submission]) -> None:
     """End the checks of older submissions that have not begun: the newest one is what the team wants to know about."""
-    for submission in queued:  # type: ignore[attr-defined]
+    for submission in queued:
         ended = Job.objects.filter(submission=submission, state=JobState.QUEUED).update(state=JobState.DONE)
         if ended:
             submission.state, submission.is_counted = State.SUPERSEDED, False

@@ -18,6 +18,8 @@ from rcj_challenges.web.config import SiteConfig
 from rcj_challenges.web.errors import SiteError
 
 _LEFT_OPEN_S = 3
+_PARENT = "RCJ_SITE_PROCESS"
+"""Holds the process of the pages, with which its dispatcher ends."""
 
 
 @contextmanager
@@ -91,10 +93,9 @@ def work(config: SiteConfig) -> None:
     from rcj_challenges.web.dispatcher import Dispatcher  # noqa: PLC0415 - once Django is set up
 
     ensure_isolation(config)
-    dispatcher = Dispatcher(config)
-    for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, lambda *_: dispatcher.stop())
-    dispatcher.run()
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    parent = os.environ.get(_PARENT)
+    Dispatcher(config).run(int(parent) if parent else None)
 
 
 def serve(config: SiteConfig, host: str, port: int, *, dispatch: bool, on_start: Any) -> None:
@@ -148,7 +149,7 @@ def _keep_dispatcher(config: SiteConfig, stopped: threading.Event) -> None:
     if config.trust_all_teams:
         command.append("--trust-all-teams")
     package = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))  # noqa: PTH100, PTH120
-    environment = {**os.environ, "PYTHONPATH": package}
+    environment = {**os.environ, "PYTHONPATH": package, _PARENT: str(os.getpid())}
     while not stopped.is_set():
         with subprocess.Popen(command, env=environment, start_new_session=True) as process:
             while process.poll() is None and not stopped.wait(0.2):

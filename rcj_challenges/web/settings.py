@@ -136,5 +136,10 @@ def _database(config: SiteConfig) -> dict[str, Any]:
         "HOST": unquote(parts.hostname or ""),
         "PORT": str(parts.port or ""),
         "CONN_MAX_AGE": 0,
-        "OPTIONS": {"pool": {"min_size": 1, "max_size": 10}},
+        "CONN_HEALTH_CHECKS": True,  # a server that was restarted costs no request
+        "OPTIONS": {
+            "pool": {"min_size": 1, "max_size": 10},
+            # A process that is suspended or cut off within a transaction must not keep its locks.
+            "options": "-c idle_in_transaction_session_timeout=20s",
+        },
     }

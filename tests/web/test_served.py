@@ -2,22 +2,12 @@
 
 from __future__ import annotations
 
-import io
 import time
-import zipfile
 from collections.abc import Callable
 
 from rcj_challenges.web.config import SiteConfig
-from tests.checker.small_team import PLAYER
 from tests.web.conftest import Served, make_team, use_site
-
-
-def small_team(program: str = PLAYER) -> bytes:
-    made = io.BytesIO()
-    with zipfile.ZipFile(made, "w") as archive:
-        archive.writestr("robot.py", program)
-        archive.writestr("team_name.txt", "Hanse")
-    return made.getvalue()
+from tests.web.handing_in import small_team
 
 
 def wait_for(served: Served, code: str, pk: int, timeout_s: float = 100.0) -> dict[str, object]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import shutil
 
 import segno
 from django.db.models import Count, Q
@@ -14,6 +15,7 @@ from django.utils.translation import gettext
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.web import jobs
 from rcj_challenges.web.accounts import Viewer, give_card, write_audit
+from rcj_challenges.web.blobs import Blobs, report_folder
 from rcj_challenges.web.config import current_site
 from rcj_challenges.web.models import Entry, Group, Submission, Team
 from rcj_challenges.web.pages import message_page, page
@@ -97,11 +99,6 @@ def delete_team(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBa
 
 
 def _remove_files(deleted: Team) -> None:
-    import shutil  # noqa: PLC0415 - rarely
-
-    from rcj_challenges.web.blobs import Blobs  # noqa: PLC0415
-    from rcj_challenges.web.dispatcher import report_folder  # noqa: PLC0415
-
     for submission in Submission.objects.filter(team=deleted):
         shutil.rmtree(report_folder(current_site().folder, submission), ignore_errors=True)
         if not Submission.objects.filter(sha256=submission.sha256, is_deleted=False).exists():

@@ -18,9 +18,8 @@ from django.views.decorators.http import condition, require_GET, require_POST
 
 from rcj_challenges.web import jobs
 from rcj_challenges.web.accounts import Viewer
-from rcj_challenges.web.blobs import Blobs
+from rcj_challenges.web.blobs import Blobs, report_folder
 from rcj_challenges.web.config import current_site
-from rcj_challenges.web.dispatcher import report_folder
 from rcj_challenges.web.models import Entry, Job, JobState, Season, State, Submission
 from rcj_challenges.web.pages import page
 from rcj_challenges.web.receiving import RefusedError, ensure_may_upload, receive
