@@ -9,7 +9,7 @@ from typing import Any
 
 from django.http import HttpRequest
 from django.utils import timezone
-from ninja import NinjaAPI, Schema
+from ninja import NinjaAPI, Schema, Status
 from ninja.security import HttpBearer
 
 from rcj_challenges.web.accounts import team_of_code
@@ -81,34 +81,36 @@ _REFUSALS = {400: Problem, 409: Problem, 429: Problem, 507: Problem}
 
 
 @api.post("submissions", response={201: Receipt, **_REFUSALS})
-def hand_in(request: HttpRequest) -> tuple[int, dict[str, Any]]:
+def hand_in(request: HttpRequest) -> Status[dict[str, Any]]:
     """Hand in the archive that is the body. `Content-Digest: sha-256=:…:` is compared, if sent."""
     team: Team = request.auth  # type: ignore[attr-defined]  # set by the library
     given = getattr(request, "scope", {}).get("rcj.upload")
     if given is None:
-        return 400, {"code": "no-file", "message": "send the ZIP as the body"}
+        return Status(400, {"code": "no-file", "message": "send the ZIP as the body"})
     path, sha256, size = given
     wanted = request.headers.get("Content-Digest", "")
     digest = base64.b64encode(bytes.fromhex(sha256)).decode()
     if wanted and wanted != f"sha-256=:{digest}:":
-        return 400, {"code": "damaged", "message": "the bytes that came are not those of Content-Digest; send it again"}
+        return Status(
+            400, {"code": "damaged", "message": "the bytes that came are not those of Content-Digest; send it again"}
+        )
     begun_at = begun(request)
     try:
         season = ensure_may_upload(team, Season.objects.filter(is_current=True).first(), begun_at)
-        return 201, _receipt(receive(team, season, path, sha256, size, begun_at, timezone.now(), "api"))
+        return Status(201, _receipt(receive(team, season, path, sha256, size, begun_at, timezone.now(), "api")))
     except RefusedError as refused:
-        return refused.status, {"code": refused.code, "message": str(refused)}
+        return Status(refused.status, {"code": refused.code, "message": str(refused)})
 
 
 @api.get("submissions/{pk}", response={200: SubmissionState, 404: Problem})
-def look_up(request: HttpRequest, pk: int) -> tuple[int, dict[str, Any]]:
+def look_up(request: HttpRequest, pk: int) -> Status[dict[str, Any]]:
     """Return where a submission of the team stands."""
     team: Team = request.auth  # type: ignore[attr-defined]  # set by the library
     found = Submission.objects.filter(pk=pk, team=team, is_deleted=False).select_related("season").first()
     if found is None:
-        return 404, {"code": "unknown-submission", "message": "this team has no submission with this number"}
+        return Status(404, {"code": "unknown-submission", "message": "this team has no submission with this number"})
     is_active = Entry.objects.filter(active=found).exists()
-    return 200, {**_receipt(found), **_progress(found), "is_active": is_active, "report": found.report}
+    return Status(200, {**_receipt(found), **_progress(found), "is_active": is_active, "report": found.report})
 
 
 @api.get("me", response=Me)

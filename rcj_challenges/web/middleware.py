@@ -35,7 +35,7 @@ def fetch_metadata(
         if request.method not in _SAFE and site not in {"none", "same-origin"}:
             return HttpResponse("This was sent by a page of another site.", status=403, content_type="text/plain")
         response = get_response(request)
-        response.setdefault("Cache-Control", "no-store" if request.session.accessed else "no-cache")
+        response.setdefault("Cache-Control", "no-store" if request.session.session_key else "no-cache")
         response.setdefault("Cross-Origin-Opener-Policy", "same-origin")
         return response
 

@@ -10,6 +10,7 @@ from django.middleware.csrf import get_token
 from django.shortcuts import render
 from django.urls import reverse
 from django.utils import timezone, translation
+from django.utils.functional import SimpleLazyObject
 from jinja2 import Environment, StrictUndefined
 
 from rcj_challenges.core.sanitize import sanitize, sanitize_block
@@ -41,7 +42,13 @@ def page(
 ) -> HttpResponse:
     """Render a page for a viewer."""
     seen_by = viewer_of(request) if viewer is None else viewer
-    shared = {"viewer": seen_by, "token": get_token(request), "path": request.path, "LANG": translation.get_language()}
+    shared = {
+        "viewer": seen_by,
+        # Where it is not used no cookie is set, so a page for all is the same for all.
+        "token": SimpleLazyObject(lambda: get_token(request)),
+        "path": request.path,
+        "LANG": translation.get_language(),
+    }
     return render(request, template, shared | values, status=status)
 
 

@@ -86,6 +86,8 @@ def settings_for(config: SiteConfig, secret_key: str) -> dict[str, Any]:
         "TIME_ZONE": config.time_zone,
         "USE_TZ": True,
         "LANGUAGE_CODE": "en",
+        "LANGUAGES": [("en", "English")],  # those that there are translations for
+        "FORMAT_MODULE_PATH": "rcj_challenges.web.formats",
         "LOCALE_PATHS": [Path(__file__).parent / "locale"],
         "STATIC_URL": "/static/",
         "STATICFILES_DIRS": [Path(__file__).parent / "static"],

@@ -1,0 +1,1 @@
+"""Formats of the lists of organizers, by language."""

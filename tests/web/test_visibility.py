@@ -1,0 +1,161 @@
+"""Each address shows what it may to those who may see it, and to others not even that there is something.
+
+The table is compared with the routes: a new route needs a line in it.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from django.urls import URLPattern, URLResolver, get_resolver, reverse
+
+from rcj_challenges.web.config import SiteConfig
+from tests.web.club import REPLAY, ROLES, Club, make_club, new_client
+
+ALL, NONE = set(ROLES), set[str]()
+TEAMS, MENTORS, ORGANIZER = {"team", "other team"}, {"mentor", "other mentor", "organizer"}, {"organizer"}
+READERS, MANAGERS, OWNER = {"team", "mentor", "organizer"}, {"mentor", "organizer"}, {"team"}
+
+TABLE: dict[str, tuple[str, str, set[str]]] = {
+    # name: method, kind of object in the address, roles that may open it for an object of team and mentor
+    "home": ("GET", "", ALL),
+    "style": ("GET", "", ALL),
+    "enter": ("GET", "", ALL),
+    "login": ("GET", "", ALL),
+    "invited": ("GET", "code", NONE),
+    "privacy": ("GET", "", ALL),
+    "help": ("GET", "", ALL),
+    "healthz": ("GET", "", ALL),
+    "my": ("GET", "", TEAMS),
+    "upload": ("POST", "", TEAMS),
+    "submission": ("GET", "submission", READERS),
+    "submission_state": ("GET", "submission", READERS),
+    "report": ("GET", "submission", READERS),
+    "archive": ("GET", "submission", READERS),
+    "replay": ("GET", "submission", READERS),
+    "repair": ("POST", "submission", OWNER),
+    "activate": ("POST", "submission", OWNER),
+    "group": ("GET", "", MENTORS),
+    "new_teams": ("POST", "", MENTORS),
+    "team": ("GET", "team", MANAGERS),
+    "new_card": ("POST", "team", MANAGERS),
+    "delete_team": ("POST", "team", MANAGERS),
+    "desk": ("GET", "", ORGANIZER),
+    "job_again": ("POST", "job", ORGANIZER),
+    "release_name": ("POST", "team", ORGANIZER),
+    "new_invite": ("POST", "", ORGANIZER),
+    "export": ("GET", "", ORGANIZER),
+    "leave": ("POST", "", ALL),
+}
+INTERFACE = {"api-root", "openapi-json", "hand_in", "look_up", "me"}
+MIRRORED = {"team": "other team", "mentor": "other mentor"}
+"""Roles as seen from an object of the foreign team."""
+
+
+def routes() -> list[tuple[str, str]]:
+    """Return namespace and name of all routes."""
+
+    def walk(patterns: list[Any], space: str) -> list[tuple[str, str]]:
+        found = []
+        for one in patterns:
+            if isinstance(one, URLResolver):
+                found += walk(one.url_patterns, one.namespace or space)
+            elif isinstance(one, URLPattern):
+                found.append((space, one.name or str(one.pattern)))
+        return found
+
+    return walk(get_resolver("rcj_challenges.web.urls").url_patterns, "")
+
+
+@pytest.fixture
+def club(site: SiteConfig) -> Club:
+    """Return a club on the site of this process."""
+    return make_club(site)
+
+
+def test_every_route_has_a_line_in_the_table_and_every_line_a_route(site: SiteConfig):
+    named = routes()
+    assert {name for space, name in named if not space} == {*TABLE, "admin/login/"}
+    assert {name for space, name in named if space not in {"", "admin"}} == INTERFACE
+
+
+def answered(club: Club, role: str, name: str, owner: str) -> tuple[bool, Any]:
+    """Return whether an address lets a role pass, and the answer."""
+    method, kind, _ = TABLE[name]
+    pk = {"submission": club.submissions[owner].pk, "team": club.teams[owner].pk, "job": 1}.get(kind)
+    arguments = {"code": {"code": "AAAA"}, "": {}}.get(kind, {"pk": pk})
+    if name == "replay":
+        arguments["name"] = REPLAY
+    client = club.clients[role]
+    answer = client.generic(method, reverse(name, kwargs=arguments))
+    sent_away = answer.status_code == 302 and answer["Location"] in {"/enter", "/login"}
+    is_denied = sent_away or answer.status_code in {401, 403, 404, 405}
+    return not is_denied, answer
+
+
+@pytest.mark.parametrize("name", TABLE)
+def test_route_opens_for_the_roles_of_the_table_only(club: Club, name: str):
+    from rcj_challenges.web.models import Job
+    from tests.web.conftest import NOW
+
+    Job.objects.create(pk=1, kind="check", key="k", not_before=NOW, created_at=NOW)
+    kind, roles = TABLE[name][1:]
+    owners = ("own", "foreign", "deleted") if kind in {"team", "submission"} else ("own",)
+    for owner in owners:
+        seen_as = {MIRRORED.get(role, role) for role in roles} if owner == "foreign" else roles
+        expected = NONE if owner == "deleted" else seen_as
+        opened = set()
+        for role in ROLES if name != "leave" else ("anonymous",):
+            passes, answer = answered(club, role, name, owner)
+            body = b"".join(answer) if answer.streaming else answer.content
+            answer.close()
+            if passes:
+                opened.add(role)
+            elif kind:
+                assert b"Secret" not in body, (role, owner)
+                assert club.submissions[owner].sha256.encode() not in body, (role, owner)
+        assert opened == (expected if name != "leave" else {"anonymous"}), owner
+
+
+def test_other_lists_show_no_team_of_another_group_and_no_name_that_is_not_released(club: Club):
+    pages = {role: client.get("/").content for role, client in club.clients.items()}
+    assert [role for role, body in pages.items() if b"Secret" in body] == []
+    assert b"Secret foreign" not in club.clients["mentor"].get("/group").content
+    assert b"Secret foreign" in club.clients["organizer"].get("/group").content
+    assert b"Secret deleted" not in club.clients["organizer"].get("/group").content
+
+
+def test_lists_of_organizers_open_for_organizers_only_and_delete_nothing(club: Club):
+    names = [name for space, name in routes() if space == "admin" and name not in {"login", "logout"}]
+    assert len(names) > 20
+    opened: dict[str, set[str]] = {}
+    for name in names:
+        for arguments in ([], [1], [1, 1], ["web"]):
+            try:
+                address = reverse(f"admin:{name}", args=arguments)
+            except Exception:  # noqa: BLE001, S112 - takes other arguments
+                continue
+            for role in ("anonymous", "mentor", "organizer"):
+                status = club.clients[role].get(address).status_code
+                assert status != 500, address
+                if status == 200:
+                    opened.setdefault(role, set()).add(name)
+            break
+    # The catalogue of the calendar's words is in every copy of the library.
+    assert {role: found for role, found in opened.items() if role != "organizer" and found != {"jsi18n"}} == {}
+    assert {"web_submission_changelist", "web_submission_change", "web_season_add"} <= opened["organizer"]
+    assert [name for name in opened["organizer"] if name.endswith("_delete")] == []
+    assert [name for name in opened["organizer"] if name.startswith("web_submission") and "add" in name] == []
+
+
+def test_code_of_a_card_opens_the_submissions_of_its_team_only(club: Club):
+    for owner in ("own", "foreign"):
+        for target in ("own", "foreign", "deleted"):
+            card = {"Authorization": f"Bearer {club.codes[owner]}"}
+            answer = new_client().get(f"/api/v1/submissions/{club.submissions[target].pk}", headers=card)
+            assert answer.status_code == (200 if owner == target else 404)
+    for code in ("", "AAAA-AAAA-AAAA", club.codes["deleted"]):
+        for path in (f"submissions/{club.submissions['own'].pk}", "me"):
+            assert new_client().get(f"/api/v1/{path}", headers={"Authorization": f"Bearer {code}"}).status_code == 401
+    assert club.clients["team"].get("/api/v1/me").status_code == 401  # a session is no card
