@@ -77,6 +77,8 @@ def python_error(program):
         ("[1, 2] - [0, 0]", "vectors"),
         ("0.5 * [1, 2]", "vectors"),
         ("range(10 / 2)", "whole_number"),
+        ("import numpy\nnumpy.zeros(2).tostring()", "array_method"),
+        ("import numpy\nnumpy.zeros(2).ptp()", "array_method"),
         ("speeds = [1, 2, 3]\nspeeds[4 / 2]", "whole_number"),
         ("x, y = [1, 2, 3]", "too_many_values"),
         ("b'\\xfc'.decode()", "bytes_or_text"),

@@ -88,6 +88,11 @@ TABLE: tuple[Row, ...] = (
         "what stands before the brackets is not a function: is a variable called so (max = 10), or is a * missing?",
     ),
     Row(
+        "array_method",
+        r"^AttributeError: (?:'numpy\.ndarray' object has no attribute 'tostring'|`ptp` was removed from the ndarray)",
+        "numpy has removed this method: write array.tobytes() for array.tostring(), and np.ptp(array) for array.ptp()",
+    ),
+    Row(
         "none",
         r"^(?:TypeError: .{0,300}\bNoneType\b|AttributeError: 'NoneType' object )",
         "something in this line is None: a ball that is not in sight, or a function without return; test it first: if "

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import functools
-import gc
 import math
 import sys
 from contextlib import suppress
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable
     from typing import Any
 
 _ALIASES = {
@@ -52,9 +51,6 @@ _MODULES = {
 }
 """Modules whose imports editors wrote into programs, by their old name. What is not there, numpy itself may have."""
 
-_replaced: list[Any] = []
-"""Methods that were replaced. Python may still know them by their address: they must not be freed."""
-
 
 def patch_numpy(numpy: Any) -> None:
     """Bring back old names, and let numbers read as numbers: ``1.5``, not ``np.float64(1.5)``."""
@@ -71,9 +67,6 @@ def patch_numpy(numpy: Any) -> None:
         there["fromstring"] = _reading_bytes(numpy.fromstring, numpy)
     with suppress(AttributeError):
         _OldModules(numpy).install()
-    # Since 2.0 `ptp` only complains.
-    ptp = lambda array, axis=None, out=None: numpy.ptp(array, axis, out)  # noqa: E731
-    _restore_methods(numpy.ndarray, {"tostring": numpy.ndarray.tobytes, "ptp": ptp})
     for name in ("stack", "vstack", "hstack", "dstack", "column_stack", "row_stack"):
         if name in there:
             there[name] = _taking_iterators(there[name])
@@ -81,19 +74,6 @@ def patch_numpy(numpy: Any) -> None:
         there[name] = _taking_ragged(there[name], there["object_"])
     with suppress(AttributeError, TypeError, ValueError):  # a numpy that reads that way already, or not any more
         numpy.set_printoptions(legacy="1.25")
-
-
-def _restore_methods(kind: type, restored: Mapping[str, Any]) -> None:
-    """Give a class of compiled code methods. It takes none from Python, but the dictionary behind it does.
-
-    Python does not notice that the class has changed, so it forgets what it has looked up in any class.
-    """
-    with suppress(Exception):  # without them only programs that use them suffer
-        (methods,) = gc.get_referents(kind.__dict__)
-        forget = getattr(sys, "_clear_internal_caches", None) or sys._clear_type_cache  # noqa: SLF001
-        _replaced.extend(methods.get(name) for name in restored)
-        methods.update(restored)
-        forget()
 
 
 def _taking_iterators(real: Callable[..., Any]) -> Callable[..., Any]:
