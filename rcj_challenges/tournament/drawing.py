@@ -75,17 +75,16 @@ class Drawn:
         found = {"new teams": new, "missing teams": gone, "another pot": other_pots}
         changes = [f"{words}: {listing(teams)}" for words, teams in found.items() if teams]
         changes += [f"the seed was {self.seed!r}"] if seed != self.seed else []
-        if not changes:
-            return
-        add = (
-            f"'run FILE {' '.join(f'--add {one}' for one in new)}' takes them in; or "
-            if changes == changes[:1] * bool(new)
-            else ""
-        )
-        help_ = (
-            f"undo the change; or {add}'run FILE --redraw' draws again and keeps the matches of pairs that still exist"
-        )
-        raise DiagnosticError(Diagnostic("drawn-before", f"changed after the draw: {'; '.join(changes)}", help_))
+        if changes:
+            late = " ".join(f"--add {one}" for one in new)
+            raise drawn_before(changes, *([f"'run FILE {late}' takes them in"] if late and len(changes) == 1 else []))
+
+
+def drawn_before(changes: Iterable[str], *ways: str) -> DiagnosticError:
+    """Return the error of changes after the draw, with ways out beside undoing them and another draw."""
+    redraw = "'run FILE --redraw' draws again and keeps the matches of pairs that still exist"
+    help_ = "; or ".join(("undo the change", *ways, redraw))
+    return DiagnosticError(Diagnostic("drawn-before", f"changed after the draw: {'; '.join(changes)}", help_))
 
 
 def add_to_rounds(rounds: Rounds, teams: Sequence[str], late: str, legs: int) -> None:

@@ -136,7 +136,7 @@ A changed submission, scenario or ruling would change a match that later matches
 Undo the change; or give --cascade: then all that depends on it is played again.
 
 drawn-before
-Matches have been played, and since then the teams, their pots or the seed have changed.
+Matches have been played, and since then the teams, their pots, groups, legs or the seed have changed.
 Undo the change; or take late teams in with `tournament run FILE --add TEAM`; or draw again with
 `tournament run FILE --redraw`, which keeps the matches of pairs that still exist.
 

@@ -92,9 +92,8 @@ def load_tree(tree: Node, path: Path) -> LoadedTournament:
     infos = {use: _info(loaded.scenario) for use, loaded in scenarios.items()}
     problems += lists.problems
     problems += check(tournament, entries, infos, tree, folder, are_teams_known=not lists.problems)
-    errors = [one for one in problems if one.severity == "error"]
-    if errors:
-        raise TournamentFileError(errors)
+    if any(one.severity == "error" for one in problems):
+        raise TournamentFileError(problems)
     return LoadedTournament(tournament, path.stem, path, entries, infos, tuple(problems))
 
 

@@ -152,18 +152,12 @@ class _Ranking:
         return {team: -getattr(tallies[team], attribute) for team in teams}
 
     def _by_opponents(self, word: str, team: str) -> float:
-        met: list[tuple[float, float]] = []  # points of each opponent, and the share of them that a result gives
-        for match in self.matches:
-            for own, other in ((0, 1), (1, 0)):
-                if match.teams[own] == team:
-                    ahead = match.goals[own] - match.goals[other]
-                    met.append(
-                        (self.tallies[match.teams[other]].points, 1.0 if ahead > 0 else 0.5 if ahead == 0 else 0)
-                    )
+        met = [match for match in self.matches if team in match.teams]
+        points = [self.tallies[match.teams[match.teams[0] == team]].points for match in met]
         if word == "sonneborn_berger":
-            return sum(points * share for points, share in met)
-        found = sorted(points for points, _ in met)
-        return sum(found[1:-1] if word == "median_buchholz" and len(found) > 2 else found)
+            own = [tally(match.teams, [match], self.rules)[team] for match in met]
+            return sum(of_other * (one.won + one.drawn / 2) for of_other, one in zip(points, own, strict=True))
+        return sum(sorted(points)[1:-1] if word == "median_buchholz" and len(points) > 2 else points)
 
     def _head_to_head(self, teams: list[str]) -> dict[str, Any]:
         if not self._by_team:

@@ -50,6 +50,45 @@ def test_after_play_other_teams_or_another_seed_are_an_error_and_nothing_is_lost
     assert played(home) == before
 
 
+LISTED = "groups: {A: [ada, bee, cid], B: [dan, eve, fay]}"
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ("groups: 1", "groups: 2"),
+        ("groups: 2", "legs: 2, groups: 2"),
+        ("legs: 2", "legs: 1"),
+        (LISTED, LISTED.replace("cid", "X").replace("dan", "cid").replace("X", "dan")),
+        (LISTED, LISTED.replace("A:", "C:")),
+    ],
+)
+def test_after_play_other_groups_or_legs_are_an_error_until_they_are_drawn_again(tmp_path, before, after):
+    home = Home(tmp_path, LEAGUE.replace("round_robin}", f"round_robin, {before}}}"), TEAMS)
+    home.play()
+    home.file.write_text(LEAGUE.replace("round_robin}", f"round_robin, {after}}}"), encoding="utf-8")
+    with pytest.raises(DiagnosticError) as error:
+        home.state()
+    assert code_of(error) == "drawn-before"
+    with home.opened() as tournament:
+        redraw(tournament)
+    assert home.play(cascade=True)[0].stages[0].status is Status.FINISHED
+
+
+def test_a_late_team_is_added_to_the_group_that_lists_it(tmp_path):
+    league = LEAGUE.replace("round_robin}", f"round_robin, {LISTED}}}")
+    home = Home(tmp_path, league, TEAMS)
+    with home.opened() as tournament:
+        first = tournament.state().fixtures[0]
+        decide(tournament, first.id, RulingKind.CORRECTED, "as seen", scores=[9, 1])
+    home.hand_in("zoe")
+    home.file.write_text(league.replace("fay", "fay, zoe"), encoding="utf-8")
+    with home.opened() as tournament:
+        assert add_teams(tournament, ["zoe"])
+    groups = {table.name: {row.team for row in table.rows} for table in home.play()[0].stages[0].tables}
+    assert groups == {"A": {"ada", "bee", "cid"}, "B": {"dan", "eve", "fay", "zoe"}}
+
+
 def played(home):
     with home.opened(writing=False) as tournament:
         return tournament.store.played()

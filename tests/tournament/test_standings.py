@@ -129,18 +129,40 @@ def test_table_does_not_depend_on_the_order_of_matches(drawn):
     assert table("", teams, games, whole, complete=True) == table("", teams, games[::-1], whole, complete=True)
 
 
+OPPONENT_WORDS = ("buchholz", "median_buchholz", "sonneborn_berger")
+
+
+def by_opponents(matches, **extra):
+    """Return the order of the teams a to d by each of the tie-breaks by opponents."""
+    return {word: "".join(row.team for row in table(
+        "", "abcd", matches, TableRules(3, 1, 0, (word,), str), complete=True, **extra).rows)
+        for word in OPPONENT_WORDS}  # fmt: skip
+
+
 def test_opponents_decide_by_their_points():
-    # a beats b and draws with c; b beats c and d; c beats d; d beats a
+    # a beats b and draws with c; b beats c and d; c beats d; d beats a: 4, 6, 4 and 3 points
     matches = [Match(tuple(pair), goals) for pair, goals in (
         ("ab", (1, 0)), ("ac", (0, 0)), ("bc", (1, 0)), ("bd", (1, 0)), ("cd", (1, 0)), ("da", (1, 0)),
     )]  # fmt: skip
-    points = {"a": 4, "b": 6, "c": 4, "d": 3}
-    found = {
-        word: [row.team for row in table("", "abcd", matches, TableRules(3, 1, 0, (word,), str), complete=True).rows]
-        for word in ("buchholz", "median_buchholz", "sonneborn_berger")
+    assert by_opponents(matches) == {
+        "buchholz": "dacb",  # 14, 13, 13, 11
+        "median_buchholz": "abcd",  # 4 each
+        "sonneborn_berger": "abcd",  # 8, 7, 5, 4
     }
-    assert points == {row.team: row.points for row in table(
-        "", "abcd", matches, TableRules(3, 1, 0, ("points",), str), complete=True).rows}  # fmt: skip
-    assert found["buchholz"] == ["d", "a", "c", "b"]  # 14, 13, 13, 11
-    assert found["median_buchholz"] == ["a", "b", "c", "d"]  # 4 each
-    assert found["sonneborn_berger"] == ["a", "b", "c", "d"]  # 8, 7, 5, 4
+
+
+def test_a_match_that_both_forfeit_gives_neither_a_share_of_the_points_of_the_other():
+    # d beats a and c; b beats c; d and b both forfeit
+    matches = [Match(("d", "a"), (1, 0)), Match(("d", "c"), (1, 0)), Match(("b", "c"), (1, 0))]
+    both = Match(("b", "d"), (0, 0), is_lost_by_both=True)
+    assert by_opponents([*matches, both])["sonneborn_berger"] == by_opponents(matches)["sonneborn_berger"] == "abcd"
+
+
+def test_a_bye_is_no_opponent_but_its_points_count_for_the_opponents_of_its_team():
+    # a beats b, c beats d; then b has a bye, and c beats a: a 3, b 3, c 6, d 0
+    matches = [Match(tuple(pair), (1, 0)) for pair in ("ab", "cd", "ca")]
+    assert by_opponents(matches, extra_points={"b": 3}) == {
+        "buchholz": "adbc",  # 9, 6, 3, 3
+        "median_buchholz": "adbc",
+        "sonneborn_berger": "acbd",  # 3, 3, 0, 0
+    }

@@ -217,3 +217,23 @@ def test_a_running_stage_of_a_store_without_draws_goes_on_with_its_pairs(tmp_pat
             if writing:
                 tournament.keep_drawn()
                 assert tournament.store.drawn() is not None
+
+
+@given(st.integers(0, 10**6))
+def test_opponents_that_have_left_count_with_the_points_they_have_and_matches_not_played_not_at_all(seed):
+    head = "tie_breaks: [points, buchholz]\n"
+    outcomes, outcome = {}, by_chance(seed)
+    first = season(SWISS.format(3), names(7), head).state({}).fixtures[:2]
+    outcomes[first[0].id] = outcome(first[0])
+    left = {teams_of(one)[0]: {"swiss": 1} for one in first}  # the first of them has played before
+    swiss = play(season(SWISS.format(3), names(7), head, left), outcome, outcomes).stages[0]
+    rows = swiss.tables[0].rows
+    assert {*left} < {row.team for row in rows}
+    points = {row.team: row.points for row in rows}
+    buchholz = Counter()
+    for one, other in (teams_of(fixture) for fixture in swiss.fixtures if fixture.id in outcomes):
+        buchholz[one] += points[other]
+        buchholz[other] += points[one]
+    keys = [(row.points, buchholz[row.team]) for row in rows]
+    assert keys == sorted(keys, reverse=True)
+    assert [row.shared for row in rows] == [keys.count(key) > 1 for key in keys]

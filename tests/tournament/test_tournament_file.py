@@ -82,6 +82,10 @@ def test_a_time_that_comes_twice_is_a_warning_that_names_both(tmp_path):
     (warning,) = loaded(text, tmp_path).warnings
     assert (warning.code, warning.severity, warning.where.path) == ("ambiguous-time", "warning", "stages.l.release")
     assert "02:45 CEST (00:45 UTC) and 02:45 CET (01:45 UTC)" in warning.message
+    wrong = text.replace("release: ", "groups: 9, release: ")
+    with pytest.raises(TournamentFileError) as caught:
+        loaded(wrong, tmp_path)
+    assert [one.code for one in caught.value.diagnostics] == ["too-few-teams", "ambiguous-time"], "with an error too"
 
 
 def test_the_error_of_a_time_shows_its_form_and_time_zone(tmp_path):

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
+from itertools import chain
 
-from rcj_challenges.tournament.drawing import Rounds
+from rcj_challenges.tournament.drawing import Rounds, drawn_before
 from rcj_challenges.tournament.formats.circle import pairings
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
 from rcj_challenges.tournament.formats.groups import groups_of
@@ -21,6 +23,7 @@ def round_robin(context: StageContext, stage: RoundRobin, entrants: Sequence[Ent
     if key not in context.cache:
         pots = {entrant.team: entrant.pot for entrant in entrants}
         drawn = context.drawn.draw(context.name, teams if stage.from_ else None, lambda: _drawn(context, stage, pots))
+        _check_unchanged(context.name, stage, drawn)
         groups = {name: [team for team in own if team in pots] for name, (own, _) in drawn.items()}
         context.cache[key] = groups, {name: _fixtures(context, stage, name, own) for name, (_, own) in drawn.items()}
     groups, by_group = context.cache[key]
@@ -62,6 +65,16 @@ def _drawn(context: StageContext, stage: RoundRobin, pots: Mapping[str, int]) ->
         )
         for name, own in groups.items()
     }
+
+
+def _check_unchanged(name: str, stage: RoundRobin, drawn: Mapping[str, tuple[list[str], Rounds]]) -> None:
+    met = Counter(frozenset(pair) for _, rounds in drawn.values() for pair in chain.from_iterable(rounds))
+    if isinstance(stage.groups, dict):
+        are_same = all(set(own) <= set(stage.groups.get(group, ())) for group, (own, _) in drawn.items())
+    else:
+        are_same = len(drawn) == stage.groups
+    if not are_same or max(met.values(), default=stage.legs) != stage.legs:
+        raise drawn_before([f"groups or legs of stage '{name}'"])
 
 
 def _fixtures(context: StageContext, stage: RoundRobin, group: str, rounds: Rounds) -> list[Fixture]:
