@@ -11,14 +11,15 @@ from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.referee.placement import PlacementJob, compile_placement
 from rcj_challenges.referee.placement_board import PlacementBoard
 from rcj_challenges.referee.scope import NameScope
-from rcj_challenges.rules.actions.place import Place
 from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.binder import Binder
+from rcj_challenges.rules.effects import Places, PlacesLayout
 from rcj_challenges.rules.fields import Name, Names, Point, Scalar
 from rcj_challenges.rules.mirror import Mirror
 from rcj_challenges.rules.values import Lasts, duration_s
 from rcj_challenges.scenario.centres import centre_of
 from rcj_challenges.scenario.floor import on_floor
+from rcj_challenges.scenario.layouts import alternatives
 from rcj_challenges.tracking.bound_rules import BoundRule, TriggerBinding
 from rcj_challenges.tracking.state import Clock
 from rcj_challenges.tracking.trackers import Tracker
@@ -144,16 +145,17 @@ class RuleBinder(NameScope):
         specs = context.layouts.get(key)
         if specs is None:
             specs = context.layouts[key] = [
-                compile_placement(placing, self, entity, stream, also=mirror)
-                for number, placing in enumerate(self.scenario.placements[layout])
-                for entity in self.entities(placing.entity)
+                compile_placement(put, self, entity, stream)
+                for put_in_turn in alternatives(self.scenario, PlacesLayout(layout, is_drawn=False, mirror=mirror))
+                for number, put in enumerate(put_in_turn)
+                for entity in self.entities(put.names)
                 for stream in (f"placement/{layout}/{number}/{self.name_of(entity)}",)
             ]
         return [PlacementJob(spec.entity, spec, self.rule) for spec in specs]
 
-    def placement_job(self, placing: Place, entity: int) -> PlacementJob:
+    def placement_job(self, put: Places, entity: int) -> PlacementJob:
         stream = f"rule/{self.rule.name}/{self.name_of(entity)}"
-        return PlacementJob(entity, compile_placement(placing, self, entity, stream), self.rule)
+        return PlacementJob(entity, compile_placement(put, self, entity, stream), self.rule)
 
     def place(self, jobs: list[PlacementJob]) -> None:
         for job in jobs:

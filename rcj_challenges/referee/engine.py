@@ -22,9 +22,10 @@ from rcj_challenges.referee.placement import PlacementJob, carry_out, compile_pl
 from rcj_challenges.referee.ranking import ranked_counters
 from rcj_challenges.referee.rounds import Rounds
 from rcj_challenges.referee.state import State
+from rcj_challenges.rules.effects import Places
 from rcj_challenges.rules.fields import Scalar
+from rcj_challenges.rules.places import place_of
 from rcj_challenges.scenario.draw_order import Series
-from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.start_poses import start_noise_m
@@ -333,8 +334,8 @@ class Referee:
         """At tick 0: what has noise in its start pose and was placed by no rule starts with that noise."""
         for entity, name in enumerate(self._state.roster.entities):
             if start_noise_m(self._state.scenario, name) != (0.0, 0.0) and not self._queue.concerns(entity):
-                placing = Placing(entity=name, at="start")
-                spec = compile_placement(placing, self._context.names, entity, f"placement/start/{name}")
+                start = Places(name, place_of("start"))
+                spec = compile_placement(start, self._context.names, entity, f"placement/start/{name}")
                 self._queue.ask(PlacementJob(entity, spec, None))
 
     def _carry_out(self) -> tuple[Placement, ...]:

@@ -61,19 +61,19 @@ def _reason(job: PlacementJob, spec: PlacementSpec, board: PlacementBoard, state
     if job.aimless:
         return "its kick finds nothing to aim at"
     if spec.is_random:
-        return f"chance found none in {spec.model.max_attempts} attempts"
+        return f"chance found none in {spec.how.max_attempts} attempts"
     pose = spec.pose_at(board, point, rng)
-    if not bodies.fits(job.entity, pose, {}, spec.model.min_clearance_m):
+    if not bodies.fits(job.entity, pose, {}, spec.how.min_clearance_m):
         return "a wall or a fixed obstacle is there"
     found = [
         other
         for other, there in sorted(board.standing.items())
-        if other != job.entity and not bodies.fits(job.entity, pose, {other: there}, spec.model.min_clearance_m)
+        if other != job.entity and not bodies.fits(job.entity, pose, {other: there}, spec.how.min_clearance_m)
     ]
     if not found:
         return "there was none when it was put"
     names = [state.roster.entities[entity] for entity in found]
     are = "is" if len(names) == 1 else "are"
-    gap_m = spec.model.min_clearance_m
+    gap_m = spec.how.min_clearance_m
     where = f"nearer than {gap_m:g} m" if gap_m else "there"
     return f"{' and '.join(names)} {are} {where}"

@@ -14,15 +14,12 @@ from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.placement_board import PlacementBoard
 from rcj_challenges.referee.state import State, float32
 from rcj_challenges.rules.facing import RandomFacing, Towards, compile_facing
-from rcj_challenges.rules.mirror import Mirror
-from rcj_challenges.rules.places import place_of
 from rcj_challenges.tracking.bound_rules import BoundRule
 from rcj_challenges.tracking.places import CompiledFacing, CompiledKick, PlaceRequest, PlaceResolver, Point
 
 if TYPE_CHECKING:
-    from rcj_challenges.rules.actions.place import Place
     from rcj_challenges.rules.binder import Scope
-    from rcj_challenges.scenario.models.places import Placing
+    from rcj_challenges.rules.effects import Places
 
 Velocity = tuple[float, float]
 """Of x and y, in m/s."""
@@ -40,7 +37,7 @@ class PlacementSpec:
     """How one entity is put somewhere.
 
     Attributes:
-        model: an entry of a layout, or a ``place`` action.
+        how: what a rule asks for.
         entity: its index.
         where: the compiled place.
         facing: returns the yaw in rad for a point; gets the board, the entity, the point and the stream.
@@ -49,7 +46,7 @@ class PlacementSpec:
         kick: how it rolls away from there; None: it lies still.
     """
 
-    model: Placing | Place
+    how: Places
     entity: int
     where: PlaceResolver
     facing: CompiledFacing
@@ -60,7 +57,7 @@ class PlacementSpec:
     @property
     def retry(self) -> bool:
         """Whether it is tried again on every tick while there is no room, `ATTEMPTS_WAITING` times at most."""
-        return self.model.on_failure == "retry"
+        return self.how.waits
 
     def signs_now(self) -> Point:
         """Return the signs of x and y with all mirrors as they are now."""
@@ -72,12 +69,12 @@ class PlacementSpec:
 
     @property
     def _noises(self) -> list[Point]:
-        return [noise for noise in (self.where.noise_m, self.model.noise_m) if noise != (0.0, 0.0)]
+        return [noise for noise in (self.where.noise_m, self.how.noise_m) if noise != (0.0, 0.0)]
 
     @property
     def is_random(self) -> bool:
         """Whether another attempt can give another pose."""
-        return self.where.random or isinstance(self.model.facing, RandomFacing) or bool(self._noises)
+        return self.where.random or isinstance(self.how.facing, RandomFacing) or bool(self._noises)
 
     def request(self, board: PlacementBoard, rng: random.Random, signs: Point) -> PlaceRequest:
         """Return with what a place for the entity is looked for."""
@@ -87,21 +84,21 @@ class PlacementSpec:
             return (point[0] * sign_x, point[1] * sign_y)
 
         def fits(point: Point) -> bool:
-            return board.fits(self.entity, self.pose_at(board, point, rng), self.model.min_clearance_m)
+            return board.fits(self.entity, self.pose_at(board, point, rng), self.how.min_clearance_m)
 
         return PlaceRequest(board, self.entity, mirrored, rng, fits)
 
     def propose(self, board: PlacementBoard, rng: random.Random, signs: Point, max_attempts: int) -> Pose2 | None:
         """Return a pose at which the entity can stand, or None if so many attempts find none."""
         request, noises = self.request(board, rng, signs), self._noises
-        for _ in range(min(self.model.max_attempts, max_attempts) if self.is_random else 1):
+        for _ in range(min(self.how.max_attempts, max_attempts) if self.is_random else 1):
             point = self.where.find(request)
             if point is None:
                 return None
             for noise_x, noise_y in noises:
                 point = (point[0] + rng.uniform(-noise_x, noise_x), point[1] + rng.uniform(-noise_y, noise_y))
             pose = self.pose_at(board, point, rng)
-            if board.fits(self.entity, pose, self.model.min_clearance_m):
+            if board.fits(self.entity, pose, self.how.min_clearance_m):
                 return pose
         return None
 
@@ -130,32 +127,16 @@ class PlacementSpec:
         return (float32(point[0]), float32(point[1]), float32(yaw))
 
 
-def compile_placement(
-    model: Placing | Place, to: Scope, entity: int, stream: str, *, also: Mirror | None = None
-) -> PlacementSpec:
-    """Return how an entity is placed.
-
-    Args:
-        model: an entry of a layout, or a ``place`` action.
-        to: names and state.
-        entity: index of the entity.
-        stream: name of its random stream.
-        also: the mirror of the whole layout.
-
-    Raises:
-        ValueError: the action names no place.
-    """
-    if model.at is None:
-        message = "place needs a layout, or entity and at"
-        raise ValueError(message)
+def compile_placement(how: Places, to: Scope, entity: int, stream: str) -> PlacementSpec:
+    """Return how an entity, given by its index, is placed; its random numbers come from the stream of that name."""
     return PlacementSpec(
-        model=model,
+        how=how,
         entity=entity,
-        where=place_of(model.at).compile(to, entity),
-        facing=compile_facing(model.facing, to, entity),
-        mirrors=tuple(mirror.compile(to.state) for mirror in (model.mirror, also) if mirror is not None),
+        where=how.at.compile(to, entity),
+        facing=compile_facing(how.facing, to, entity),
+        mirrors=tuple(mirror.compile(to.state) for mirror in how.mirrors),
         stream=stream,
-        kick=None if model.kick is None else model.kick.compile(to, entity),
+        kick=None if how.kick is None else how.kick.compile(to, entity),
     )
 
 
@@ -280,9 +261,9 @@ def _turned(done: list[_Done], jobs: list[PlacementJob], board: PlacementBoard, 
     """
     turned: list[_Done] = []
     for (entity, pose, velocity), job in zip(done, jobs, strict=True):
-        if pose is not None and job.spec is not None and isinstance(job.spec.model.facing, Towards):
+        if pose is not None and job.spec is not None and isinstance(job.spec.how.facing, Towards):
             other = job.spec.pose_at(board, pose[:2], state.stream(job.spec.stream))
-            if other != pose and board.fits(entity, other, job.spec.model.min_clearance_m):
+            if other != pose and board.fits(entity, other, job.spec.how.min_clearance_m):
                 board.put(entity, other)
                 pose = other  # noqa: PLW2901
         turned.append((entity, pose, velocity))

@@ -39,6 +39,7 @@ class Word(Strict):
         EXAMPLE: sections of a scenario that show it; run as a test and printed in the reference.
         SENTENCE: how the rule sheet describes the one in the example.
         ASKS_WHERE: whether it asks where something is.
+        ALL_IF_NONE: whether it is about all of what is kept for several, if it names none.
         READS_MESSAGES: whether it reads messages from robots to the referee.
     """
 
@@ -47,6 +48,7 @@ class Word(Strict):
     EXAMPLE: ClassVar = ""
     SENTENCE: ClassVar = ""
     ASKS_WHERE: ClassVar = False
+    ALL_IF_NONE: ClassVar = False
     READS_MESSAGES: ClassVar = False
 
     @classmethod
@@ -167,12 +169,14 @@ class Trigger(Word):
         LIMIT: the field with the limit that it measures against; empty: none.
         REASON: what follows the entity where a replay says why it fired, with its fields, `measured` and `limit`.
         ABOUT: the field with what it can be about; it need not have one.
+        BINDS_OTHER: whether it brings ``entity`` and ``other`` together, so that its rules may name ``other``.
         MUST_EXCEED: whether what it measures must be more than its limit.
         IS_TIME: whether a time sets it off, so that its rules fire after all else of their priority.
     """
 
     KEY = "trigger"
     ABOUT: ClassVar = "entity"
+    BINDS_OTHER: ClassVar = False
     MUST_EXCEED: ClassVar = False
     IS_TIME: ClassVar = False
     MEASURED: ClassVar = ""
@@ -261,6 +265,7 @@ class Action(Word):
     """
 
     KEY = "action"
+    ALL_IF_NONE = True
     IS_BOOKKEEPING: ClassVar[bool] = False
 
     def compile(self, to: Binder) -> Act:

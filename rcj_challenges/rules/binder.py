@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterable, Mapping
 from random import Random
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
+from rcj_challenges.rules.effects import Places
 from rcj_challenges.rules.fields import Name, Names, Point, Scalar
 from rcj_challenges.tracking.bound_rules import BoundRule, HitBuffer, TriggerBinding
 from rcj_challenges.tracking.clock_events import ClockEvents
@@ -193,7 +194,7 @@ class Binder(Scope, Protocol):
     def layout_jobs(self, layout: str, mirror: Any) -> list[Any]:
         """Return the placements of a layout, in order."""
 
-    def placement_job(self, placing: Any, entity: int) -> Any:
+    def placement_job(self, put: Places, entity: int) -> Any:
         """Return the placement of one entity."""
 
     def place(self, jobs: list[Any]) -> None:

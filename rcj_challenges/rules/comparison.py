@@ -1,6 +1,8 @@
 """Comparing what is measured or counted with numbers and counters."""
 
 from collections.abc import Callable
+from types import MappingProxyType
+from typing import ClassVar
 
 from rcj_challenges.rules.base import Binder, Condition, Number, Phrases, ValueWord
 from rcj_challenges.rules.fields import MM_DIGITS, described
@@ -18,6 +20,9 @@ def _unchanged(value: Number) -> Number:
 
 class Compared(Condition):
     """A condition with bounds, of which it has one at least."""
+
+    EXCLUDES = MappingProxyType({"equals": ("at_least", "at_most")})
+    REQUIRES: ClassVar[tuple[tuple[str, ...], ...]] = (("at_least",), ("at_most",), ("equals",))
 
     at_least: Bound | None = described(
         None, "holds at this value and above; a number, {counter: NAME}, {lowest: NAME} or {highest: NAME}"

@@ -36,14 +36,17 @@ class Emits:
 
 @dataclass(frozen=True)
 class Places:
-    """Entities are put somewhere, mirrored by each of the mirrors, one after the other."""
+    """Entities are put somewhere, mirrored by each of the mirrors, one after the other; ``waits``: for room."""
 
     names: Names
     at: "PlaceWord"
-    facing: "Facing"
-    noise_m: Point
-    kick: "Kick | None"
-    mirrors: "tuple[Mirror, ...]"
+    facing: "Facing" = "start"
+    noise_m: Point = (0.0, 0.0)
+    kick: "Kick | None" = None
+    mirrors: "tuple[Mirror, ...]" = ()
+    min_clearance_m: float = 0.0
+    max_attempts: int = 100
+    waits: bool = True
 
 
 @dataclass(frozen=True)
@@ -100,15 +103,13 @@ class SetsSpot:
 
     Attributes:
         spot: its name.
-        at: the point or the random place that it is set to; None: where something is then.
+        at: the point, the random place, or the thing that it is set to; None: the place that a robot has sent.
         mirror: applied to that place.
-        is_certain: whether the place always exists: a robot may not have sent one.
     """
 
     spot: Name
-    at: "PlaceWord | None"
+    at: "PlaceWord | Name | None"
     mirror: "Mirror | None"
-    is_certain: bool
 
 
 @dataclass(frozen=True)

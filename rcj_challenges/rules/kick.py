@@ -1,5 +1,6 @@
 """A ball that rolls away from where it is put."""
 
+from dataclasses import replace
 from typing import Annotated, Any
 
 from pydantic import Field
@@ -15,13 +16,14 @@ from rcj_challenges.tracking.places import CompiledKick
 
 MAX_KICK_MPS = 3
 """Up to what the walls are known to hold, with a margin (ADR 2)."""
+_SPEEDS = replace(DRAW, numbers=(0.001, MAX_KICK_MPS))
 _KickSpeed = Annotated[float, Field(gt=0, le=MAX_KICK_MPS)]
 
 
 class DrawnSpeed(Strict):
     """The speed that a draw decided, when the ball is set down."""
 
-    draw: Annotated[Name, DRAW] = described(..., "a draw whose values are speeds in m/s, over 0 and up to 3")
+    draw: Annotated[Name, _SPEEDS] = described(..., "a draw whose values are speeds in m/s, over 0 and up to 3")
 
 
 class Kick(Strict):

@@ -49,6 +49,8 @@ class _Placement(Protocol):
     @property
     def min_clearance_m(self) -> float: ...
     @property
+    def max_attempts(self) -> int: ...
+    @property
     def on_failure(self) -> Literal["retry", "stay"]: ...
     @property
     def kick(self) -> Kick | None: ...
@@ -56,8 +58,17 @@ class _Placement(Protocol):
 
 def places(placement: _Placement, names: Names, at: At, also: Mirror | None = None) -> Places:
     """Return a placement as an effect; ``also``: the mirror of the whole layout."""
-    mirrors = tuple(one for one in (placement.mirror, also) if one is not None)
-    return Places(names, place_of(at), placement.facing, placement.noise_m, placement.kick, mirrors)
+    return Places(
+        names,
+        place_of(at),
+        placement.facing,
+        placement.noise_m,
+        placement.kick,
+        tuple(one for one in (placement.mirror, also) if one is not None),
+        placement.min_clearance_m,
+        placement.max_attempts,
+        placement.on_failure == "retry",
+    )
 
 
 def placement_words(phrases: Phrases, entity: Names, at: At, placement: _Placement) -> str:

@@ -52,6 +52,8 @@ class SectionRef:
         words: names that exist without being defined.
         keys: True if the names are the keys of the mapping.
         is_written: whether an action changes what is named.
+        numbers: of a draw the least and the greatest number that its values may be; None: they need not be numbers.
+        per_entity: whether a counter must be kept per entity.
     """
 
     noun: str
@@ -59,11 +61,19 @@ class SectionRef:
     words: frozenset[str] = frozenset()
     keys: bool = False
     is_written: bool = False
+    numbers: tuple[float, float] | None = None
+    per_entity: bool = False
 
 
 @dataclass(frozen=True)
 class DrawnValue:
-    """Marks a field with a value of a draw: any text, but ``each`` and ``other`` stand for names."""
+    """Marks a field with a value of a draw: any text, but ``each`` and ``other`` stand for names.
+
+    Attributes:
+        is_set: whether the draw is set to it: then it must be one of its values, for whatever a name stands.
+    """
+
+    is_set: bool = False
 
 
 Reference = Ref | SectionRef
@@ -75,9 +85,9 @@ def ref_of(model: type[BaseModel], field: str) -> Reference | None:
     return next((extra for extra in metadata if isinstance(extra, Ref | SectionRef)), None)
 
 
-def has_drawn_value(model: type[BaseModel], field: str) -> bool:
-    """Return whether a field has a value of a draw."""
-    return any(isinstance(extra, DrawnValue) for extra in model.model_fields[field].metadata)
+def drawn_value(model: type[BaseModel], field: str) -> DrawnValue | None:
+    """Return the mark of a field that has a value of a draw; None for any other."""
+    return next((extra for extra in model.model_fields[field].metadata if isinstance(extra, DrawnValue)), None)
 
 
 @cache

@@ -100,5 +100,5 @@ def fixed_spots(scenario: Scenario) -> dict[str, Spot]:
 
 def spots_set_at_start(scenario: Scenario) -> tuple[str, ...]:
     """Return the spots that a rule always sets as a half starts: they are never where the file has them."""
-    named = {e.spot for rule in _firing_each_half(scenario) for e in rule.effects(SetsSpot) if e.is_certain}
+    named = {e.spot for rule in _firing_each_half(scenario) for e in rule.effects(SetsSpot) if e.at is not None}
     return tuple(name for name in scenario.spots if name in named)

@@ -7,7 +7,7 @@ from typing import Any
 from rcj_challenges.rules.base import Word
 from rcj_challenges.rules.effects import Scores, Touch
 from rcj_challenges.rules.fields import Strict
-from rcj_challenges.rules.refs import Ref, has_drawn_value, ref_of
+from rcj_challenges.rules.refs import Ref, drawn_value, ref_of
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.placeholders import placeholders_in
 from rcj_challenges.scenario.roster import OTHER, has_other, with_each
@@ -59,7 +59,7 @@ def with_other(value: Any, other: str) -> Any:
 
 def _field(model: Strict, name: str, other: str) -> Any:
     value = getattr(model, name)
-    if has_drawn_value(type(model), name):
+    if drawn_value(type(model), name) is not None:
         return other if value == OTHER else value
     reference = ref_of(type(model), name)
     if not isinstance(reference, Ref) or not reference.each:

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cache
-from typing import Annotated, Any, Literal, NamedTuple, get_args, get_origin
+from typing import Annotated, Any, Literal, NamedTuple, TypeVar, get_args, get_origin
 
+from rcj_challenges.rules.effects import Effect
 from rcj_challenges.rules.fields import Strict
+from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.tree import Path
+
+_E = TypeVar("_E", bound=Effect)
 
 
 class Issue(NamedTuple):
@@ -52,6 +56,12 @@ def _gather(value: Any, path: Path, found: list[tuple[Strict, Path]]) -> None:
         for index, inner in enumerate(value):
             if isinstance(inner, _HOLDS_MORE):
                 _gather(inner, (*path, index), found)
+
+
+def effects_in(name: str, rule: Rule, kind: type[_E]) -> Iterator[tuple[_E, Path]]:
+    """Yield the effects of one kind that a rule has, each with the path of its action."""
+    for index, action in enumerate(rule.actions):
+        yield from ((one, ("rules", name, "actions", index)) for one in action.effects() if isinstance(one, kind))
 
 
 _HOLDS_MORE = (Strict, dict, tuple)

@@ -1,5 +1,6 @@
 """The action ``count``."""
 
+from types import MappingProxyType
 from typing import Annotated, Literal
 
 from rcj_challenges.core.amounts import round_score
@@ -38,6 +39,7 @@ class Count(Action):
     )
 
     IS_BOOKKEEPING = True
+    EXCLUDES = MappingProxyType({"to": ("by", "keeps_at_least", "keeps_at_most")})
     EXAMPLE = """
 counters: {rounds: {}}
 rules:

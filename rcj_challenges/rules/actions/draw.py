@@ -16,7 +16,7 @@ class DrawAction(Action):
 
     action: Literal["draw"]
     draw: Annotated[Name, WRITTEN_DRAW] = described(..., "the draw")
-    as_: Annotated[Scalar | None, DrawnValue()] = Field(
+    as_: Annotated[Scalar | None, DrawnValue(is_set=True)] = Field(
         None,
         alias="as",
         description="the value to set; each: the name of the for_each member; other: the name of the touched thing; if "

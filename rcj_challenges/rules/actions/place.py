@@ -1,5 +1,6 @@
 """The action ``place``."""
 
+from types import MappingProxyType
 from typing import Annotated, Literal
 
 from rcj_challenges.rules.base import Act, Action, Binder, Phrases
@@ -34,6 +35,8 @@ class Place(Action):
     kick: Roll = None
 
     NOTES = (WAITING_NOTE,)
+    EXCLUDES = MappingProxyType({"layout": ("entity", "at", "kick")})
+    REQUIRES = (("layout",), ("entity", "at"))
     EXAMPLE = """
 rules:
   put_back:
@@ -57,7 +60,8 @@ expect:
         if self.layout is not None:
             jobs = to.layout_jobs(self.layout, self.mirror)
         else:
-            jobs = [to.placement_job(self, entity) for entity in to.entities(self.entity or ())]
+            put = places(self, self.entity or (), self.at or "start")
+            jobs = [to.placement_job(put, entity) for entity in to.entities(put.names)]
         return lambda _firing: to.place(jobs)
 
     def effects(self) -> tuple[Places | PlacesLayout, ...]:

@@ -2,9 +2,8 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.actions.place import Place
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
-from rcj_challenges.rules.effects import Removes
+from rcj_challenges.rules.effects import Places, Removes
 from rcj_challenges.rules.facing import Facing
 from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.phrasing import WAITING_NOTE
@@ -52,7 +51,7 @@ expect:
 
     def compile(self, to: Binder) -> Act:
         away = None if self.for_s is None else to.ticks(self.for_s)
-        back = Place(action="place", entity=self.entity, at=self.back_at, facing=self.facing)
+        back = Places(self.entity, place_of(self.back_at), self.facing)
         returns = {entity: to.placement_job(back, entity) for entity in to.entities(self.entity)}
 
         def act(_firing: Firing) -> None:

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import Annotated, Literal
 
 from rcj_challenges.core.messages import position_in
-from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases, PlaceWord
+from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.effects import SetsSpot
 from rcj_challenges.rules.fields import Name, Point, described
 from rcj_challenges.rules.mirror import Mirror
@@ -111,8 +111,7 @@ expect:
 
     def effects(self) -> tuple[SetsSpot]:
         at = AtPoint(point=self.to) if isinstance(self.to, tuple) else self.to
-        where = at if isinstance(at, PlaceWord) else None
-        return (SetsSpot(self.spot, where, self.mirror, not isinstance(self.to, ReportedValue)),)
+        return (SetsSpot(self.spot, None if isinstance(at, ReportedValue) else at, self.mirror),)
 
     def describe(self, phrases: Phrases) -> str:
         if isinstance(self.to, ReportedValue):

@@ -25,6 +25,7 @@ class Looks(Condition):
     within_rad: float = described(0.2, "how far off its front may point, to either side, in rad", gt=0, le=pi)
     of: Quantifier = described("any", "how many members of a group must do so")
 
+    either = ("towards", "heading_rad")
     ABOUT = "entity"
     EXAMPLE = """
 rules:

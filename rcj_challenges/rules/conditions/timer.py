@@ -27,6 +27,7 @@ class TimerIs(Compared):
         None, "how many members of a group must satisfy it; without entity: of all members"
     )
 
+    REQUIRES = ()
     EXAMPLE = """
 timers:
   since_touch: {lasts_s: 20}

@@ -38,6 +38,7 @@ class Touches(Trigger):
         "interruption ends it",
     )
 
+    BINDS_OTHER = True
     EXAMPLE = """
 flags: {touched: {}}
 counters: {pushed: {per: robots}}

@@ -1,12 +1,17 @@
 """The value ``draw``: what a draw decided, where anything, a number or a duration is asked for."""
 
 from collections.abc import Callable
+from dataclasses import replace
+from math import inf
 from typing import Annotated
 
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.rules.base import Phrases, Scope, ValueWord
-from rcj_challenges.rules.fields import Name, Scalar, described
+from rcj_challenges.rules.fields import LONGEST_S, Name, Scalar, described
 from rcj_challenges.rules.phrasing import listed, quoted_measure, seconds
 from rcj_challenges.rules.refs import DRAW
+
+_NUMBERS, _DURATIONS = replace(DRAW, numbers=(-inf, inf)), replace(DRAW, numbers=(TICK_S, LONGEST_S))
 
 
 class DrawValue(ValueWord):
@@ -47,13 +52,13 @@ expect:
 class NumberDraw(DrawValue):
     """What a draw decided, for a draw whose values are all numbers."""
 
-    draw: Annotated[Name, DRAW] = described(..., "a draw of numbers")
+    draw: Annotated[Name, _NUMBERS] = described(..., "a draw of numbers")
 
 
 class DrawnDuration(DrawValue):
     """The duration that a draw decided."""
 
-    draw: Annotated[Name, DRAW] = described(..., "a draw whose values are durations in s")
+    draw: Annotated[Name, _DURATIONS] = described(..., "a draw whose values are durations in s")
 
     def describe(self, phrases: Phrases) -> str:
         """Return the value in words: ``5 s or 8 s, as “pause” is drawn``."""

@@ -1,6 +1,7 @@
 """The limit ``highest``."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Annotated
 
 from rcj_challenges.rules.base import Number, Phrases, Scope, ValueWord
@@ -13,7 +14,7 @@ from rcj_challenges.rules.values.of_others import of_others
 class HighestOfOthers(ValueWord):
     """The highest value, among all other entities, of a counter kept per entity; see ``lowest``."""
 
-    highest: Annotated[Name, COUNTER] = described(
+    highest: Annotated[Name, replace(COUNTER, per_entity=True)] = described(
         ...,
         "a counter kept per entity: the highest value of all members but `each` or, without for_each, of all members",
     )

@@ -1,6 +1,7 @@
 """The limit ``lowest``."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Annotated
 
 from rcj_challenges.rules.base import Number, Phrases, Scope, ValueWord
@@ -17,7 +18,7 @@ class LowestOfOthers(ValueWord):
     every negated one does.
     """
 
-    lowest: Annotated[Name, COUNTER] = described(
+    lowest: Annotated[Name, replace(COUNTER, per_entity=True)] = described(
         ...,
         "a counter kept per entity: the lowest value of all members but `each` or, without for_each, of all members",
     )

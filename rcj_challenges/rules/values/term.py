@@ -13,6 +13,8 @@ from rcj_challenges.rules.fields import described
 class Term(ValueWord):
     """A part of a sum: any value that is a number, with a weight next to its own keys."""
 
+    ALL_IF_NONE = True
+
     weight: float = described(
         1.0, "factor by which the value is multiplied; for a flag: the amount that counts if it is set"
     )

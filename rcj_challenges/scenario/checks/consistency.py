@@ -3,26 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.devices.base import Device
-from rcj_challenges.rules.actions.count import Count
-from rcj_challenges.rules.actions.draw import DrawAction
-from rcj_challenges.rules.actions.place import Place
-from rcj_challenges.rules.actions.set_spot import SetSpot
-from rcj_challenges.rules.comparison import Compared
-from rcj_challenges.rules.conditions.half import HalfIs
-from rcj_challenges.rules.conditions.looks import Looks
-from rcj_challenges.rules.conditions.spot_free import SpotFree
-from rcj_challenges.rules.conditions.timer import TimerIs
+from rcj_challenges.rules.base import PlaceWord, Trigger
+from rcj_challenges.rules.effects import AtTime, Draws, SetsSpot
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.kick import Kick
-from rcj_challenges.rules.places.on_line import OnLine
-from rcj_challenges.rules.places.uniform_in import UniformIn
 from rcj_challenges.rules.quantifier import AtLeast
-from rcj_challenges.rules.triggers.time_reached import TimeReached
 from rcj_challenges.rules.values.distance import DistanceValue
 from rcj_challenges.scenario.centres import centre_of
 from rcj_challenges.scenario.draw_order import never_drawn
@@ -31,26 +20,11 @@ from rcj_challenges.scenario.halves import clock_may_stop, half_length_s, longes
 from rcj_challenges.scenario.messages.wording import spelled
 from rcj_challenges.scenario.models.field import Match, Wall
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Rule, Scenario
-from rcj_challenges.scenario.models.state import Draw, Sequence
+from rcj_challenges.scenario.models.state import Draw
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import Path
-from rcj_challenges.scenario.walk import Issue, walk
+from rcj_challenges.scenario.walk import Issue, effects_in, walk
 
-_EXCLUDED: tuple[tuple[Any, str, tuple[str, ...]], ...] = (
-    (Place, "layout", ("entity", "at", "kick")),
-    (Looks, "towards", ("heading_rad",)),
-    (Compared | HalfIs, "equals", ("at_least", "at_most")),
-    (Sequence, "entity", ("per",)),
-    (Count, "to", ("by", "keeps_at_least", "keeps_at_most")),
-)
-"""Keys beside which others cannot stand, by model."""
-_REQUIRED: tuple[tuple[Any, tuple[tuple[str, ...], ...]], ...] = (
-    (Place, (("layout",), ("entity", "at"))),
-    (Looks, (("towards",), ("heading_rad",))),
-    (Compared | HalfIs, (("at_least",), ("at_most",), ("equals",))),
-    (Sequence, (("entity",), ("per",))),
-)
-"""Keys of which one set must stand in a model."""
 _RANGES = (("at_least", "at_most"), ("keeps_at_least", "keeps_at_most"))
 
 
@@ -68,8 +42,9 @@ def check_consistency(scenario: Scenario, *, is_half_set: bool, is_length_set: b
     for model, path in walk(scenario):
         yield from _keys(model, path)
         yield from _numbers(model, path, roster)
-        if isinstance(model, TimeReached) and model.at_s > longest_s and not is_half_set:
-            yield Issue("too-late", (*path, "at_s"), f"{model.at_s:g} s is never reached; a half lasts {longest_s:g} s")
+        match model.moment() if isinstance(model, Trigger) and not is_half_set else None:
+            case AtTime(at_s) if at_s > longest_s:
+                yield Issue("too-late", (*path, "at_s"), f"{at_s:g} s is never reached; a half lasts {longest_s:g} s")
         if isinstance(model, Match) and (is_length_set or not is_half_set):
             yield from _lengths(model, path, is_of_file=not is_length_set)
         if isinstance(model, Expectation):
@@ -92,17 +67,15 @@ def check_consistency(scenario: Scenario, *, is_half_set: bool, is_length_set: b
 
 def _keys(model: Strict, path: Path) -> Iterator[Issue]:
     """Yield keys of one mapping that exclude each other, and the lack of all of several."""
-    for kinds, key, others in _EXCLUDED:
-        both = [one for one in (key, *others) if getattr(model, one) is not None] if isinstance(model, kinds) else []
-        if both[:1] == [key] and len(both) > 1:
-            message = f"'{key}' and '{both[1]}' cannot be given together"
-            at, other = (*path, both[1]), (*path, key)
+    for key, others in {**model.EXCLUDES, **dict.fromkeys(model.either[:1], model.either[1:])}.items():
+        also = next((one for one in others if getattr(model, one) is not None), None)
+        if also is not None and getattr(model, key) is not None:
+            message = f"'{key}' and '{also}' cannot be given together"
+            at, other = (*path, also), (*path, key)
             yield Issue("conflicting-keys", at, message, "leave one of them out", at_key=True, other=other)
-    for kinds, choices in _REQUIRED:
-        if not isinstance(model, kinds) or isinstance(model, TimerIs):
-            continue
-        if not any(all(getattr(model, key) is not None for key in keys) for keys in choices):
-            yield Issue("missing-key", path, f"needs {', or '.join(map(' and '.join, choices))}")
+    choices = model.REQUIRES or tuple((key,) for key in model.either)
+    if choices and not any(all(getattr(model, key) is not None for key in keys) for keys in choices):
+        yield Issue("missing-key", path, f"needs {', or '.join(map(' and '.join, choices))}")
     if isinstance(model, Draw) and len(set(map(repr, model.values))) == 1:
         for key in (one for one in ("not_last", "not_again") if getattr(model, one)):
             message = "one value alone comes again every time"
@@ -124,7 +97,7 @@ def _numbers(model: Strict, path: Path, roster: Roster) -> Iterator[Issue]:
         case Kick(speed_mps=(least, most)) if least > most:
             yield Issue("empty-range", (*path, "speed_mps"), f"no speed is at least {least:g} and at most {most:g}")
     of = getattr(model, "of", None)
-    names = model.spot if isinstance(model, SpotFree) else getattr(model, "entity", None)
+    names = getattr(model, "entity", getattr(model, "spot", None))
     if isinstance(of, AtLeast) and names is not None and of.at_least > len(roster.expand(names)):
         count = len(roster.expand(names))
         yield Issue("never-holds", (*path, "of"), f"at least {of.at_least} of {count} can never hold")
@@ -147,11 +120,11 @@ def _measured(part: object, path: Path, rule: Rule | None, scenario: Scenario, r
                 message = f"no distance is measured between '{firsts[0]}' and '{firsts[1]}'"
                 help_ = "one end of a distance is an entity, a spot or [x, y]"
                 yield Issue("wrong-kind", (*at, "distance"), message, help_)
-        if isinstance(model, SetSpot) and isinstance(model.to, str):
-            for name in roster.may_be(model.to, rule):
-                if name in scenario.zones and centre_of(scenario.zones[name]) is None:
-                    help_ = "set the spot to an entity, a spot or [x, y]"
-                    yield Issue("no-centre", (*at, "to"), f"zone '{name}' has no centre", help_)
+    for spot, at in effects_in(str(path[1]), rule, SetsSpot) if rule is not None else ():
+        for name in roster.may_be(spot.at, rule) if isinstance(spot.at, str) else ():
+            if name in scenario.zones and centre_of(scenario.zones[name]) is None:
+                help_ = "set the spot to an entity, a spot or [x, y]"
+                yield Issue("no-centre", (*at, "to"), f"zone '{name}' has no centre", help_)
 
 
 # --- times ------------------------------------------------------------------------------------------------------------
@@ -194,8 +167,7 @@ def _script(test: Expectation, path: Path) -> Iterator[Issue]:
 
 def _series(test: Expectation, path: Path, scenario: Scenario) -> Iterator[Issue]:
     """Yield values that a test decides for a draw and that cannot be drawn in this order."""
-    actions = (action for rule in scenario.rules.values() for action in rule.actions)
-    set_by_rules = {action.draw for action in actions if isinstance(action, DrawAction) and action.as_ is not None}
+    set_by_rules = {one.draw for one in scenario.effects(Draws) if one.value is not None}
     for name, decided in test.draws.items():
         draw = scenario.draws.get(name)
         if draw is None or name in set_by_rules or not isinstance(decided, tuple):
@@ -209,8 +181,7 @@ def _series(test: Expectation, path: Path, scenario: Scenario) -> Iterator[Issue
 
 def _decided_spots(test: Expectation, path: Path, scenario: Scenario) -> Iterator[Issue]:
     """Yield spots that a test decides and that no rule sets at random."""
-    actions = [action for rule in scenario.rules.values() for action in rule.actions if isinstance(action, SetSpot)]
-    random = {one.spot for one in actions if isinstance(one.to, UniformIn | OnLine)}
+    random = {one.spot for one in scenario.effects(SetsSpot) if isinstance(one.at, PlaceWord) and one.at.IS_SPREAD}
     for name in (one for one in test.spots or {} if one in scenario.spots and one not in random):
         help_ = "where it is at the end is compared under poses"
         yield Issue("never-drawn", (*path, "spots", name), f"no rule sets '{name}' at random", help_, at_key=True)

@@ -5,36 +5,16 @@ Walks the tree beside the shapes of the models, so that unknown names come in on
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from math import inf
+from collections.abc import Iterable, Iterator, Mapping
+from math import inf, isnan, nan
 from typing import Any, NamedTuple
 
-from rcj_challenges.core.timing import TICK_S
-from rcj_challenges.rules.actions.count import Count
-from rcj_challenges.rules.actions.draw import DrawAction
-from rcj_challenges.rules.actions.place import Place
-from rcj_challenges.rules.actions.score import Score
-from rcj_challenges.rules.actions.sequence import SequenceAction
-from rcj_challenges.rules.actions.set_flag import SetFlag
-from rcj_challenges.rules.actions.timer import TimerAction
-from rcj_challenges.rules.actions.toggle_flag import ToggleFlag
-from rcj_challenges.rules.conditions.drawn import Drawn
-from rcj_challenges.rules.conditions.sequence_at import SequenceAt
-from rcj_challenges.rules.fields import LONGEST_S
-from rcj_challenges.rules.kick import MAX_KICK_MPS, DrawnSpeed
-from rcj_challenges.rules.refs import Ref, Reference, SectionRef, refs_of
-from rcj_challenges.rules.triggers.touches import Touches
-from rcj_challenges.rules.values.counter import CounterValue
-from rcj_challenges.rules.values.draw import DrawnDuration, NumberDraw
-from rcj_challenges.rules.values.flag import FlagValue
-from rcj_challenges.rules.values.highest import HighestOfOthers
-from rcj_challenges.rules.values.lowest import LowestOfOthers
-from rcj_challenges.rules.values.term import term_of
-from rcj_challenges.rules.values.timer import NumberTimer
+from rcj_challenges.rules.base import Trigger
+from rcj_challenges.rules.refs import Ref, Reference, SectionRef, drawn_value, refs_of
+from rcj_challenges.rules.triggers import TRIGGERS
 from rcj_challenges.scenario.checks.naming import removal_help
 from rcj_challenges.scenario.errors import MAX_FOUND, choice_of, cut, listing
 from rcj_challenges.scenario.messages.wording import format_node, spelled
-from rcj_challenges.scenario.models.places import Placing
 from rcj_challenges.scenario.models.robots import Entrant, Kit
 from rcj_challenges.scenario.models.scenario import Expectation, Rule, Scenario
 from rcj_challenges.scenario.models.state import Timer
@@ -47,18 +27,6 @@ _ON_FIELD = ("robots", "balls", "obstacles", "zones", "gates", "spots", "groups"
 """Sections whose names stand for something on the field."""
 _KEPT = {"counter": "counters", "flag": "flags", "timer": "timers", "sequence": "sequences"}
 """What may be kept once, or for each member of a group, by the key that names it."""
-_WRITES = (
-    Count, SetFlag, ToggleFlag, TimerAction, SequenceAction, *map(term_of, (CounterValue, FlagValue, NumberTimer)),
-)  # fmt: skip
-"""Words that are about all members if they name none."""
-_NUMBERS: dict[Any, tuple[float, float]] = {
-    NumberDraw: (-inf, inf),
-    term_of(NumberDraw): (-inf, inf),
-    DrawnDuration: (TICK_S, LONGEST_S),
-    DrawnSpeed: (0.001, MAX_KICK_MPS),
-}
-"""By model with the name of a draw that stands for a number: the bounds of its values."""
-
 _Wrong = tuple[str, str, str]
 
 
@@ -129,6 +97,7 @@ class _Walker:
             scope = Scope(self._members(node.entries["per"], Scope()))
         for key, reference, default in refs_of(model):
             if key in node.entries:
+                self._values(reference, node.entries[key], (*path, key), path)
                 for name, at in _names_in(node.entries[key], (*path, key), reference):
                     if wrong := self._wrong(reference, name, at, scope):
                         self.add(wrong[0], at, wrong[1], wrong[2], at_key=reference.keys)
@@ -157,7 +126,8 @@ class _Walker:
         scope = Scope(None if group is None else self._members(group, Scope()))
         triggers = rule.entries.get("triggers")
         listed = triggers.items if isinstance(triggers, Items) else []
-        if any(texts(child(trigger, "trigger")) != ("touches",) for trigger in listed):
+        binding = [(word.name(),) for word in TRIGGERS.words() if issubclass(word, Trigger) and word.BINDS_OTHER]
+        if any(texts(child(trigger, "trigger")) not in binding for trigger in listed):
             return scope
         pairs = [[self._members(child(one, key), scope) for key in ("entity", "other")] for one in listed]
         found = dict.fromkeys(name for one, other in pairs for name in other if name in touched(one, other))
@@ -174,10 +144,14 @@ class _Walker:
         """Return code, message and help about a name that cannot stand here; None if it can."""
         roster = self.roster
         if name in reference.words:
-            return None
+            return self._receiver(name, scope) if name in BOUND else None
         if isinstance(reference, SectionRef):
-            is_known = any(name in roster.names(section) for section in reference.sections)
-            return None if is_known else self._unknown(reference, name, path)
+            if not any(name in roster.names(section) for section in reference.sections):
+                return self._unknown(reference, name, path)
+            if reference.per_entity and child(node_at(self.root, ("counters", name)), "per") is None:
+                message = f"counter '{name}' is not kept per entity: there are no others"
+                return "not-per-entity", message, f"give it per: robots, or write {{counter: {name}}}"
+            return None
         if name in BOUND:
             unbound = self._unbound(reference, name, path, scope.of(name))
             return ("unbound-name", unbound, "") if unbound else self._wrong_kind(reference, name, scope.of(name) or ())
@@ -262,17 +236,20 @@ class _Walker:
             elif wrong := self._wrong(plain, value.value, at, Scope()):
                 self.add(wrong[0], at, f"{wrong[1]} {needed_by}", wrong[2])
 
-    def _numbers(self, least: float, most: float, node: Entries, path: Path) -> None:
+    def _values(self, reference: Reference, node: Node, path: Path, user: Path) -> None:
+        """Check all that a draw may decide where it stands for a name, or for a number."""
+        for draw in texts(child(node, "draw")):
+            self._drawn(reference, draw, path)
+        least, most = getattr(reference, "numbers", None) or (nan, nan)
         bounds = "" if least == -inf else f" from {least:g} to {most:g}"
-        for at, value in self._values_of(node.entries.get("draw")):
+        for at, value in () if isnan(least) else self._values_of(node):
             number = value.value
             if not isinstance(number, int | float) or isinstance(number, bool) or not least <= number <= most:
                 message = f"expected a number{bounds}, found {format_node(value)}"
-                self.add("wrong-value", at, f"{message} (needed by {format_path(self.root, path)})")
+                self.add("wrong-value", at, f"{message} (needed by {format_path(self.root, user)})")
 
-    def _decided(self, node: Entries, path: Path, scope: Scope) -> None:
+    def _decided(self, key: str, node: Entries, path: Path, scope: Scope, *, is_set: bool) -> None:
         """Check the value of a draw that a rule asks for or sets: ``each`` and ``other`` are names if it has them."""
-        key = "as" if "as" in node.entries else "equals"
         value, at = node.entries.get(key), (*path, key)
         known = [one.value for _, one in self._values_of(node.entries.get("draw"))]
         name = str(value.value) if isinstance(value, Leaf) else ""
@@ -282,11 +259,11 @@ class _Walker:
         elif members is None:
             self.add("unbound-name", at, _unknown_bound(name))
         # To ask whether it is drawn, it suffices that one of them can be; to be set, each must.
-        elif known and not (all if key == "as" else any)(one in known for one in members):
+        elif known and not (all if is_set else any)(one in known for one in members):
             message = f"'{name}' stands for what is never drawn"
             self.add("never-drawn", at, message, choice_of("", (cut(spelled(one)) for one in known)))
 
-    def _decided_by_test(self, test: Entries, path: Path, _scope: Scope) -> None:
+    def _decided_by_test(self, test: Entries, path: Path) -> None:
         """Check the values of draws that a test decides: one, or several in order."""
         for name, value in _entries(test.entries.get("draws")):
             known = [one.value for _, one in self._values_of(Leaf(name, value.mark))]
@@ -309,28 +286,23 @@ class _Walker:
     def _relations(self, model: Any, node: Entries, path: Path, scope: Scope) -> None:
         if key := next((key for key in _KEPT if "entity" in fields(model) and key in fields(model)), None):
             self._owner(key, model, node, path, scope)
-        if model in _NUMBERS:
-            self._numbers(*_NUMBERS[model], node, path)
-        if model in _RELATIONS:
-            _RELATIONS[model](self, node, path, scope)
+        for name, info in model.model_fields.items() if "draw" in node.entries else ():
+            if (mark := drawn_value(model, name)) is not None:
+                self._decided(info.alias or name, node, path, scope, is_set=mark.is_set)
+        if model is Expectation:
+            self._decided_by_test(node, path)
+        if issubclass(model, Trigger) and model.BINDS_OTHER:
+            self._touch(node, path, scope)
+        if "kick" in node.entries:
+            self._kick(node, path, scope)
+        if "step" in node.entries:
+            self._among_steps(node, path, scope)
 
-    def _place(self, node: Entries, path: Path, scope: Scope) -> None:
-        for layout in texts(child(node.entries.get("layout"), "draw")):
-            self._drawn(SectionRef("layout", ("placements",)), layout, (*path, "layout"))
+    def _kick(self, node: Entries, path: Path, scope: Scope) -> None:
         kinds = self.roster.kinds
-        names = self._members(node.entries.get("entity"), scope) if "kick" in node.entries else ()
+        names = self._members(node.entries.get("entity"), scope)
         if name := next((one for one in names if kinds.get(one, "ball") != "ball"), None):
             self.add("wrong-kind", (*path, "kick"), f"only balls roll: '{name}' is {_a(kinds[name])}")
-
-    def _of_others(self, node: Entries, path: Path, _scope: Scope) -> None:
-        """Check that a counter is kept for several, if one of them is compared with the others."""
-        for key in ("lowest", "highest"):
-            for name in texts(node.entries.get(key)):
-                counter = node_at(self.root, ("counters", name))
-                if counter is not None and child(counter, "per") is None:
-                    message = f"counter '{name}' is not kept per entity: there are no others"
-                    help_ = f"give it per: robots, or write {{counter: {name}}}"
-                    self.add("not-per-entity", (*path, key), message, help_)
 
     def _owner(self, key: str, model: Any, node: Entries, path: Path, scope: Scope) -> None:
         """Check ``entity`` beside something that may be kept for each member of a group, or its absence."""
@@ -349,7 +321,7 @@ class _Walker:
         owners, is_counted = roster.expand(group), "of" in node.entries
         if whose is None:
             is_about_one = any(one in owners or kinds.get(one) not in ("zone", "gate") for one in scope.each or ())
-            if is_about_one and not is_counted and model not in _WRITES:
+            if is_about_one and not is_counted and not getattr(model, "ALL_IF_NONE", False):
                 message = f"{key} '{name}' is kept per {group}"
                 self.add("missing-entity", (*path, key), message, "say whose with 'entity', such as entity: each")
             return
@@ -375,22 +347,19 @@ class _Walker:
             why = "a thing never touches itself" if is_itself else "neither of them ever moves"
             self.add("never-touches", (*path, "other"), why, "name what it touches, such as robots or walls")
 
-    def _receiver(self, node: Entries, path: Path, scope: Scope) -> None:
-        """Check that ``each`` or ``other`` stands for robots that an entrant drives, if points are given to it."""
-        path = (*path, "entrant")
-        name = next(iter(texts(node.entries.get("entrant"))), "")
-        if name not in BOUND or name in self.roster.names("entrants"):
-            return
+    def _receiver(self, name: str, scope: Scope) -> _Wrong | None:
+        """Return what is wrong if points are given to ``each`` or ``other``, which stands for robots of entrants."""
+        if name in self.roster.names("entrants"):
+            return None
         members = scope.of(name)
         if members is None:
-            self.add("unbound-name", path, _unknown_bound(name))
-            return
+            return "unbound-name", _unknown_bound(name), ""
         robots = (node_at(self.root, ("entrants", one, "robots")) for one in self.roster.names("entrants"))
         driven = {robot for node in robots for robot, _ in _entries(node)}
         idle = next((one for one in members if one in self.roster.kinds and one not in driven), None)
-        if idle is not None:
-            message = f"'{name}' stands for '{idle}', {_a(self.roster.kinds[idle])} that no entrant drives"
-            self.add("wrong-kind", path, message)
+        if idle is None:
+            return None
+        return "wrong-kind", f"'{name}' stands for '{idle}', {_a(self.roster.kinds[idle])} that no entrant drives", ""
 
     def _among_steps(self, node: Entries, path: Path, scope: Scope) -> None:
         sequence, step = texts(node.entries.get("sequence")), texts(node.entries.get("step"))
@@ -403,20 +372,6 @@ class _Walker:
         if members and all(self.roster.kinds.get(one) in ("zone", "gate") and one not in known for one in members):
             message = f"'{members[0]}' is not a step of it"
             self.add("unknown-name", (*path, "step"), message, choice_of(members[0], known))
-
-
-_RELATIONS: dict[Any, Callable[[_Walker, Entries, Path, Scope], None]] = {
-    Place: _Walker._place,  # noqa: SLF001 - its own
-    Placing: _Walker._place,  # noqa: SLF001
-    Score: _Walker._receiver,  # noqa: SLF001
-    Drawn: _Walker._decided,  # noqa: SLF001
-    DrawAction: _Walker._decided,  # noqa: SLF001
-    Expectation: _Walker._decided_by_test,  # noqa: SLF001
-    SequenceAt: _Walker._among_steps,  # noqa: SLF001
-    LowestOfOthers: _Walker._of_others,  # noqa: SLF001
-    HighestOfOthers: _Walker._of_others,  # noqa: SLF001
-    Touches: _Walker._touch,  # noqa: SLF001
-}
 
 
 def _unknown_bound(name: str) -> str:

@@ -13,7 +13,7 @@ from rcj_challenges.scenario.layouts import alternatives
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.tree import Entries, Path, node_at
-from rcj_challenges.scenario.walk import walk
+from rcj_challenges.scenario.walk import effects_in, walk
 
 _E = TypeVar("_E", bound=Effect)
 
@@ -111,12 +111,6 @@ class LintContext:
         above, node = node_at(self.tree, path[:-1]), node_at(self.tree, path)
         mark = above.key_marks.get(str(path[-1])) if isinstance(above, Entries) else node.mark if node else None
         return mark is not None and mark.file == self.tree.mark.file
-
-
-def effects_in(name: str, rule: Rule, kind: type[_E]) -> Iterator[tuple[_E, Path]]:
-    """Yield the effects of one kind that a rule has, each with the path of its action."""
-    for index, action in enumerate(rule.actions):
-        yield from ((one, ("rules", name, "actions", index)) for one in action.effects() if isinstance(one, kind))
 
 
 def _names(value: Any, reference: Reference) -> Iterator[str]:

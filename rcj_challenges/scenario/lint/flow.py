@@ -19,11 +19,11 @@ from rcj_challenges.rules.effects import (
 )
 from rcj_challenges.scenario.errors import did_you_mean, listing
 from rcj_challenges.scenario.lint.base import LintRule, Suspicion
-from rcj_challenges.scenario.lint.context import LintContext, effects_in
+from rcj_challenges.scenario.lint.context import LintContext
 from rcj_challenges.scenario.models.scenario import RankByScore, Rule
 from rcj_challenges.scenario.roster import EACH
 from rcj_challenges.scenario.tree import Path
-from rcj_challenges.scenario.walk import walk
+from rcj_challenges.scenario.walk import effects_in, walk
 
 
 class PhaseNeverEntered(LintRule):

@@ -13,11 +13,12 @@ from rcj_challenges.scenario.checks.ground import Floor, obstacle_bodies
 from rcj_challenges.scenario.floor import floor_parts, on_floor
 from rcj_challenges.scenario.half_start import fixed_spots
 from rcj_challenges.scenario.lint.base import LintRule, Suspicion
-from rcj_challenges.scenario.lint.context import LintContext, effects_in
+from rcj_challenges.scenario.lint.context import LintContext
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.outlines import Part, disc, overlap, robot_outline
 from rcj_challenges.scenario.tree import Path
+from rcj_challenges.scenario.walk import effects_in
 
 
 class OffTheField(LintRule):
