@@ -43,6 +43,13 @@ def only(stage):
     return finding
 
 
+def test_a_failure_is_shown_however_many_warnings_there_are(check):
+    hidden = [name for name in sorted(sys.stdlib_module_names) if not name.startswith("_")][:60]
+    stage = check("import nowhere\n", **{f"{FOLDER}__{name}": "x = 1\n" for name in hidden})
+    assert codes(stage, "failure") == ["missing_module"]
+    assert len(codes(stage, "warning")) == 40
+
+
 def test_a_program_that_imports_what_there_is_passes(check):
     stage = check(
         "import math, numpy.linalg, scipy\nfrom controller import Robot\nimport robot1, shared.tools\n",

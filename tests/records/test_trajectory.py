@@ -164,6 +164,13 @@ def test_a_changed_byte_is_noticed(place: int, byte: int, good: Path, tmp_path_f
         assert [half.ticks for half in trajectory.halves] == [30]
 
 
+def test_a_chunk_that_does_not_begin_as_one_is_damaged(good: Path, tmp_path: Path) -> None:
+    data = (good / FILE).read_bytes()
+    folder = _copy_with(good, tmp_path, data[::-1].replace(b"KNHC", b"KNHX", 1)[::-1])
+    assert chunks.read_chunks(folder / FILE).is_damaged
+    assert _code(folder) == "record-damaged"
+
+
 @pytest.mark.parametrize("cut", [1, 20, 300, 5000])
 def test_a_finished_trajectory_that_lost_its_end_is_refused(cut: int, good: Path, tmp_path: Path) -> None:
     assert _code(_copy_with(good, tmp_path, (good / FILE).read_bytes()[:-cut])) == "record-damaged"

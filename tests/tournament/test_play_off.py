@@ -60,6 +60,12 @@ def test_a_drawn_play_off_ends_with_what_decides_ties():
     assert order(stage(state, "league").places) == ["t01", "t02"]
 
 
+def test_a_tie_for_a_place_that_ends_by_lot_marks_both_teams():
+    stages = "  league: {stage: round_robin, play_off: true}\n  final: {stage: challenge, from: league, places: 1, scenarios: {a: {scenario: shooter}}}\n"
+    league = stage(play(season(stages, names(2), POINTS), lambda _: Outcome((1.0, 1.0))), "league")
+    assert [(row.place, row.by_lot) for row in league.places] == [(1, True), (2, True)]
+
+
 def test_level_teams_of_a_play_off_of_three_draw_lots_that_are_marked():
     league = stage(play(season(STAGES % 2, names(3), POINTS), lambda _: Outcome((0.0, 0.0))), "league")
     assert [(row.place, row.by_lot) for row in league.places] == [(1, True), (2, True), (3, True)]
