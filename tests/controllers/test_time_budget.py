@@ -96,6 +96,16 @@ def test_threads_that_end_within_a_step_have_computed_and_not_slept() -> None:
     assert machine.budget.charged_s == pytest.approx(2.0, abs=0.005)
 
 
+def test_a_new_thread_with_the_number_of_an_ended_one_pays_for_itself_alone() -> None:
+    machine = Machine()
+    machine.passes(5.0, {HELPER: 5.0})
+    machine.budget.look(machine.now_s)
+    machine.threads[HELPER] = ThreadTimes()
+    machine.passes(2.0, {HELPER: 0.5})
+    machine.budget.answered(machine.now_s)
+    assert machine.budget.charged_s == pytest.approx(2.0, abs=0.005)  # it has slept for 1.5 s
+
+
 def test_short_steps_are_charged_their_cpu_time_and_at_most_their_wall_time() -> None:
     machine = Machine()
     for computes_s, lasts_s in ((0.0005, 0.0015), (0.003, 0.001)):
