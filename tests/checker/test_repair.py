@@ -158,6 +158,15 @@ def test_two_unsafe_names_for_one_place_need_a_decision(tmp_path: Path) -> None:
     assert result.left == ["'A*.txt' would lie where another file is: rename one"]
 
 
+def test_an_archive_that_still_fails_after_its_repair_is_not_written(tmp_path: Path) -> None:
+    folder = next(name for name in SOUND if "/" in name).split("/")[0]
+    data = pack([*with_folders(SOUND), Member(f"{folder}.", b"a file where a folder is")])
+    result, _ = repaired(tmp_path, data)
+    assert result.out is None
+    assert result.left
+    assert [path.name for path in tmp_path.rglob("*.zip")] == ["team.zip"]
+
+
 def test_a_folder_is_packed(tmp_path: Path) -> None:
     for name, content in below("team", SOUND).items():
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
