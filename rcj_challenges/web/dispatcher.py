@@ -8,10 +8,11 @@ import secrets
 import shutil
 import socket
 import subprocess
+import sys
 import threading
 import time
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from datetime import datetime
 from typing import Any
 
@@ -33,6 +34,18 @@ _MAX_JOB_S = 3600.0
 
 class _HostFaultError(Exception):
     """A job could not be done because of this computer or a bug of ours."""
+
+
+@contextmanager
+def _logged() -> Iterator[None]:
+    """Log a failure, and go on: the database may be away for a moment."""
+    try:
+        yield
+    except Exception as error:  # noqa: BLE001 - whatever it is, the other jobs are to be done
+        sys.stderr.write(f"dispatcher: {type(error).__name__}: {error}\n")
+    finally:
+        with suppress(DatabaseError):
+            close_old_connections()
 
 
 class Dispatcher:
@@ -118,29 +131,23 @@ class Dispatcher:
 
     def _lane(self) -> None:
         while not self._stopped.is_set():
-            try:
+            with _logged():
                 if self.do_next():
                     continue
-            except Exception as error:  # noqa: BLE001 - the database may be away for a moment
-                print(f"dispatcher: {type(error).__name__}: {error}", flush=True)  # noqa: T201 - its log
-            close_old_connections()
             self._stopped.wait(_POLL_S)
         connections.close_all()
 
     def _heartbeat(self) -> None:
         """Renew the leases; a process whose lease another worker has is ended."""
-        now = self._now()
         with self._lock:
             held = set(self._held)
-        try:
-            Worker.objects.update_or_create(
-                name=self.name,
-                defaults={"seen_at": now, "lanes": self._config.lanes, "versions": {"rcj-challenges": __version__}},
-            )
+        lost: set[tuple[int, int]] = set()
+        with _logged():
+            now = self._now()
+            seen = {"seen_at": now, "lanes": self._config.lanes, "versions": {"rcj-challenges": __version__}}
+            with jobs.writing():
+                Worker.objects.update_or_create(name=self.name, defaults=seen)
             lost = held - jobs.renew(self.name, held, now)
-        except Exception as error:  # noqa: BLE001 - the database may be away for a moment
-            print(f"dispatcher: {type(error).__name__}: {error}", flush=True)  # noqa: T201 - its log
-            return
         with self._lock:
             for claim in lost & self._held:
                 if claim in self._processes:

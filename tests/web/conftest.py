@@ -277,11 +277,12 @@ class Postgres:
         server = f"-c listen_addresses='' -c unix_socket_directories={self.folder} -c shared_buffers=16MB -c fsync=off"
         log = str(self.folder / "log")
         # No shell: the pipes of `_run` would stay open as long as the server lives.
-        subprocess.run(
+        started = subprocess.run(
             [self._programs / "pg_ctl", "-D", self._data, "-l", log, "-w", "-o", server, "start"],
-            check=True, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+            check=False, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
             cwd=self.folder, timeout=60, **self._user,
         )  # fmt: skip
+        assert started.returncode == 0, Path(log).read_text()[-3000:]
 
     def stop(self, mode: str = "fast", *, wait: bool = True) -> None:
         """Stop the server: fast, or immediate, without a last checkpoint."""
@@ -290,12 +291,14 @@ class Postgres:
     def kill(self) -> None:
         """End the server with all its processes, as if the power had gone."""
         pid = int((self._data / "postmaster.pid").read_text().splitlines()[0])
+        os.kill(pid, signal.SIGSTOP)  # it starts no more
         children = Path(f"/proc/{pid}/task/{pid}/children").read_text().split()
         for one in (pid, *map(int, children)):
             os.kill(one, signal.SIGKILL)
-        for one in (pid, *map(int, children)):
-            while Path(f"/proc/{one}").exists() and "Z" not in Path(f"/proc/{one}/stat").read_text().rsplit(")")[1][:3]:
-                time.sleep(0.01)
+        until = time.monotonic() + _START_S
+        while any(Path(f"/proc/{one}").exists() for one in (pid, *children)):
+            assert time.monotonic() < until
+            time.sleep(0.01)
 
     def url(self, name: str) -> str:
         """Return the address of a database, as ``site.yaml`` has it."""
