@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -14,21 +13,14 @@ from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.tree import Entries, Step, in_names, mark_of
 from rcj_challenges.tournament.entries import TeamEntry
 from rcj_challenges.tournament.errors import did_you_mean, problem_at
-from rcj_challenges.tournament.models import (
-    Challenge,
-    FromModel,
-    KnockOut,
-    MatchesModel,
-    RoundRobin,
-    SuperTeam,
-    Swiss,
-    Tournament,
-    place_range,
-)
+from rcj_challenges.tournament.formats import Stage
+from rcj_challenges.tournament.formats.stage import Intake, StageSize
+from rcj_challenges.tournament.models import FromModel, place_range
 from rcj_challenges.tournament.release import moments_of
 from rcj_challenges.tournament.scenarios import ScenarioInfo, ScenarioNames, ScenarioUse
 from rcj_challenges.tournament.season import Team
-from rcj_challenges.tournament.stage_sizes import StageSize, cuts, stage_sizes
+from rcj_challenges.tournament.stage_sizes import cuts, stage_sizes
+from rcj_challenges.tournament.tournament_file import Tournament
 
 
 def check(
@@ -115,8 +107,7 @@ class _Checks:
         stages = self.tournament.stages
         yield from self._names_by_case(("stages",), stages)
         for name, stage in stages.items():
-            if isinstance(stage, Challenge):
-                yield from self._names_by_case(("stages", name, "scenarios"), stage.scenarios)
+            yield from self._names_by_case(("stages", name, "scenarios"), stage.challenges)
 
     def _names_by_case(self, path: tuple[Step, ...], names: Iterable[str]) -> Iterator[Diagnostic]:
         first: dict[str, str] = {}
@@ -162,18 +153,12 @@ class _Checks:
     def _seats(self) -> Iterator[Diagnostic]:
         path: tuple[Step, ...]
         for name, stage in self.tournament.stages.items():
-            if isinstance(stage, Challenge):
-                for key, one in stage.scenarios.items():
-                    path = ("stages", name, "scenarios", key, "scenario")
-                    yield from self._seat_count(path, self.names.use(one.scenario, one.set), {1})
-            elif isinstance(stage, MatchesModel):
-                use = self.names.of_matches(stage)
-                path = ("stages", name, "scenario") if stage.scenario is not None else ("stages", name)
-                yield from self._seat_count(path, use, {2})
+            for use, keys in stage.uses(self.names):
+                path = ("stages", name, *keys)
+                yield from self._seat_count(path, use, {stage.SEATS})
                 info = self.scenarios.get(use)
-                if isinstance(stage, SuperTeam) and info is not None and len(set(info.seats.values())) > 1:
-                    message = f"the sides of scenario '{info.id}' have different numbers of robots"
-                    yield self._at(path, "wrong-seats", message, "super teams need sides of the same size")
+                for message, help_ in stage.scenario_problems(info) if info is not None else ():
+                    yield self._at(path, "wrong-seats", message, help_)
         tie = self.tournament.drawn.tie_scenario
         if tie is not None:
             path = ("drawn", "tie_scenario", "scenario")
@@ -209,7 +194,7 @@ class _Checks:
             yield self._at((*path, "from"), "unreachable-stage", message, help_)
             return
         source = self.tournament.stages[stage.from_]
-        if isinstance(source, SuperTeam):
+        if not source.RANKS_TEAMS:
             message = f"'{stage.from_}' ranks super teams, not teams"
             yield self._at((*path, "from"), "unreachable-stage", message, "take the teams from another stage")
         if isinstance(stage.places, str) and (numbers := place_range(stage.places, 0))[0] > numbers[1]:
@@ -218,24 +203,18 @@ class _Checks:
 
     # --- one stage ----------------------------------------------------------------------------------------------------
 
-    def _stage(self, name: str, stage: FromModel, sizes: Mapping[str, StageSize]) -> Iterator[Diagnostic]:
+    def _stage(self, name: str, stage: Stage, sizes: Mapping[str, StageSize]) -> Iterator[Diagnostic]:
         path = ("stages", name)
         size = sizes[name]
         if stage.from_ is not None and stage.places is not None:
             yield from self._places(path, stage, sizes[stage.from_])
-        least = 1 if isinstance(stage, Challenge) else 2
-        if size.teams < least:
-            message = f"{size.teams} team(s) come into this stage, at least {least} needed"
+        if size.teams < stage.MIN_TEAMS:
+            message = f"{size.teams} team(s) come into this stage, at least {stage.MIN_TEAMS} needed"
             yield self._at(path, "too-few-teams", message, "take more places, or remove the stage")
             return
-        if isinstance(stage, RoundRobin):
-            yield from self._groups(path, stage, size)
-        elif isinstance(stage, Swiss):
-            yield from self._rounds(path, stage, size)
-        elif isinstance(stage, KnockOut):
-            yield from self._knock_out(path, stage, size)
-        elif isinstance(stage, SuperTeam):
-            yield from self._super_teams(path, stage, size)
+        intake = Intake(size.teams, self.teams, self.names, self.scenarios)
+        for one in stage.problems(intake, size):
+            yield self._at((*path, *one.path), one.code, one.message, one.help, one.severity)
         yield from self._releases(path, stage, size)
         yield from self._undecided(name, stage, sizes)
 
@@ -249,71 +228,6 @@ class _Checks:
                 yield self._at((*path, "places"), "too-few-teams", message, help_)
                 return
 
-    def _groups(self, path: tuple[Step, ...], stage: RoundRobin, size: StageSize) -> Iterator[Diagnostic]:
-        if isinstance(stage.groups, dict):
-            if stage.from_ is not None:
-                message = "the teams of the groups are listed, and taken from another stage"
-                help_ = "give the number of groups, or remove 'from'"
-                yield self._at((*path, "groups"), "listed-teams", message, help_)
-                return
-            yield from self._listed((*path, "groups"), stage.groups)
-            missing = [team for team in self.teams if all(team not in listed for listed in stage.groups.values())]
-            if missing:
-                message = f"in no group: {listing(missing)}"
-                yield self._at((*path, "groups"), "listed-teams", message, "put each team into one group")
-        elif min(size.tables.values()) < 2:
-            message = f"{size.teams} teams are too few for {stage.groups} groups"
-            yield self._at((*path, "groups"), "too-few-teams", message, "two teams a group are the least")
-
-    def _listed(self, path: tuple[Step, ...], lists: Mapping[str, tuple[str, ...]]) -> Iterator[Diagnostic]:
-        seen: Counter[str] = Counter()
-        for name, listed in lists.items():
-            for index, team in enumerate(listed):
-                seen[team] += 1
-                if team not in self.teams:
-                    help_ = did_you_mean(team, self.teams, f"Teams: {listing(self.teams)}")
-                    yield self._at((*path, name, index), "unknown-team", f"no team '{team}'", help_)
-                elif seen[team] > 1:
-                    message = f"team '{team}' is listed twice"
-                    yield self._at((*path, name, index), "listed-teams", message, "keep it once")
-
-    def _rounds(self, path: tuple[Step, ...], stage: Swiss, size: StageSize) -> Iterator[Diagnostic]:
-        most, safe = size.teams - 1, -(-size.teams // 2)
-        if stage.rounds > most:
-            message = f"{stage.rounds} rounds are too many for {size.teams} teams"
-            yield self._at((*path, "rounds"), "too-many-rounds", message, f"at most {most}; all meet in a round_robin")
-        elif stage.rounds > safe:
-            message = f"in {stage.rounds} rounds of {size.teams} teams a rematch may be unavoidable"
-            help_ = f"up to {safe} rounds need no rematch; all meet in a round_robin"
-            yield self._at((*path, "rounds"), "rematch-possible", message, help_, "warning")
-
-    def _knock_out(self, path: tuple[Step, ...], stage: KnockOut, size: StageSize) -> Iterator[Diagnostic]:
-        if stage.legs > 1 and stage.best_of > 1:
-            message = "'legs' adds scores up, 'best_of' counts wins"
-            yield self._at((*path, "best_of"), "legs-and-best-of", message, "keep one of them")
-        if stage.third_place and size.teams < 4:
-            message = f"of {size.teams} teams no two lose a semi-final"
-            yield self._at((*path, "third_place"), "too-few-teams", message, "remove 'third_place'")
-
-    def _super_teams(self, path: tuple[Step, ...], stage: SuperTeam, size: StageSize) -> Iterator[Diagnostic]:
-        info = self.scenarios.get(self.names.of_matches(stage))
-        if info is None:
-            return
-        side = min(info.seats.values(), default=1)
-        if stage.super_teams is None:
-            if size.teams <= side:
-                message = f"{size.teams} teams are too few for two super teams of {side}"
-                yield self._at(path, "too-few-teams", message, "add teams, or remove the stage")
-            return
-        yield from self._listed((*path, "super_teams"), stage.super_teams)
-        if len(stage.super_teams) < 2:
-            message = "one super team has no opponent"
-            yield self._at((*path, "super_teams"), "too-few-teams", message, "list at least two")
-        for name, listed in stage.super_teams.items():
-            if len(listed) != side:
-                message = f"super team '{name}' has {len(listed)} teams, a side of '{info.id}' has {side} robots"
-                yield self._at((*path, "super_teams", name), "listed-teams", message, "list one team for each robot")
-
     def _releases(self, path: tuple[Step, ...], stage: FromModel, size: StageSize) -> Iterator[Diagnostic]:
         times = stage.release
         if not isinstance(times, tuple) or len(times) in (1, size.rounds):
@@ -321,20 +235,15 @@ class _Checks:
         message = f"{len(times)} times of release for {size.rounds} rounds"
         yield self._at((*path, "release"), "wrong-release", message, "give one time, or one for each round")
 
-    def _undecided(self, name: str, stage: FromModel, sizes: Mapping[str, StageSize]) -> Iterator[Diagnostic]:
+    def _undecided(self, name: str, stage: Stage, sizes: Mapping[str, StageSize]) -> Iterator[Diagnostic]:
         """Refuse places that can be shared if only some of the teams advance."""
-        if "lot" in self.tournament.tie_breaks or (isinstance(stage, RoundRobin | Swiss) and stage.play_off):
-            return
-        open_cuts = cuts(self.tournament, name, sizes)
-        if isinstance(stage, KnockOut):
-            has_third = stage.third_place and sizes[name].teams >= 4
-            decided = {1, 2, 3} if has_third else {1, 2}
-            open_cuts -= decided | {1 << power for power in range(16)}
-        if not open_cuts:
+        open_cuts = stage.shared_cuts(cuts(self.tournament, name, sizes), sizes[name].teams)
+        if not open_cuts or "lot" in self.tournament.tie_breaks:
             return
         after = ", ".join(map(str, sorted(open_cuts)))
         taker = next(one for one, other in self.tournament.stages.items() if other.from_ == name and other.places)
-        can_play_off = isinstance(stage, RoundRobin | Swiss)
-        help_ = f"{f'set play_off: true in {name!r}, or ' if can_play_off else ''}add lot at the end of tie_breaks"
+        help_ = (
+            f"{f'set play_off: true in {name!r}, or ' if stage.CAN_PLAY_OFF else ''}add lot at the end of tie_breaks"
+        )
         message = f"places after place {after} of '{name}' may be shared, and only some of these teams advance"
         yield self._at(("stages", taker, "places"), "undecided-places", message, help_)

@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping
 from typing import Any
 
 from rcj_challenges.tournament.drawing import Drawn
-from rcj_challenges.tournament.formats.challenge import challenge
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
-from rcj_challenges.tournament.formats.knock_out import knock_out
-from rcj_challenges.tournament.formats.round_robin import round_robin
-from rcj_challenges.tournament.formats.super_team import super_team
-from rcj_challenges.tournament.formats.swiss import swiss
 from rcj_challenges.tournament.load import LoadedTournament
-from rcj_challenges.tournament.models import Challenge, FromModel, KnockOut, RoundRobin, Stage, Swiss, place_range
+from rcj_challenges.tournament.models import FromModel, place_range
 from rcj_challenges.tournament.scenarios import ScenarioNames
-from rcj_challenges.tournament.season import Outcome, Row, SeasonState, StageState, Status, Team
+from rcj_challenges.tournament.season import Outcome, SeasonState, StageState, Status, Team
 from rcj_challenges.tournament.seeds import lot
 from rcj_challenges.tournament.stage_sizes import cuts, stage_sizes
 
@@ -54,6 +49,7 @@ class Season:
             entrants = self._entrants(name, stage, states)
             context = StageContext(
                 name=name,
+                kind=stage.stage,
                 tournament=self._tournament,
                 names=self._names,
                 scenarios=self.loaded.scenarios,
@@ -65,30 +61,13 @@ class Season:
                 cuts=self._cuts[name],
                 cache=self._cache,
             )
-            states[name] = self._state(context, stage, entrants)
+            if entrants is None:
+                states[name] = stage.waiting(context, self._unknown_entrants(stage), self._sizes[name].matches)
+            else:
+                states[name] = stage.state(context, entrants)
         known = (fixture.id for state in states.values() for fixture in state.fixtures)
         kept = {fixture: counted[fixture] for fixture in known if fixture in counted}
         return SeasonState(tuple(states.values()), self.teams, kept)
-
-    def _state(self, context: StageContext, stage: Stage, entrants: list[Entrant] | None) -> StageState:
-        if entrants is None:
-            return self._waiting(context, stage)
-        if isinstance(stage, RoundRobin):
-            return round_robin(context, stage, entrants)
-        if isinstance(stage, Swiss):
-            return swiss(context, stage, entrants)
-        if isinstance(stage, KnockOut):
-            return knock_out(context, stage, entrants)
-        if isinstance(stage, Challenge):
-            return challenge(context, stage, entrants)
-        return super_team(context, stage, entrants)
-
-    def _waiting(self, context: StageContext, stage: Stage) -> StageState:
-        size = self._sizes[context.name]
-        if isinstance(stage, KnockOut):
-            return knock_out(context, stage, self._unknown_entrants(stage))
-        title = context.title(stage)
-        return StageState(context.name, stage.stage, title, Status.WAITING, expected_matches=size.matches)
 
     def _entrants(self, name: str, stage: FromModel, states: Mapping[str, StageState]) -> list[Entrant] | None:
         """Return the teams of a stage; None if they are not decided yet."""
@@ -100,7 +79,7 @@ class Season:
         if source.status is not Status.FINISHED:
             return None
         found = []
-        for group, rows in _rankings(source):
+        for group, rows in source.rankings:
             # A team that has left in between makes room for the next one.
             staying = [row for row in rows if row.team in here]
             ranked = sorted(staying, key=lambda row: (row.place, lot(self._tournament.seed, f"{name}/order", row.team)))
@@ -120,13 +99,6 @@ class Season:
             places = range(first, min(last, size) + 1)
             found += [Entrant("", place, place, group, _origin(name, group, place)) for place in places]
         return sorted(found, key=lambda one: one.place)
-
-
-def _rankings(source: StageState) -> list[tuple[str, Sequence[Row]]]:
-    """Return the rankings that others take places from: one for each group, else the stage's."""
-    if source.kind == "round_robin":
-        return [(found.name, found.rows) for found in source.tables]
-    return [("", source.places)]
 
 
 def _origin(source: str, group: str, place: int) -> str:

@@ -18,7 +18,7 @@ from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.resources import teams_folder
 from rcj_challenges.scenario.tree import Entries, mark_of
 from rcj_challenges.tournament.errors import did_you_mean, problem_at
-from rcj_challenges.tournament.models import Challenge, TeamModel, Tournament
+from rcj_challenges.tournament.models import ChallengeScenario, General, TeamModel
 
 _MAX_STRAYS, _MAX_SEARCHED = 10, 1000
 """Folders without programs in a folder of submissions, and files that are looked at in each: more are no teams."""
@@ -61,7 +61,7 @@ class TeamLists:
         problems: what was wrong.
     """
 
-    def __init__(self, tournament: Tournament, folder: Path, tree: Entries) -> None:
+    def __init__(self, tournament: General, folder: Path, tree: Entries) -> None:
         self.problems: list[Diagnostic] = []
         self._tournament = tournament
         self._folder = folder
@@ -83,25 +83,28 @@ class TeamLists:
         return entries
 
     def with_challenges(
-        self, entries: Mapping[str, TeamEntry], samples: Mapping[tuple[str, str], Path | None]
+        self,
+        entries: Mapping[str, TeamEntry],
+        challenges: Mapping[tuple[str, str], ChallengeScenario],
+        samples: Mapping[tuple[str, str], Path | None],
     ) -> dict[str, TeamEntry]:
         """Return the teams with their submissions for challenges.
 
         Args:
             entries: the teams.
+            challenges: by stage and name.
             samples: by stage and challenge the sample team for it, None if there is none.
         """
         found: dict[str, dict[tuple[str, str], Path | None]] = {team: {} for team in entries}
-        for name, stage in self._tournament.stages.items():
-            for key, one in stage.scenarios.items() if isinstance(stage, Challenge) else ():
-                where = ("stages", name, "scenarios", key, "teams_folder")
-                submitted = self._submitted(where, one.teams_folder)
-                self._refuse_strangers(where, submitted, entries)
-                for team, entry in entries.items():
-                    if entry.is_sample and team not in submitted:
-                        found[team][name, key] = samples.get((name, key)) or entry.source
-                    elif one.teams_folder is not None:
-                        found[team][name, key] = submitted.get(team)
+        for (name, key), one in challenges.items():
+            where = ("stages", name, "scenarios", key, "teams_folder")
+            submitted = self._submitted(where, one.teams_folder)
+            self._refuse_strangers(where, submitted, entries)
+            for team, entry in entries.items():
+                if entry.is_sample and team not in submitted:
+                    found[team][name, key] = samples.get((name, key)) or entry.source
+                elif one.teams_folder is not None:
+                    found[team][name, key] = submitted.get(team)
         return {team: replace(entry, challenges=found[team]) for team, entry in entries.items()}
 
     def _add(self, path: tuple[str, ...], code: str, message: str, help_: str, *, at_key: bool = False) -> None:

@@ -10,7 +10,6 @@ from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.records.result import has_time_fault, versions
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.tournament.jobs import MatchJob, Program, Workplace, entrants_of
-from rcj_challenges.tournament.models import Challenge
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.scenarios import ScenarioNames, ScenarioUse
 from rcj_challenges.tournament.season import Fixture, Outcome
@@ -77,16 +76,15 @@ class JobMaker:
         names = ScenarioNames(loaded.tournament, loaded.path.parent)
         tasks: dict[tuple[str, str], CheckTask] = {}
         alone: set[ScenarioUse] = set()
-        for name, stage in loaded.tournament.stages.items():
-            for key, one in stage.scenarios.items() if isinstance(stage, Challenge) else ():
-                use = names.use(one.scenario, one.set)
-                alone.add(use)
-                part = [
-                    handed[entry.id, purpose_of(entry, name, key)]
-                    for entry in loaded.entries.values()
-                    if entry.submission(name, key) is not None and (entry.id, "") in handed
-                ]
-                self._add_task(tasks, use, f"{name}/{key}", part)
+        for (name, key), one in loaded.tournament.challenges.items():
+            use = names.use(one.scenario, one.set)
+            alone.add(use)
+            part = [
+                handed[entry.id, purpose_of(entry, name, key)]
+                for entry in loaded.entries.values()
+                if entry.submission(name, key) is not None and (entry.id, "") in handed
+            ]
+            self._add_task(tasks, use, f"{name}/{key}", part)
         of_matches = [one for (_, purpose), one in handed.items() if not purpose]
         for use in loaded.scenarios:
             if use not in alone:

@@ -7,7 +7,7 @@ from typing import Any
 
 from rcj_challenges.scenario.json_schema import SchemaWriter, sentence_of
 from rcj_challenges.scenario.resources import schemas_folder
-from rcj_challenges.tournament.models import Tournament
+from rcj_challenges.tournament.tournament_file import Tournament
 
 FILE = "tournament.schema.json"
 

@@ -22,9 +22,10 @@ from rcj_challenges.scenario.tree import Entries, Mark, Node, in_names, mark_of,
 from rcj_challenges.tournament.checks import check
 from rcj_challenges.tournament.entries import TeamEntry, TeamLists
 from rcj_challenges.tournament.errors import TournamentFileError, did_you_mean, problem_at
-from rcj_challenges.tournament.models import Challenge, Records, Tournament
-from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo, ScenarioNames, ScenarioUse, scenario_uses
+from rcj_challenges.tournament.models import Records
+from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo, ScenarioNames, ScenarioUse
 from rcj_challenges.tournament.season import Team
+from rcj_challenges.tournament.tournament_file import Tournament, scenario_uses
 
 
 @dataclass(frozen=True)
@@ -88,7 +89,9 @@ def load_tree(tree: Node, path: Path) -> LoadedTournament:
             problems += [_of_scenario(mark, in_names(tree, where), one) for one in error.diagnostics]
     entries = lists.entries()
     has_samples = any(entry.is_sample for entry in entries.values())
-    entries = lists.with_challenges(entries, _samples(tournament, folder, scenarios) if has_samples else {})
+    entries = lists.with_challenges(
+        entries, tournament.challenges, _samples(tournament, folder, scenarios) if has_samples else {}
+    )
     infos = {use: _info(loaded.scenario) for use, loaded in scenarios.items()}
     problems += lists.problems
     problems += check(tournament, entries, infos, tree, folder, are_teams_known=not lists.problems)
@@ -150,14 +153,13 @@ def _samples(
     """Return the sample team for each challenge."""
     names = ScenarioNames(tournament, folder)
     found: dict[tuple[str, str], Path | None] = {}
-    for name, stage in tournament.stages.items():
-        for key, one in stage.scenarios.items() if isinstance(stage, Challenge) else ():
-            loaded = scenarios.get(names.use(one.scenario, one.set))
-            if loaded is not None:
-                from rcj_challenges.match.samples import sample_team  # noqa: PLC0415 - few tournaments need it
+    for key, one in tournament.challenges.items():
+        loaded = scenarios.get(names.use(one.scenario, one.set))
+        if loaded is not None:
+            from rcj_challenges.match.samples import sample_team  # noqa: PLC0415 - few tournaments need it
 
-                bases = [load(base).scenario for base in loaded.bases]
-                found[name, key] = sample_team(loaded.scenario, next(iter(loaded.scenario.entrants)), bases)
+            bases = [load(base).scenario for base in loaded.bases]
+            found[key] = sample_team(loaded.scenario, next(iter(loaded.scenario.entrants)), bases)
     return found
 
 

@@ -1,4 +1,4 @@
-"""The tournament file as models: teams, points and tie-breaks, stages in the order in which they are played.
+"""The tournament file as models: teams, points and tie-breaks, and the keys that stages of all formats have.
 
 The description of each key is its reference: editors show it, and the documentation is written from it.
 """
@@ -124,55 +124,6 @@ class MatchesModel(FromModel):
     )
 
 
-class RoundRobin(MatchesModel):
-    """All teams of a group meet each other."""
-
-    stage: Literal["round_robin"]
-    groups: (
-        Annotated[int, Field(ge=1, le=64)]
-        | dict[Name, Annotated[tuple[TeamId, ...], Field(strict=False, min_length=2)]]
-    ) = described(
-        1,
-        "number of groups, drawn evenly from each pot or, with 'from', from each place; or the teams by group: "
-        "{A: [ada, bee], B: […]}",
-    )
-    legs: int = described(1, "how often two teams meet; 2: home and away, with the sides changed", ge=1, le=2)
-    play_off: bool = described(
-        False, "whether teams that share a place play each other if only some of them can advance; after that, a lot"
-    )
-
-
-class Swiss(MatchesModel):
-    """In each round, teams with equal points meet; no two meet twice. With an odd number of teams, one has a bye."""
-
-    stage: Literal["swiss"]
-    rounds: int = described(
-        ...,
-        "number of rounds, fewer than teams; above half the number of teams, two may have to meet twice",
-        ge=1,
-        le=64,
-    )
-    play_off: bool = described(
-        False, "whether teams that share a place play each other if only some of them can advance; after that, a lot"
-    )
-
-
-class KnockOut(MatchesModel):
-    """The loser of each tie is out. If the number of teams is not a power of two, the best seeds have a bye."""
-
-    stage: Literal["knock_out"]
-    seeding: Literal["by_place", "drawn"] = described(
-        "by_place",
-        "by_place: the best meet the last, and teams of the same group meet late; without 'from' the order of "
-        "the teams decides, with the first pot first. drawn: by lot",
-    )
-    third_place: bool = described(False, "whether the losers of the semi-finals play for third place")
-    legs: int = described(1, "matches of a tie whose scores are added up; 2: with the sides changed", ge=1, le=2)
-    best_of: Literal[1, 3, 5, 7] = described(
-        1, "a tie is won by the majority of this many matches; drawn ones count for neither side"
-    )
-
-
 class ChallengeScenario(Strict):
     """One challenge."""
 
@@ -187,42 +138,8 @@ class ChallengeScenario(Strict):
     )
 
 
-class Challenge(FromModel):
-    """Each team plays scenarios alone, with the same seeds as all others."""
-
-    stage: Literal["challenge"]
-    scenarios: dict[Name, ChallengeScenario] = described(..., "the challenges by name", min_length=1, max_length=64)
-    seeds: int = described(1, "how often each team plays each of them, each time with a different seed", ge=1, le=1000)
-    rank_by: Literal["sum", "median", "best"] = described(
-        "sum", "which result of a team counts: the sum or the median of each criterion over its runs, or its best run"
-    )
-    combine: Literal["places", "share"] = described(
-        "places",
-        "how several challenges are combined into one table. places: points by place; share: 100 points for "
-        "the best value, and for others their share of it, but never more than for a better place",
-    )
-    place_points: Annotated[tuple[float, ...], Field(strict=False)] = described(
-        (),
-        "points for the first place, the second, …; if omitted: the number of teams for the first place, 1 for"
-        " the last",
-    )
-
-
-class SuperTeam(MatchesModel):
-    """Each robot of a side is driven by the program of another team; all super teams meet each other."""
-
-    stage: Literal["super_team"]
-    super_teams: dict[Name, Annotated[tuple[TeamId, ...], Field(strict=False, min_length=1)]] | None = described(
-        None, "the teams of each super team, in the order of the side's robots; if omitted: drawn"
-    )
-    legs: int = described(1, "how often two super teams meet; 2: with the sides changed", ge=1, le=2)
-
-
-Stage = Annotated[RoundRobin | Swiss | KnockOut | Challenge | SuperTeam, Field(discriminator="stage")]
-
-
-class Tournament(Strict):
-    """A tournament: its teams, its stages, and what decides."""
+class General(Strict):
+    """What a tournament file says besides its stages: teams, scenario, and what decides."""
 
     tournament_version: One = described(..., "version of this format: 1")
     title: str = described(..., "its title", min_length=1, max_length=120)
@@ -267,9 +184,6 @@ class Tournament(Strict):
         "the result only. `tournament rerun` recreates what is not kept",
     )
     time_zone: str = described("UTC", "time zone of all times in this file: Europe/Berlin", max_length=64)
-    stages: dict[Name, Stage] = described(
-        ..., "the stages by name, in the order of playing", min_length=1, max_length=64
-    )
 
 
 def place_range(places: int | str | None, size: int) -> tuple[int, int]:

@@ -6,9 +6,8 @@ from collections.abc import Sequence
 
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.scenario.errors import listing
-from rcj_challenges.tournament.drawing import Drawn, add_to_rounds, turn_pairs
+from rcj_challenges.tournament.drawing import Drawn
 from rcj_challenges.tournament.engine import Season
-from rcj_challenges.tournament.models import Challenge, RoundRobin
 from rcj_challenges.tournament.opened import OpenTournament, sides_of
 from rcj_challenges.tournament.season import SeasonState, StageState, Status
 
@@ -33,16 +32,14 @@ def redraw(tournament: OpenTournament) -> list[str]:
     }
     Season(tournament.loaded, teams, drawn).state({})
     for name, stage in stages.items():
-        if isinstance(stage, RoundRobin) and stage.from_ is None and stage.legs == 1:
-            pairs = {(sides[0][0], sides[1][0]) for one, sides in known if one == name}
-            for _, rounds in drawn.draws[name].values():
-                turn_pairs(rounds, pairs)
+        if stage.FOLLOWS_PAIRS and stage.from_ is None:
+            stage.keep_seats(drawn.draws[name], {(sides[0][0], sides[1][0]) for one, sides in known if one == name})
     fixtures = Season(tournament.loaded, teams, drawn).state({}).fixtures
     moved = {}
     for fixture in fixtures:
         old = known.get((fixture.stage, sides_of(fixture)), fixture.id)
         first = before.moved.get(old, old)
-        if isinstance(stages[fixture.stage], RoundRobin) and first != fixture.id:
+        if stages[fixture.stage].FOLLOWS_PAIRS and first != fixture.id:
             moved[fixture.id], drawn.moved[fixture.id] = old, first
     store.keep_drawn(drawn.to_json(), moved)
     tournament.refresh()
@@ -91,14 +88,8 @@ def _enter(tournament: OpenTournament, state: SeasonState, one: StageState, team
     if not any(fixture.id in state.outcomes for fixture in one.fixtures):
         drawn.draws.pop(one.name, None)
         return True
-    if one.status is Status.FINISHED or not isinstance(stage, RoundRobin | Challenge):
+    present = [other for other in drawn.pots if not tournament.teams[other].withdrawn]
+    if one.status is Status.FINISHED or not stage.add_late(drawn.draws.get(one.name), team, present):
         drawn.left_out.setdefault(one.name, []).append(team)
         return False
-    if isinstance(stage, RoundRobin):
-        groups = drawn.draws[one.name]
-        listed = stage.groups if isinstance(stage.groups, dict) else {}
-        name = min(groups, key=lambda group: (team not in listed.get(group, ()), len(groups[group][0])))
-        own, rounds = groups[name]
-        add_to_rounds(rounds, [other for other in own if not tournament.teams[other].withdrawn], team, stage.legs)
-        own.append(team)
     return True

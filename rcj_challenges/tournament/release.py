@@ -5,8 +5,9 @@ from __future__ import annotations
 from datetime import UTC, datetime, timedelta, tzinfo
 from zoneinfo import ZoneInfo
 
-from rcj_challenges.tournament.models import StageModel, Tournament
+from rcj_challenges.tournament.models import StageModel
 from rcj_challenges.tournament.season import Fixture, SeasonState, StageState
+from rcj_challenges.tournament.tournament_file import Tournament
 
 _FORMAT = "%Y-%m-%d %H:%M"
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.resources import shipped_scenarios
-from rcj_challenges.tournament.models import Challenge, KnockOut, MatchesModel, RoundRobin, Swiss, Tournament
+from rcj_challenges.tournament.models import General, MatchesModel
 from rcj_challenges.tournament.season import Outcome, Ruled
 
 
@@ -70,7 +70,7 @@ class ScenarioInfo:
 class ScenarioNames:
     """Finds the scenarios that a tournament file names."""
 
-    def __init__(self, tournament: Tournament, folder: Path) -> None:
+    def __init__(self, tournament: General, folder: Path) -> None:
         self._tournament = tournament
         self._folder = folder
         self._shipped = shipped_scenarios()
@@ -87,9 +87,8 @@ class ScenarioNames:
             self._of_matches[id(stage)] = found
         return found
 
-    def of_extra_time(self, stage: MatchesModel) -> ScenarioUse:
-        """Return what is played as extra time; the file must have some."""
-        played = self.of_matches(stage)
+    def with_extra_time(self, played: ScenarioUse) -> ScenarioUse:
+        """Return what is played as extra time of a match."""
         return ScenarioUse(played.source, (*played.overrides, *_overrides(self._tournament.drawn.extra_time or {})))
 
     def use(self, source: str, settings: Mapping[str, Scalar]) -> ScenarioUse:
@@ -100,35 +99,6 @@ class ScenarioNames:
             is_shipped = source in self._shipped and not os.path.isfile(file)  # noqa: PTH113 - pathlib's raises
             found = self._found[source] = source if is_shipped else str(file)
         return ScenarioUse(found, _overrides(settings))
-
-
-def scenario_uses(tournament: Tournament, folder: Path) -> dict[ScenarioUse, tuple[str, ...]]:
-    """Return all scenarios that a tournament plays, each with where the file names it.
-
-    Args:
-        tournament: the file.
-        folder: where it lies.
-    """
-    names = ScenarioNames(tournament, folder)
-    found: dict[ScenarioUse, tuple[str, ...]] = {}
-    for name, stage in tournament.stages.items():
-        if isinstance(stage, Challenge):
-            for key, one in stage.scenarios.items():
-                found.setdefault(names.use(one.scenario, one.set), ("stages", name, "scenarios", key, "scenario"))
-            continue
-        where = ("stages", name) if stage.scenario is not None or stage.set else ("scenario",)
-        found.setdefault(names.of_matches(stage), where)
-        if may_need_deciding(stage):
-            if tournament.drawn.extra_time is not None:
-                found.setdefault(names.of_extra_time(stage), ("drawn", "extra_time"))
-            if (tie := tournament.drawn.tie_scenario) is not None:
-                found.setdefault(names.use(tie.scenario, tie.set), ("drawn", "tie_scenario", "scenario"))
-    return found
-
-
-def may_need_deciding(stage: MatchesModel) -> bool:
-    """Return whether a stage has ties of which one team must win."""
-    return isinstance(stage, KnockOut) or (isinstance(stage, RoundRobin | Swiss) and stage.play_off)
 
 
 def _overrides(settings: Mapping[str, Scalar]) -> tuple[str, ...]:

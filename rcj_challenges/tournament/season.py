@@ -243,7 +243,7 @@ class StageState:
 
     Attributes:
         name: as in the file.
-        kind: ``round_robin``, ``swiss``, ``knock_out``, ``challenge``, ``super_team``.
+        kind: its format as in the file: ``round_robin``.
         title: for people.
         status: how far it is.
         teams: ids that take part, of super teams their members; empty while it waits.
@@ -252,6 +252,9 @@ class StageState:
         tables: groups, challenges; the last one of several challenges combines them.
         ties: of a knock-out, round by round.
         byes: of a Swiss stage (round, team).
+        has_groups: whether each table has places that the next stage takes teams from.
+        has_matrices: whether the teams of a table meet each other.
+        is_solo: whether teams play alone; the last table combines the others.
         places: the ranking of the whole stage as far as it is decided, best first; for leading into the next stage.
     """
 
@@ -266,6 +269,14 @@ class StageState:
     ties: tuple[Tie, ...] = ()
     byes: tuple[tuple[int, str], ...] = ()
     places: tuple[Row, ...] = ()
+    has_groups: bool = False
+    has_matrices: bool = False
+    is_solo: bool = False
+
+    @property
+    def rankings(self) -> list[tuple[str, tuple[Row, ...]]]:
+        """The rankings that others take places from, by name: one for each group, else the stage's."""
+        return [(found.name, found.rows) for found in self.tables] if self.has_groups else [("", self.places)]
 
 
 @dataclass(frozen=True, slots=True)

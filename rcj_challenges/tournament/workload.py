@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from rcj_challenges.tournament.load import LoadedTournament
-from rcj_challenges.tournament.models import KnockOut
 from rcj_challenges.tournament.scenarios import ScenarioNames
 from rcj_challenges.tournament.season import SeasonState, StageState
 
@@ -40,10 +39,8 @@ def work_left(loaded: LoadedTournament, state: SeasonState) -> list[StageLeft]:
 
 def _more(loaded: LoadedTournament, stage: StageState) -> int:
     model, drawn = loaded.tournament.stages[stage.name], loaded.tournament.drawn
-    if not isinstance(model, KnockOut):
-        return 0
-    least = max(model.legs, model.best_of // 2 + 1)
-    most = max(model.legs, model.best_of) + (drawn.extra_time is not None)
+    least, most = model.matches_of_tie
+    most += drawn.extra_time is not None
     if drawn.tie_scenario is not None:
         use = ScenarioNames(loaded.tournament, loaded.path.parent).use(
             drawn.tie_scenario.scenario, drawn.tie_scenario.set

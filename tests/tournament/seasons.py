@@ -8,9 +8,9 @@ from rcj_challenges.scenario.tree import plain
 from rcj_challenges.tournament.engine import Season
 from rcj_challenges.tournament.entries import TeamEntry
 from rcj_challenges.tournament.load import LoadedTournament
-from rcj_challenges.tournament.models import Tournament
-from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo, scenario_uses
+from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo
 from rcj_challenges.tournament.season import FixtureKind, Outcome, Team
+from rcj_challenges.tournament.tournament_file import Tournament, scenario_uses
 
 FOLDER = Path("here")
 SOLO = ("shooter", "slalom")

@@ -1,16 +1,19 @@
 """Challenges: each team plays scenarios alone, over the same seeds as all others."""
 
-from __future__ import annotations
-
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import groupby
-from typing import Any
+from typing import Annotated, Any, ClassVar, Literal
+
+from pydantic import Field
 
 from rcj_challenges.core.amounts import round_score
+from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.scenario.tree import Step
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
-from rcj_challenges.tournament.models import Challenge
-from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo
+from rcj_challenges.tournament.formats.stage import Format, Intake, StageSize
+from rcj_challenges.tournament.models import ChallengeScenario
+from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo, ScenarioNames, ScenarioUse
 from rcj_challenges.tournament.season import (
     Fixture,
     FixtureKind,
@@ -27,33 +30,76 @@ TOTAL = "total"
 """Name of the table that combines several challenges."""
 
 
-def challenge(context: StageContext, stage: Challenge, entrants: Sequence[Entrant]) -> StageState:
-    """Return the state of a stage of challenges."""
-    teams = tuple(entrant.team for entrant in entrants)
-    key = ("challenge", context.name, teams)
-    if key not in context.cache:
-        context.cache[key] = {
-            name: _fixtures(context, stage, name, teams, number) for number, name in enumerate(stage.scenarios, 1)
-        }
-    by_name: dict[str, list[Fixture]] = context.cache[key]
-    fixtures = tuple(fixture for own in by_name.values() for fixture in own)
-    gone = _settle_withdrawn(context, fixtures)
-    counted = [team for team in teams if team not in gone]
-    tables = [_table(context, stage, name, counted, own) for name, own in by_name.items()]
-    if len(tables) > 1:
-        tables.append(_total(context, stage, counted, tables))
-    is_finished = context.are_decided(fixtures)
-    return StageState(
-        name=context.name,
-        kind=stage.stage,
-        title=context.title(stage),
-        status=Status.FINISHED if is_finished else Status.RUNNING,
-        teams=teams,
-        fixtures=fixtures,
-        expected_matches=len(fixtures),
-        tables=tuple(tables),
-        places=tables[-1].rows if is_finished else (),
+class Challenge(Format):
+    """Each team plays scenarios alone, with the same seeds as all others."""
+
+    stage: Literal["challenge"]
+    scenarios: dict[Name, ChallengeScenario] = described(..., "the challenges by name", min_length=1, max_length=64)
+    seeds: int = described(1, "how often each team plays each of them, each time with a different seed", ge=1, le=1000)
+    rank_by: Literal["sum", "median", "best"] = described(
+        "sum", "which result of a team counts: the sum or the median of each criterion over its runs, or its best run"
     )
+    combine: Literal["places", "share"] = described(
+        "places",
+        "how several challenges are combined into one table. places: points by place; share: 100 points for "
+        "the best value, and for others their share of it, but never more than for a better place",
+    )
+    place_points: Annotated[tuple[float, ...], Field(strict=False)] = described(
+        (),
+        "points for the first place, the second, …; if omitted: the number of teams for the first place, 1 for"
+        " the last",
+    )
+
+    MIN_TEAMS: ClassVar[int] = 1
+    SEATS: ClassVar[int] = 1
+
+    @property
+    def challenges(self) -> Mapping[str, ChallengeScenario]:
+        """The scenarios by name."""
+        return self.scenarios
+
+    def uses(self, names: ScenarioNames) -> Iterator[tuple[ScenarioUse, tuple[Step, ...]]]:
+        """Yield the scenarios."""
+        for key, one in self.scenarios.items():
+            yield names.use(one.scenario, one.set), ("scenarios", key, "scenario")
+
+    def size(self, intake: Intake) -> StageSize:
+        """Return the size of the stage."""
+        count = len(self.scenarios)
+        return StageSize(intake.teams, {"": intake.teams}, intake.teams * count * self.seeds, count)
+
+    def add_late(self, draw: Any, team: str, present: Collection[str]) -> bool:
+        """Return that a team can be added: each plays by itself."""
+        return True
+
+    def state(self, context: StageContext, entrants: Sequence[Entrant]) -> StageState:
+        """Return the state of a stage of challenges."""
+        teams = tuple(entrant.team for entrant in entrants)
+        key = ("challenge", context.name, teams)
+        if key not in context.cache:
+            context.cache[key] = {
+                name: _fixtures(context, self, name, teams, number) for number, name in enumerate(self.scenarios, 1)
+            }
+        by_name: dict[str, list[Fixture]] = context.cache[key]
+        fixtures = tuple(fixture for own in by_name.values() for fixture in own)
+        gone = _settle_withdrawn(context, fixtures)
+        counted = [team for team in teams if team not in gone]
+        tables = [_table(context, self, name, counted, own) for name, own in by_name.items()]
+        if len(tables) > 1:
+            tables.append(_total(context, self, counted, tables))
+        is_finished = context.are_decided(fixtures)
+        return StageState(
+            name=context.name,
+            kind=context.kind,
+            title=context.title(self),
+            status=Status.FINISHED if is_finished else Status.RUNNING,
+            teams=teams,
+            fixtures=fixtures,
+            expected_matches=len(fixtures),
+            tables=tuple(tables),
+            is_solo=True,
+            places=tables[-1].rows if is_finished else (),
+        )
 
 
 def _fixtures(context: StageContext, stage: Challenge, name: str, teams: Sequence[str], number: int) -> list[Fixture]:

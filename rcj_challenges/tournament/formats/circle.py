@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 
 def pairings(count: int, legs: int = 1) -> list[list[tuple[int, int]]]:
     """Return the pairs of each round, by index; the first of a pair begins on the first seat.
@@ -23,3 +25,10 @@ def pairings(count: int, legs: int = 1) -> list[list[tuple[int, int]]]:
     if legs == 2:
         rounds += [[(other, one) for one, other in pairs] for pairs in rounds]
     return rounds
+
+
+def all_meet(tables: Mapping[str, int], legs: int) -> tuple[int, int]:
+    """Return the numbers of matches and of rounds in which all of each table meet; ``tables`` has their sizes."""
+    largest = max(tables.values(), default=0)
+    rounds = (largest - 1 + largest % 2) * legs if largest > 1 else 0
+    return sum(size * (size - 1) // 2 * legs for size in tables.values()), rounds

@@ -8,7 +8,7 @@ from typing import Any
 
 from rcj_challenges.tournament.drawing import Drawn
 from rcj_challenges.tournament.entries import TeamEntry
-from rcj_challenges.tournament.models import LostBy, MatchesModel, StageModel, Tournament
+from rcj_challenges.tournament.models import General, LostBy, MatchesModel, StageModel
 from rcj_challenges.tournament.scenarios import ScenarioInfo, ScenarioNames, ScenarioUse
 from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Ruled, Side, Team, humanized
 from rcj_challenges.tournament.seeds import derived_seed, lot
@@ -40,6 +40,7 @@ class StageContext:
 
     Attributes:
         name: of the stage.
+        kind: its format.
         tournament: the file.
         names: finds scenarios.
         scenarios: what is known of them.
@@ -53,7 +54,8 @@ class StageContext:
     """
 
     name: str
-    tournament: Tournament
+    kind: str
+    tournament: General
     names: ScenarioNames
     scenarios: Mapping[ScenarioUse, ScenarioInfo]
     teams: Mapping[str, Team]

@@ -5,28 +5,29 @@ from __future__ import annotations
 from collections.abc import Mapping
 from string import ascii_uppercase
 
-from rcj_challenges.tournament.models import RoundRobin
 from rcj_challenges.tournament.seeds import shuffled
 
 
-def groups_of(stage: RoundRobin, pots: Mapping[str, int], seed: int | str, use: str) -> dict[str, tuple[str, ...]]:
+def groups_of(
+    groups: int | Mapping[str, tuple[str, ...]], pots: Mapping[str, int], seed: int | str, use: str
+) -> dict[str, tuple[str, ...]]:
     """Return the teams of each group; one group has an empty name.
 
     Args:
-        stage: the stage.
+        groups: as in the file.
         pots: of the teams that take part, by id; 0: none.
         seed: the tournament's.
         use: name of the draw.
     """
-    if isinstance(stage.groups, dict):
-        return {name: tuple(team for team in listed if team in pots) for name, listed in stage.groups.items()}
-    if stage.groups == 1:
+    if isinstance(groups, Mapping):
+        return {name: tuple(team for team in listed if team in pots) for name, listed in groups.items()}
+    if groups == 1:
         return {"": tuple(pots)}
-    dealt: list[list[str]] = [[] for _ in range(stage.groups)]
+    dealt: list[list[str]] = [[] for _ in range(groups)]
     # Dealt on from pot to pot: groups differ by one team at most, and so does each pot among them.
     for index, team in enumerate(by_pot(pots, seed, use)):
-        dealt[index % stage.groups].append(team)
-    return dict(zip(group_names(stage.groups), map(tuple, dealt), strict=True))
+        dealt[index % groups].append(team)
+    return dict(zip(group_names(groups), map(tuple, dealt), strict=True))
 
 
 def by_pot(pots: Mapping[str, int], seed: int | str, use: str) -> list[str]:

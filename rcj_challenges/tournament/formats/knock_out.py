@@ -1,14 +1,14 @@
 """Knock-out: a bracket, whose loser is out in each tie."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from math import inf
+from typing import Literal
 
+from rcj_challenges.rules.fields import described
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
+from rcj_challenges.tournament.formats.stage import Intake, MatchFormat, StageProblem, StageSize
 from rcj_challenges.tournament.formats.tie import play_tie
-from rcj_challenges.tournament.models import KnockOut
 from rcj_challenges.tournament.season import Fixture, FixtureKind, Row, StageState, Status, Tie
 from rcj_challenges.tournament.seeds import shuffled
 from rcj_challenges.tournament.standings import tally
@@ -16,33 +16,72 @@ from rcj_challenges.tournament.standings import tally
 _NAMES = {1: "final", 2: "semi_finals", 4: "quarter_finals"}
 
 
-def knock_out(context: StageContext, stage: KnockOut, entrants: Sequence[Entrant]) -> StageState:
-    """Return the state of a knock-out; of entrants that are not known yet the bracket with where they come from."""
-    bracket = _Bracket(context, stage, seeded(context, stage, entrants))
-    bracket.play()
-    is_known = all(entrant.team for entrant in entrants)
-    is_finished = is_known and all(tie.decided_by for tie in bracket.ties)
-    return StageState(
-        name=context.name,
-        kind=stage.stage,
-        title=context.title(stage),
-        status=(Status.FINISHED if is_finished else Status.RUNNING) if is_known else Status.WAITING,
-        teams=tuple(entrant.team for entrant in entrants) if is_known else (),
-        fixtures=tuple(bracket.fixtures),
-        expected_matches=bracket.expected_matches(),
-        ties=tuple(bracket.ties),
-        places=bracket.places() if is_finished else (),
+class KnockOut(MatchFormat):
+    """The loser of each tie is out. If the number of teams is not a power of two, the best seeds have a bye."""
+
+    stage: Literal["knock_out"]
+    seeding: Literal["by_place", "drawn"] = described(
+        "by_place",
+        "by_place: the best meet the last, and teams of the same group meet late; without 'from' the order of "
+        "the teams decides, with the first pot first. drawn: by lot",
+    )
+    third_place: bool = described(False, "whether the losers of the semi-finals play for third place")
+    legs: int = described(1, "matches of a tie whose scores are added up; 2: with the sides changed", ge=1, le=2)
+    best_of: Literal[1, 3, 5, 7] = described(
+        1, "a tie is won by the majority of this many matches; drawn ones count for neither side"
     )
 
+    @property
+    def has_ties(self) -> bool:
+        """Whether there are ties: always."""
+        return True
 
-def match_count(count: int, stage: KnockOut) -> int:
-    """Return the number of matches of a knock-out of so many teams; of a best-of those played in any case."""
-    ties = max(0, count - 1) + (1 if stage.third_place and count >= 4 else 0)
-    return ties * _matches_of_tie(stage)
+    @property
+    def matches_of_tie(self) -> tuple[int, int]:
+        """The least and the most matches of a tie, without extra time."""
+        return max(self.legs, self.best_of // 2 + 1), max(self.legs, self.best_of)
 
+    def size(self, intake: Intake) -> StageSize:
+        """Return the size of the stage; of a best-of the matches that are played in any case."""
+        ties = max(0, intake.teams - 1) + (self.third_place and intake.teams >= 4)
+        matches = ties * self.matches_of_tie[0]
+        return StageSize(intake.teams, {"": intake.teams}, matches, round_count(intake.teams))
 
-def _matches_of_tie(stage: KnockOut) -> int:
-    return max(stage.legs, stage.best_of // 2 + 1)
+    def problems(self, intake: Intake, size: StageSize) -> Iterator[StageProblem]:
+        """Yield keys that contradict each other, and a third place that nobody can take."""
+        if self.legs > 1 and self.best_of > 1:
+            message = "'legs' adds scores up, 'best_of' counts wins"
+            yield StageProblem(("best_of",), "legs-and-best-of", message, "keep one of them")
+        if self.third_place and size.teams < 4:
+            message = f"of {size.teams} teams no two lose a semi-final"
+            yield StageProblem(("third_place",), "too-few-teams", message, "remove 'third_place'")
+
+    def shared_cuts(self, cuts: frozenset[int], teams: int) -> frozenset[int]:
+        """Return the places that losers of one round share."""
+        decided = {1, 2, 3} if self.third_place and teams >= 4 else {1, 2}
+        return cuts - decided - {1 << power for power in range(16)}
+
+    def waiting(self, context: StageContext, entrants: Sequence[Entrant], matches: int) -> StageState:
+        """Return the bracket with where the teams will come from."""
+        return self.state(context, entrants)
+
+    def state(self, context: StageContext, entrants: Sequence[Entrant]) -> StageState:
+        """Return the state of a knock-out; of entrants that are not known yet the bracket with where they come from."""
+        bracket = _Bracket(context, self, seeded(context, self, entrants))
+        bracket.play()
+        is_known = all(entrant.team for entrant in entrants)
+        is_finished = is_known and all(tie.decided_by for tie in bracket.ties)
+        return StageState(
+            name=context.name,
+            kind=context.kind,
+            title=context.title(self),
+            status=(Status.FINISHED if is_finished else Status.RUNNING) if is_known else Status.WAITING,
+            teams=tuple(entrant.team for entrant in entrants) if is_known else (),
+            fixtures=tuple(bracket.fixtures),
+            expected_matches=bracket.expected_matches(),
+            ties=tuple(bracket.ties),
+            places=bracket.places() if is_finished else (),
+        )
 
 
 def round_count(count: int) -> int:
@@ -131,7 +170,7 @@ class _Bracket:
 
     def expected_matches(self) -> int:
         """Return how many matches there will be, as far as is known."""
-        least = _matches_of_tie(self.stage)
+        least = self.stage.matches_of_tie[0]
         return sum(
             len(tie.fixtures) if tie.decided_by or "bye" in tie.sources else max(least, len(tie.fixtures))
             for tie in self.ties

@@ -8,14 +8,12 @@ from dataclasses import replace
 from rcj_challenges.tournament.formats.circle import pairings
 from rcj_challenges.tournament.formats.context import StageContext
 from rcj_challenges.tournament.formats.tie import play_tie
-from rcj_challenges.tournament.models import RoundRobin, Swiss
+from rcj_challenges.tournament.models import MatchesModel
 from rcj_challenges.tournament.season import Fixture, Row, Table, humanized
 from rcj_challenges.tournament.standings import table
 
 
-def play_offs(
-    context: StageContext, stage: RoundRobin | Swiss, found: Table, round_: int
-) -> tuple[Table, list[Fixture]]:
+def play_offs(context: StageContext, stage: MatchesModel, found: Table, round_: int) -> tuple[Table, list[Fixture]]:
     """Return a complete table with the play-offs that it needs, and their fixtures.
 
     Two teams play one tie; more play each other once, and what is level after that is decided by lot.
@@ -43,7 +41,7 @@ def play_offs(
 
 
 def _play(
-    context: StageContext, stage: RoundRobin | Swiss, group: str, level: Sequence[Row], round_: int
+    context: StageContext, stage: MatchesModel, group: str, level: Sequence[Row], round_: int
 ) -> tuple[list[Row] | None, list[Fixture]]:
     """Return the rows of level teams in their new order, None if they still play, and the fixtures."""
     teams = [row.team for row in level]

@@ -1,63 +1,141 @@
 """Round robin: all teams of a group meet each other once or twice."""
 
-from __future__ import annotations
-
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import chain
+from typing import Annotated, Any, ClassVar, Literal
 
-from rcj_challenges.tournament.drawing import Rounds, drawn_before
-from rcj_challenges.tournament.formats.circle import pairings
+from pydantic import Field
+
+from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.scenario.errors import listing
+from rcj_challenges.tournament.drawing import Rounds, add_to_rounds, drawn_before, turn_pairs
+from rcj_challenges.tournament.formats.circle import all_meet, pairings
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
-from rcj_challenges.tournament.formats.groups import groups_of
+from rcj_challenges.tournament.formats.groups import group_names, groups_of
 from rcj_challenges.tournament.formats.play_off import play_offs
-from rcj_challenges.tournament.models import LostBy, RoundRobin
+from rcj_challenges.tournament.formats.stage import Intake, MatchFormat, StageProblem, StageSize, listed_problems
+from rcj_challenges.tournament.models import LostBy, TeamId
 from rcj_challenges.tournament.season import Fixture, Ruled, StageState, Status, Table, humanized
 from rcj_challenges.tournament.standings import table
 
 
-def round_robin(context: StageContext, stage: RoundRobin, entrants: Sequence[Entrant]) -> StageState:
-    """Return the state of a round robin; teams whose matches are all annulled are not in its table."""
-    teams = tuple(entrant.team for entrant in entrants)
-    key = ("round_robin", context.name, teams)
-    if key not in context.cache:
-        pots = {entrant.team: entrant.pot for entrant in entrants}
-        drawn = context.drawn.draw(context.name, teams if stage.from_ else None, lambda: _drawn(context, stage, pots))
-        _check_unchanged(context.name, stage, drawn)
-        groups = {name: [team for team in own if team in pots] for name, (own, _) in drawn.items()}
-        context.cache[key] = groups, {name: _fixtures(context, stage, name, own) for name, (_, own) in drawn.items()}
-    groups, by_group = context.cache[key]
-    annulled = {team for fixtures in by_group.values() for team in _settle_withdrawn(context, fixtures)}
-    tables: list[Table] = []
-    play_off_fixtures: list[Fixture] = []
-    for name, fixtures in by_group.items():
-        matches = [match for fixture in fixtures if (match := context.result(fixture)) is not None]
-        is_complete = context.are_decided(fixtures)
-        ranked = [team for team in groups[name] if team not in annulled]
-        found = table(name, ranked, matches, context.rules(name), complete=is_complete)
-        if stage.play_off and is_complete:
-            found, more = play_offs(context, stage, found, max((one.round for one in fixtures), default=0) + 1)
-            play_off_fixtures += more
-        tables.append(found)
-    fixtures = tuple(sorted((one for own in by_group.values() for one in own), key=lambda one: one.round))
-    is_finished = all(found.complete for found in tables)
-    return StageState(
-        name=context.name,
-        kind=stage.stage,
-        title=context.title(stage),
-        status=Status.FINISHED if is_finished else Status.RUNNING,
-        teams=teams,
-        fixtures=(*fixtures, *play_off_fixtures),
-        expected_matches=len(fixtures) + len(play_off_fixtures),
-        tables=tuple(tables),
-        places=tuple(sorted((row for found in tables for row in found.rows), key=lambda row: row.place))
-        if is_finished
-        else (),
+class RoundRobin(MatchFormat):
+    """All teams of a group meet each other."""
+
+    stage: Literal["round_robin"]
+    groups: (
+        Annotated[int, Field(ge=1, le=64)]
+        | dict[Name, Annotated[tuple[TeamId, ...], Field(strict=False, min_length=2)]]
+    ) = described(
+        1,
+        "number of groups, drawn evenly from each pot or, with 'from', from each place; or the teams by group: "
+        "{A: [ada, bee], B: […]}",
     )
+    legs: int = described(1, "how often two teams meet; 2: home and away, with the sides changed", ge=1, le=2)
+    play_off: bool = described(
+        False, "whether teams that share a place play each other if only some of them can advance; after that, a lot"
+    )
+
+    FOLLOWS_PAIRS: ClassVar[bool] = True
+    CAN_PLAY_OFF: ClassVar[bool] = True
+
+    @property
+    def has_ties(self) -> bool:
+        """Whether play-offs are played."""
+        return self.play_off
+
+    def size(self, intake: Intake) -> StageSize:
+        """Return the size of the stage; groups that are drawn differ by one team at most."""
+        if isinstance(self.groups, dict):
+            tables = {name: sum(team in intake.present for team in own) for name, own in self.groups.items()}
+        elif self.groups == 1:
+            tables = {"": intake.teams}
+        else:
+            least, more = divmod(intake.teams, self.groups)
+            tables = {name: least + (index < more) for index, name in enumerate(group_names(self.groups))}
+        return StageSize(intake.teams, tables, *all_meet(tables, self.legs))
+
+    def problems(self, intake: Intake, size: StageSize) -> Iterator[StageProblem]:
+        """Yield what is wrong with the groups."""
+        if not isinstance(self.groups, dict):
+            if min(size.tables.values()) < 2:
+                message = f"{size.teams} teams are too few for {self.groups} groups"
+                yield StageProblem(("groups",), "too-few-teams", message, "two teams a group are the least")
+            return
+        if self.from_ is not None:
+            message = "the teams of the groups are listed, and taken from another stage"
+            help_ = "give the number of groups, or remove 'from'"
+            yield StageProblem(("groups",), "listed-teams", message, help_)
+            return
+        yield from listed_problems("groups", self.groups, intake.present)
+        missing = [team for team in intake.present if all(team not in listed for listed in self.groups.values())]
+        if missing:
+            message = f"in no group: {listing(missing)}"
+            yield StageProblem(("groups",), "listed-teams", message, "put each team into one group")
+
+    def shared_cuts(self, cuts: frozenset[int], teams: int) -> frozenset[int]:
+        """Return nothing if play-offs decide."""
+        return frozenset() if self.play_off else cuts
+
+    def keep_seats(self, draw: Any, before: Collection[tuple[str, str]]) -> None:
+        """Give pairs that have met the seats that they had, if they meet once."""
+        for _, rounds in draw.values() if self.legs == 1 else ():
+            turn_pairs(rounds, before)
+
+    def add_late(self, draw: Any, team: str, present: Collection[str]) -> bool:
+        """Add a team to the group that lists it, else to the smallest one."""
+        listed = self.groups if isinstance(self.groups, dict) else {}
+        name = min(draw, key=lambda group: (team not in listed.get(group, ()), len(draw[group][0])))
+        own, rounds = draw[name]
+        add_to_rounds(rounds, [other for other in own if other in present], team, self.legs)
+        own.append(team)
+        return True
+
+    def state(self, context: StageContext, entrants: Sequence[Entrant]) -> StageState:
+        """Return the state of a round robin; teams whose matches are all annulled are not in its table."""
+        teams = tuple(entrant.team for entrant in entrants)
+        key = ("round_robin", context.name, teams)
+        if key not in context.cache:
+            pots = {entrant.team: entrant.pot for entrant in entrants}
+            drawn = context.drawn.draw(context.name, teams if self.from_ else None, lambda: _drawn(context, self, pots))
+            _check_unchanged(context.name, self, drawn)
+            groups = {name: [team for team in own if team in pots] for name, (own, _) in drawn.items()}
+            context.cache[key] = groups, {name: _fixtures(context, self, name, own) for name, (_, own) in drawn.items()}
+        groups, by_group = context.cache[key]
+        annulled = {team for fixtures in by_group.values() for team in _settle_withdrawn(context, fixtures)}
+        tables: list[Table] = []
+        play_off_fixtures: list[Fixture] = []
+        for name, fixtures in by_group.items():
+            matches = [match for fixture in fixtures if (match := context.result(fixture)) is not None]
+            is_complete = context.are_decided(fixtures)
+            ranked = [team for team in groups[name] if team not in annulled]
+            found = table(name, ranked, matches, context.rules(name), complete=is_complete)
+            if self.play_off and is_complete:
+                found, more = play_offs(context, self, found, max((one.round for one in fixtures), default=0) + 1)
+                play_off_fixtures += more
+            tables.append(found)
+        fixtures = tuple(sorted((one for own in by_group.values() for one in own), key=lambda one: one.round))
+        is_finished = all(found.complete for found in tables)
+        return StageState(
+            name=context.name,
+            kind=context.kind,
+            title=context.title(self),
+            status=Status.FINISHED if is_finished else Status.RUNNING,
+            teams=teams,
+            fixtures=(*fixtures, *play_off_fixtures),
+            expected_matches=len(fixtures) + len(play_off_fixtures),
+            tables=tuple(tables),
+            has_groups=True,
+            has_matrices=True,
+            places=tuple(sorted((row for found in tables for row in found.rows), key=lambda row: row.place))
+            if is_finished
+            else (),
+        )
 
 
 def _drawn(context: StageContext, stage: RoundRobin, pots: Mapping[str, int]) -> dict[str, tuple[list[str], Rounds]]:
-    groups = groups_of(stage, pots, context.tournament.seed, f"{context.name}/groups")
+    groups = groups_of(stage.groups, pots, context.tournament.seed, f"{context.name}/groups")
     return {
         name: (
             list(own),

@@ -1,42 +1,90 @@
 """Super teams: each robot of a side is driven by the program of another team."""
 
-from __future__ import annotations
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Annotated, ClassVar, Literal
 
-from collections.abc import Mapping, Sequence
+from pydantic import Field
 
-from rcj_challenges.tournament.formats.circle import pairings
+from rcj_challenges.rules.fields import Name, described
+from rcj_challenges.tournament.formats.circle import all_meet, pairings
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
-from rcj_challenges.tournament.models import SuperTeam
+from rcj_challenges.tournament.formats.stage import Intake, MatchFormat, StageProblem, StageSize, listed_problems
+from rcj_challenges.tournament.models import TeamId
+from rcj_challenges.tournament.scenarios import ScenarioInfo
 from rcj_challenges.tournament.season import Fixture, StageState, Status, humanized
 from rcj_challenges.tournament.seeds import shuffled
 from rcj_challenges.tournament.standings import table
 
 
-def super_team(context: StageContext, stage: SuperTeam, entrants: Sequence[Entrant]) -> StageState:
-    """Return the state of a stage of super teams. A team that leaves in the middle still lends its program."""
-    teams = tuple(entrant.team for entrant in entrants)
-    robots = min(context.scenarios[context.names.of_matches(stage)].seats.values())
-    sides = stage.super_teams or context.drawn.draw(
-        context.name,
-        teams if stage.from_ else None,
-        lambda: drawn(teams, robots, context.tournament.seed, context.name),
+class SuperTeam(MatchFormat):
+    """Each robot of a side is driven by the program of another team; all super teams meet each other."""
+
+    stage: Literal["super_team"]
+    super_teams: dict[Name, Annotated[tuple[TeamId, ...], Field(strict=False, min_length=1)]] | None = described(
+        None, "the teams of each super team, in the order of the side's robots; if omitted: drawn"
     )
-    fixtures = _fixtures(context, stage, sides)
-    matches = [match for one in fixtures if (match := context.result(one)) is not None]
-    is_complete = context.are_decided(fixtures)
-    joined = ["+".join(own) for own in sides.values()]
-    found = table("", joined, matches, context.rules(), complete=is_complete)
-    return StageState(
-        name=context.name,
-        kind=stage.stage,
-        title=context.title(stage),
-        status=Status.FINISHED if is_complete else Status.RUNNING,
-        teams=teams,
-        fixtures=tuple(fixtures),
-        expected_matches=len(fixtures),
-        tables=(found,),
-        places=found.rows if is_complete else (),
-    )
+    legs: int = described(1, "how often two super teams meet; 2: with the sides changed", ge=1, le=2)
+
+    RANKS_TEAMS: ClassVar[bool] = False
+
+    def size(self, intake: Intake) -> StageSize:
+        """Return the size of the stage; of a scenario that cannot be loaded with sides of three robots."""
+        info = intake.info(self)
+        side = max(1, min(info.seats.values())) if info is not None else 3
+        tables = {"": len(self.super_teams) if self.super_teams is not None else -(-intake.teams // side)}
+        return StageSize(intake.teams, tables, *all_meet(tables, self.legs))
+
+    def scenario_problems(self, info: ScenarioInfo) -> Iterator[tuple[str, str]]:
+        """Yield whether the sides differ."""
+        if len(set(info.seats.values())) > 1:
+            message = f"the sides of scenario '{info.id}' have different numbers of robots"
+            yield message, "super teams need sides of the same size"
+
+    def problems(self, intake: Intake, size: StageSize) -> Iterator[StageProblem]:
+        """Yield what is wrong with the super teams that are listed, or whether there are too few teams to draw some."""
+        info = intake.info(self)
+        if info is None:
+            return
+        side = min(info.seats.values(), default=1)
+        if self.super_teams is None:
+            if size.teams <= side:
+                message = f"{size.teams} teams are too few for two super teams of {side}"
+                yield StageProblem((), "too-few-teams", message, "add teams, or remove the stage")
+            return
+        yield from listed_problems("super_teams", self.super_teams, intake.present)
+        if len(self.super_teams) < 2:
+            message = "one super team has no opponent"
+            yield StageProblem(("super_teams",), "too-few-teams", message, "list at least two")
+        for name, listed in self.super_teams.items():
+            if len(listed) != side:
+                message = f"super team '{name}' has {len(listed)} teams, a side of '{info.id}' has {side} robots"
+                yield StageProblem(("super_teams", name), "listed-teams", message, "list one team for each robot")
+
+    def state(self, context: StageContext, entrants: Sequence[Entrant]) -> StageState:
+        """Return the state of a stage of super teams. A team that leaves in the middle still lends its program."""
+        teams = tuple(entrant.team for entrant in entrants)
+        robots = min(context.scenarios[context.names.of_matches(self)].seats.values())
+        sides = self.super_teams or context.drawn.draw(
+            context.name,
+            teams if self.from_ else None,
+            lambda: drawn(teams, robots, context.tournament.seed, context.name),
+        )
+        fixtures = _fixtures(context, self, sides)
+        matches = [match for one in fixtures if (match := context.result(one)) is not None]
+        is_complete = context.are_decided(fixtures)
+        joined = ["+".join(own) for own in sides.values()]
+        found = table("", joined, matches, context.rules(), complete=is_complete)
+        return StageState(
+            name=context.name,
+            kind=context.kind,
+            title=context.title(self),
+            status=Status.FINISHED if is_complete else Status.RUNNING,
+            teams=teams,
+            fixtures=tuple(fixtures),
+            expected_matches=len(fixtures),
+            tables=(found,),
+            places=found.rows if is_complete else (),
+        )
 
 
 def drawn(teams: Sequence[str], size: int, seed: int | str, use: str) -> dict[str, tuple[str, ...]]:

@@ -1,42 +1,85 @@
 """Swiss: in each round teams with equal points meet, and no two meet twice."""
 
-from __future__ import annotations
-
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from typing import ClassVar, Literal
 
+from rcj_challenges.rules.fields import described
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
 from rcj_challenges.tournament.formats.groups import by_pot
 from rcj_challenges.tournament.formats.pairing import Player, pair
 from rcj_challenges.tournament.formats.play_off import play_offs
-from rcj_challenges.tournament.models import LostBy, Swiss
+from rcj_challenges.tournament.formats.stage import Intake, MatchFormat, StageProblem, StageSize
+from rcj_challenges.tournament.models import LostBy
 from rcj_challenges.tournament.season import Fixture, StageState, Status, Table
 from rcj_challenges.tournament.standings import Match, table
 
 
-def swiss(context: StageContext, stage: Swiss, entrants: Sequence[Entrant]) -> StageState:
-    """Return the state of a Swiss stage: rounds are drawn one by one, as soon as the one before is over."""
-    teams = tuple(entrant.team for entrant in entrants)
-    pots = {entrant.team: entrant.pot for entrant in entrants}
-    course = _Course(context, stage, by_pot(pots, context.tournament.seed, f"{context.name}/order"))
-    is_complete = course.play()
-    found = course.table(complete=is_complete)
-    more: list[Fixture] = []
-    if stage.play_off and is_complete:
-        found, more = play_offs(context, stage, found, stage.rounds + 1)
-    return StageState(
-        name=context.name,
-        kind=stage.stage,
-        title=context.title(stage),
-        status=Status.FINISHED if found.complete else Status.RUNNING,
-        teams=teams,
-        fixtures=(*course.fixtures, *more),
-        expected_matches=len(course.fixtures) + len(more) + course.matches_to_come(),
-        tables=(found,),
-        byes=tuple(course.byes),
-        places=found.rows if found.complete else (),
+class Swiss(MatchFormat):
+    """In each round, teams with equal points meet; no two meet twice. With an odd number of teams, one has a bye."""
+
+    stage: Literal["swiss"]
+    rounds: int = described(
+        ...,
+        "number of rounds, fewer than teams; above half the number of teams, two may have to meet twice",
+        ge=1,
+        le=64,
     )
+    play_off: bool = described(
+        False, "whether teams that share a place play each other if only some of them can advance; after that, a lot"
+    )
+
+    CAN_PLAY_OFF: ClassVar[bool] = True
+
+    @property
+    def has_ties(self) -> bool:
+        """Whether play-offs are played."""
+        return self.play_off
+
+    def size(self, intake: Intake) -> StageSize:
+        """Return the size of the stage."""
+        return StageSize(intake.teams, {"": intake.teams}, self.rounds * (intake.teams // 2), self.rounds)
+
+    def problems(self, intake: Intake, size: StageSize) -> Iterator[StageProblem]:
+        """Yield whether there are too many rounds."""
+        most, safe = size.teams - 1, -(-size.teams // 2)
+        if self.rounds > most:
+            message = f"{self.rounds} rounds are too many for {size.teams} teams"
+            help_ = f"at most {most}; all meet in a round_robin"
+            yield StageProblem(("rounds",), "too-many-rounds", message, help_)
+        elif self.rounds > safe:
+            message = f"in {self.rounds} rounds of {size.teams} teams a rematch may be unavoidable"
+            help_ = f"up to {safe} rounds need no rematch; all meet in a round_robin"
+            yield StageProblem(("rounds",), "rematch-possible", message, help_, "warning")
+
+    def shared_cuts(self, cuts: frozenset[int], teams: int) -> frozenset[int]:
+        """Return nothing if play-offs decide."""
+        return frozenset() if self.play_off else cuts
+
+    def state(self, context: StageContext, entrants: Sequence[Entrant]) -> StageState:
+        """Return the state of a Swiss stage: rounds are drawn one by one, as soon as the one before is over."""
+        teams = tuple(entrant.team for entrant in entrants)
+        pots = {entrant.team: entrant.pot for entrant in entrants}
+        course = _Course(context, self, by_pot(pots, context.tournament.seed, f"{context.name}/order"))
+        is_complete = course.play()
+        found = course.table(complete=is_complete)
+        more: list[Fixture] = []
+        if self.play_off and is_complete:
+            found, more = play_offs(context, self, found, self.rounds + 1)
+        return StageState(
+            name=context.name,
+            kind=context.kind,
+            title=context.title(self),
+            status=Status.FINISHED if found.complete else Status.RUNNING,
+            teams=teams,
+            fixtures=(*course.fixtures, *more),
+            expected_matches=len(course.fixtures) + len(more) + course.matches_to_come(),
+            tables=(found,),
+            has_matrices=True,
+            byes=tuple(course.byes),
+            places=found.rows if found.complete else (),
+        )
 
 
 @dataclass

@@ -151,7 +151,7 @@ class _Tie:
         pair = self.teams[::-1] if changed else self.teams
         fixture = self.context.fixture(
             f"{self.path}/extra_time/{pair[0]}-{pair[1]}",
-            self.context.names.of_extra_time(self.stage),
+            self.context.names.with_extra_time(self.context.names.of_matches(self.stage)),
             ((pair[0],), (pair[1],)),
             self.round_,
             f"{self.title}, extra time",

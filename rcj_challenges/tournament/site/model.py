@@ -28,7 +28,7 @@ def _clean_name(name: str) -> str:
 
 def group_title(stage: StageState, group: str) -> str:
     """Return what a group or a challenge is called: ``Group A``."""
-    return f"Group {group}" if stage.kind == "round_robin" and group else humanized(group)
+    return f"Group {group}" if stage.has_groups and group else humanized(group)
 
 
 @dataclass(frozen=True, slots=True)

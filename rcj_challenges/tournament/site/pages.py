@@ -104,9 +104,9 @@ def publish_stage(tree: Tree, renderer: Renderer, season: Season, stage: StageSt
             matches=matches,
             times=sorted({time.at for time in season.source.rounds if time.stage == stage.name and not time.round}),
             picture=_bracket(season, stage, "../") if stage.ties else None,
-            plots=_distributions(season, stage) if stage.kind == "challenge" else [],
-            rounds=_rounds(stage, matches) if stage.kind != "challenge" else [],
-            challenges=_challenges(season, stage) if stage.kind == "challenge" else [],
+            plots=_distributions(season, stage) if stage.is_solo else [],
+            rounds=_rounds(stage, matches) if not stage.is_solo else [],
+            challenges=_challenges(season, stage) if stage.is_solo else [],
             matrices=_matrices(season, stage),
         ),
     )
@@ -176,7 +176,7 @@ def _distributions(season: Season, stage: StageState) -> list[tuple[str, Markup]
 
 def _matrices(season: Season, stage: StageState) -> list[tuple[str, list[str], Cells]]:
     """Return the matches between each two teams, group by group; nothing for other stages than these two."""
-    if stage.kind not in ("round_robin", "swiss"):
+    if not stage.has_matrices:
         return []
     found = []
     for table in stage.tables:

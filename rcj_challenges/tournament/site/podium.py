@@ -59,8 +59,7 @@ def publish_certificates(tree: Tree, renderer: Renderer, season: Season, stage: 
 
 def _certificates(season: Season, stage: StageState) -> Iterator[tuple[int, Certificate]]:
     """Yield each certificate with its place; of stages in groups, the place in the group."""
-    rankings = [(table.name, table.rows) for table in stage.tables] if _has_groups(stage) else [("", stage.places)]
-    for group, rows in rankings:
+    for group, rows in stage.rankings if _has_groups(stage) else [("", stage.places)]:
         among = group_title(stage, group) if group else ""
         for row in rows:
             teams = tuple(row.team.split("+"))
@@ -71,7 +70,7 @@ def _certificates(season: Season, stage: StageState) -> Iterator[tuple[int, Cert
 
 
 def _has_groups(stage: StageState) -> bool:
-    return stage.kind == "round_robin" and len(stage.tables) > 1
+    return stage.has_groups and len(stage.tables) > 1
 
 
 def ordinal(number: int) -> str:

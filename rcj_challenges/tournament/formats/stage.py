@@ -1,0 +1,176 @@
+"""What every format has: its keys, and the methods that engine, sizes, checks, drawing again and site call.
+
+A format is one class in a file of its own, and one line in the list of ``formats/__init__.py``.
+"""
+
+from abc import ABC, abstractmethod
+from collections import Counter
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, ClassVar, Literal
+
+from rcj_challenges.scenario.errors import listing
+from rcj_challenges.scenario.tree import Step
+from rcj_challenges.tournament.errors import did_you_mean
+from rcj_challenges.tournament.formats.context import Entrant, StageContext
+from rcj_challenges.tournament.models import ChallengeScenario, FromModel, MatchesModel
+from rcj_challenges.tournament.scenarios import ScenarioInfo, ScenarioNames, ScenarioUse
+from rcj_challenges.tournament.season import StageState, Status
+
+
+@dataclass(frozen=True, slots=True)
+class StageSize:
+    """The size of a stage.
+
+    Attributes:
+        teams: that take part.
+        tables: number of teams by table from which places are taken; of a stage without groups the name is empty.
+        matches: drawn ones not counted twice; of a best-of those played in any case.
+        rounds: of fixtures that can be released one after another.
+    """
+
+    teams: int
+    tables: Mapping[str, int]
+    matches: int
+    rounds: int
+
+
+@dataclass(frozen=True, slots=True)
+class Intake:
+    """What comes into a stage, before anything is played.
+
+    Attributes:
+        teams: how many teams.
+        present: ids of all teams of the tournament that could take part.
+        names: finds scenarios.
+        scenarios: what is known of them; of those that cannot be loaded nothing.
+    """
+
+    teams: int
+    present: Collection[str]
+    names: ScenarioNames = field(repr=False)
+    scenarios: Mapping[ScenarioUse, ScenarioInfo] = field(repr=False)
+
+    def info(self, stage: MatchesModel) -> ScenarioInfo | None:
+        """Return what is known of the scenario of a stage's matches."""
+        return self.scenarios.get(self.names.of_matches(stage))
+
+
+@dataclass(frozen=True, slots=True)
+class StageProblem:
+    """What is wrong with a stage.
+
+    Attributes:
+        path: keys within the stage that lead to it.
+        code, message, help, severity: as in a `Diagnostic`.
+    """
+
+    path: tuple[Step, ...]
+    code: str
+    message: str
+    help: str
+    severity: Literal["error", "warning"] = "error"
+
+
+class Format(FromModel, ABC):
+    """A format: how the teams of a stage play."""
+
+    MIN_TEAMS: ClassVar[int] = 2
+    SEATS: ClassVar[int] = 2
+    """Of each scenario that is played."""
+    RANKS_TEAMS: ClassVar[bool] = True
+    """Whether another stage can take its teams from this one."""
+    FOLLOWS_PAIRS: ClassVar[bool] = False
+    """Whether a result counts for the new match of its pair when all is drawn again."""
+    CAN_PLAY_OFF: ClassVar[bool] = False
+
+    @property
+    def challenges(self) -> Mapping[str, ChallengeScenario]:
+        """The scenarios that each team plays alone, by name."""
+        return {}
+
+    @property
+    def has_ties(self) -> bool:
+        """Whether there may be pairings of which one team must win."""
+        return False
+
+    @property
+    def matches_of_tie(self) -> tuple[int, int]:
+        """The least and the most matches of a tie, without extra time."""
+        return 1, 1
+
+    @abstractmethod
+    def uses(self, names: ScenarioNames) -> Iterator[tuple[ScenarioUse, tuple[Step, ...]]]:
+        """Yield the scenarios, each with the keys within the stage that name it."""
+
+    @abstractmethod
+    def size(self, intake: Intake) -> StageSize:
+        """Return the size of the stage."""
+
+    def problems(self, intake: Intake, size: StageSize) -> Iterator[StageProblem]:
+        """Yield what is wrong with the keys for these teams."""
+        yield from ()
+
+    def scenario_problems(self, info: ScenarioInfo) -> Iterator[tuple[str, str]]:
+        """Yield why a scenario with the right number of seats cannot be played, and what is needed."""
+        yield from ()
+
+    def shared_cuts(self, cuts: frozenset[int], teams: int) -> frozenset[int]:
+        """Return those of the places after which teams are divided that may be shared, without a lot."""
+        return cuts
+
+    @abstractmethod
+    def state(self, context: StageContext, entrants: Sequence[Entrant]) -> StageState:
+        """Return the state after the outcomes so far."""
+
+    def waiting(self, context: StageContext, entrants: Sequence[Entrant], matches: int) -> StageState:
+        """Return the state while the teams are not known.
+
+        Args:
+            context: the stage.
+            entrants: where each team will come from.
+            matches: how many there will be.
+        """
+        title = context.title(self)
+        return StageState(context.name, context.kind, title, Status.WAITING, expected_matches=matches)
+
+    def keep_seats(self, draw: Any, before: Collection[tuple[str, str]]) -> None:
+        """Give pairs that have met the seats that they had, in what was drawn again."""
+
+    def add_late(self, draw: Any, team: str, present: Collection[str]) -> bool:
+        """Add a team to a stage that has begun; return whether it can be added.
+
+        Args:
+            draw: what was drawn; changed.
+            team: id.
+            present: the teams that have not left.
+        """
+        return False
+
+
+class MatchFormat(MatchesModel, Format):
+    """A format in which teams play matches."""
+
+    def uses(self, names: ScenarioNames) -> Iterator[tuple[ScenarioUse, tuple[Step, ...]]]:
+        """Yield the scenario."""
+        yield names.of_matches(self), ("scenario",) if self.scenario is not None else ("set",) if self.set else ()
+
+
+def listed_problems(key: str, lists: Mapping[str, tuple[str, ...]], teams: Collection[str]) -> Iterator[StageProblem]:
+    """Yield what is wrong with lists of teams: unknown ones, and those that are listed twice.
+
+    Args:
+        key: of the lists in the stage.
+        lists: ids by name of the list.
+        teams: ids of all teams.
+    """
+    seen: Counter[str] = Counter()
+    for name, listed in lists.items():
+        for index, team in enumerate(listed):
+            seen[team] += 1
+            path = (key, name, index)
+            if team not in teams:
+                help_ = did_you_mean(team, teams, f"Teams: {listing(teams)}")
+                yield StageProblem(path, "unknown-team", f"no team '{team}'", help_)
+            elif seen[team] > 1:
+                yield StageProblem(path, "listed-teams", f"team '{team}' is listed twice", "keep it once")
