@@ -13,7 +13,6 @@ from rcj_challenges.rules.fields import Names
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import Sequence
 from rcj_challenges.scenario.roster import Roster, with_each
-from rcj_challenges.scenario.sequence_info import followed
 from rcj_challenges.tracking.gates import seen_from
 
 _WAYS = {1: "forward", -1: "backward"}
@@ -49,7 +48,7 @@ class WrongWays:
     def _of_sequence(self, name: str, sequence: Sequence) -> Iterable[_Passage]:
         steps = (one for places in sequence.places() for one in places)
         gates = [gate for gate in self._members(tuple(steps), None) if gate in self._gates]
-        for entity in self._entities(followed(sequence), None):
+        for entity in self._entities(sequence.followed, None):
             for gate in gates:
                 yield _Passage(entity, gate, -1, f"no step of {name}, which counts only gates crossed forward")
 

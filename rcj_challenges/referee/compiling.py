@@ -14,8 +14,9 @@ from rcj_challenges.rules.fields import Names
 from rcj_challenges.rules.mirror import Mirror
 from rcj_challenges.scenario.floor import floor_parts
 from rcj_challenges.scenario.half_start import spots_set_by_rules
+from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.models.state import Sequence
-from rcj_challenges.scenario.sequence_info import followed, phases_of
+from rcj_challenges.scenario.walk import walk
 from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.clock_events import ClockEvents
 from rcj_challenges.tracking.contacts import Contacts
@@ -104,11 +105,11 @@ class CompileContext:
         All rules share them, and they are active wherever one of these is.
         """
         sequence = self.scenario.sequences[name]
-        members = self.names.members(followed(sequence))
+        members = self.names.members(sequence.followed)
         for member in members:
             if (name, member) not in self._sequences:
                 tracker = self._sequences[name, member] = self._sequence_tracker(sequence, member)
-                self.track_alone(tracker, phases_of(self.scenario, name))
+                self.track_alone(tracker, _phases_of(self.scenario, name))
         return {None if sequence.per is None else member: self._sequences[name, member] for member in members}
 
     def _sequence_tracker(self, sequence: Sequence, member: str) -> SequenceTracker:
@@ -118,3 +119,16 @@ class CompileContext:
         gates = {name: self.names.gate(name) for name in names if name not in zones}
         path = SequencePath(steps, sequence.cyclic, sequence.wrong_step == "break", sequence.when_placed == "goes_on")
         return SequenceTracker(self.state, self.hits, self.names.entity(member), path, zones, gates)
+
+
+def _phases_of(scenario: Scenario, sequence: str) -> frozenset[str] | None:
+    """Return the phases in which a sequence is followed: those of the rules that name it; None: all of them.
+
+    A rule that only resets it does not follow it.
+    """
+    following = [
+        rule.phases
+        for rule in scenario.rules.values()
+        if any(getattr(word, "sequence", None) == sequence for word, _ in walk((rule.triggers, rule.conditions)))
+    ]
+    return None if "any" in following else frozenset(phase for phases in following for phase in phases)

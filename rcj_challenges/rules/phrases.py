@@ -20,10 +20,10 @@ class Phrases(Protocol):
         """Return the one of several that another one meets: ``another of the robots``, if that is a robot too."""
 
     def all_of(self, names: Names) -> Subject:
-        """Return several together: ``the blue robots and Y3``."""
+        """Return several together: ``the blue robots and Y3``, which is plural."""
 
     def point(self, at: Any, measured_from: Any = None) -> str:
-        """Return a named thing or a point ``(x, y)``; of a group its nearest member."""
+        """Return a named thing or a point ``(x, y)``; of a group the nearest, but nothing is measured from itself."""
 
     def owned(self, what: str, names: Names, name: str = "") -> str:
         """Return what belongs to one of several: ``its program``, ``the timer “rest” of one of the robots``."""
@@ -50,7 +50,7 @@ class Phrases(Protocol):
         """Return whether a phase stops the clock of the half."""
 
     def thing(self, name: str) -> str:
-        """Return one thing: ``Y1``, ``the ball``, ``the spot “centre”``; ``each`` is ``it``."""
+        """Return one thing: ``Y1``, ``the ball``, ``gate 1``, ``the spot “centre”``; ``each`` is ``it``."""
 
     def quantified(self, of: Any, names: Names, *, negate: bool) -> Subject:
         """Return how many of several must do something: ``none of the robots``; negated, the opposite of it."""
@@ -59,10 +59,10 @@ class Phrases(Protocol):
         """Return whether a rule takes anything off the field."""
 
     def drawn(self, draw: str, written: Scalar) -> str:
-        """Return a value of a draw: ``“west”``."""
+        """Return a value of a draw: ``“west”``; of a name that stands for something in the rule, that: ``it``."""
 
     def is_set(self, draw: str) -> bool:
-        """Return whether a draw is what rules set, from the start of each half."""
+        """Return whether rules set a draw from the start of each half, so that chance decides nothing."""
 
     def is_entrant(self, name: str) -> bool:
         """Return whether a name is that of an entrant."""
@@ -83,7 +83,7 @@ class Phrases(Protocol):
         """Return whether a name stands for an entity, and not for a spot or a draw."""
 
     def what_drawn(self, draw: str) -> str:
-        """Return what a draw decided: ``what was drawn as “target”``."""
+        """Return what a draw decided: ``what was drawn as “target”``, of one that rules set ``what “king” is``."""
 
     # --- for actions ------------------------------------------------------------------------------------------------
 

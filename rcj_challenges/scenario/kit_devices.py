@@ -1,10 +1,13 @@
-"""The devices of a robot: those of its kit and its own, which take from the kit what they leave out."""
+"""The devices of a robot: those of its kit and its own, and which robots can send messages to the referee."""
 
 from __future__ import annotations
 
 from rcj_challenges.devices.base import Device
+from rcj_challenges.devices.team_emitter import TeamEmitterDevice
+from rcj_challenges.rules.base import Word
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.tree import Entries, Leaf, node_at
+from rcj_challenges.scenario.walk import walk
 
 _KIND = "device"
 
@@ -34,3 +37,24 @@ def fill_in_devices(tree: Entries) -> None:
             if isinstance(device, Entries) and isinstance(model, Entries) and _KIND not in device.entries:
                 entries, key_marks = model.entries | device.entries, model.key_marks | device.key_marks
                 own.entries[name] = Entries(entries, device.mark, key_marks)
+
+
+def referee_listens(scenario: Scenario) -> bool:
+    """Return whether a rule or the broadcast reads messages of robots.
+
+    If none does, the referee's channels are closed to programs, as in the original.
+    """
+    words = (word for word, _ in walk((scenario.rules, scenario.broadcast)) if isinstance(word, Word))
+    return any(word.READS_MESSAGES for word in words)
+
+
+def robots_with_emitter(scenario: Scenario) -> list[str]:
+    """Return the robots that have a program and an emitter, in the order of the file."""
+    driven = {name for entrant in scenario.entrants.values() for name in entrant.robots}
+    return [
+        name
+        for name, robot in scenario.robots.items()
+        if name in driven
+        and not robot.idle
+        and any(isinstance(device, TeamEmitterDevice) for device in devices_of(scenario, name).values())
+    ]

@@ -2,8 +2,8 @@
 
 import pytest
 
+from rcj_challenges.scenario.kit_devices import referee_listens, robots_with_emitter
 from rcj_challenges.scenario.load import load, load_text
-from rcj_challenges.scenario.robot_messages import referee_listens, robots_with_emitter
 from tests.scenario.writing import complaints
 
 HEAD = "schema_version: 1\nid: it\ntitle: It\nextends: soccersim_v2\nmatch: {half_s: 60}\n"

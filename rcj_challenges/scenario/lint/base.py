@@ -3,20 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import ClassVar, NamedTuple
+from typing import ClassVar
 
 from rcj_challenges.scenario.lint.context import LintContext
 from rcj_challenges.scenario.tree import Path
-
-
-class Suspicion(NamedTuple):
-    """One place that a check reports, before its position in the file is looked up."""
-
-    code: str
-    path: Path
-    message: str
-    help: str
-    at_key: bool
+from rcj_challenges.scenario.walk import Issue
 
 
 class LintRule:
@@ -34,12 +25,10 @@ class LintRule:
     help: ClassVar[str]
     at_key: ClassVar[bool] = False
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         """Yield what is suspicious."""
         raise NotImplementedError
 
-    def at(self, path: Path, *, help: str = "", **values: object) -> Suspicion:  # noqa: A002 - as it is printed
-        """Return a suspicion at a path, with the templates filled in; ``help`` replaces the check's own."""
-        return Suspicion(
-            self.code, path, self.message.format(**values), (help or self.help).format(**values), self.at_key
-        )
+    def at(self, path: Path, *, help: str = "", **values: object) -> Issue:  # noqa: A002 - as it is printed
+        """Return what is suspicious at a path, with the templates filled in; ``help`` replaces the check's own."""
+        return Issue(self.code, path, self.message.format(**values), (help or self.help).format(**values), self.at_key)

@@ -18,12 +18,12 @@ from rcj_challenges.rules.effects import (
     SetsPhase,
 )
 from rcj_challenges.scenario.errors import did_you_mean, listing
-from rcj_challenges.scenario.lint.base import LintRule, Suspicion
+from rcj_challenges.scenario.lint.base import LintRule
 from rcj_challenges.scenario.lint.context import LintContext
 from rcj_challenges.scenario.models.scenario import RankByScore, Rule
 from rcj_challenges.scenario.roster import EACH
 from rcj_challenges.scenario.tree import Path
-from rcj_challenges.scenario.walk import effects_in, walk
+from rcj_challenges.scenario.walk import Issue, effects_in, walk
 
 
 class PhaseNeverEntered(LintRule):
@@ -36,8 +36,7 @@ class PhaseNeverEntered(LintRule):
     )
     at_key = True
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield phases that cannot be reached, and triggers that wait for the first phase, which nothing enters."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         for name in ctx.scenario.phases:
             if name not in ctx.reachable_phases:
                 yield self.at(("phases", name), phase=name, where="")
@@ -56,8 +55,7 @@ class RuleNeverFires(LintRule):
     message = "{why}"
     help = "write phases: [{phase}], or phases: any"
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield rules that no phase lets fire."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         first = ctx.scenario.first_phase
         for name, rule in ctx.scenario.rules.items():
             if not ctx.is_reachable(rule):
@@ -82,8 +80,7 @@ class EventNeverEmitted(LintRule):
     message = "event '{event}' is never emitted"
     help = "{hint}emit it in a rule that can fire"
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield triggers, and the author's own tests, with unknown events."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         emitted = {effect.event: None for effect, _, _ in ctx.reachable_effects(Emits)}
         awaited: list[tuple[Path, str]] = [
             (("rules", name, "triggers", index, "event"), moment.event)
@@ -108,8 +105,7 @@ class MissingSays(LintRule):
     message = "{what} comes without a sentence"
     help = "add says: to the rule; players read it in the sheet and in the replay"
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield the first action of each rule that needs a sentence."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         for name, rule in ctx.scenario.rules.items():
             found = [(path, f"event '{one.event}'") for one, path in effects_in(name, rule, Emits)]
             found += [(path, "a change of the score") for _, path in effects_in(name, rule, Scores)]
@@ -125,8 +121,7 @@ class ScoresOnce(LintRule):
     message = "if several of '{group}' do this in one tick, the rule gives its points once"
     help = "write for_each: {group} and entity: each"
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield triggers about a group in rules that score without for_each."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         for name, rule in ctx.scenario.rules.items():
             for index, trigger in enumerate(rule.triggers if rule.for_each is None and rule.effects(Scores) else ()):
                 match trigger.moment():
@@ -142,8 +137,7 @@ class EachOfNone(LintRule):
     message = "'{group}' has no members here: the rule never fires"
     help = "add something to the field that is in it, or remove the rule"
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield rules for each member of an empty group."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         for name, rule in ctx.scenario.rules.items():
             if rule.for_each is not None and not ctx.roster.expand(rule.for_each):
                 yield self.at(("rules", name, "for_each"), group=rule.for_each)
@@ -156,8 +150,7 @@ class EachNeverNamed(LintRule):
     message = "the rule fires {count} times at once, once for each of '{group}', and never names 'each'"
     help = "write entity: each where it looks or acts, or remove for_each"
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield rules with for_each that never look at its member."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         for name, rule in ctx.scenario.rules.items():
             count = len(ctx.roster.expand(rule.for_each)) if rule.for_each is not None else 0
             if count > 1 and not _names_each(rule):
@@ -173,8 +166,7 @@ class EachNotInTrigger(LintRule):
 
     _KEYS = ("entity", "robot", "zone", "gate")
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield triggers that name the whole group, of a rule whose actions are about each."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         for name, rule in ctx.reachable_rules():
             each = ctx.members(EACH, rule) if rule.for_each is not None else frozenset()
             if len(each) < 2 or _names_each(rule.conditions) or not _names_each(rule):
@@ -199,8 +191,7 @@ class EventLoop(LintRule):
     help = "add a condition, cooldown_s or max_executions, or wait for another event"
     at_key = True
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield one rule of each loop."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         rules = {name: rule for name, rule in ctx.reachable_rules() if not _is_limited(rule)}
         triggered = {name: self._listeners(rule, rules, ctx) for name, rule in rules.items()}
         after: dict[str, list[str]] = {}
@@ -236,8 +227,7 @@ class NoWayToScore(LintRule):
     help = "add {{action: score, …}} to a rule, or rank by a counter or a time in result:"
     at_key = True
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield the section of rules."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         by_score = isinstance(ctx.scenario.result.rank[0], RankByScore)
         if by_score and not any(ctx.reachable_effects(Scores)):
             yield self.at(("rules",))

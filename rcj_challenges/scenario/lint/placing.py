@@ -12,13 +12,13 @@ from rcj_challenges.rules.placement import places
 from rcj_challenges.scenario.checks.ground import Floor, obstacle_bodies
 from rcj_challenges.scenario.floor import floor_parts, on_floor
 from rcj_challenges.scenario.half_start import fixed_spots
-from rcj_challenges.scenario.lint.base import LintRule, Suspicion
+from rcj_challenges.scenario.lint.base import LintRule
 from rcj_challenges.scenario.lint.context import LintContext
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.outlines import Part, disc, overlap, robot_outline
 from rcj_challenges.scenario.tree import Path
-from rcj_challenges.scenario.walk import effects_in
+from rcj_challenges.scenario.walk import Issue, effects_in
 
 
 class OffTheField(LintRule):
@@ -29,8 +29,7 @@ class OffTheField(LintRule):
     help = "correct its numbers (in m, from the centre of the field), or remove it"
     at_key = True
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield places that lie beyond the walls."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         parts = floor_parts(ctx.scenario.field)
         corners = [corner for part in parts for corner in part]
         for name, zone in ctx.scenario.zones.items():
@@ -75,8 +74,7 @@ class RobotWithoutProgram(LintRule):
     help = "name it under entrants:, write idle: true for an obstacle, or remove it by '{name}: null'"
     at_key = True
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield such robots."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         driven = {robot for entrant in ctx.scenario.entrants.values() for robot in entrant.robots}
         for name, robot in ctx.scenario.robots.items():
             if name not in driven and not robot.idle:
@@ -90,8 +88,7 @@ class NeverOnTheField(LintRule):
     message = "'{name}' is removed at the start and no rule ever places it"
     help = "place it in a rule, give for_s, or remove the entity by '{name}: null'"
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield the removal."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         placed = {name for one, rule, _ in ctx.reachable_effects(Places) for name in ctx.members(one.names, rule)}
         for layout in ctx.scenario.placements.values():
             placed.update(name for placing in layout for name in ctx.roster.expand(placing.entity))
@@ -109,8 +106,7 @@ class TwoRulesMoveOneThing(LintRule):
     help = "give both the same exclusive:, or conditions of which only one can hold"
     at_key = True
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield the later rule of each pair, unless conditions or a phase can keep them apart."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         movers = [(name, rule, ctx.moved(rule)) for name, rule in ctx.reachable_rules()]
         for (first, one, moved), (second, other, also_moved) in combinations([one for one in movers if one[2]], 2):
             trigger = next((trigger for trigger in one.triggers if trigger in other.triggers), None)
@@ -139,8 +135,7 @@ class NoRoom(LintRule):
     message = "there is no room: '{name}' would stand {where}"
     help = "correct the place"
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield placements at fixed points where what is placed does not fit."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         groups: list[list[tuple[Places, Path]]] = [
             [one] for name, rule in ctx.scenario.rules.items() for one in effects_in(name, rule, Places)
         ]

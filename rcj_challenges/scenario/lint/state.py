@@ -9,11 +9,12 @@ from rcj_challenges.rules.effects import Holds, Releases
 from rcj_challenges.rules.refs import SectionRef
 from rcj_challenges.scenario.errors import place_of
 from rcj_challenges.scenario.half_start import spots_set_by_rules
-from rcj_challenges.scenario.lint.base import LintRule, Suspicion
+from rcj_challenges.scenario.lint.base import LintRule
 from rcj_challenges.scenario.lint.context import LintContext, Use
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe
 from rcj_challenges.scenario.placeholders import PLACEHOLDERS, placeholders_in
 from rcj_challenges.scenario.tree import Leaf, nodes_in
+from rcj_challenges.scenario.walk import Issue
 
 _TESTS = (Expectation, Given, Keyframe)
 
@@ -26,8 +27,7 @@ class NeverRead(LintRule):
     help = "use it in a condition, an action, broadcast: or result:, or remove it"
     at_key = True
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield state that only rules' actions or tests name."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         for section in ("counters", "flags", "timers", "draws"):
             for name in getattr(ctx.scenario, section):
                 if not _is_read(name, section, ctx):
@@ -52,8 +52,7 @@ class NeverWritten(LintRule):
         "timers": ("timer", "started"),
     }
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield state that keeps its initial value."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         for section, (action, verb) in self._ACTIONS.items():
             for name, entry in getattr(ctx.scenario, section).items():
                 is_written = any(use.reference.is_written for use in _uses_of(name, section, ctx))
@@ -79,8 +78,7 @@ class NeverUsed(LintRule):
         "placements": "layout",
     }
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield entries without a use. Entries of a base are not the author's to tidy up."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         used = self._used(ctx)
         for section, noun in self._NOUNS.items():
             for name, entry in getattr(ctx.scenario, section).items():
@@ -114,8 +112,7 @@ class HeldForever(LintRule):
     message = "robots are held without for_s, and no rule releases {robots}"
     help = "give it for_s, or add a rule with {{action: release, entity: …}}"
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield actions that hold a driven robot to the end of the half."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         left = {robot for entrant in ctx.scenario.entrants.values() for robot in entrant.robots}
         for effect, rule, _ in ctx.reachable_effects(Releases):
             left -= ctx.members(effect.names, rule)
@@ -132,8 +129,7 @@ class InheritedTestLeftOut(LintRule):
     message = "{count} inherited tests do not fit this scenario and are left out: {names} ({reason})"
     help = "remove each by 'NAME: null' under expect, or all by 'inherited: null', and write tests of your own"
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield one warning for all of them."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         if ctx.loaded.left_out:
             first = next(iter(ctx.loaded.left_out.values()))
             place = place_of(first)

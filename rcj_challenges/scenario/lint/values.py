@@ -16,11 +16,12 @@ from rcj_challenges.rules.kick import MAX_KICK_MPS
 from rcj_challenges.rules.values import longest_s
 from rcj_challenges.scenario.errors import choice_of
 from rcj_challenges.scenario.halves import MAX_LENGTHS, clock_may_stop, longest_half_s
-from rcj_challenges.scenario.lint.base import LintRule, Suspicion
+from rcj_challenges.scenario.lint.base import LintRule
 from rcj_challenges.scenario.lint.context import LintContext
 from rcj_challenges.scenario.models.scenario import Keyframe, Rule
 from rcj_challenges.scenario.placeholders import PLACEHOLDERS, placeholders_in
 from rcj_challenges.scenario.tree import Path
+from rcj_challenges.scenario.walk import Issue
 
 
 class LimitTooLong(LintRule):
@@ -32,8 +33,7 @@ class LimitTooLong(LintRule):
 
     _KEYS = ("limit_s", "within_s", "for_s", "at_s", "lasts_s", "cooldown_s")
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield durations that the half, or the phases of a rule, cannot contain."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         longest_half = longest_half_s(ctx.scenario.match)
         playing_s = longest_half * (MAX_LENGTHS if clock_may_stop(ctx.scenario) else 1)
         for model, path in ctx.models:
@@ -68,8 +68,7 @@ class AngleInDegrees(LintRule):
 
     _FULL_TURN_RAD = 6.3  # as authors round it
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield angles that only make sense in degrees."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         for model, path in ctx.models:
             for angle, at in _angles(model, path):
                 if abs(angle) > self._FULL_TURN_RAD:
@@ -98,8 +97,7 @@ class NeverReached(LintRule):
     _LENGTHS = ("min_clearance_m", "clearance_m", "distance_m")
     _PUSHED = 5  # times as fast as it drives a robot may slide after a hit
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield limits beyond what field and robots allow."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         field = ctx.scenario.field
         depth_m = max((goal.depth_m for goal in field.goals.values()), default=0.0)
         across_m = (field.width_m**2 + (field.length_m + 2 * depth_m) ** 2) ** 0.5
@@ -124,8 +122,7 @@ class ExactMeasurement(LintRule):
     message = "a measured value equals {limit:g} only by chance in a tick"
     help = "write at_least or at_most"
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield conditions that compare a measured value for equality."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         for model, path in ctx.models:
             limit = getattr(model, "equals", None)
             is_measured = isinstance(model, Speed) or (isinstance(model, Distance | WayIs) and limit != 0)
@@ -140,8 +137,7 @@ class UnknownPlaceholder(LintRule):
     message = "'{{{blank}}}' is not filled in"
     help = "{known}"
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield unknown blanks of sentences, and names in the description that are no param."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         params = tuple(ctx.scenario.params)
         texts: list[tuple[Path, str, tuple[str, ...]]] = [(("description",), ctx.scenario.description, params)]
         for name, rule in ctx.scenario.rules.items():
@@ -161,8 +157,7 @@ class PlaceholderNeverFilled(LintRule):
     message = "'{{{blank}}}' stays empty: {why}"
     help = "write the text itself, or remove it"
 
-    def check(self, ctx: LintContext) -> Iterator[Suspicion]:
-        """Yield blanks that this rule cannot fill in."""
+    def check(self, ctx: LintContext) -> Iterator[Issue]:
         for name, rule in ctx.scenario.rules.items():
             for blank in placeholders_in(rule.says):
                 why = self._why_empty(blank, rule)

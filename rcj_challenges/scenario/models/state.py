@@ -115,6 +115,11 @@ class Sequence(Strict):
         "omitted: they are lost",
     )
 
+    @property
+    def followed(self) -> Name:
+        """What it follows: an entity, or the group of which each member has a sequence of its own."""
+        return self.per or self.entity or ""
+
     def places(self) -> tuple[tuple[Name, ...], ...]:
         """Return for each step the zones or gates that satisfy it."""
         return tuple(step.any_of if isinstance(step, AnyStep) else (step,) for step in self.steps)

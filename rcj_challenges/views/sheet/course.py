@@ -11,7 +11,6 @@ from rcj_challenges.rules.values import duration_words, is_counted, value_words
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.models.state import Counter, Draw, Flag, Phase, Sequence, Timer
-from rcj_challenges.scenario.sequence_info import followed
 from rcj_challenges.views.sheet.document import Block, Items
 from rcj_challenges.views.sheet.phrasebook import Phrasebook
 
@@ -93,7 +92,7 @@ def _sequence_words(phrases: Phrasebook, name: str, sequence: Sequence) -> str:
     way = ", then ".join(map(phrases.any_of, sequence.places())) + (" and back to the first" if sequence.cyclic else "")
     wrong = "breaks it: it starts again" if sequence.wrong_step == "break" else "changes nothing"
     owners = phrases.owners("sequence", name)
-    followers = phrases.all_of(followed(sequence)).text if owners is None else phrases.each_of(owners)
+    followers = phrases.all_of(sequence.followed).text if owners is None else phrases.each_of(owners)
     placed = "goes on" if sequence.when_placed == "goes_on" else "starts again"
     return (
         f"The sequence {quoted(name)} of {followers}: {way}. A step out of turn {wrong}. It {placed} when a rule puts "

@@ -12,7 +12,6 @@ from rcj_challenges.scenario.half_start import set_from_the_start
 from rcj_challenges.scenario.halves import clock_may_stop
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.roster import BOUND, OTHER, WALLS, Roster, as_tuple, with_each
-from rcj_challenges.scenario.sequence_info import followed
 from rcj_challenges.scenario.touch_rules import names_other
 
 _MEASURED_BY_SEVERAL = "what was measured"
@@ -59,7 +58,6 @@ class Phrasebook:
     # --- names -------------------------------------------------------------------------------------------------------
 
     def thing(self, name: str) -> str:
-        """Return one thing: ``Y1``, ``the ball``, ``gate 1``, ``the spot “centre”``; ``each`` is ``it``."""
         if name in ("each", OTHER, WALLS):
             return {"each": "it", OTHER: self.other}.get(name, "a wall")
         if name in self.scenario.draws and not _kind(self.scenario, name):
@@ -74,16 +72,13 @@ class Phrasebook:
         return plain(name) if is_proper else f"the {plain(name)}"
 
     def any_of(self, names: Names) -> str:
-        """Return the one of several that a rule is about: ``one of the robots``, ``Y1 or Y2``."""
         parts = [f"one of {self._group(one)}" if self._several(one) else self._one(one) for one in as_tuple(names)]
         return listed(parts, "or")
 
     def another_of(self, names: Names, than: Names) -> str:
-        """Return the one of several that another one meets: ``another of them``, if they are the same group."""
         return "another of them" if names == than and self._several(as_tuple(names)[0]) else self.any_of(names)
 
     def all_of(self, names: Names) -> Subject:
-        """Return several together: ``the blue robots and Y3``, which is plural."""
         parts = [self._group(name) if self._several(name) else self._one(name) for name in as_tuple(names)]
         return Subject(listed(parts, "and"), plural=len(parts) > 1 or self._several(as_tuple(names)[0]))
 
@@ -92,7 +87,6 @@ class Phrasebook:
         return f"each of {self._group(names)}" if self._several(names) else self._one(names)
 
     def quantified(self, of: Any, names: Names, *, negate: bool) -> Subject:
-        """Return how many of several must do something: ``none of the robots``; negated, the opposite of it."""
         row = as_tuple(names)
         if len(row) == 1 and not self._several(row[0]):
             return Subject(self._one(row[0]), negated=negate != (of == "none"))
@@ -104,7 +98,6 @@ class Phrasebook:
         return Subject(f"{'any' if (of == 'any') != negate else 'none'} of {several}")
 
     def point(self, at: Any, measured_from: Any = None) -> str:
-        """Return a named thing or a point ``(x, y)``; of a group the nearest, but nothing is measured from itself."""
         if not isinstance(at, str):
             return f"({at[0] + 0.0:g}, {at[1] + 0.0:g})"  # adding 0 makes no -0
         if not self._several(at):
@@ -113,7 +106,6 @@ class Phrasebook:
         return f"the nearest {'other one ' if own else ''}of {self._group(at)}"
 
     def owned(self, what: str, names: Names, name: str = "") -> str:
-        """Return what belongs to one of several: ``its program``, ``the timer “rest” of one of the robots``."""
         thing = f"{what} {quoted(name)}" if name else what
         return f"its {thing}" if names == "each" else f"the {thing} of {self.any_of(names)}"
 
@@ -140,15 +132,12 @@ class Phrasebook:
         return any(member in self.roster.things for member in self.roster.expand(name)[:1])
 
     def is_entrant(self, name: str) -> bool:
-        """Return whether a name is that of an entrant."""
         return name in self.scenario.entrants
 
     def may_be_zone(self, name: str) -> bool:
-        """Return whether a name may stand for a zone."""
         return any(one in self.scenario.zones for one in self.may_be(name))
 
     def is_entity(self, name: str) -> bool:
-        """Return whether a name stands for an entity, and not for a spot or a draw."""
         members = self.roster.expand(name)
         return not any(member in self.scenario.spots or member in self.scenario.draws for member in members)
 
@@ -161,11 +150,9 @@ class Phrasebook:
         return listed(sending, "and") + (" only" if sending and len(sending) < len(balls) else "")
 
     def may_be_off(self) -> bool:
-        """Return whether a rule takes anything off the field."""
         return bool(self.scenario.effects(Removes))
 
     def clock_may_stop(self) -> bool:
-        """Return whether a phase stops the clock of the half."""
         return clock_may_stop(self.scenario)
 
     # --- counters, flags, timers and sequences ------------------------------------------------------------------------
@@ -188,7 +175,6 @@ class Phrasebook:
         return each.format(which, several)
 
     def every_kept(self, kind: str, name: str, entity: str | None) -> str:
-        """Return the same for an action, where no entity stands for all of them."""
         owners = None if entity else self.keepers(kind, name)
         if owners is None:
             return self.kept(kind, name, entity)
@@ -196,17 +182,14 @@ class Phrasebook:
         return f"the {kind} {which} of {self.each_of(owners)}"
 
     def keepers(self, kind: str, name: str) -> str | None:
-        """Return the names of which each has a counter, flag, timer or sequence of its own; None for a single one."""
         one = getattr(self.scenario, f"{kind}s").get(name)
         return None if one is None or one.per is None else str(one.per)
 
     def owners(self, kind: str, name: str) -> str | None:
-        """Return the same; None also where they are a single thing."""
         per = self.keepers(kind, name)
         return per if per is not None and self._several(per) else None
 
     def one_of_owners(self, kind: str, name: str) -> str | None:
-        """Return whose of several it is: ``each`` if the rule is for each of its owners, else the group; or None."""
         per = self.keepers(kind, name)
         if per is None:
             return None
@@ -214,21 +197,17 @@ class Phrasebook:
         return "each" if is_own else per
 
     def sequence_of(self, sequence: str) -> str:
-        """Return what a sequence follows: an entity, or the group of which each member has one of its own."""
-        return followed(self.scenario.sequences[sequence])
+        return self.scenario.sequences[sequence].followed
 
     def timer_of(self, timer: str) -> str | None:
-        """Return the group of entities of which each has a timer of its own; None where it is not kept for such."""
         per = self.scenario.timers[timer].per
         return per if per is not None and self.is_on_field(per) else None
 
     def timer_length_s(self, timer: str) -> float | None:
-        """Return the length of a timer; None if a draw or a counter decides it."""
         lasts_s = self.scenario.timers[timer].lasts_s
         return lasts_s if isinstance(lasts_s, int | float) else None
 
     def all_but_each(self, counter: str) -> str:
-        """Return the owners of whose counters one is the lowest or highest: ``all others on the field``."""
         per = self.scenario.counters[counter].per or ""
         owners, goes_over = self.roster.expand(per), () if self.each is None else self.roster.expand(self.each)
         others = self.all_of(per).text if set(owners).isdisjoint(goes_over) else "all others"
@@ -237,26 +216,21 @@ class Phrasebook:
     # --- draws -------------------------------------------------------------------------------------------------------
 
     def is_set(self, draw: str) -> bool:
-        """Return whether rules set a draw from the start of each half, so that chance decides nothing."""
         return draw in self._set_draws
 
     def what_drawn(self, draw: str) -> str:
-        """Return what a draw decided: ``what was drawn as “target”``, of one that rules set ``what “king” is``."""
         name = quoted_measure(draw)
         return f"what {name} is" if self.is_set(draw) else f"what was drawn as {name}"
 
     def drawn(self, draw: str, written: Scalar) -> str:
-        """Return a value of a draw: ``“west”``; of a name that stands for something in the rule, that: ``it``."""
         if isinstance(written, str) and written in BOUND and written not in self.scenario.draws[draw].values:
             return self.thing(written)
         return quoted(str(written).lower() if isinstance(written, bool) else str(written))
 
     def draw_values(self, draw: str) -> tuple[Scalar, ...]:
-        """Return the values of a draw."""
         return self.scenario.draws[draw].values
 
     def phases(self) -> tuple[str, ...]:
-        """Return the names of all phases."""
         return tuple(dict.fromkeys(("play", *self.scenario.phases)))
 
     # --- what a name stands for in a rule ----------------------------------------------------------------------------
