@@ -90,11 +90,13 @@ def missing_promises(folder: Path) -> list[str]:
     """Return what the page promises and did not come out."""
     results = [json.loads(path.read_text(encoding="utf-8")) for path in sorted(folder.glob("runs/*/result.json"))]
     own = [one for one in results if one["entrants"]["yellow"]["name"] == "My team" and one["scenario"] == "match"]
+    leads = [one["score"]["yellow"] - one["score"]["blue"] for one in own]
     by_rule = [one for one in results if one["scenario"] == "my_rules"]
     promises = {
         "the first match has goals": bool(results) and sum(results[0]["score"].values()) > 0,
         "the changed rule gave a point": any(one["score"]["yellow"] for one in by_rule),
         "the pupil's robot scored": any(one["score"]["yellow"] for one in own),
+        "the new program did better": bool(leads) and leads[-1] > leads[0],
         "the ZIP was written": (folder / "my_team.zip").is_file(),
     }
     return [promise for promise, is_kept in promises.items() if not is_kept]
