@@ -9,22 +9,8 @@ from typing import NamedTuple, assert_never
 import yaml
 
 from rcj_challenges.core.timing import s_from_ticks
+from rcj_challenges.rules import effects
 from rcj_challenges.rules.base import Condition
-from rcj_challenges.rules.effects import (
-    Draws,
-    Effect,
-    Emits,
-    Ends,
-    Holds,
-    Places,
-    PlacesLayout,
-    Releases,
-    Removes,
-    Scores,
-    SetsPhase,
-    SetsSpot,
-    Writes,
-)
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import EACH, OTHER
 from rcj_challenges.tracking.bound_rules import Denied
@@ -76,7 +62,7 @@ def denied_condition_notes(
         if not does or name in fired or noted == _MAX_NOTES:
             continue
         noted += 1
-        emitted = (wanted.missing[one.event] for one in does if isinstance(one, Emits))
+        emitted = (wanted.missing[one.event] for one in does if isinstance(one, effects.Emits))
         tick = _nearest(ticks, next(emitted, None))
         condition, held_after = ticks[tick]
         which = _as_written(rule.conditions[condition])
@@ -91,23 +77,23 @@ def _as_written(condition: Condition) -> str:
     return str(yaml.safe_dump(data, default_flow_style=True, sort_keys=False, width=inf)).strip()
 
 
-def _changes(effect: Effect, wanted: Wanted) -> bool:  # noqa: PLR0911 - one for each kind
+def _changes(effect: effects.Effect, wanted: Wanted) -> bool:  # noqa: PLR0911 - one for each kind
     """Return whether an effect is on what differs from the expectations."""
     match effect:
-        case Emits(event):
+        case effects.Emits(event):
             return event in wanted.missing
-        case Scores(entrant):
+        case effects.Scores(entrant):
             # Each, other and the last to touch something may be any of them.
             return bool(wanted.scores) and (entrant in (None, EACH, OTHER) or entrant in wanted.scores)
-        case Writes(section, name):
+        case effects.Writes(section, name):
             return (section, name) in wanted.entries
-        case SetsPhase(phase):
+        case effects.SetsPhase(phase):
             return phase == wanted.phase
-        case Ends():
+        case effects.Ends():
             return wanted.over
-        case Holds() | Releases():
+        case effects.Holds() | effects.Releases():
             return wanted.held
-        case Places() | PlacesLayout() | Removes() | Draws() | SetsSpot():
+        case effects.Places() | effects.PlacesLayout() | effects.Removes() | effects.Draws() | effects.SetsSpot():
             return False
         case _:
             assert_never(effect)

@@ -4,19 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rcj_challenges.rules import effects
 from rcj_challenges.rules.base import Word
-from rcj_challenges.rules.effects import (
-    Crossing,
-    Emits,
-    Ends,
-    Entry,
-    EventSeen,
-    Exit,
-    HalfStart,
-    PhaseStart,
-    Scores,
-    SetsPhase,
-)
 from rcj_challenges.scenario.errors import did_you_mean, listing
 from rcj_challenges.scenario.lint.base import LintRule
 from rcj_challenges.scenario.lint.context import LintContext
@@ -43,7 +32,7 @@ class PhaseNeverEntered(LintRule):
         first = ctx.scenario.first_phase
         for name, rule in ctx.reachable_rules() if first not in ctx.entered_phases else ():
             for index, trigger in enumerate(rule.triggers):
-                if trigger.moment() == PhaseStart(first):
+                if trigger.moment() == effects.PhaseStart(first):
                     path: Path = ("rules", name, "triggers", index, "phase")
                     yield self.at(path, phase=first, where=" after the start of a half (half_started)")
 
@@ -65,10 +54,10 @@ class RuleNeverFires(LintRule):
             for index, trigger in enumerate(rule.triggers):
                 path: Path = ("rules", name, "triggers", index)
                 match trigger.moment():
-                    case HalfStart() if not rule.is_active_in(first):
+                    case effects.HalfStart() if not rule.is_active_in(first):
                         why = f"a half starts in phase '{first}', in which this rule is inactive"
                         yield self.at(path, why=why, phase=first)
-                    case PhaseStart(phase) if not rule.is_active_in(phase):
+                    case effects.PhaseStart(phase) if not rule.is_active_in(phase):
                         why = f"when '{phase}' is entered this rule is inactive: its phases are "
                         yield self.at((*path, "phase"), why=why + listing(rule.phases), phase=phase)
 
@@ -81,12 +70,12 @@ class EventNeverEmitted(LintRule):
     help = "{hint}emit it in a rule that can fire"
 
     def check(self, ctx: LintContext) -> Iterator[Issue]:
-        emitted = {effect.event: None for effect, _, _ in ctx.reachable_effects(Emits)}
+        emitted = {effect.event: None for effect, _, _ in ctx.reachable_effects(effects.Emits)}
         awaited: list[tuple[Path, str]] = [
             (("rules", name, "triggers", index, "event"), moment.event)
             for name, rule in ctx.scenario.rules.items()
             for index, trigger in enumerate(rule.triggers)
-            if isinstance(moment := trigger.moment(), EventSeen)
+            if isinstance(moment := trigger.moment(), effects.EventSeen)
         ]
         for name, test in ctx.scenario.expect.items():
             for index, expected in enumerate(test.events or ()):
@@ -107,8 +96,8 @@ class MissingSays(LintRule):
 
     def check(self, ctx: LintContext) -> Iterator[Issue]:
         for name, rule in ctx.scenario.rules.items():
-            found = [(path, f"event '{one.event}'") for one, path in effects_in(name, rule, Emits)]
-            found += [(path, "a change of the score") for _, path in effects_in(name, rule, Scores)]
+            found = [(path, f"event '{one.event}'") for one, path in effects_in(name, rule, effects.Emits)]
+            found += [(path, "a change of the score") for _, path in effects_in(name, rule, effects.Scores)]
             if found and not rule.says:
                 path, what = min(found, key=lambda one: one[0][-1])
                 yield self.at(path, what=what)
@@ -123,11 +112,13 @@ class ScoresOnce(LintRule):
 
     def check(self, ctx: LintContext) -> Iterator[Issue]:
         for name, rule in ctx.scenario.rules.items():
-            for index, trigger in enumerate(rule.triggers if rule.for_each is None and rule.effects(Scores) else ()):
-                match trigger.moment():
-                    case Entry(names, _) | Exit(names, _) | Crossing(names, _, _) if len(ctx.members(names, rule)) > 1:
-                        group = names if isinstance(names, str) else listing(names)
-                        yield self.at(("rules", name, "triggers", index), group=group)
+            triggers = rule.triggers if rule.for_each is None and rule.effects(effects.Scores) else ()
+            for index, moment in enumerate(trigger.moment() for trigger in triggers):
+                if not isinstance(moment, effects.Entry | effects.Exit | effects.Crossing):
+                    continue
+                if len(ctx.members(moment.entity, rule)) > 1:
+                    group = moment.entity if isinstance(moment.entity, str) else listing(moment.entity)
+                    yield self.at(("rules", name, "triggers", index), group=group)
 
 
 class EachOfNone(LintRule):
@@ -210,11 +201,11 @@ class EventLoop(LintRule):
     @staticmethod
     def _listeners(rule: Rule, rules: dict[str, Rule], ctx: LintContext) -> list[str]:
         """Return the rules that every event of a rule triggers, in a phase in which both are active."""
-        emitted = {EventSeen(one.event, None) for one in rule.effects(Emits)}
+        emitted = {effects.EventSeen(one.event, None) for one in rule.effects(effects.Emits)}
         return [
             name
             for name, other in rules.items()
-            if emitted & {*other.moments(EventSeen)}
+            if emitted & {*other.moments(effects.EventSeen)}
             and any(rule.is_active_in(phase) and other.is_active_in(phase) for phase in ctx.reachable_phases)
         ]
 
@@ -229,14 +220,14 @@ class NoWayToScore(LintRule):
 
     def check(self, ctx: LintContext) -> Iterator[Issue]:
         by_score = isinstance(ctx.scenario.result.rank[0], RankByScore)
-        if by_score and not any(ctx.reachable_effects(Scores)):
+        if by_score and not any(ctx.reachable_effects(effects.Scores)):
             yield self.at(("rules",))
 
 
 def _is_limited(rule: Rule) -> bool:
     """Return whether something may keep a rule from firing again."""
     limited = rule.conditions or rule.cooldown_s is not None or rule.max_executions is not None
-    return bool(limited or rule.effects(SetsPhase) or rule.effects(Ends))
+    return bool(limited or rule.effects(effects.SetsPhase) or rule.effects(effects.Ends))
 
 
 def _names_each(part: object) -> bool:

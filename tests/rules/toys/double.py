@@ -4,14 +4,14 @@ from typing import Annotated, Literal
 
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.refs import COUNTER
+from rcj_challenges.rules.refs import WRITTEN_COUNTER
 
 
 class Double(Action):
     """Double a counter."""
 
     action: Literal["double"]
-    counter: Annotated[Name, COUNTER] = described(..., "the counter")
+    counter: Annotated[Name, WRITTEN_COUNTER] = described(..., "the counter")
 
     EXAMPLE = """
 counters: {stake: {initial: 3}}
