@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import groupby
-from typing import Any, NamedTuple
+from operator import attrgetter
+from typing import Any
 
 from rcj_challenges.rules.base import ValueWord
 from rcj_challenges.rules.effects import Draws, HalfStart, SetsPhase, SetsSpot
@@ -13,43 +14,33 @@ from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.roster import BOUND
 
 
-class Turn(NamedTuple):
-    """A rule with the trigger ``half_started``, when its turn comes.
+def rules_at_start(scenario: Scenario) -> Iterator[tuple[Rule, bool]]:
+    """Yield the rules that may fire as a half starts, in their order, each with whether it fires in every half.
 
-    Attributes:
-        name: of the rule.
-        phases: one of these is on by then: a rule of a lower priority may have left the first phase.
-        lives: those of them in which the rule is active.
-        surely: whether it fires in every half.
+    A rule of a lower priority may have left the first phase before.
     """
-
-    name: str
-    phases: frozenset[str]
-    lives: frozenset[str]
-    surely: bool
-
-
-def rules_at_start(scenario: Scenario) -> Iterator[Turn]:
-    """Yield the rules with the trigger ``half_started``, in the order in which they fire."""
     first = frozenset({scenario.first_phase})
-    phases = first
-    starting = [one for one in scenario.rules.items() if one[1].moments(HalfStart)]
-    for _, group in groupby(sorted(starting, key=lambda one: one[1].priority), key=lambda one: one[1].priority):
+    phases = first  # one of these is on
+    starting = sorted((rule for rule in scenario.rules.values() if rule.moments(HalfStart)), key=_PRIORITY)
+    for _, group in groupby(starting, key=_PRIORITY):
         then = phases  # a phase that a rule sets begins after the rules of its priority
-        for name, rule in group:
+        for rule in group:
             own = phases | first if rule.phases == "any" else frozenset(rule.phases)
-            if not first <= own:
+            if not (first <= own and phases & own):
                 continue
             surely = phases <= own and not rule.conditions and rule.exclusive is None
-            yield Turn(name, phases, phases & own, surely)
-            entered = [one.phase for one in rule.effects(SetsPhase)][:1] if phases & own else []
+            yield rule, surely
+            entered = {one.phase for one in rule.effects(SetsPhase)[:1]}
             if entered:
-                then = frozenset(entered) if surely and then == phases else then.union(entered)
+                then = frozenset(entered) if surely and then == phases else then | entered
         phases = then
 
 
+_PRIORITY = attrgetter("priority")
+
+
 def _firing_each_half(scenario: Scenario) -> list[Rule]:
-    return [scenario.rules[turn.name] for turn in rules_at_start(scenario) if turn.surely]
+    return [rule for rule, surely in rules_at_start(scenario) if surely]
 
 
 # --- draws ------------------------------------------------------------------------------------------------------------

@@ -72,9 +72,9 @@ def first_poses(scenario: Scenario, roster: Roster) -> dict[str, Pose2 | None]:
     """
     poses: dict[str, Pose2 | None] = {name: start_pose(scenario, name) for name in roster.entities}
     possible: dict[str, list[Pose2 | None]] = {}
-    for turn in rules_at_start(scenario):
-        placed = _placed(scenario, roster, scenario.rules[turn.name], poses) if turn.lives else {}
-        if turn.surely:
+    for rule, surely in rules_at_start(scenario):
+        placed = _placed(scenario, roster, rule, poses)
+        if surely:
             poses |= placed
         else:
             for name, pose in placed.items():
