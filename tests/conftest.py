@@ -5,6 +5,7 @@ import os
 import signal
 import sys
 from collections.abc import Iterator
+from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, settings
@@ -34,6 +35,15 @@ _OBJECTS_BETWEEN_COLLECTIONS = 50_000
 
 
 _NIGHTLY_TIMEOUT_S = 1800
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Any]:
+    """One browser for all tests of a worker: its start takes seconds, and a process can drive one only."""
+    from tests.views.browser_stage import opened_browser
+
+    with opened_browser() as made:
+        yield made
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:

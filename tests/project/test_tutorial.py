@@ -10,6 +10,7 @@ from rcj_challenges.cli.app import app
 from rcj_challenges.cli.new_team import new_team
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import load_text
+from scripts import try_site
 from scripts.try_tutorial import PAGE, steps, write
 from tests.cli.in_this_process import here
 from tests.goldens.plays import STATES, machine, read
@@ -79,3 +80,9 @@ def test_the_new_program_does_better_than_the_first_with_15_of_20_seeds(compare)
 def test_rules_of_the_tutorial_give_no_warning():
     (rules,) = (step for step in STEPS if step.file == "my_rules.yaml")
     assert [str(finding) for finding in lint(load_text(rules.new, file=rules.file))] == []
+
+
+@pytest.mark.parametrize("command", [command for command in try_site.commands() if command.startswith("rcj-challenge")])
+def test_command_of_the_page_for_teachers_has_options_that_exist(command):
+    name, *arguments = shlex.split(command)[1:]
+    GROUP.commands[name].make_context(name, arguments, resilient_parsing=False)

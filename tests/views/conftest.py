@@ -8,15 +8,14 @@ import pytest
 
 from rcj_challenges.views.drawing.field import Picture
 from rcj_challenges.views.drawing.paper import Paper
-from tests.views.browser_stage import WIDE, Stage, opened_browser
+from tests.views.browser_stage import WIDE, Stage
 from tests.views.live_play import MadeUpMatch
 
 
 @pytest.fixture(scope="session")
-def browser_stage() -> Iterator[Stage]:
-    """One browser for all tests of a worker: its start and its first picture take seconds."""
-    with opened_browser() as browser:
-        yield Stage(browser)
+def browser_stage(browser: Any) -> Stage:
+    """The tabs of the browser."""
+    return Stage(browser)
 
 
 @pytest.fixture

@@ -29,6 +29,9 @@ from django.db import connections
 from rcj_challenges.web.config import SiteConfig, load_site, make_site
 from rcj_challenges.web.settings import settings_for
 
+# The driver of a browser that another test of this process uses keeps a loop of events, which Django takes for its caller.
+os.environ["DJANGO_ALLOW_ASYNC_UNSAFE"] = "1"
+
 # Django is set up once in a process; `use_site` then gives it the folder and the database of a test's own site.
 if not settings.configured:
     _NO_SITE = SiteConfig(folder=Path("no-site"))

@@ -98,7 +98,10 @@ def _progress(submission: Submission) -> dict[str, Any]:
     """Return what is known of a submission that is not yet checked: its place, an estimate, its stage."""
     job = Job.objects.filter(submission=submission).order_by("-id").first()
     state: dict[str, Any] = {"state": submission.state, "stage": "", "place": 0, "estimate_s": None}
-    if job is None or job.state not in {JobState.QUEUED, JobState.RUNNING}:
+    if job is None:
+        return state
+    state["job"] = job.state  # also of a repair, whose end the page waits for
+    if job.state not in {JobState.QUEUED, JobState.RUNNING}:
         return state
     state["stage"] = job.progress
     if job.state == JobState.QUEUED:
@@ -118,9 +121,11 @@ def submission(request: HttpRequest, pk: int) -> HttpResponse:
     entry = Entry.objects.filter(team=found.team, season=found.season).first()
     repaired = Submission.objects.filter(repaired_from=found).order_by("-id").first()
     repair_job = Job.objects.filter(key=f"repair/{found.pk}").first()
+    progress = _progress(found)
     values: dict[str, Any] = {
         "submission": found,
-        "progress": _progress(found),
+        "progress": progress,
+        "tag": _tag_of(progress),
         "stages": _STAGES,
         "is_active": entry is not None and entry.active_id == found.pk,
         "is_own": viewer.team is not None and viewer.team.pk == found.team_id,
@@ -133,7 +138,10 @@ def submission(request: HttpRequest, pk: int) -> HttpResponse:
 
 def _state_tag(request: HttpRequest, pk: int) -> str:
     _, found = seen_submission(request, pk)
-    state = _progress(found)
+    return _tag_of(_progress(found))
+
+
+def _tag_of(state: dict[str, Any]) -> str:
     return '"' + hashlib.sha256(repr(sorted(state.items())).encode()).hexdigest()[:16] + '"'
 
 
@@ -196,7 +204,7 @@ def repair(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBase:
             key=f"repair/{found.pk}",
             defaults={
                 "kind": "repair", "submission": found, "team": found.team, "not_before": now, "created_at": now,
-                "priority": jobs.PRIORITY["check"],
+                "priority": jobs.PRIORITY["repair"],
             },
         )  # fmt: skip
     return redirect(f"/my/submissions/{pk}")
