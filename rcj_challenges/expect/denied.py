@@ -58,7 +58,7 @@ def denied_condition_notes(
     noted = 0
     for name, ticks in denied.items():
         rule = scenario.rules[name]
-        does = [one for action in rule.actions for one in action.effects() if _changes(one, wanted)]
+        does = [one for one in rule.all_effects() if _changes(one, wanted)]
         if not does or name in fired or noted == _MAX_NOTES:
             continue
         noted += 1

@@ -12,7 +12,7 @@ from pydantic import Discriminator, Field, GetCoreSchemaHandler, Tag
 from pydantic_core import CoreSchema, core_schema
 
 from rcj_challenges.rules.binder import Binder, Scope
-from rcj_challenges.rules.effects import Effect, Moment, Writes
+from rcj_challenges.rules.effects import Effect, Moment, Writes, declared
 from rcj_challenges.rules.fields import Name, Names, Point, Scalar, Strict, described
 from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import number
@@ -171,11 +171,13 @@ class Trigger(Word):
         ABOUT: the field with what it can be about; it need not have one.
         BINDS_OTHER: whether it brings ``entity`` and ``other`` together, so that its rules may name ``other``.
         MUST_EXCEED: whether what it measures must be more than its limit.
+        MOMENT: what it waits for, if readers of rules need it; what that has is in the fields of the same names.
         IS_TIME: whether a time sets it off, so that its rules fire after all else of their priority.
     """
 
     KEY = "trigger"
     ABOUT: ClassVar = "entity"
+    MOMENT: ClassVar[type[Moment] | None] = None
     BINDS_OTHER: ClassVar = False
     MUST_EXCEED: ClassVar = False
     IS_TIME: ClassVar = False
@@ -189,7 +191,7 @@ class Trigger(Word):
 
     def moment(self) -> Moment | None:
         """Return what it waits for, if readers of rules need it."""
-        return None
+        return None if self.MOMENT is None else declared(self.MOMENT, self)
 
     def describe(self, phrases: Phrases) -> str:
         """Return the part of a sentence that follows ``When``."""
@@ -261,19 +263,21 @@ class Action(Word):
     """What a rule does when it fires.
 
     Attributes:
-        IS_BOOKKEEPING: whether it changes nothing on the field, in the score or in the course.
+        EFFECT: what it changes, if that is one thing, with the fields of the same names.
     """
 
     KEY = "action"
     ALL_IF_NONE = True
-    IS_BOOKKEEPING: ClassVar[bool] = False
+    EFFECT: ClassVar[type[Effect] | None] = None
 
     def compile(self, to: Binder) -> Act:
         """Return what carries out the action when its rule fires."""
         raise NotImplementedError
 
     def effects(self) -> tuple[Effect, ...]:
-        """Return what it changes; unless a word says otherwise, what its fields name as written."""
+        """Return what it changes: its ``EFFECT``, or what its fields name as written."""
+        if self.EFFECT is not None:
+            return (declared(self.EFFECT, self),)
         references = ((name, ref_of(type(self), name)) for name in type(self).model_fields)
         return tuple(
             Writes(one.sections[0], getattr(self, name))

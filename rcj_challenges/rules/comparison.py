@@ -1,7 +1,6 @@
 """Comparing what is measured or counted with numbers and counters."""
 
 from collections.abc import Callable
-from types import MappingProxyType
 from typing import ClassVar
 
 from rcj_challenges.rules.base import Binder, Condition, Number, Phrases, ValueWord
@@ -21,7 +20,7 @@ def _unchanged(value: Number) -> Number:
 class Compared(Condition):
     """A condition with bounds, of which it has one at least."""
 
-    EXCLUDES = MappingProxyType({"equals": ("at_least", "at_most")})
+    EXCLUDES = (("equals", ("at_least", "at_most")),)
     REQUIRES: ClassVar[tuple[tuple[str, ...], ...]] = (("at_least",), ("at_most",), ("equals",))
 
     at_least: Bound | None = described(

@@ -1,7 +1,7 @@
 """What actions do and what triggers wait for, as data. Readers of rules match on it, and import no word."""
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from rcj_challenges.rules.fields import Name, Names, Point, Scalar
 
@@ -78,7 +78,7 @@ class Holds:
 class Releases:
     """Held robots are released."""
 
-    names: Names
+    entity: Names
 
 
 @dataclass(frozen=True)
@@ -190,3 +190,10 @@ class Touch:
 
 
 Moment = HalfStart | PhaseStart | AtTime | EventSeen | Entry | Exit | Crossing | Touch
+
+_T = TypeVar("_T")
+
+
+def declared(kind: type[_T], word: Any) -> _T:
+    """Return an effect or a moment with what the fields of the same names of a word say."""
+    return kind(**{one.name: getattr(word, one.name) for one in fields(kind)})  # type: ignore[arg-type]  # a dataclass

@@ -5,8 +5,6 @@ annotations again at every start, which is a seventh of the time that ``validate
 """
 
 import copy
-from collections.abc import Mapping
-from types import MappingProxyType
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import (
@@ -29,13 +27,13 @@ class Strict(BaseModel):
 
     Attributes:
         either: keys of which exactly one must be given; what a file gives takes the place of what its base gave.
-        EXCLUDES: by key those that cannot stand beside it.
+        EXCLUDES: keys, each with those that cannot stand beside it.
         REQUIRES: sets of keys, of which one must be given.
         NOTES: what holds for all rules that use it, in sentences for the rule sheet.
     """
 
     either: ClassVar[tuple[str, ...]] = ()
-    EXCLUDES: ClassVar[Mapping[str, tuple[str, ...]]] = MappingProxyType({})
+    EXCLUDES: ClassVar[tuple[tuple[str, tuple[str, ...]], ...]] = ()
     REQUIRES: ClassVar[tuple[tuple[str, ...], ...]] = ()
     NOTES: ClassVar[tuple[str, ...]] = ()
 

@@ -1,6 +1,5 @@
 """The action ``count``."""
 
-from types import MappingProxyType
 from typing import Annotated, Literal
 
 from rcj_challenges.core.amounts import round_score
@@ -38,8 +37,7 @@ class Count(Action):
         None, "with `by`: the counter does not rise above this; a value that is already higher stays unchanged"
     )
 
-    IS_BOOKKEEPING = True
-    EXCLUDES = MappingProxyType({"to": ("by", "keeps_at_least", "keeps_at_most")})
+    EXCLUDES = (("to", ("by", "keeps_at_least", "keeps_at_most")),)
     EXAMPLE = """
 counters: {rounds: {}}
 rules:

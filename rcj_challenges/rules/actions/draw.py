@@ -23,7 +23,6 @@ class DrawAction(Action):
         "omitted: a random one",
     )
 
-    IS_BOOKKEEPING = True
     EXAMPLE = """
 draws: {side: {values: [left, right]}}
 rules:

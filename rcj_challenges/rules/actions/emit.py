@@ -15,7 +15,7 @@ class Emit(Action):
     event: EventName = described(..., "its name")
     payload: dict[Name, Value] = described({}, "data of the event: literals, {counter: NAME} or any other value")
 
-    IS_BOOKKEEPING = True
+    EFFECT = Emits
     EXAMPLE = """
 rules:
   goal:
@@ -45,9 +45,6 @@ expect:
             to.emit(name, {key: read(firing) for key, read in payload.items()}, about)
 
         return act
-
-    def effects(self) -> tuple[Emits]:
-        return (Emits(self.event),)
 
     def describe(self, phrases: Phrases) -> str:
         entries = ", ".join(f"{key}: {value_words(phrases, entry)}" for key, entry in self.payload.items())

@@ -17,6 +17,7 @@ class End(Action):
     )
     reason: str = described("", "the reason, for the record", max_length=200)
 
+    EFFECT = Ends
     EXAMPLE = """
 rules:
   golden_goal:
@@ -48,9 +49,6 @@ expect:
             state.match_over = state.match_over or is_match
 
         return act
-
-    def effects(self) -> tuple[Ends]:
-        return (Ends(),)
 
     def describe(self, phrases: Phrases) -> str:
         return f"the {self.what} ends" + (f" ({self.reason})" if self.reason else "")

@@ -1,6 +1,5 @@
 """The action ``place``."""
 
-from types import MappingProxyType
 from typing import Annotated, Literal
 
 from rcj_challenges.rules.base import Act, Action, Binder, Phrases
@@ -35,7 +34,7 @@ class Place(Action):
     kick: Roll = None
 
     NOTES = (WAITING_NOTE,)
-    EXCLUDES = MappingProxyType({"layout": ("entity", "at", "kick")})
+    EXCLUDES = (("layout", ("entity", "at", "kick")),)
     REQUIRES = (("layout",), ("entity", "at"))
     EXAMPLE = """
 rules:

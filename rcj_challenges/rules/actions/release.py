@@ -18,15 +18,13 @@ class Release(Action):
     action: Literal["release"]
     entity: Annotated[Names, ROBOTS] = described(..., "what is released: robots, groups, or each")
 
+    EFFECT = Releases
     EXAMPLE = Hold.EXAMPLE
     SENTENCE = "it is let go"
 
     def compile(self, to: Binder) -> Act:
         robots = to.entities(self.entity)
         return lambda _firing: to.release(robots)
-
-    def effects(self) -> tuple[Releases]:
-        return (Releases(self.entity),)
 
     def describe(self, phrases: Phrases) -> str:
         return f"{phrases.all_of(self.entity).does('is', 'are')} let go"

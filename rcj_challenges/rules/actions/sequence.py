@@ -19,7 +19,6 @@ class SequenceAction(Action):
         "reset", "reset: back to before the first step, or to the first step if the entity is there"
     )
 
-    IS_BOOKKEEPING = True
     EXAMPLE = """
 zones:
   west: {shape: rect, x_max_m: -0.3}

@@ -18,7 +18,6 @@ class SetFlag(Action):
     )
     to: bool = described(True, "the new value")
 
-    IS_BOOKKEEPING = True
     EXAMPLE = """
 flags: {armed: {}, side: {}}
 rules:

@@ -16,6 +16,7 @@ class SetPhase(Action):
     phase: Annotated[Name, PHASE] = described(..., "the phase")
 
     NOTES = ("A rule that begins the phase that is already on restarts it, with all of its time.",)
+    EFFECT = SetsPhase
     EXAMPLE = """
 phases:
   second_task: {}
@@ -42,9 +43,6 @@ expect:
     def compile(self, to: Binder) -> Act:
         phase = self.phase
         return lambda _firing: to.enter_phase(phase)
-
-    def effects(self) -> tuple[SetsPhase]:
-        return (SetsPhase(self.phase),)
 
     def describe(self, phrases: Phrases) -> str:
         return f"the phase {quoted(self.phase)} begins"

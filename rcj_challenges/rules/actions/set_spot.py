@@ -40,7 +40,6 @@ class SetSpot(Action):
     )
     mirror: Mirror | None = described(None, "sets the spot to the mirror image of that place")
 
-    IS_BOOKKEEPING = True
     EXAMPLE = """
 spots:
   # Its position in every half until a rule sets it.

@@ -20,7 +20,6 @@ class TimerAction(Action):
         "restart", "restart: start from 0; start: continue; stop: pause; reset: stop and return to 0"
     )
 
-    IS_BOOKKEEPING = True
     EXAMPLE = """
 timers: {stopwatch: {lasts_s: 10, starts: true}}
 rules:

@@ -20,8 +20,6 @@ class ToggleFlag(Action):
     EXAMPLE = SetFlag.EXAMPLE
     SENTENCE = "the flag “side” is turned over"
 
-    IS_BOOKKEEPING = True
-
     def compile(self, to: Binder) -> Act:
         return change_flag(to, self.flag, self.entity, lambda value: not value)
 

@@ -1,6 +1,5 @@
 """The condition ``half``."""
 
-from types import MappingProxyType
 from typing import Literal
 
 from rcj_challenges.rules.base import Binder, Condition, Phrases, Test
@@ -15,7 +14,7 @@ class HalfIs(Condition):
     at_most: int | None = described(None, "holds in this half and earlier ones", ge=1)
     equals: int | None = described(None, "holds in this half only", ge=1)
 
-    EXCLUDES = MappingProxyType({"equals": ("at_least", "at_most")})
+    EXCLUDES = (("equals", ("at_least", "at_most")),)
     REQUIRES = (("at_least",), ("at_most",), ("equals",))
     EXAMPLE = """
 match: {halves: 2, half_s: 60}

@@ -25,6 +25,7 @@ class Crosses(Trigger):
     direction: Literal["forward", "backward", "either"] = described("either", "direction of the crossing")
 
     ASKS_WHERE = True
+    MOMENT = Crossing
     EXAMPLE = """
 gates:
   # Seen from one post to the other, forward is from the right to the left: here towards +y.
@@ -57,9 +58,6 @@ expect:
                     tracker = to.track(GateTracker, (entity, gate, draw), entity, line, drawn)
                     for direction in _DIRECTIONS[self.direction]:
                         tracker.by_direction[direction].append(to.binding(entity))
-
-    def moment(self) -> Crossing:
-        return Crossing(self.entity, self.gate, self.direction)
 
     def describe(self, phrases: Phrases) -> str:
         way = {"either": "", "forward": " forward", "backward": " backward"}[self.direction]

@@ -23,6 +23,7 @@ class Enters(Trigger):
         "Zones that are named together count as one: moving from one straight into the other is not entering.",
         "A rule without for_each fires once if several entities enter in one tick; with for_each, once for each.",
     )
+    MOMENT = Entry
     EXAMPLE = """
 rules:
   goal:
@@ -41,9 +42,6 @@ expect:
     def bind(self, to: Binder) -> None:
         for entity in to.entities(self.entity):
             zone_tracker(to, entity, self.zone).entering.append(to.binding(entity))
-
-    def moment(self) -> Entry:
-        return Entry(self.entity, self.zone)
 
     def describe(self, phrases: Phrases) -> str:
         return f"{phrases.any_of(self.entity)} enters {phrases.any_of(self.zone)}"

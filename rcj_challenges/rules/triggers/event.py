@@ -20,6 +20,7 @@ class OnEvent(Trigger):
         "else about the entity of that rule's trigger",
     )
 
+    MOMENT = EventSeen
     EXAMPLE = """
 # `entity: each` (or a name) limits it to events about that entity: {trigger: event, event: FOUL, entity: each}.
 rules:
@@ -43,9 +44,6 @@ expect:
         for name in (None,) if self.entity is None else to.members(self.entity):
             index = None if name is None else to.index_of(name)  # a zone or a gate has none
             events.setdefault((self.event, name), []).append(to.binding(index))
-
-    def moment(self) -> EventSeen:
-        return EventSeen(self.event, self.entity)
 
     def describe(self, phrases: Phrases) -> str:
         return f"{self.event} was announced" + (f" of {phrases.any_of(self.entity)}" if self.entity else "")

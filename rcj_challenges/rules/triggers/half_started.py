@@ -11,6 +11,7 @@ class HalfStarted(Trigger):
 
     trigger: Literal["half_started"]
 
+    MOMENT = HalfStart
     EXAMPLE = """
 rules:
   begin:
@@ -30,9 +31,6 @@ expect:
 
     def bind(self, to: Binder) -> None:
         to.clock_events.half_started.append(to.binding())
-
-    def moment(self) -> HalfStart:
-        return HalfStart()
 
     def describe(self, phrases: Phrases) -> str:
         return "a half starts"

@@ -20,6 +20,7 @@ class Leaves(Trigger):
 
     ASKS_WHERE = True
     REASON = "left {zone}"
+    MOMENT = Exit
     EXAMPLE = """
 rules:
   out:
@@ -37,9 +38,6 @@ expect:
     def bind(self, to: Binder) -> None:
         for entity in to.entities(self.entity):
             zone_tracker(to, entity, self.zone).leaving.append(to.binding(entity))
-
-    def moment(self) -> Exit:
-        return Exit(self.entity, self.zone)
 
     def describe(self, phrases: Phrases) -> str:
         # Of several zones: out of all of them.

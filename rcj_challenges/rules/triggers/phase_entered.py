@@ -19,6 +19,7 @@ class PhaseEntered(Trigger):
     from_: Annotated[Name | None, PHASE] = Field(None, alias="from", description="only if entered from this phase")
 
     IS_TIME = True
+    MOMENT = PhaseStart
     EXAMPLE = """
 phases:
   pause: {lasts_s: 2, next: play, waiting_for_kickoff: true}
@@ -40,9 +41,6 @@ expect:
     def bind(self, to: Binder) -> None:
         """Bind a rule to a phase: it is entered when the one before runs out, or one tick after ``set_phase``."""
         to.clock_events.entered.setdefault(self.phase, []).append((self.from_, to.binding()))
-
-    def moment(self) -> PhaseStart:
-        return PhaseStart(self.phase)
 
     def describe(self, phrases: Phrases) -> str:
         return f"the phase {quoted(self.phase)} begins" + (f" after {quoted(self.from_)}" if self.from_ else "")

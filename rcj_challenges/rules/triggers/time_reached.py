@@ -21,6 +21,7 @@ class TimeReached(Trigger):
     IS_TIME = True
     MEASURED = "the time in s"
     LIMIT = "at_s"
+    MOMENT = AtTime
     EXAMPLE = """
 rules:
   half_way:
@@ -41,9 +42,6 @@ expect:
 
     def bind(self, to: Binder) -> None:
         to.clock_events.wait_for(Alarm(to.binding(), self.at_s, self.every_s))
-
-    def moment(self) -> AtTime:
-        return AtTime(self.at_s)
 
     def describe(self, phrases: Phrases) -> str:
         again = f", and again every {seconds(self.every_s)} until it ends" if self.every_s else ""

@@ -39,6 +39,7 @@ class Touches(Trigger):
     )
 
     BINDS_OTHER = True
+    MOMENT = Touch
     EXAMPLE = """
 flags: {touched: {}}
 counters: {pushed: {per: robots}}
@@ -104,9 +105,6 @@ expect:
                     if self.every_s is not None:
                         key = (pair, self.every_s, apart)
                         to.track(LastingTouchTracker, key, to.contacts, *key).bindings.append(binding)
-
-    def moment(self) -> Touch:
-        return Touch(self.entity, self.other)
 
     def describe(self, phrases: Phrases) -> str:
         again = f", and again every {seconds(self.every_s)} while they touch" if self.every_s else ""

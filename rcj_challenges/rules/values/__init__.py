@@ -5,7 +5,7 @@ compared; those of a sum have a weight.
 """
 
 from collections.abc import Callable, Mapping
-from typing import Annotated, Protocol
+from typing import Annotated, Any
 
 from pydantic import Field
 
@@ -117,7 +117,7 @@ def compile_bound(bound: Bound, to: Scope) -> Callable[[], Number]:
     return lambda: constant
 
 
-def longest_s(lasts_s: object, draws: Mapping[str, "_Draw"]) -> float | None:
+def longest_s(lasts_s: object, draws: Mapping[str, Any]) -> float | None:
     """Return how long something lasts at most, in s; None if it has no length, or a counter decides."""
     if isinstance(lasts_s, DrawnDuration):
         return max(float(value) for value in draws[lasts_s.draw].values)
@@ -127,11 +127,6 @@ def longest_s(lasts_s: object, draws: Mapping[str, "_Draw"]) -> float | None:
 def is_counted(lasts_s: Lasts) -> bool:
     """Return whether a counter says how long something lasts."""
     return isinstance(lasts_s, CounterValue)
-
-
-class _Draw(Protocol):
-    @property
-    def values(self) -> tuple[Scalar, ...]: ...
 
 
 def duration_s(lasts_s: Lasts, state: RefereeState, each: str | None, least_s: float = TICK_S) -> float:

@@ -67,7 +67,7 @@ def check_consistency(scenario: Scenario, *, is_half_set: bool, is_length_set: b
 
 def _keys(model: Strict, path: Path) -> Iterator[Issue]:
     """Yield keys of one mapping that exclude each other, and the lack of all of several."""
-    for key, others in {**model.EXCLUDES, **dict.fromkeys(model.either[:1], model.either[1:])}.items():
+    for key, others in (*model.EXCLUDES, *((key, model.either[1:]) for key in model.either[:1])):
         also = next((one for one in others if getattr(model, one) is not None), None)
         if also is not None and getattr(model, key) is not None:
             message = f"'{key}' and '{also}' cannot be given together"

@@ -115,7 +115,7 @@ class HeldForever(LintRule):
     def check(self, ctx: LintContext) -> Iterator[Issue]:
         left = {robot for entrant in ctx.scenario.entrants.values() for robot in entrant.robots}
         for effect, rule, _ in ctx.reachable_effects(Releases):
-            left -= ctx.members(effect.names, rule)
+            left -= ctx.members(effect.entity, rule)
         for held, rule, path in ctx.reachable_effects(Holds):
             robots = () if held.for_a_time else sorted(ctx.members(held.names, rule) & left)
             if robots:

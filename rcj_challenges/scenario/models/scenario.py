@@ -94,7 +94,11 @@ class Rule(Strict):
 
     def effects(self, kind: type[_E]) -> list[_E]:
         """Return the effects of one kind that its actions have."""
-        return [one for action in self.actions for one in action.effects() if isinstance(one, kind)]
+        return [one for one in self.all_effects() if isinstance(one, kind)]
+
+    def all_effects(self) -> list[Effect]:
+        """Return what its actions change, in order."""
+        return [one for action in self.actions for one in action.effects()]
 
     def moments(self, kind: type[_M]) -> list[_M]:
         """Return the moments of one kind that its triggers wait for."""

@@ -85,7 +85,7 @@ def first_poses(scenario: Scenario, roster: Roster) -> dict[str, Pose2 | None]:
 def _placed(scenario: Scenario, roster: Roster, rule: Rule, before: dict[str, Pose2 | None]) -> dict[str, Pose2 | None]:
     """Return where a rule puts things; None for what it takes off the field or may put elsewhere."""
     placed: dict[str, Pose2 | None] = {}
-    for effect in (one for action in rule.actions for one in action.effects()):
+    for effect in rule.all_effects():
         if isinstance(effect, Removes):
             placed |= dict.fromkeys(roster.expand(_names(effect.names, rule)))
         if not isinstance(effect, Places | PlacesLayout):
@@ -119,7 +119,7 @@ class _Put(NamedTuple):
 
 
 def _puts(scenario: Scenario, rule: Rule) -> Iterator[_Put]:
-    for effect in (one for action in rule.actions for one in action.effects()):
+    for effect in rule.all_effects():
         match effect:
             case Removes(names, PlaceWord() as back_at):
                 yield _Put(_names(names, rule), back_at)

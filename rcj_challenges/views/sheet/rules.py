@@ -6,12 +6,16 @@ from collections.abc import Iterator, Mapping
 
 from rcj_challenges.core.timing import TICK_MS
 from rcj_challenges.rules.base import Word
+from rcj_challenges.rules.effects import Draws, Emits, SetsSpot, Writes
 from rcj_challenges.rules.phrasing import listed, quoted, seconds, times
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.models.state import Sequence
 from rcj_challenges.scenario.walk import walk
 from rcj_challenges.views.sheet.document import Block, Items
 from rcj_challenges.views.sheet.phrasebook import Phrasebook
+
+_BOOKKEEPING = (Draws, Emits, SetsSpot, Writes)
+"""Effects that change nothing on the field, in the score or in the course."""
 
 
 def rules_on_sheet(scenario: Scenario) -> dict[str, Rule]:
@@ -23,7 +27,7 @@ def rules_on_sheet(scenario: Scenario) -> dict[str, Rule]:
     return {
         name: rule
         for name, rule in rules
-        if rule.sheet and (rule.says or not all(action.IS_BOOKKEEPING for action in rule.actions))
+        if rule.sheet and (rule.says or not all(isinstance(one, _BOOKKEEPING) for one in rule.all_effects()))
     }
 
 

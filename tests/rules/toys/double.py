@@ -19,6 +19,7 @@ rules:
   goal:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
     actions: [{action: double, counter: stake}]
+    says: The stake doubles.
 expect:
   three_become_six:
     keyframes: [{at_s: 1, place: {ball: [0, 0.8]}}]
