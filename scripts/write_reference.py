@@ -19,6 +19,7 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
+from rcj_challenges.chassis import CHASSIS, AnyChassis
 from rcj_challenges.devices import DEVICES, AnyDevice
 from rcj_challenges.rules.actions import ACTIONS, AnyAction
 from rcj_challenges.rules.base import Vocabulary
@@ -52,6 +53,7 @@ VOCABULARIES: dict[str, Vocabulary] = {
     "triggers": TRIGGERS,
     "conditions": CONDITIONS,
     "actions": ACTIONS,
+    "chassis": CHASSIS,
     "devices": DEVICES,
 }
 """The words with an example of their own, by kind."""
@@ -168,12 +170,18 @@ CHAPTERS = (
         "Sections `kits`, `robots` and `entrants`: the robots, their sensors, and the teams that control them.",
         (
             Word("kits", robots.Kit),
-            Word("chassis", robots.Chassis),
             Word("robots", robots.Robot),
             Word("start_pose", robots.StartPose, own_example=False),
             Word("entrants", robots.Entrant),
         ),
         "devices",
+    ),
+    Chapter(
+        "Chassis",
+        "Entry `chassis` of a kit: its body and wheels.",
+        _tagged(AnyChassis),
+        "chassis",
+        "drive",
     ),
     Chapter(
         "Devices",
@@ -363,7 +371,8 @@ _NAMED: tuple[tuple[Any, str], ...] = (
     (AnyTrigger, "[trigger](#triggers)"), (AnyCondition, "[condition](#conditions)"),
     *((get_args(fields(one)["conditions"])[0], "[condition](#conditions)")
       for one in (AnyOf, AllOf)),
-    (AnyAction, "[action](#actions)"), (AnyDevice, "[device](#devices)"), (places.Zone, "[zone](#zones)"),
+    (AnyAction, "[action](#actions)"), (AnyDevice, "[device](#devices)"),
+    (AnyChassis, "[chassis](#chassis)"), (places.Zone, "[zone](#zones)"),
     (field.Obstacle, "[obstacle](#obstacles)"), (places.Layout, "list of [placements](#placements)"),
     (robots.EntryPoints, "path, or list of paths"),
 )  # fmt: skip

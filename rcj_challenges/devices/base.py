@@ -8,8 +8,9 @@ neither scenario nor MuJoCo, only the protocols here.
 import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple, Protocol, Self
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol, Self
 
+from rcj_challenges.chassis.base import Chassis
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.core.traffic import DeviceSpec
 from rcj_challenges.devices.poses import RobotPose, Vector
@@ -18,9 +19,6 @@ from rcj_challenges.rules.base import Vocabulary, Word
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
-
-Side = Literal["left", "right"]
-"""Of a wheel: left is +y of the robot that looks along +x."""
 
 Reader = Callable[[int, RobotPose, list[float]], None]
 """Writes the samples of a tick into a robot's numbers, like `Sensor.read`."""
@@ -33,8 +31,7 @@ class Carrier:
     """What a device may have to know of its robot.
 
     Attributes:
-        size_m: edge of its cube.
-        max_wheel_radps: top speed of its wheels.
+        chassis: its body and its wheels.
         messages: form of the referee's packets, as in the kit.
         packet_every_ticks: how often the referee sends one.
         max_packet_bytes: of the largest radio packet.
@@ -44,8 +41,7 @@ class Carrier:
         open_channels: those on which the referee listens to it.
     """
 
-    size_m: float
-    max_wheel_radps: float
+    chassis: Chassis
     messages: str
     packet_every_ticks: int
     max_packet_bytes: int
@@ -82,7 +78,7 @@ class FixedRay(NamedTuple):
         device_name: of the device that it belongs to.
         bearing_rad: counter-clockwise from the front.
         offset_m: where it starts, from the centre along the bearing.
-        above_centre_m: how much higher than the centre of the cube.
+        above_centre_m: how much higher than the centre of its body.
     """
 
     robot_name: str
@@ -139,15 +135,15 @@ class Joints(Protocol):
 
     state: list[float]
 
-    def wheel_angle_at(self, robot_name: str, side: Side) -> int:
-        """Return where the angle of a wheel stands in `state`; it grows while the robot drives along its +x."""
+    def wheel_angle_at(self, robot_name: str, wheel: int) -> int:
+        """Return where the angle of a wheel stands in `state`; it grows while the wheel drives forward."""
 
 
 class Wheels(Protocol):
     """What motors drive."""
 
-    def set_wheel(self, robot: int, side: Side, velocity_radps: float, position_rad: float) -> None:
-        """Command a wheel; positive drives along +x; position ``inf``: by velocity."""
+    def set_wheel(self, robot: int, wheel: int, velocity_radps: float, position_rad: float) -> None:
+        """Command a wheel by its number; positive drives forward; position ``inf``: by velocity."""
 
 
 @dataclass(frozen=True)
@@ -248,8 +244,8 @@ class Device(Word):
         """Return what a program can ask without stepping, JSON-able."""
         return {}
 
-    def contradictions(self) -> Iterable[tuple[str, str]]:
-        """Return the fields that contradict others, each with what is wrong."""
+    def contradictions(self, _chassis: Chassis) -> Iterable[tuple[str, str]]:
+        """Return the fields that contradict others or the robot's chassis, each with what is wrong."""
         return ()
 
     def fixed_ray(self, _robot_name: str, _name: str, _carrier: Carrier) -> FixedRay | None:

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
+from rcj_challenges.chassis.base import Chassis
 from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.devices.base import Carrier, Device, Fitted, Phrases, Sensor, SensorContext
 from rcj_challenges.devices.noise import Noise
@@ -101,7 +102,7 @@ robots:
             **({"frame": self.frame} if self.frame != "field" else {}),
         }
 
-    def contradictions(self) -> Iterator[tuple[str, str]]:
+    def contradictions(self, _chassis: Chassis) -> Iterator[tuple[str, str]]:
         """Yield fields that contradict others, each with what is wrong."""
         if self.min_range_m >= self.max_range_m:
             yield "min_range_m", "must be less than max_range_m"
@@ -163,7 +164,7 @@ class LidarSensor(Sensor):
         self._whole = Sector(slice(None), self._forward, self._left)
         # Where in its clockwise turn from the front the head passes each cell, in turns.
         self._passed_at = (-bearings / (2 * math.pi)) % 1.0
-        self._above_centre_m = device.height_m - fitted.carrier.size_m / 2
+        self._above_centre_m = device.height_m - fitted.carrier.chassis.height_m / 2
         self._noise = Noise.of(fitted, context.half, device.points) if device.noise_m else None
         self._fan = context.rays.fan(fitted.robot_name, device.height_m, device.max_range_m, device.points)
 

@@ -1,9 +1,10 @@
 """The device ``motor``."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, Literal
 
+from rcj_challenges.chassis.base import WHEEL_NAMES, Chassis, WheelName, wheel_words
 from rcj_challenges.core.traffic import MotorCommand
 from rcj_challenges.devices.base import Carrier, Device, Fitted, Phrases, Wheels
 from rcj_challenges.rules.fields import OneOrMinusOne, described
@@ -16,7 +17,7 @@ class MotorDevice(Device):
     """The motor of a wheel."""
 
     device: Literal["motor"]
-    wheel: Literal["left", "right"] = described(..., "the wheel it turns; left is the robot's +y side")
+    wheel: WheelName = described(..., f"the wheel it turns{WHEEL_NAMES}")
     direction: OneOrMinusOne = described(1, "1: positive velocity drives the robot along its +x; -1: along -x")
 
     CLASS = "motor"
@@ -32,12 +33,16 @@ robots:
 
     def facts(self, carrier: Carrier) -> dict[str, Any]:
         """Return what a program can ask without stepping."""
-        return {"max_velocity": carrier.max_wheel_radps}
+        return {"max_velocity": carrier.chassis.max_wheel_radps}
+
+    def contradictions(self, chassis: Chassis) -> Iterable[tuple[str, str]]:
+        """Return a wheel that the chassis lacks."""
+        return chassis.lacking(self.wheel)
 
     def describe(self, _phrases: Phrases) -> str:
         """Return what it is."""
         way = "forward" if self.direction == 1 else "backward"
-        return f"motor of the {self.wheel} wheel, positive speeds drive {way}"
+        return f"motor of {wheel_words(self.wheel)}, positive speeds drive {way}"
 
 
 class Motors:
@@ -48,7 +53,11 @@ class Motors:
         self._robot = robot
         self._wheels = wheels
         self._motors = {
-            one.spec.index: (one.device.wheel, one.device.direction, one.carrier.max_wheel_radps)
+            one.spec.index: (
+                one.carrier.chassis.number_of(one.device.wheel),
+                one.device.direction,
+                one.carrier.chassis.max_wheel_radps,
+            )
             for one in fitted
             if isinstance(one.device, MotorDevice)
         }

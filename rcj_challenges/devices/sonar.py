@@ -66,7 +66,7 @@ robots:
 
     def fixed_ray(self, robot_name: str, name: str, carrier: Carrier) -> FixedRay:
         """Return its ray."""
-        return FixedRay(robot_name, name, self.bearing_rad, self.offset_m, self.height_m - carrier.size_m / 2)
+        return FixedRay(robot_name, name, self.bearing_rad, self.offset_m, self.height_m - carrier.chassis.height_m / 2)
 
     @classmethod
     def make_sensors(cls, fitted: Sequence[Fitted], context: SensorContext) -> "Sequence[SonarSensor]":

@@ -1,8 +1,9 @@
 """The device ``wheel_sensor``."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Literal, Self
 
+from rcj_challenges.chassis.base import WHEEL_NAMES, Chassis, WheelName, wheel_words
 from rcj_challenges.devices.base import Device, Fitted, Phrases, Reader, Sensor, SensorContext
 from rcj_challenges.devices.poses import RobotPose
 from rcj_challenges.rules.fields import OneOrMinusOne, described
@@ -12,7 +13,7 @@ class WheelSensorDevice(Device):
     """Measures how far a wheel has turned, in rad."""
 
     device: Literal["wheel_sensor"]
-    wheel: Literal["left", "right"] = described(..., "the wheel it measures; left is the robot's +y side")
+    wheel: WheelName = described(..., f"the wheel it measures{WHEEL_NAMES}")
     direction: OneOrMinusOne = described(
         1, "1: the value increases while the robot drives along its +x; -1: it decreases"
     )
@@ -31,10 +32,14 @@ robots:
         """Return the sensor of this device."""
         return WheelSensor(self, fitted, context)
 
+    def contradictions(self, chassis: Chassis) -> Iterable[tuple[str, str]]:
+        """Return a wheel that the chassis lacks."""
+        return chassis.lacking(self.wheel)
+
     def describe(self, _phrases: Phrases) -> str:
         """Return what it is."""
         driving = "forward" if self.direction == 1 else "backward"
-        return f"angle of the {self.wheel} wheel in rad, grows while the robot drives {driving}"
+        return f"angle of {wheel_words(self.wheel)} in rad, grows while the robot drives {driving}"
 
 
 class WheelSensor(Sensor):
@@ -48,7 +53,8 @@ class WheelSensor(Sensor):
     def __init__(self, device: WheelSensorDevice, fitted: Fitted, context: SensorContext) -> None:
         super().__init__(fitted.spec)
         self.joints = context.joints
-        self.row = (self.slot, context.joints.wheel_angle_at(fitted.robot_name, device.wheel), device.direction)
+        number = fitted.carrier.chassis.number_of(device.wheel)
+        self.row = (self.slot, context.joints.wheel_angle_at(fitted.robot_name, number), device.direction)
 
     @classmethod
     def reader(cls, sensors: Sequence[Self]) -> Reader:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rcj_challenges.core.play import Pose2
+from rcj_challenges.scenario.kit_devices import chassis_of
 from rcj_challenges.scenario.models.field import FieldModel
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.outlines import (
@@ -63,7 +64,7 @@ class Bodies:
         outlines: list[Outline] = []
         for name in roster.entities:
             if name in scenario.robots:
-                outlines.append(robot_outline(scenario.kits[scenario.robots[name].kit].chassis))
+                outlines.append(robot_outline(chassis_of(scenario, name)))
             elif name in scenario.balls:
                 outlines.append(disc(scenario.balls[name].radius_m))
             else:

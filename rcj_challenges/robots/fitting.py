@@ -30,8 +30,7 @@ def fit(scenario: Scenario, roster: Roster) -> list[Fitted]:
         devices = devices_of(scenario, name)
         kit = scenario.kits[scenario.robots[name].kit]
         carrier = Carrier(
-            size_m=kit.chassis.size_m,
-            max_wheel_radps=kit.chassis.max_wheel_radps,
+            chassis=kit.chassis,
             messages=kit.messages,
             packet_every_ticks=kit.packet_every_ticks,
             max_packet_bytes=int(scenario.limits.message_kb * 1000),

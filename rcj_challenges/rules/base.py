@@ -75,12 +75,20 @@ class Vocabulary:
         key: the field that says which word it is.
         words: the words, a list that may be shared.
         without: those that are left out of it.
+        otherwise: the word that is meant without the key; empty: the key is required.
     """
 
-    def __init__(self, key: str, words: list[type[Word]] | None = None, without: frozenset[str] = frozenset()) -> None:
+    def __init__(
+        self,
+        key: str,
+        words: list[type[Word]] | None = None,
+        without: frozenset[str] = frozenset(),
+        otherwise: str = "",
+    ) -> None:
         self.key = key
         self._words = [] if words is None else words
         self._without = without
+        self._otherwise = otherwise or None
 
     def add(self, *words: type[Word]) -> None:
         """Add words at the end."""
@@ -104,7 +112,13 @@ class Vocabulary:
         return core_schema.tagged_union_schema(self._choices(handler), self._discriminator())
 
     def _discriminator(self) -> Any:
-        return self.key
+        return self.key if self._otherwise is None else self.tag_of
+
+    def tag_of(self, value: Any) -> str | None:
+        """Return the word to which a value belongs; None: to none."""
+        if isinstance(value, Word):
+            return value.name()
+        return value.get(self.key, self._otherwise) if isinstance(value, dict) else None
 
     def _choices(self, _handler: GetCoreSchemaHandler) -> dict[Any, CoreSchema]:
         """Return the schemas by word: the validator of a word is built when a file first has that word."""
@@ -128,11 +142,10 @@ class FormVocabulary(Vocabulary):
         otherwise: str = "",
         rest: Mapping[str, Any] = MappingProxyType({}),
     ) -> None:
-        super().__init__("")
+        super().__init__("", otherwise=otherwise)
         self._plain = plain
         self._rest = rest
         self._tag_plain = tag_plain
-        self._otherwise = otherwise or None
 
     @property
     def shape(self) -> Any:

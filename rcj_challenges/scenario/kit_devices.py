@@ -1,7 +1,8 @@
-"""The devices of a robot: those of its kit and its own, and which robots can send messages to the referee."""
+"""A robot's chassis, its devices (those of its kit and its own), and which robots can send the referee messages."""
 
 from __future__ import annotations
 
+from rcj_challenges.chassis.base import Chassis
 from rcj_challenges.devices.base import Device
 from rcj_challenges.devices.team_emitter import TeamEmitterDevice
 from rcj_challenges.rules.base import Word
@@ -17,6 +18,11 @@ def devices_of(scenario: Scenario, robot_name: str) -> dict[str, Device]:
     robot = scenario.robots[robot_name]
     devices = {name: device for name, device in scenario.kits[robot.kit].devices.items() if name not in robot.without}
     return devices | robot.devices
+
+
+def chassis_of(scenario: Scenario, robot_name: str) -> Chassis:
+    """Return the chassis of a robot's kit."""
+    return scenario.kits[scenario.robots[robot_name].kit].chassis
 
 
 def fill_in_devices(tree: Entries) -> None:

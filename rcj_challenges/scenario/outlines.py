@@ -1,7 +1,7 @@
 """Outlines of bodies seen from above: what overlaps what, and how large the gap is.
 
 An outline is a union of convex parts; a part is a convex polygon, or a single point, with a radius around it. A robot
-is its cube and the box around both wheels (0.10 wide), a ball a point with its radius. Only what is checked before a
+is the footprint of its chassis, a ball a point with its radius. Only what is checked before a
 match, and placements, are judged with it, so clarity comes before speed.
 """
 
@@ -11,11 +11,11 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from math import cos, inf, sin, sqrt
 
+from rcj_challenges.chassis.base import Chassis
 from rcj_challenges.core.amounts import add_up
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.geometry.polygons import Point, distance_to_segment_m
 from rcj_challenges.scenario.models.field import Box, Cylinder, Obstacle, Wall
-from rcj_challenges.scenario.models.robots import Chassis
 
 Points = tuple[Point, ...]
 
@@ -73,9 +73,8 @@ def counter_clockwise(points: Points) -> Points:
 
 
 def robot_outline(chassis: Chassis) -> Outline:
-    """Return a robot's outline: the cube, and the box that both wheels reach."""
-    wheels = rectangle(2 * chassis.wheel_radius_m, chassis.wheel_track_m + chassis.wheel_width_m)
-    return Outline.of(rectangle(chassis.size_m, chassis.size_m), wheels)
+    """Return a robot's outline: its body, and its wheels."""
+    return Outline.of(*map(Part, chassis.footprint()))
 
 
 def disc(radius_m: float) -> Outline:

@@ -6,9 +6,10 @@ from itertools import combinations
 
 import mujoco
 
+from rcj_challenges.chassis.base import GRAVITY_MPS2
 from rcj_challenges.core.timing import SUBSTEP_S
+from rcj_challenges.scenario.kit_devices import chassis_of
 from rcj_challenges.scenario.models.field import Box, Cylinder, Wall
-from rcj_challenges.scenario.models.robots import Chassis
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world import contact
@@ -20,6 +21,7 @@ from rcj_challenges.world.build_bodies import (
     add_robot,
 )
 from rcj_challenges.world.build_field import add_fixed_obstacle, add_floor, add_walls
+from rcj_challenges.world.tables import turned_at
 
 
 def build_spec(scenario: Scenario, roster: Roster) -> mujoco.MjSpec:
@@ -32,11 +34,13 @@ def build_spec(scenario: Scenario, roster: Roster) -> mujoco.MjSpec:
     add_walls(spec, field)
     for name in roster.things[len(roster.entities) : -1]:
         add_fixed_obstacle(spec, name, scenario.obstacles[name], field.friction)
-    heaviest_kg = max((chassis_of(scenario, robot).mass_kg for robot in scenario.robots), default=0.001)
+    chassis = {name: chassis_of(scenario, name) for name in roster.entities[: roster.robots]}
+    heaviest_kg = max((one.mass_kg for one in chassis.values()), default=0.001)
     rigidity = {name: contact.ball_rigidity(ball.mass_kg, heaviest_kg) for name, ball in scenario.balls.items()}
+    spec.nuserdata = turned_at(chassis.values())[-1]
     for name in roster.entities:
-        if name in scenario.robots:
-            add_robot(spec, name, chassis_of(scenario, name), field.friction)
+        if name in chassis:
+            add_robot(spec, name, chassis[name], field.friction)
         elif name in scenario.balls:
             softness = contact.ball_on_solid(field.restitution, rigidity[name])
             add_ball(spec, name, scenario.balls[name], field.friction, softness)
@@ -44,16 +48,11 @@ def build_spec(scenario: Scenario, roster: Roster) -> mujoco.MjSpec:
             add_movable_obstacle(spec, name, movable_obstacle(scenario, name), field.friction)
     for ball in scenario.balls:
         for robot in scenario.robots:
-            add_ball_robot_contact(spec, ball, robot, field.friction, rigidity[ball])
+            add_ball_robot_contact(spec, ball, robot, chassis[robot], field.friction, rigidity[ball])
     for ball, other in combinations(scenario.balls, 2):
         softness = contact.ball_on_solid(field.restitution, max(rigidity[ball], rigidity[other]))
         add_ball_contact(spec, ball, other, softness, field.friction)
     return spec
-
-
-def chassis_of(scenario: Scenario, robot: str) -> Chassis:
-    """Return the chassis of a robot's kit."""
-    return scenario.kits[scenario.robots[robot].kit].chassis
 
 
 def movable_obstacle(scenario: Scenario, name: str) -> Box | Cylinder:
@@ -67,7 +66,7 @@ def movable_obstacle(scenario: Scenario, name: str) -> Box | Cylinder:
 def _set_options(spec: mujoco.MjSpec) -> None:
     option = spec.option
     option.timestep = SUBSTEP_S
-    option.gravity = [0, 0, -contact.GRAVITY_MPS2]
+    option.gravity = [0, 0, -GRAVITY_MPS2]
     # Nothing in the model has damping or a motor force, so an implicit integrator would cost 12 % and change nothing.
     option.integrator = mujoco.mjtIntegrator.mjINT_EULER
     option.solver = mujoco.mjtSolver.mjSOL_NEWTON

@@ -1,9 +1,8 @@
 """Builds the moving bodies: robots, balls and movable obstacles.
 
-A robot is a cube on two wheels that moves in the plane: it cannot tip, lean or climb (ADR 2). Its outline against
-ball, walls and other robots is the cube and both wheels as cylinders. Its grip on the floor is dry friction in three
-directions (along the left wheel, along the right wheel, across both), as tendons with friction loss; their
-coefficients follow the robot's yaw, see `rcj_challenges.world.effects.wheel_grip`.
+A robot moves in the plane: it cannot tip, lean or climb (ADR 2). Its outline against ball, walls and other robots is
+the body of its chassis, and its wheels as cylinders. Its grip on the floor is dry friction in several directions, as
+tendons with friction loss; the drive of its chassis adapts their coefficients to the robot's yaw.
 """
 
 from __future__ import annotations
@@ -13,43 +12,50 @@ from dataclasses import replace
 
 import mujoco
 
+from rcj_challenges.chassis.base import GRAVITY_MPS2, Chassis, Grip, Wheel, box
+from rcj_challenges.geometry.polygons import Point
 from rcj_challenges.scenario.models.field import Ball, Box, Cylinder
-from rcj_challenges.scenario.models.robots import Chassis
 from rcj_challenges.world import contact
 from rcj_challenges.world.build_field import set_surface
 from rcj_challenges.world.effects.friction import mean_distance_m
 
-WHEEL_BELOW_CUBE_M = 0.0001
-"""How much lower the wheels reach than the cube. Source: reference, section 2 (0.0376 and 0.0375 below the centre)."""
+WHEEL_BELOW_BODY_M = 0.0001
+"""How much lower the wheels reach than the body. Source: reference, section 2 (0.0376 and 0.0375 below the centre)."""
 
 MOTOR_INERTIA_KGM2 = 100.0
 """Of a wheel's drive: so large that only its motor turns it. The original's motors have 10 N·m, five hundred times what
 grip can resist."""
 
-WHEELS = ("left", "right")
-"""Left is +y of a body that looks along +x."""
-
 
 def add_robot(spec: mujoco.MjSpec, name: str, chassis: Chassis, friction: float) -> None:
     """Add a robot that looks along +x at the origin.
 
-    Names: bodies ``B1``, ``B1/left_wheel``, ``B1/right_wheel``; geoms ``B1/cube``, ``B1/left_wheel``,
-    ``B1/right_wheel``; joints ``B1/x``, ``B1/y``, ``B1/yaw``, ``B1/left_wheel``, ``B1/right_wheel``; tendons
-    ``B1/left_grip``, ``B1/side_grip``, ``B1/right_grip``.
+    Names: bodies ``B1``, ``B1/left_wheel`` …; geoms ``B1/body``, ``B1/left_wheel`` …; joints ``B1/x``, ``B1/y``,
+    ``B1/yaw``, ``B1/left_wheel`` …; tendons ``B1/left_grip`` …
     """
-    half = chassis.size_m / 2
-    body = _add_planar_body(spec, name, half)
-    cube = body.add_geom(
-        name=f"{name}/cube",
-        type=mujoco.mjtGeom.mjGEOM_BOX,
-        size=[half, half, half],
-        mass=chassis.mass_kg,
-        group=contact.GROUP_CUBES,
-    )
-    make_solid(cube, friction)
-    for wheel, way in zip(WHEELS, (1, -1), strict=True):
-        _add_wheel(body, f"{name}/{wheel}_wheel", way, chassis, friction)
-    _add_grip(spec, name, chassis, contact.grip_of(chassis, friction))
+    body = _add_planar_body(spec, name, chassis.height_m / 2)
+    geom = body.add_geom(name=f"{name}/body", mass=chassis.mass_kg, group=contact.GROUP_CHASSIS)
+    _shape(spec, geom, chassis.body(), chassis.height_m / 2)
+    make_solid(geom, friction)
+    for wheel in chassis.wheels():
+        _add_wheel(body, f"{name}/{wheel.part}", wheel, chassis, friction)
+    if chassis.MOTOR_JOINT:
+        motor = body.add_body(name=f"{name}/{chassis.MOTOR_JOINT}", mass=1e-6, ipos=[0, 0, 0], explicitinertial=True)
+        motor.inertia = [1e-9] * 3
+        _add_motor(motor)
+    for grip in chassis.grips(friction):
+        _add_grip(spec, name, grip)
+
+
+def _shape(spec: mujoco.MjSpec, geom: mujoco.MjsGeom, outline: tuple[Point, ...], half_m: float) -> None:
+    """Make a geom an upright prism: a box, or else a convex mesh."""
+    x, y = outline[0]
+    if outline == box(2 * x, 2 * y):
+        geom.type, geom.size = mujoco.mjtGeom.mjGEOM_BOX, [x, y, half_m]
+        return
+    mesh = spec.add_mesh(name=geom.name)
+    mesh.uservert = [part for x, y in outline for z in (-half_m, half_m) for part in (x, y, z)]
+    geom.type, geom.meshname = mujoco.mjtGeom.mjGEOM_MESH, mesh.name
 
 
 def add_ball(spec: mujoco.MjSpec, name: str, ball: Ball, friction: float, softness: contact.Softness) -> None:
@@ -69,10 +75,12 @@ def add_ball(spec: mujoco.MjSpec, name: str, ball: Ball, friction: float, softne
     set_surface(geom, softness, min(friction, contact.BALL_ON_SOLID_FRICTION))
 
 
-def add_ball_robot_contact(spec: mujoco.MjSpec, ball: str, robot: str, friction: float, rigidity: float) -> None:
+def add_ball_robot_contact(
+    spec: mujoco.MjSpec, ball: str, robot: str, chassis: Chassis, friction: float, rigidity: float
+) -> None:
     """Give the contact of a ball with a robot its own parameters."""
     softness = replace(contact.SOLIDS, rigidity=rigidity)
-    for part in ("cube", "left_wheel", "right_wheel"):
+    for part in ("body", *(wheel.part for wheel in chassis.wheels())):
         add_ball_contact(spec, ball, f"{robot}/{part}", softness, friction)
 
 
@@ -89,7 +97,7 @@ def add_ball_contact(spec: mujoco.MjSpec, ball: str, other: str, softness: conta
 def add_movable_obstacle(spec: mujoco.MjSpec, name: str, obstacle: Box | Cylinder, friction: float) -> None:
     """Add an obstacle that robots can push, at the origin; body and geom have its name. It glides and cannot tip."""
     height = obstacle.height_m / 2
-    friction_n = obstacle.mass_kg * contact.GRAVITY_MPS2 * min(friction, contact.OBSTACLE_GLIDES)
+    friction_n = obstacle.mass_kg * GRAVITY_MPS2 * min(friction, contact.OBSTACLE_GLIDES)
     if isinstance(obstacle, Box):
         shape, size = mujoco.mjtGeom.mjGEOM_BOX, [obstacle.size_m[0] / 2, obstacle.size_m[1] / 2, height]
         arm_m = mean_distance_m(*obstacle.size_m)
@@ -124,51 +132,44 @@ def _add_planar_body(
     return body
 
 
-def _add_wheel(body: mujoco.MjsBody, name: str, way: int, chassis: Chassis, friction: float) -> None:
-    """Add a wheel that turns forward about +y. ``way`` is 1 on the left, -1 on the right.
+def _add_wheel(body: mujoco.MjsBody, name: str, wheel: Wheel, chassis: Chassis, friction: float) -> None:
+    """Add a wheel.
 
     Its outline does not turn with it: vertical friction at the rim cannot move a robot that stays in the plane.
     MuJoCo's friction would make a push of it that drives two robots apart with 0.3 m/s (ADR 2).
     """
-    radius, width, mass = chassis.wheel_radius_m, chassis.wheel_width_m, chassis.wheel_mass_kg
-    below_centre = radius - chassis.size_m / 2 - WHEEL_BELOW_CUBE_M
-    centre = [0, way * chassis.wheel_track_m / 2, below_centre]
-    wheel = body.add_body(name=name, pos=centre, mass=mass, ipos=[0, 0, 0], explicitinertial=True)
-    across = mass * (3 * radius**2 + width**2) / 12
-    wheel.inertia = [across, mass * radius**2 / 2, across]
-    wheel.add_joint(name=name, type=mujoco.mjtJoint.mjJNT_HINGE, axis=[0, 1, 0], armature=MOTOR_INERTIA_KGM2)
+    radius, width, mass = wheel.radius_m, wheel.width_m, wheel.mass_kg
+    centre = [wheel.x_m, wheel.y_m, radius - chassis.height_m / 2 - WHEEL_BELOW_BODY_M]
+    if not chassis.MOTOR_JOINT:
+        turning = body.add_body(name=name, pos=centre, mass=mass, ipos=[0, 0, 0], explicitinertial=True)
+        across = mass * (3 * radius**2 + width**2) / 12
+        turning.inertia = [across, mass * radius**2 / 2, across]
+        _add_motor(turning)
+    c, s = (part * math.sqrt(0.5) for part in (math.cos(wheel.yaw_rad / 2), math.sin(wheel.yaw_rad / 2)))
     outline = body.add_geom(
         name=name,
         type=mujoco.mjtGeom.mjGEOM_CYLINDER,
         pos=centre,
         size=[radius, width / 2, 0],
-        quat=[math.sqrt(0.5), math.sqrt(0.5), 0, 0],
-        mass=0,
+        quat=[c, c, s, s],
+        mass=mass if chassis.MOTOR_JOINT else 0,
         group=contact.GROUP_WHEELS,
     )
     make_solid(outline, min(friction, contact.WHEEL_GLIDES))
     outline.priority = contact.PRIORITY_WHEEL
 
 
-def _add_grip(spec: mujoco.MjSpec, name: str, chassis: Chassis, grip: contact.Grip) -> None:
-    """Add the grip of wheels and cube on the floor, for yaw 0.
+def _add_motor(body: mujoco.MjsBody) -> None:
+    """Let a body that looks along +x turn forward about +y."""
+    body.add_joint(name=body.name, type=mujoco.mjtJoint.mjJNT_HINGE, axis=[0, 1, 0], armature=MOTOR_INERTIA_KGM2)
 
-    The velocity of ``left_grip`` is how fast the left wheel's lowest point slips along the robot: forward speed of the
-    cube, less what turning takes off at the wheel, less what the wheel rolls. ``side_grip`` is the speed of the axle's
-    middle to the left. Dry friction in each is bounded separately (a box, as in the original).
-    """
-    x, y, yaw = (f"{name}/{joint}" for joint in ("x", "y", "yaw"))
-    arm_m, radius_m = chassis.wheel_track_m / 2, chassis.wheel_radius_m
-    # In this order the six numbers that change with the yaw stand side by side.
-    for tendon, limit_n, coefficients in (
-        ("left_grip", grip.brake_n, {yaw: -arm_m, f"{name}/left_wheel": -radius_m, x: 1.0, y: 0.0}),
-        ("side_grip", grip.side_n, {x: 0.0, y: 1.0}),
-        ("right_grip", grip.brake_n, {x: 1.0, y: 0.0, yaw: arm_m, f"{name}/right_wheel": -radius_m}),
-    ):
-        slip = spec.add_tendon(name=f"{name}/{tendon}", frictionloss=limit_n)
-        slip.solref_friction, slip.solimp_friction = _dry_friction()
-        for joint, coefficient in coefficients.items():
-            slip.wrap_joint(joint, coefficient)
+
+def _add_grip(spec: mujoco.MjSpec, robot: str, grip: Grip) -> None:
+    """Add a grip on the floor, for yaw 0."""
+    slip = spec.add_tendon(name=f"{robot}/{grip.name}", frictionloss=grip.limit_n)
+    slip.solref_friction, slip.solimp_friction = _dry_friction()
+    for joint, coefficient in grip.slip.items():
+        slip.wrap_joint(f"{robot}/{joint}", coefficient)
 
 
 def _dry_friction() -> tuple[list[float], list[float]]:

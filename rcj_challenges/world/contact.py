@@ -11,12 +11,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from rcj_challenges.chassis.base import Chassis
 from rcj_challenges.core.timing import SUBSTEP_S
 from rcj_challenges.scenario.models.field import Ball
-from rcj_challenges.scenario.models.robots import Chassis
-
-GRAVITY_MPS2 = 9.81
-"""Standard gravity; the original's worlds use it too."""
 
 # --- collision bits ---------------------------------------------------------------------------------------------------
 # MuJoCo lets two geoms collide if `contype` of one shares a bit with `conaffinity` of the other.
@@ -29,7 +26,7 @@ FIXED = 4
 GROUP_FLOOR = 0
 GROUP_FIXTURES = 1
 """Walls, goals and obstacles, fixed or movable."""
-GROUP_CUBES = 2
+GROUP_CHASSIS = 2
 GROUP_WHEELS = 3
 GROUP_BALLS = 4
 
@@ -128,31 +125,3 @@ def ball_rigidity(ball_kg: float, robot_kg: float) -> float:
     """
     share = ball_kg / robot_kg / _USUAL_SHARE
     return SOLIDS.rigidity if share >= 1.0 else 1 / (1 + (1 / SOLIDS.rigidity - 1) * share)
-
-
-@dataclass(frozen=True)
-class Grip:
-    """The largest forces between a robot and the floor, in N.
-
-    Attributes:
-        drive_n: per wheel, along the wheel, while it pushes the robot on.
-        brake_n: per wheel, along the wheel, while it slows the robot or holds it.
-        side_n: across the wheels, of the whole robot.
-    """
-
-    drive_n: float
-    brake_n: float
-    side_n: float
-
-
-def grip_of(chassis: Chassis, friction: float) -> Grip:
-    """Return the grip of a robot on the floor.
-
-    The original's robot has no caster: pushed on by its wheels it leans on the lower rear edge of its cube, which
-    drags. With the centre of mass as high as the edge is far behind the axle, a load of m·a rests on the edge, and
-    m·a = friction · (weight - m·a) - friction · m·a, so m·a = friction · weight / (1 + 2 friction): g/3 at
-    friction 1, as the reference says (section 2). When it brakes or is pushed, wheels and edges all hold it.
-    """
-    weight_n = (chassis.mass_kg + 2 * chassis.wheel_mass_kg) * GRAVITY_MPS2
-    full_n = friction * weight_n
-    return Grip(drive_n=full_n / (1 + 2 * friction) / 2, brake_n=full_n / 2, side_n=full_n)

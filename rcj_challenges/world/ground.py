@@ -7,14 +7,12 @@ from typing import Protocol
 
 import mujoco
 
-from rcj_challenges.devices.base import Side
-
 
 class Ground(Protocol):
     """The physics under the robots.
 
     Bodies have the names of their entities; robots move in the plane or freely, balls freely. The joints of wheels are
-    called ``B1/left_wheel``, and their angles grow while the robot drives along its +x. Geoms are in the groups of
+    called ``B1/left_wheel``, and their angles grow while the wheels drive forward. Geoms are in the groups of
     `rcj_challenges.world.contact`.
     """
 
@@ -30,5 +28,5 @@ class Ground(Protocol):
     def parked(self) -> Sequence[bool]:
         """By entity: whether it has been taken off the field."""
 
-    def set_wheel(self, robot: int, side: Side, velocity_radps: float, position_rad: float) -> None:
-        """Command a wheel, ``left`` (+y) or ``right``; positive drives along +x; position ``inf``: by velocity."""
+    def set_wheel(self, robot: int, wheel: int, velocity_radps: float, position_rad: float) -> None:
+        """Command a wheel by its number; positive drives forward; position ``inf``: by velocity."""

@@ -6,11 +6,12 @@ import math
 
 import mujoco
 
-from rcj_challenges.devices.base import Side
 from rcj_challenges.devices.poses import NOMINAL_WITHIN_M, RobotPose, Vector
+from rcj_challenges.scenario.kit_devices import chassis_of
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world.ground import Ground
+from rcj_challenges.world.tables import turned_at
 
 BALL_SINKS_M = 0.0001
 """How much lower than its radius the centre of a resting ball is. Source: reference, section 2 (0.0209 for r 0.021)."""
@@ -22,7 +23,7 @@ class Poses:
     Attributes:
         robots: by index of the robot.
         balls: centres in m, by index of the ball; z is nominal while it rolls.
-        state: MuJoCo's `qpos` of this tick.
+        state: MuJoCo's `qpos` of this tick, then the angles of wheels without joints.
         parked: by entity, whether it has been taken off the field.
     """
 
@@ -38,8 +39,10 @@ class Poses:
         robots = roster.entities[: roster.robots]
         balls = roster.entities[roster.robots : roster.robots + roster.balls]
         self._ground = ground
-        self._qpos = ground.data.qpos
-        self.robots = [RobotPose(scenario.kits[scenario.robots[name].kit].chassis.size_m / 2) for name in robots]
+        self._qpos, self._turned = ground.data.qpos, ground.data.userdata
+        self._has_turned = len(self._turned) > 0
+        self._chassis = {name: chassis_of(scenario, name) for name in robots}
+        self.robots = [RobotPose(chassis.height_m / 2) for chassis in self._chassis.values()]
         self._planar: list[tuple[RobotPose, int]] = []
         self._free: list[tuple[RobotPose, int]] = []
         for pose, name in zip(self.robots, robots, strict=True):
@@ -53,13 +56,18 @@ class Poses:
         self.state: list[float] = []
         self.parked: tuple[bool, ...] = (False,) * len(roster.entities)
 
-    def wheel_angle_at(self, robot_name: str, side: Side) -> int:
-        """Return where the angle of a wheel stands in `state`; it grows while the robot drives along its +x."""
-        return int(self._ground.model.joint(f"{robot_name}/{side}_wheel").qposadr[0])
+    def wheel_angle_at(self, robot_name: str, wheel: int) -> int:
+        """Return where the angle of a wheel stands in `state`; it grows while the wheel drives forward."""
+        chassis = self._chassis[robot_name]
+        if chassis.MOTOR_JOINT:
+            return len(self._qpos) + turned_at(self._chassis.values())[list(self._chassis).index(robot_name)] + wheel
+        return int(self._ground.model.joint(f"{robot_name}/{chassis.wheels()[wheel].part}").qposadr[0])
 
     def refresh(self) -> None:
         """Read all poses; the world has brought them up to date."""
         self.state = state = self._qpos.tolist()
+        if self._has_turned:
+            state += self._turned.tolist()
         for pose, at in self._planar:
             pose.x, pose.y, yaw = state[at : at + 3]
             pose.cos, pose.sin = math.cos(yaw), math.sin(yaw)

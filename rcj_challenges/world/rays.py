@@ -72,7 +72,7 @@ class WorldRays:
         robot_of_body = {int(model.body(name).id): index for index, name in enumerate(roster.entities[: roster.robots])}
         roots = model.body_rootid[model.geom_bodyid].tolist()
         self._robot_of_geom = [robot_of_body.get(root, -1) for root in roots]
-        self._groups = _flags((contact.GROUP_FIXTURES, contact.GROUP_CUBES, contact.GROUP_WHEELS))
+        self._groups = _flags((contact.GROUP_FIXTURES, contact.GROUP_CHASSIS, contact.GROUP_WHEELS))
         self._origin, self._along = np.zeros(3), np.zeros(3)
         geom: Any = np.zeros(1, np.int32)
         # Written and read number by number, which numpy takes longer for.
@@ -102,13 +102,13 @@ class WorldRays:
         return met < 0 or self._robot_of_geom[met] == robot
 
     def _seen_at(self, height_m: float) -> tuple[int, ...]:
-        """Return the groups of geoms that a horizontal ray at a height meets: fixtures and cubes, never wheels.
+        """Return the groups of geoms that a horizontal ray at a height meets: fixtures and bodies, never wheels.
 
         Balls only where one is clearly taller than the ray: the lidar passes half a millimetre over the standard ball,
         and a hop must not make it appear.
         """
         balls = (contact.GROUP_BALLS,) if self._tallest_m > height_m + NOMINAL_WITHIN_M else ()
-        return (contact.GROUP_FIXTURES, contact.GROUP_CUBES, *balls)
+        return (contact.GROUP_FIXTURES, contact.GROUP_CHASSIS, *balls)
 
 
 def _flags(groups: tuple[int, ...]) -> NDArray[np.uint8]:

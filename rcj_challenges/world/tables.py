@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import accumulate
 from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rcj_challenges.chassis.base import YAW, Chassis
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world.build_field import FLOOR_GEOM, OBSTACLE
 
 NO_THING = -1
 """Stands for the floor, which never counts as touched, in place of a thing's index."""
 
-ROBOT_YAW = 2
-"""Where the yaw of a robot or an obstacle stands after its first number in `qpos` and `qvel`: x, y, yaw; of robots the
-angles (speeds) of the left and the right wheel follow."""
+ROBOT_YAW = YAW
+"""Where the yaw of a robot or an obstacle stands after its first number in `qpos` and `qvel`."""
 
 Indices = NDArray[np.intp]
 Numbers = NDArray[np.float64]
@@ -38,20 +40,18 @@ class WorldTables:
 
     Attributes:
         robots, balls: how many entities are robots and balls; the others are movable obstacles.
-        bodies: ``[entity] -> `` body id: a robot's is its cube.
-        cubes: ``[robot] -> `` geom id of its cube.
-        wheels: ``[robot] -> `` geom ids of its left and right wheel.
+        bodies: ``[entity] -> `` body id: a robot's is that of its chassis.
+        chassis: ``[robot] -> `` geom ids of its body and of its wheels.
         geom_things: ``[geom] -> `` index of the thing it belongs to, ``NO_THING`` for the floor.
         dofs: ``[entity] -> `` its degrees of freedom in `qvel`, wheels included.
         qpos_at: ``[entity] -> `` address in `qpos` of its first number; of a ball x, y, z and its quaternion follow,
-            else see `ROBOT_YAW`.
+            else y and the yaw; of robots their wheels.
     """
 
     robots: int
     balls: int
     bodies: tuple[int, ...]
-    cubes: tuple[int, ...]
-    wheels: tuple[tuple[int, int], ...]
+    chassis: tuple[tuple[int, ...], ...]
     geom_things: Indices
     dofs: tuple[Indices, ...]
     qpos_at: tuple[int, ...]
@@ -59,15 +59,15 @@ class WorldTables:
     @classmethod
     def of(cls, model: Any, roster: Roster) -> WorldTables:
         """Look everything up in a compiled model."""
-        robots = roster.entities[: roster.robots]
         bodies = tuple(int(model.body(name).id) for name in roster.entities)
         return cls(
             robots=roster.robots,
             balls=roster.balls,
             bodies=bodies,
-            cubes=tuple(int(model.geom(f"{name}/cube").id) for name in robots),
-            wheels=tuple(
-                (int(model.geom(f"{name}/left_wheel").id), int(model.geom(f"{name}/right_wheel").id)) for name in robots
+            chassis=tuple(
+                tuple(range(first, first + int(model.body_geomnum[body])))
+                for body in bodies[: roster.robots]
+                for first in (int(model.body_geomadr[body]),)
             ),
             geom_things=np.array([_thing_of(model, roster, geom) for geom in range(model.ngeom)], dtype=np.intp),
             dofs=tuple(np.flatnonzero(model.body_rootid[model.dof_bodyid] == body) for body in bodies),
@@ -93,7 +93,12 @@ def _thing_of(model: Any, roster: Roster, geom: int) -> int:
     return len(roster.things) - 1
 
 
+def turned_at(chassis: Iterable[Chassis]) -> tuple[int, ...]:
+    """Return where the angles of each robot's wheels without joints begin in `userdata`, and how many there are."""
+    return tuple(accumulate((len(one.wheels()) if one.MOTOR_JOINT else 0 for one in chassis), initial=0))
+
+
 def reach_m(model: Any, data: Any, geoms: tuple[int, ...]) -> float:
-    """Return how far a robot's outline is at most from the centre of its cube."""
+    """Return how far a robot's outline is at most from the centre of its body."""
     centre = data.geom_xpos[geoms[0]]
     return float(max(np.linalg.norm(data.geom_xpos[geom] - centre) + model.geom_rbound[geom] for geom in geoms))

@@ -11,12 +11,12 @@ import numpy as np
 
 from rcj_challenges.core.play import Fault, Placement, Snapshot
 from rcj_challenges.core.timing import SUBSTEPS_PER_TICK
-from rcj_challenges.devices.base import FixedRay, Side
+from rcj_challenges.devices.base import FixedRay
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.start_poses import start_pose
 from rcj_challenges.world.build import build_spec
-from rcj_challenges.world.effects import make_effects
+from rcj_challenges.world.effects import make_drives, make_effects
 from rcj_challenges.world.effects.base import Effect, Scene
 from rcj_challenges.world.errors import PhysicsFault
 from rcj_challenges.world.rays import add_fixed_rays
@@ -62,8 +62,9 @@ class World:
         self._starts = _start_placements(scenario, roster)
         mujoco.mj_kinematics(self.model, self.data)
         scene = Scene(self.model, self.data, self.tables, scenario, roster)
-        self._wheel_grip, self._effects = make_effects(scene)
-        self._before_substep = [
+        self._drives, self._effects = make_drives(scene), make_effects(scene)
+        self._kinds = list(dict.fromkeys(self._drives))
+        self._before_substep = [one.before_substep for one in self._kinds] + [
             one.before_substep for one in self._effects if type(one).before_substep is not Effect.before_substep
         ]
         self._after_substep = [
@@ -83,6 +84,8 @@ class World:
         mujoco.mj_resetData(self.model, self.data)
         self.parked[:] = [False] * len(self.parked)
         self._held = frozenset()
+        for drive in self._kinds:
+            drive.reset()
         for effect in self._effects:
             effect.reset()
         self.place(self._starts)
@@ -98,22 +101,22 @@ class World:
             self._set_down(placement)
         mujoco.mj_kinematics(self.model, self.data)
 
-    def set_wheel(self, robot: int, side: Side, velocity_radps: float, position_rad: float) -> None:
+    def set_wheel(self, robot: int, wheel: int, velocity_radps: float, position_rad: float) -> None:
         """Command a wheel. The command holds until the next one, even if the robot is placed meanwhile.
 
         Args:
             robot: its index.
-            side: ``left`` is +y of the body that looks along +x.
-            velocity_radps: positive drives along the body's +x.
+            wheel: its number on the chassis.
+            velocity_radps: positive drives forward.
             position_rad: ``inf`` for this velocity; else the wheel angle to go to, at this velocity at most, and hold.
         """
-        self._wheel_grip.set_wheel(robot, side, velocity_radps, position_rad)
+        self._drives[robot].set_wheel(robot, wheel, velocity_radps, position_rad)
 
     def hold_robots(self, held: Collection[int]) -> None:
         """Brake the wheels of these robots until they are released; release all others. Commands act after that."""
         self._held = frozenset(held)
         for robot in range(self.tables.robots):
-            self._wheel_grip.set_stopped(robot, stopped=robot in self._held or self.parked[robot])
+            self._drives[robot].set_stopped(robot, stopped=robot in self._held or self.parked[robot])
 
     def step(self, tick: int, faults: tuple[Fault, ...] = ()) -> Snapshot:
         """Make the four sub-steps of a tick.
@@ -160,7 +163,7 @@ class World:
         entity = placement.entity
         self.parked[entity] = placement.parked
         if entity < self.tables.robots:
-            self._wheel_grip.set_stopped(entity, stopped=placement.parked or entity in self._held)
+            self._drives[entity].set_stopped(entity, stopped=placement.parked or entity in self._held)
         x, y, yaw = placement.x_m, placement.y_m, placement.yaw_rad
         if placement.parked:
             x, y, yaw = PARKING_X_M + entity * PARKING_GAP_M, 0.0, 0.0

@@ -15,11 +15,11 @@ class Wheels:
     """Stands in for the world's wheels and remembers their commands."""
 
     def __init__(self, bench: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
-        self.commanded: dict[tuple[int, str], tuple[float, float]] = {}
+        self.commanded: dict[tuple[int, int], tuple[float, float]] = {}
         monkeypatch.setattr(bench.world, "set_wheel", self.set_wheel)
 
-    def set_wheel(self, robot: int, side: str, velocity_radps: float, position_rad: float) -> None:
-        self.commanded[robot, side] = (velocity_radps, position_rad)
+    def set_wheel(self, robot: int, wheel: int, velocity_radps: float, position_rad: float) -> None:
+        self.commanded[robot, wheel] = (velocity_radps, position_rad)
 
 
 @pytest.fixture
@@ -69,17 +69,17 @@ def test_the_motors_names_are_the_wrong_way_round_in_v2_and_right_in_2021(
 ) -> None:
     bench, commanded = wheels()
     bench.drive("B1", 3, 4)
-    assert commanded.commanded == {(0, "right"): (3, math.inf), (0, "left"): (4, math.inf)}
+    assert commanded.commanded == {(0, 1): (3, math.inf), (0, 0): (4, math.inf)}
     bench, commanded = wheels("soccersim_2021")
     bench.drive("B1", 3, 4)
-    assert commanded.commanded == {(0, "left"): (-3, math.inf), (0, "right"): (-4, math.inf)}
+    assert commanded.commanded == {(0, 0): (-3, math.inf), (0, 1): (-4, math.inf)}
 
 
 @pytest.mark.parametrize(("asked", "done"), [(15, 10), (-15, -10), (math.inf, 10), (-math.inf, -10), (9.99, 9.99)])
 def test_too_fast_a_command_is_clamped(wheels: Callable[..., tuple[Bench, Wheels]], asked: float, done: float) -> None:
     bench, commanded = wheels()
     bench.drive("B1", asked, 0)
-    assert commanded.commanded[0, "right"] == (done, math.inf)
+    assert commanded.commanded[0, 1] == (done, math.inf)
 
 
 @pytest.mark.parametrize(("velocity", "position"), [(math.nan, math.inf), (1.0, math.nan)])
@@ -89,15 +89,15 @@ def test_a_command_that_is_no_number_is_ignored(
     bench, commanded = wheels()
     bench.drive("B1", 5, 5)
     bench.drive("B1", velocity, velocity, position)
-    assert commanded.commanded[0, "right"] == (5, math.inf)
+    assert commanded.commanded[0, 1] == (5, math.inf)
 
 
 def test_a_position_target_has_the_sign_of_its_motor(wheels: Callable[..., tuple[Bench, Wheels]]) -> None:
     bench, commanded = wheels("soccersim_2021")
     bench.drive("B1", 5, 5, 1.5)
-    assert commanded.commanded[0, "left"] == (-5, -1.5)
+    assert commanded.commanded[0, 0] == (-5, -1.5)
     bench.drive("B1", 5, 5, -math.inf)
-    assert commanded.commanded[0, "left"] == (-5, math.inf)
+    assert commanded.commanded[0, 0] == (-5, math.inf)
 
 
 def test_a_wheel_goes_to_its_position_and_its_sensor_agrees() -> None:
@@ -119,9 +119,9 @@ def test_a_dead_programs_wheels_stop(wheels: Callable[..., tuple[Bench, Wheels]]
     bench, commanded = wheels()
     bench.drive("B1", 5, 5)
     bench.devices.silence(0)
-    assert commanded.commanded == {(0, "left"): (0, math.inf), (0, "right"): (0, math.inf)}
+    assert commanded.commanded == {(0, 0): (0, math.inf), (0, 1): (0, math.inf)}
     bench.drive("B1", 5, 5)
-    assert commanded.commanded == {(0, "left"): (0, math.inf), (0, "right"): (0, math.inf)}
+    assert commanded.commanded == {(0, 0): (0, math.inf), (0, 1): (0, math.inf)}
 
 
 def test_a_robot_taken_off_the_field_drives_on_as_commanded_when_it_is_back() -> None:

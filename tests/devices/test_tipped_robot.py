@@ -35,7 +35,7 @@ class FreeGround:
     data: Any = None
     parked: list[bool] = field(default_factory=lambda: [False, False])
 
-    def set_wheel(self, robot: int, side: str, velocity_radps: float, position_rad: float) -> None:
+    def set_wheel(self, robot: int, wheel: int, velocity_radps: float, position_rad: float) -> None:
         """No wheels turn here."""
 
     def turn(self, height: float, quaternion: tuple[float, float, float, float]) -> None:
@@ -77,7 +77,7 @@ def tipping() -> Tipping:
     spec.worldbody.add_geom(type=box, size=[0.1, 1, 0.3], pos=[0.6, 0, 0.3], group=contact.GROUP_FIXTURES)
     robot = spec.worldbody.add_body(name="Y1")
     robot.add_freejoint(name="Y1")
-    robot.add_geom(type=box, size=[0.0375] * 3, mass=0.2, group=contact.GROUP_CUBES)
+    robot.add_geom(type=box, size=[0.0375] * 3, mass=0.2, group=contact.GROUP_CHASSIS)
     for side, y in (("left", 0.045), ("right", -0.045)):
         wheel = robot.add_body(name=f"Y1/{side}_wheel", pos=[0, y, -0.0176])
         wheel.add_joint(name=f"Y1/{side}_wheel", axis=[0, 1, 0])

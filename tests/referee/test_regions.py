@@ -6,12 +6,12 @@ import pytest
 from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
+from rcj_challenges.chassis.differential import DifferentialChassis
 from rcj_challenges.geometry.polygons import distance_to_segment_m
 from rcj_challenges.geometry.regions import cell_beside_square, crossing
 from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.zones import region_of
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, PolygonZone, RectZone
-from rcj_challenges.scenario.models.robots import Chassis
 from rcj_challenges.scenario.outlines import Part, closer_than, gap_m, rectangle, robot_outline
 from rcj_challenges.scenario.roster import Roster
 
@@ -103,7 +103,7 @@ def test_distance_to_a_segment_is_to_its_nearest_point():
 
 
 class TestOutlines:
-    ROBOT = robot_outline(Chassis())
+    ROBOT = robot_outline(DifferentialChassis())
 
     def gap(self, yaw_a: float, x: float, y: float, yaw_b: float) -> float:
         parts = self.ROBOT.at((0.0, 0.0, yaw_a)), self.ROBOT.at((x, y, yaw_b))

@@ -6,12 +6,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from rcj_challenges.chassis.differential import DifferentialChassis
 from rcj_challenges.geometry.polygons import is_simple
-from rcj_challenges.scenario.models.robots import Chassis
 from rcj_challenges.scenario.outlines import disc, extent, overlap, rectangle, robot_outline
 from tests.scenario.writing import complaints, errors, loaded, rule
 
-ROBOT = Chassis()
+ROBOT = DifferentialChassis()
 
 
 def robot_at(x, y, yaw=0.0, chassis=ROBOT):
@@ -44,7 +44,7 @@ def test_overlap_is_mutual_and_does_not_depend_on_the_frame(x, y, yaw, turn):
     assert overlap(a, b) == overlap(b, a)
     turned = robot_at(x * cos(turn) - y * sin(turn), x * sin(turn) + y * cos(turn), yaw + turn)
     nearby = robot_at(0, 0, 0.3 + turn)
-    grown = Chassis(size_m=0.0751, wheel_track_m=0.0901)
+    grown = DifferentialChassis(size_m=0.0751, wheel_track_m=0.0901)
     if overlap(a, b) == overlap(robot_at(0, 0, 0.3, grown), robot_at(x, y, yaw, grown)):
         assert overlap(nearby, turned) == overlap(a, b)
     if gap < 0.075:

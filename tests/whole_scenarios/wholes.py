@@ -9,12 +9,12 @@ from typing import Any
 
 import yaml
 
+from rcj_challenges.chassis.differential import DifferentialChassis
 from rcj_challenges.devices import AnyDevice
 from rcj_challenges.scenario.errors import ScenarioError, place_of
 from rcj_challenges.scenario.load import Loaded, load_text
 from rcj_challenges.scenario.models.limits import Limits
 from rcj_challenges.scenario.models.places import Placing
-from rcj_challenges.scenario.models.robots import Chassis
 from rcj_challenges.scenario.models.scenario import Broadcast, Expectation, Result
 from rcj_challenges.scenario.models.state import Counter, Flag, Phase, Sequence, Timer
 from rcj_challenges.scenario.reading.yaml_strict import parse_text
@@ -151,7 +151,7 @@ def _fit_out(stage: Stage, maker: Maker) -> None:
     chance = maker.chance
     for kit in _given(stage, "kits"):
         if chance.random() < 0.4:
-            kit["chassis"] = maker.model(Chassis, without=("size_m", "wheel_track_m"))
+            kit["chassis"] = maker.model(DifferentialChassis, without=("size_m", "wheel_track_m"))
         for _ in range(chance.choice((0, 0, 1, 3))):
             kit["devices"][chance.choice(("more", "ball", "left", "a b"))] = maker.value(AnyDevice, "device")
     for robot in _given(stage, "robots"):

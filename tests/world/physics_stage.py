@@ -76,8 +76,8 @@ class Stage:
         self.world.data.qvel[self.world.tables.dofs[self.index(name)]] = [vx, vy, 0, 0, 0, 0]
 
     def drive(self, name: str, left: float, right: float) -> None:
-        self.world.set_wheel(self.index(name), "left", left, math.inf)
-        self.world.set_wheel(self.index(name), "right", right, math.inf)
+        self.world.set_wheel(self.index(name), 0, left, math.inf)
+        self.world.set_wheel(self.index(name), 1, right, math.inf)
 
     def play(self, seconds: float = 0.032) -> list[Snapshot]:
         """Play at least so long; returns the snapshots."""

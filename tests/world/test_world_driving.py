@@ -138,8 +138,8 @@ def test_wheel_angles_grow_with_the_way_along_plus_x():
 @pytest.mark.parametrize("target", [1.3, -0.8])
 def test_a_wheel_goes_to_an_angle_at_the_set_speed_at_most_and_holds_it(target):
     stage = lone_robot()
-    for side in ("left", "right"):
-        stage.world.set_wheel(0, side, 2.0, target)
+    for wheel in (0, 1):
+        stage.world.set_wheel(0, wheel, 2.0, target)
     fastest = 0.0
     for _ in range(60):
         stage.play()
@@ -152,8 +152,8 @@ def test_a_wheel_goes_to_an_angle_at_the_set_speed_at_most_and_holds_it(target):
 
 def test_an_angle_is_left_as_soon_as_a_velocity_is_commanded():
     stage = lone_robot()
-    stage.world.set_wheel(0, "left", 5.0, 1.0)
-    stage.world.set_wheel(0, "right", 5.0, 1.0)
+    stage.world.set_wheel(0, 0, 5.0, 1.0)
+    stage.world.set_wheel(0, 1, 5.0, 1.0)
     stage.play(0.1)
     stage.drive("B1", -5.0, -5.0)
     stage.play(0.5)

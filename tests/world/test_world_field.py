@@ -79,7 +79,7 @@ def test_a_robots_outline_is_its_cube_and_both_wheels_10_cm_wide():
     stage = Stage()
     stage.put("B1", 0.0, 0.0)
     across = (0.0, 0.3, 0.02), (0.0, -1.0, 0.0)
-    assert stage.ray(*across, contact.GROUP_CUBES) == pytest.approx(0.3 - 0.0375)
+    assert stage.ray(*across, contact.GROUP_CHASSIS) == pytest.approx(0.3 - 0.0375)
     assert stage.ray(*across, contact.GROUP_WHEELS) == pytest.approx(0.3 - 0.05)
     ahead = (0.3, 0.045, 0.02), (-1.0, 0.0, 0.0)
     assert stage.ray(*ahead, contact.GROUP_WHEELS) == pytest.approx(0.3 - 0.02, abs=1e-4)

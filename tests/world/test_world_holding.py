@@ -44,8 +44,8 @@ def test_only_held_robots_are_braked_and_they_drive_on_afterwards(stage):
 def test_a_wheel_on_its_way_to_an_angle_waits_and_goes_there_afterwards(stage):
     robot = stage.index("Y1")
     stage.hold("Y1", "B1")
-    for side in ("left", "right"):
-        stage.world.set_wheel(robot, side, FULL, 2.0)
+    for wheel in (0, 1):
+        stage.world.set_wheel(robot, wheel, FULL, 2.0)
     stage.play(0.3)
     assert stage.wheel_angles("Y1") == [0.0, 0.0]
     stage.hold()

@@ -8,7 +8,7 @@ from rcj_challenges.core.play import Placement
 from rcj_challenges.world import contact
 from tests.world.physics_stage import FULL, Stage
 
-EVERYTHING = (contact.GROUP_FIXTURES, contact.GROUP_CUBES, contact.GROUP_WHEELS, contact.GROUP_BALLS)
+EVERYTHING = (contact.GROUP_FIXTURES, contact.GROUP_CHASSIS, contact.GROUP_WHEELS, contact.GROUP_BALLS)
 
 
 def test_at_the_start_all_stand_at_their_start_poses_at_rest():
@@ -47,7 +47,7 @@ def test_poses_for_the_devices_are_up_to_date_after_a_placement():
     world = stage.world
     assert world.data.xpos[world.tables.bodies[0]] == pytest.approx([-0.3, 0.2, 0.0375])
     assert world.data.xmat[world.tables.bodies[0]][:2] == pytest.approx([0, -1], abs=1e-9)
-    assert world.data.geom_xpos[world.tables.wheels[0][0]][:2] == pytest.approx([-0.345, 0.2])
+    assert world.data.geom_xpos[world.tables.chassis[0][1]][:2] == pytest.approx([-0.345, 0.2])
 
 
 def test_wheels_keep_their_speed_and_their_angle_when_a_robot_is_put_elsewhere():
@@ -149,7 +149,7 @@ def test_a_placement_brings_it_back_and_its_wheels_go_on(parked):
     assert parked.world.parked == [False] + [True] * 6
     parked.play(1.0)
     assert parked.velocity("B1")[0] == pytest.approx(0.1, rel=0.02)
-    assert parked.ray((0.4, -0.2, 0.05), (-1, 0, 0), contact.GROUP_CUBES) > 0
+    assert parked.ray((0.4, -0.2, 0.05), (-1, 0, 0), contact.GROUP_CHASSIS) > 0
 
 
 def test_several_parked_things_do_not_meet(parked):

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
+from rcj_challenges.chassis.base import Chassis
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.devices.base import Device
@@ -83,8 +84,6 @@ def _keys(model: Strict, path: Path) -> Iterator[Issue]:
     if isinstance(model, Rule) and isinstance(model.phases, tuple) and "any" in model.phases:
         message = "'any' cannot stand in a list of phases"
         yield Issue("wrong-value", (*path, "phases"), message, "any phase is written phases: any, without brackets")
-    if isinstance(model, Device):
-        yield from (Issue("wrong-value", (*path, key), message) for key, message in model.contradictions())
 
 
 def _numbers(model: Strict, path: Path, roster: Roster) -> Iterator[Issue]:
@@ -213,12 +212,24 @@ def _robots(scenario: Scenario, roster: Roster) -> Iterator[Issue]:
         yield Issue(
             "nothing-moves", ("robots",), "nothing on the field can move", "give at least one robot or one ball"
         )
+    for name, kit in scenario.kits.items():
+        at: Path = ("kits", name)
+        yield from (Issue("wrong-value", (*at, "chassis", key), text) for key, text in kit.chassis.contradictions())
+        yield from _devices(kit.devices, kit.chassis, at)
     for name, robot in scenario.robots.items():
+        if robot.kit in scenario.kits:
+            yield from _devices(robot.devices, scenario.kits[robot.kit].chassis, ("robots", name))
         devices = scenario.kits[robot.kit].devices if robot.kit in scenario.kits else {}
         for index, device in enumerate(robot.without if robot.kit in scenario.kits else ()):
             if device not in devices:
                 message = f"kit '{robot.kit}' has no device '{device}'"
                 yield Issue("unknown-name", ("robots", name, "without", index), message, choice_of(device, devices))
+
+
+def _devices(devices: Mapping[str, Device], chassis: Chassis, path: Path) -> Iterator[Issue]:
+    for name, device in devices.items():
+        for key, message in device.contradictions(chassis):
+            yield Issue("wrong-value", (*path, "devices", name, key), message)
 
 
 def _entrants(scenario: Scenario) -> Iterator[Issue]:

@@ -9,10 +9,10 @@ from collections.abc import Iterator
 from functools import cache
 from typing import Any
 
+from rcj_challenges.chassis.base import Chassis
 from rcj_challenges.rules.actions.count import Count
 from rcj_challenges.rules.fields import LONGEST_S, Strict
 from rcj_challenges.scenario.models.field import Ball, Box, Cylinder, FieldModel, Goal, Wall
-from rcj_challenges.scenario.models.robots import Chassis
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.walk import Issue, walk
@@ -30,13 +30,8 @@ SMALLEST_M, LARGEST_M = 0.001, 10.0
 LIGHTEST_KG = 1e-6
 """A milligram."""
 
-_BODIES = (Chassis, Ball, Box, Cylinder, Wall, Goal, FieldModel)
-_SIZES = frozenset(
-    {
-        "size_m", "radius_m", "height_m", "thickness_m", "width_m", "length_m", "depth_m", "wall_height_m",
-        "wheel_radius_m", "wheel_width_m", "wheel_track_m",
-    }
-)  # fmt: skip
+_BODIES = (Ball, Box, Cylinder, Wall, Goal, FieldModel)
+_SIZES = frozenset({"size_m", "radius_m", "height_m", "thickness_m", "width_m", "length_m", "depth_m", "wall_height_m"})
 _PLACES = frozenset({"point", "on_line", "choice", "to", "from_", "towards", "distance", "tells"})
 """Fields that may hold points, and do not say so by their unit."""
 _Range = tuple[float, float, str]
@@ -77,7 +72,7 @@ def _range(model: type[Strict], name: str) -> _Range | None:
         return _BY_NAME[name]
     if name.endswith("_rad"):
         return _ANGLE
-    if model in _BODIES and name in _SIZES:
+    if (issubclass(model, Chassis) and name.endswith("_m")) or (model in _BODIES and name in _SIZES):
         return SMALLEST_M, LARGEST_M, " m"
     holds_points = name in _PLACES and model is not Count  # whose `to` is a number of anything
     return (-FARTHEST_M, FARTHEST_M, " m") if name.endswith("_m") or holds_points else None

@@ -12,6 +12,7 @@ from rcj_challenges.rules.placement import places
 from rcj_challenges.scenario.checks.ground import Floor, obstacle_bodies
 from rcj_challenges.scenario.floor import floor_parts, on_floor
 from rcj_challenges.scenario.half_start import fixed_spots
+from rcj_challenges.scenario.kit_devices import chassis_of
 from rcj_challenges.scenario.lint.base import LintRule
 from rcj_challenges.scenario.lint.context import LintContext
 from rcj_challenges.scenario.models.places import CircleZone, HalfPlaneZone, RectZone, Zone
@@ -172,7 +173,7 @@ def _outline(name: str, point: Point, placing: Places, ctx: LintContext) -> tupl
     robot = ctx.scenario.robots.get(name)
     if robot is None:
         return None
-    chassis = ctx.scenario.kits[robot.kit].chassis
+    chassis = chassis_of(ctx.scenario, name)
     yaw_rad = robot.start.yaw_rad if placing.facing == "start" else placing.facing
     if not isinstance(yaw_rad, int | float):
         return disc(chassis.size_m / 2).at((*point, 0.0))

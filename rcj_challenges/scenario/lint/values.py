@@ -16,6 +16,7 @@ from rcj_challenges.rules.kick import MAX_KICK_MPS
 from rcj_challenges.rules.values import longest_s
 from rcj_challenges.scenario.errors import choice_of
 from rcj_challenges.scenario.halves import MAX_LENGTHS, clock_may_stop, longest_half_s
+from rcj_challenges.scenario.kit_devices import chassis_of
 from rcj_challenges.scenario.lint.base import LintRule
 from rcj_challenges.scenario.lint.context import LintContext
 from rcj_challenges.scenario.models.scenario import Keyframe, Rule
@@ -102,8 +103,8 @@ class NeverReached(LintRule):
         depth_m = max((goal.depth_m for goal in field.goals.values()), default=0.0)
         across_m = (field.width_m**2 + (field.length_m + 2 * depth_m) ** 2) ** 0.5
         too_far = f"the field is {field.width_m:g} m by {field.length_m:g} m"
-        chassis = [ctx.scenario.kits[robot.kit].chassis for robot in ctx.scenario.robots.values()]
-        drives_mps = max((one.max_wheel_radps * one.wheel_radius_m for one in chassis), default=0.0)
+        chassis = (chassis_of(ctx.scenario, robot) for robot in ctx.scenario.robots)
+        drives_mps = max((one.top_speed_mps for one in chassis), default=0.0)
         fastest_mps = max(self._PUSHED * drives_mps, 2 * MAX_KICK_MPS)
         too_fast = f"the fastest robot drives {drives_mps:g} m/s"
         for model, path in ctx.models:

@@ -113,7 +113,7 @@ class _Explainer:
                 of_key = True
             elif is_union(kind) and discriminator is None:
                 return _Mistake(str(details["type"]), details, path, shape, union=union or shape), True
-            elif is_union(kind):
+            elif discriminator is not None:
                 union = union or shape
                 shape = tags(shape).get(str(element))
             else:

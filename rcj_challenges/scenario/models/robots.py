@@ -4,23 +4,10 @@ from typing import Annotated, Literal
 
 from pydantic import Field, StringConstraints
 
+from rcj_challenges.chassis import USUAL_CHASSIS, AnyChassis
 from rcj_challenges.devices import AnyDevice
-from rcj_challenges.rules.fields import DeviceName, Name, Point, Positive, Strict, described
+from rcj_challenges.rules.fields import DeviceName, Name, Point, Strict, described
 from rcj_challenges.rules.refs import ONE_ROBOT, Ref, SectionRef
-
-
-class Chassis(Strict):
-    """The body: a cube on two wheels. The defaults are those of the original's robots."""
-
-    # Their source: reference, section 2.
-
-    size_m: Positive = described(0.075, "edge length of the cube in m", le=0.5)
-    mass_kg: Positive = described(0.2, "mass of the cube in kg", le=20)
-    wheel_radius_m: Positive = described(0.02, "radius of the wheels in m", le=0.2)
-    wheel_width_m: Positive = described(0.01, "width of the wheels in m", le=0.1)
-    wheel_track_m: Positive = described(0.09, "distance between the centres of the wheels in m", le=0.6)
-    wheel_mass_kg: Positive = described(0.005, "mass of each wheel in kg", le=1)
-    max_wheel_radps: Positive = described(10.0, "highest wheel speed in rad/s; faster commands are clamped", le=100)
 
 
 class Kit(Strict):
@@ -44,7 +31,7 @@ class Kit(Strict):
     looks_along: Literal["+x", "-x"] = described(
         "+x", "end shown as the front in pictures and views; yaw, devices and rules always use +x"
     )
-    chassis: Chassis = described(Chassis.model_construct(), "the body")
+    chassis: AnyChassis = described(USUAL_CHASSIS, "its body and wheels; without `drive` it is `differential`")
     devices: dict[DeviceName, AnyDevice] = described({}, "devices by the name that programs pass to getDevice")
 
 

@@ -247,15 +247,13 @@ def _robots(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) ->
             entries.append(Entry(f"{name}: {_PLACED}"))
             continue
         kit, at, ink = scenario.kits[robot.kit], pose[:2], text_on(rgb(robot.colour))
-        chassis, size_m = kit.chassis, kit.chassis.size_m
+        size_m = kit.chassis.size_m
         shifts = any(noise_m) and pose == start_pose(scenario, name)
         if shifts:
             paper.polygon(turned(box(2 * noise_m[0], 2 * noise_m[1]), at, 0.0), _NOISE_BOX, f"{name} starts in here")
-        wheel = box(2 * chassis.wheel_radius_m, chassis.wheel_width_m)
-        for side in (0.5, -0.5):
-            corners = [(x, y + side * chassis.wheel_track_m) for x, y in wheel]
-            paper.polygon(turned(corners, at, pose[2]), 'fill="#212529"')
-        paper.polygon(turned(box(size_m, size_m), at, pose[2]), f'fill="{hex_of(robot.colour)}" stroke="#212529"', name)
+        for wheel in kit.chassis.wheels():
+            paper.polygon(turned(wheel.corners(), at, pose[2]), 'fill="#212529"')
+        paper.polygon(turned(kit.chassis.body(), at, pose[2]), f'fill="{hex_of(robot.colour)}" stroke="#212529"', name)
         reach, wide = (size_m / 2 if kit.looks_along == "+x" else -size_m / 2), size_m * 0.16
         nose = [(reach * 0.95, 0.0), (reach * 0.55, wide), (reach * 0.55, -wide)]
         paper.polygon(turned(nose, at, pose[2]), f'fill="rgb{ink}"', "its front")

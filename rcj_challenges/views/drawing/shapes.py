@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 
 from rcj_challenges.scenario.models.field import FieldModel, Goal
 from rcj_challenges.scenario.models.places import CircleZone, PolygonZone, RectZone, Zone
@@ -102,7 +103,7 @@ def corners_of(left: float, bottom: float, right: float, top: float) -> list[Poi
     return [(left, top), (right, top), (right, bottom), (left, bottom)]
 
 
-def turned(points: list[Point], at: Point, yaw_rad: float) -> list[Point]:
+def turned(points: Iterable[Point], at: Point, yaw_rad: float) -> list[Point]:
     """Return points of a body's own frame (x forward) as points of the field."""
     c, s = math.cos(yaw_rad), math.sin(yaw_rad)
     return [(at[0] + c * x - s * y, at[1] + s * x + c * y) for x, y in points]

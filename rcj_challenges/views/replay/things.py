@@ -110,9 +110,9 @@ def _robot(scenario: Scenario, name: str) -> dict[str, Any]:
         "idle": robot.idle,
         "front": 1 if kit.looks_along == "+x" else -1,
         "size_m": chassis.size_m,
-        "wheel_radius_m": chassis.wheel_radius_m,
-        "wheel_width_m": chassis.wheel_width_m,
-        "wheel_track_m": chassis.wheel_track_m,
+        "height_m": chassis.height_m,
+        "body": chassis.body(),
+        "wheels": [wheel._asdict() for wheel in chassis.wheels()],
     }
 
 

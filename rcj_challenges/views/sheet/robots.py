@@ -8,7 +8,7 @@ from rcj_challenges.devices.base import Device
 from rcj_challenges.devices.team_emitter import TeamEmitterDevice
 from rcj_challenges.devices.team_receiver import TeamReceiverDevice
 from rcj_challenges.robots.channels import entrant_of, team_channels
-from rcj_challenges.rules.phrasing import heading, listed, metres, metres_alike, plain
+from rcj_challenges.rules.phrasing import heading, listed, metres_alike, plain
 from rcj_challenges.scenario.kit_devices import devices_of
 from rcj_challenges.scenario.models import robots as models
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -35,7 +35,7 @@ def robot_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
     for kit_name, kit in scenario.kits.items():
         members = [name for name, robot in scenario.robots.items() if robot.kit == kit_name]
         if members:
-            yield f"Kit {kit_name} ({', '.join(map(plain, members))}): {_body(kit)}"
+            yield f"Kit {kit_name} ({', '.join(map(plain, members))}): {_body(kit, phrases)}"
         driven = [name for name in members if not scenario.robots[name].idle]
         if driven:
             yield (
@@ -80,13 +80,6 @@ def _start(start: models.StartPose) -> str:
     return f"{point_words((start.x_m, start.y_m))}{noise}, facing {heading(start.yaw_rad)}"
 
 
-def _body(kit: models.Kit) -> str:
-    chassis = kit.chassis
-    apart, radius, width = metres_alike((chassis.wheel_track_m, chassis.wheel_radius_m, chassis.wheel_width_m))
+def _body(kit: models.Kit, phrases: Phrasebook) -> str:
     shown = " Pictures show its front at the other end." if kit.looks_along == "-x" else ""
-    return (
-        f"a cube of {metres(chassis.size_m)} on two wheels; its mass is {chassis.mass_kg:g} kg, and "
-        f"{chassis.wheel_mass_kg:g} kg that of each wheel. The wheels have a radius of {radius}, are {width} wide and "
-        f"{apart} apart, from centre to centre; they turn at up to {chassis.max_wheel_radps:g} rad/s, which "
-        f"drives it at {chassis.wheel_radius_m * chassis.max_wheel_radps:g} m/s.{shown}"
-    )
+    return f"{kit.chassis.describe(phrases)}.{shown}"

@@ -19,6 +19,7 @@ from rcj_challenges.views.replay.things import zone_colour
 from rcj_challenges.views.video.camera import FOV_RAD
 from rcj_challenges.views.video.footage import Footage
 from rcj_challenges.views.video.text import text_mask
+from rcj_challenges.world import contact
 from rcj_challenges.world.build import build_spec
 from rcj_challenges.world.build_field import FIELD, OBSTACLE
 
@@ -150,19 +151,21 @@ def _dress(spec: Any, entity: Mapping[str, Any], floor: Any) -> None:
         _add_shadow(floor, mujoco.mjtGeom.mjGEOM_CYLINDER, [entity["radius_m"]])
     else:
         dark, body = rgb(PALETTE["dark"]), spec.body(name)
-        half_m, front = entity["size_m"] / 2, entity["front"]
-        _paint(spec.geom(f"{name}/cube"), colour)
-        for wheel in ("left_wheel", "right_wheel"):
-            _paint(spec.geom(f"{name}/{wheel}"), dark)
-        _add_box(body, (0, 0, -0.64 * half_m), (half_m + 0.0003, half_m + 0.0003, 0.36 * half_m), dark)
+        half_m, top_m, front = entity["size_m"] / 2, entity["height_m"] / 2, entity["front"]
+        for geom in body.geoms:
+            _paint(geom, colour if geom.group == contact.GROUP_CHASSIS else dark)
+        if spec.geom(f"{name}/body").type == mujoco.mjtGeom.mjGEOM_BOX:
+            _add_box(body, (0, 0, -0.64 * top_m), (half_m + 0.0003, half_m + 0.0003, 0.36 * top_m), dark)
+        else:
+            half_m *= math.sqrt(0.5)  # a lid that a round body holds
         lid = spec.add_texture(
             name=f"{name}/lid", type=mujoco.mjtTexture.mjTEXTURE_2D, width=_LID_PX, height=_LID_PX, nchannel=3,
         )  # fmt: skip
         lid.data = _lid(str(entity["number"]), colour, front).tobytes()
-        top = _add_box(body, (0, 0, half_m), (half_m * 0.99, half_m * 0.99, 0.0006), rgb("white"))
+        top = _add_box(body, (0, 0, top_m), (half_m * 0.99, half_m * 0.99, 0.0006), rgb("white"))
         top.material = _material(spec, lid.name)
         for y in (-0.4, 0.4):
-            at_m = (front * half_m, y * half_m, half_m * 0.3)
+            at_m = (front * half_m, y * half_m, top_m * 0.3)
             _add_box(body, at_m, (0.0015, half_m * 0.16, half_m * 0.16), rgb(PALETTE["mark"]))
         _add_shadow(floor, mujoco.mjtGeom.mjGEOM_BOX, [half_m, half_m])
 

@@ -28,8 +28,8 @@ class CylinderContacts(Effect):
         self._options, self._qpos = model.opt, one_by_one(data.qpos)
         self._several = int(model.opt.disableflags)
         self._robots = [
-            (tables.qpos_at[robot], _ROUNDING_M + reach_m(model, data, (cube, *tables.wheels[robot])))
-            for robot, cube in enumerate(tables.cubes)
+            (tables.qpos_at[robot], _ROUNDING_M + reach_m(model, data, geoms))
+            for robot, geoms in enumerate(tables.chassis)
         ]
         round_ones = {name: one for name, one in obstacles.items() if isinstance(one, Cylinder)}
         self._fixed = [(*one.centre_m, one.radius_m) for one in round_ones.values() if not one.movable]

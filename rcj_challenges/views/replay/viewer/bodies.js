@@ -26,7 +26,7 @@ const Bodies = {
 
   /** The lid's number; its upper edge is towards the robot's front, so it reads well from behind. */
   number(entity, cell) {
-    const half = entity.size_m * 0.3, top = entity.size_m / 2 + 0.0008;
+    const half = entity.size_m * 0.3, top = entity.height_m / 2 + 0.0008;
     const x = cell % ATLAS_CELLS, y = Math.floor(cell / ATLAS_CELLS);
     const place = (column, row) => [(x + column) / ATLAS_CELLS, (y + row) / ATLAS_CELLS];
     const back = -half - 0.006 * entity.front, front = half - 0.006 * entity.front;
@@ -39,22 +39,21 @@ const Bodies = {
 
   robot(entity) {
     const colour = Colours.rgb(entity.colour);
-    const size = entity.size_m, half = size / 2;
-    const low = size * 0.36;
+    const size = entity.size_m, half = size / 2, top = entity.height_m / 2, low = entity.height_m * 0.36;
     const mesh = new Mesh();
     // A dark base, the team's colour above it, a lid with a bright arrow that shows the front.
-    mesh.box([0, 0, -half + low / 2], [size, size, low], 0, PALETTE.dark);
-    mesh.box([0, 0, low / 2], [size, size, size - low], 0, colour, {
-      top: Colours.mix(colour, [1, 1, 1], 0.08),
-      [entity.front > 0 ? "front" : "back"]: Colours.mix(colour, PALETTE.dark, 0.55),
-    });
+    mesh.prism(entity.body, -top, low - top, () => PALETTE.dark, PALETTE.dark);
+    const face = ([x]) => (x * entity.front > 0.9 ? Colours.mix(colour, PALETTE.dark, 0.55) : colour);
+    mesh.prism(entity.body, low - top, top, face, Colours.mix(colour, [1, 1, 1], 0.08));
     const tip = (half - 0.002) * entity.front, foot = (half - 0.014) * entity.front, wide = 0.016 * entity.front;
-    const z = half + 0.0007, up = [0, 0, 1];
+    const z = top + 0.0007, up = [0, 0, 1];
     mesh.triangle([[tip, 0, z], [foot, wide, z], [foot, -wide, z]], [up, up, up], PALETTE.mark);
     for (const side of [-1, 1]) {
-      mesh.box([(half + 0.001) * entity.front, side * size * 0.2, size * 0.14], [0.004, size * 0.15, size * 0.15], 0, [0.93, 0.96, 1]);
-      const centre = [0, (side * entity.wheel_track_m) / 2, entity.wheel_radius_m - half - 0.0001];
-      mesh.cylinder(centre, entity.wheel_radius_m, entity.wheel_width_m, "y", [0.07, 0.07, 0.08], [0.24, 0.26, 0.29]);
+      mesh.box([(half + 0.001) * entity.front, side * size * 0.2, entity.height_m * 0.14], [0.004, size * 0.15, size * 0.15], 0, [0.93, 0.96, 1]);
+    }
+    for (const { x_m, y_m, yaw_rad, radius_m, width_m } of entity.wheels) {
+      const axle = [-Math.sin(yaw_rad), Math.cos(yaw_rad), 0];
+      mesh.cylinder([x_m, y_m, radius_m - top - 0.0001], radius_m, width_m, axle, [0.07, 0.07, 0.08], [0.24, 0.26, 0.29]);
     }
     return mesh;
   },
@@ -67,7 +66,7 @@ const Bodies = {
   obstacle(entity) {
     const colour = Colours.rgb(entity.colour);
     const height = entity.height_m;
-    if (entity.shape === "cylinder") return new Mesh().cylinder([0, 0, 0], entity.radius_m, height, "z", colour, Colours.mix(colour, [1, 1, 1], 0.25));
+    if (entity.shape === "cylinder") return new Mesh().cylinder([0, 0, 0], entity.radius_m, height, [0, 0, 1], colour, Colours.mix(colour, [1, 1, 1], 0.25));
     return new Mesh().box([0, 0, 0], [...entity.size_m, height], 0, colour, { top: Colours.mix(colour, [1, 1, 1], 0.25) });
   },
 
@@ -117,7 +116,7 @@ const Bodies = {
       const colour = Colours.rgb(thing.colour), top = { top: Colours.mix(colour, [1, 1, 1], 0.25) };
       if (thing.shape === "wall") mesh.wall(thing.from_m, thing.to_m, thing.thickness_m, thing.height_m, colour, top);
       else if (thing.shape === "box") mesh.box([...thing.centre_m, thing.height_m / 2], [...thing.size_m, thing.height_m], thing.yaw_rad, colour, top);
-      else mesh.cylinder([...thing.centre_m, thing.height_m / 2], thing.radius_m, thing.height_m, "z", colour, top.top);
+      else mesh.cylinder([...thing.centre_m, thing.height_m / 2], thing.radius_m, thing.height_m, [0, 0, 1], colour, top.top);
     }
     return mesh;
   },

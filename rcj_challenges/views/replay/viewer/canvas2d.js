@@ -87,10 +87,13 @@ class Canvas2d {
 
   robot(entity, colour, logo) {
     const { pen } = this;
-    const half = entity.size_m / 2, wheel = entity.wheel_radius_m, outer = entity.wheel_track_m / 2 + entity.wheel_width_m / 2;
-    this.shape({ points: Ground.rectangle(-wheel, -outer, wheel, outer), fill: PALETTE.dark, alpha: 1 });
+    const half = entity.size_m / 2;
+    for (const { x_m, y_m, yaw_rad, radius_m, width_m } of entity.wheels) {
+      const along = [Math.cos(yaw_rad) * radius_m, Math.sin(yaw_rad) * radius_m];
+      this.shape({ points: [-1, 1].map((way) => [x_m + way * along[0], y_m + way * along[1]]), line: PALETTE.dark, width: width_m, alpha: 1 });
+    }
+    this.shape({ points: entity.body, fill: colour, alpha: 1 });
     pen.shadowColor = "transparent";
-    this.shape({ points: Ground.rectangle(-half, -half, half, half), fill: colour, alpha: 1 });
     const tip = half * entity.front, foot = (half - 0.014) * entity.front;
     this.shape({ points: [[tip, 0], [foot, 0.016], [foot, -0.016]], fill: PALETTE.mark, alpha: 1 });
     // Letters are drawn in pixels: fonts of some hundredths of a unit come out ragged.

@@ -51,6 +51,15 @@ class Mesh {
     return this.quad(at(-hx, hy, -hz), at(hx, hy, -hz), at(hx, -hy, -hz), at(-hx, -hy, -hz), paint("bottom"));
   }
 
+  /** An upright prism over a convex outline; `face` returns a side's colour by its normal. It has no bottom. */
+  prism(outline, low, high, face, lid) {
+    outline.forEach(([x0, y0], index) => {
+      const [x1, y1] = outline[(index + 1) % outline.length];
+      this.quad([x0, y0, low], [x1, y1, low], [x1, y1, high], [x0, y0, high], face(Maths.unit([y1 - y0, x0 - x1, 0])));
+    });
+    return this.floor(outline, lid, high);
+  }
+
   /** A wall that stands on the floor between two points. */
   wall(from, to, thickness, height, colour, faces = {}) {
     const dx = to[0] - from[0], dy = to[1] - from[1];
@@ -58,17 +67,16 @@ class Mesh {
     return this.box(centre, [Math.hypot(dx, dy), thickness, height], Math.atan2(dy, dx), colour, faces);
   }
 
-  /** A cylinder along an axis ("y" or "z") around a centre, with a light spoke so that turning can be seen. */
+  /** A cylinder along a level or upright axis around a centre, with a light spoke so that turning can be seen. */
   cylinder(centre, radius, length, axis, colour, cap = colour, parts = 16) {
+    const first = axis[2] ? [1, 0, 0] : [axis[1], -axis[0], 0], second = Maths.cross(axis, first);
     const at = (angle, along) => {
       const a = radius * Math.cos(angle), b = radius * Math.sin(angle);
-      const offset = axis === "y" ? [a, along, -b] : [a, b, along];
-      return [0, 1, 2].map((k) => centre[k] + offset[k]);
+      return [0, 1, 2].map((k) => centre[k] + a * first[k] + b * second[k] + along * axis[k]);
     };
     const outward = (angle) => Maths.unit(Maths.subtract(at(angle, 0), centre));
     const h = length / 2;
-    const end = axis === "y" ? [0, 1, 0] : [0, 0, 1];
-    const other = end.map((part) => -part);
+    const end = axis, other = end.map((part) => -part);
     const tip = end.map((part, k) => centre[k] + part * h), tail = end.map((part, k) => centre[k] - part * h);
     for (let part = 0; part < parts; part++) {
       const a = (2 * Math.PI * part) / parts, b = (2 * Math.PI * (part + 1)) / parts;

@@ -1,0 +1,209 @@
+"""What all chassis share: their fields, how body and wheels are described, and what drives them.
+
+A robot moves in the plane (ADR 2): its joints are x, y and yaw, then those of its wheels. It looks along +x.
+"""
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Annotated, ClassVar, Literal, NamedTuple, Protocol
+
+from pydantic import Field
+
+from rcj_challenges.geometry.polygons import Point
+from rcj_challenges.rules.base import Phrases, Vocabulary, Word
+from rcj_challenges.rules.fields import Positive, described
+
+GRAVITY_MPS2 = 9.81
+"""Standard gravity; the original's worlds use it too."""
+
+YAW = 2
+"""Where the yaw stands after x and y, in `qpos` and `qvel`; the joints of wheels follow."""
+
+WheelName = Literal["left", "right"] | Annotated[int, Field(ge=0)]
+"""How a motor names its wheel; inside, wheels are numbered."""
+WHEEL_NAMES = ": left (the robot's +y side) or right; of a chassis without such wheels its number, from 0"
+
+
+def wheel_words(name: WheelName) -> str:
+    """Return a wheel in words: ``the left wheel``, ``wheel 2``."""
+    return f"wheel {name}" if isinstance(name, int) else f"the {name} wheel"
+
+
+CHASSIS = Vocabulary("drive", otherwise="differential")
+
+
+class Wheel(NamedTuple):
+    """A wheel, seen from above.
+
+    Attributes:
+        name: as motors name it.
+        x_m, y_m: its centre.
+        yaw_rad: where it drives to if it turns forward.
+        radius_m, width_m, mass_kg: its size.
+    """
+
+    name: WheelName
+    x_m: float
+    y_m: float
+    yaw_rad: float
+    radius_m: float
+    width_m: float
+    mass_kg: float
+
+    @property
+    def part(self) -> str:
+        """The name of its outline on the robot, and of its joint: ``left_wheel``."""
+        return f"{self.name}_wheel"
+
+    def corners(self) -> tuple[Point, ...]:
+        """Return its outline, counter-clockwise."""
+        c, s = math.cos(self.yaw_rad), math.sin(self.yaw_rad)
+        return tuple(
+            (self.x_m + c * x - s * y, self.y_m + s * x + c * y) for x, y in box(2 * self.radius_m, self.width_m)
+        )
+
+
+class Grip(NamedTuple):
+    """Dry friction on the floor against one slip.
+
+    Attributes:
+        name: ``left_grip``.
+        limit_n: the largest force in N.
+        slip: the slip's speed in m/s at yaw 0, as coefficients of the speeds of joints, in this order.
+    """
+
+    name: str
+    limit_n: float
+    slip: dict[str, float]
+
+
+class Mount(NamedTuple):
+    """A robot in the compiled model.
+
+    Attributes:
+        robot: its index.
+        chassis: its chassis.
+        at: where its x stands in `qpos` and `qvel`; its other joints follow.
+        grip: index of its first grip in `limits_n`; the others follow.
+        coefficient: where the first coefficient of its first grip stands; the others follow.
+        turned: where the angles of its wheels without joints stand in `turned_rad`.
+    """
+
+    robot: int
+    chassis: "Chassis"
+    at: int
+    grip: int
+    coefficient: int
+    turned: int
+
+
+@dataclass(frozen=True)
+class Physics:
+    """The numbers of a world that drives read and write, one by one: numpy takes three times as long (ADR 10).
+
+    Attributes:
+        qpos, qvel: positions and speeds of joints.
+        coefficients: of all grips.
+        limits_n: of all grips.
+        turned_rad: angles of wheels without joints.
+        friction: between wheels and floor.
+    """
+
+    qpos: "memoryview[float]"
+    qvel: "memoryview[float]"
+    coefficients: "memoryview[float]"
+    limits_n: "memoryview[float]"
+    turned_rad: "memoryview[float]"
+    friction: float
+
+
+class Drive(Protocol):
+    """The wheels of all robots with one kind of chassis, and their commands."""
+
+    def reset(self) -> None:
+        """Hold every wheel where it is: none has been commanded yet."""
+
+    def set_wheel(self, robot: int, wheel: int, velocity_radps: float, position_rad: float) -> None:
+        """Command a wheel: by velocity (position ``inf``), or to an angle at this velocity at most."""
+
+    def set_stopped(self, robot: int, *, stopped: bool) -> None:
+        """Brake the wheels of a robot that is held or taken off the field; let them go on as commanded afterwards."""
+
+    def before_substep(self, substep: int) -> None:
+        """Turn the wheels as commanded, and let the grip follow the robots' yaw."""
+
+
+class Chassis(Word):
+    """What carries a robot. The defaults are those of the original's robots.
+
+    Attributes:
+        MOTOR_JOINT: name of one joint for all wheels, which then have no joints of their own; empty: each has its own.
+    """
+
+    KEY = "drive"
+    MOTOR_JOINT: ClassVar = ""
+
+    # Source of the defaults: reference, section 2.
+    size_m: Positive = described(0.075, "edge length or diameter of the body in m", le=0.5)
+    mass_kg: Positive = described(0.2, "mass of the body in kg", le=20)
+    max_wheel_radps: Positive = described(10.0, "highest wheel speed in rad/s; faster commands are clamped", le=100)
+
+    @property
+    def height_m(self) -> float:
+        """The height of its body."""
+        return self.size_m
+
+    @property
+    def top_speed_mps(self) -> float:
+        """How fast it drives at most."""
+        return self.max_wheel_radps * max(wheel.radius_m for wheel in self.wheels())
+
+    def body(self) -> tuple[Point, ...]:
+        """Return the outline of its body, convex and counter-clockwise."""
+        return box(self.size_m, self.size_m)
+
+    def wheels(self) -> tuple[Wheel, ...]:
+        """Return its wheels by number."""
+        raise NotImplementedError
+
+    def number_of(self, wheel: WheelName) -> int:
+        """Return the number of a wheel by its name."""
+        return self.wheel_names().index(wheel)
+
+    def lacking(self, wheel: WheelName) -> Iterable[tuple[str, str]]:
+        """Return a wheel that it lacks, as a contradiction of a device."""
+        names = self.wheel_names()
+        if wheel not in names:
+            yield "wheel", f"its chassis has no wheel {wheel}, but {', '.join(map(str, names))}"
+
+    def contradictions(self) -> Iterable[tuple[str, str]]:
+        """Return the fields that contradict others, each with what is wrong."""
+        return ()
+
+    def wheel_names(self) -> tuple[WheelName, ...]:
+        """Return the names of its wheels by number."""
+        return tuple(wheel.name for wheel in self.wheels())
+
+    def footprint(self) -> Iterable[tuple[Point, ...]]:
+        """Return convex polygons that cover body and wheels."""
+        return self.body(), *(wheel.corners() for wheel in self.wheels())
+
+    def grips(self, friction: float) -> tuple[Grip, ...]:
+        """Return its grip on a floor."""
+        raise NotImplementedError
+
+    @classmethod
+    def make_drive(cls, physics: Physics, mounts: Sequence[Mount]) -> Drive:
+        """Return what drives all robots with this kind of chassis in a half."""
+        raise NotImplementedError
+
+    def describe(self, _phrases: Phrases) -> str:
+        """Return what it is: ``a cube of 7.5 cm on two wheels; …``."""
+        raise NotImplementedError
+
+
+def box(length_m: float, width_m: float) -> tuple[Point, ...]:
+    """Return the corners of a rectangle around the origin, counter-clockwise: length along x, width along y."""
+    x, y = length_m / 2, width_m / 2
+    return (x, y), (-x, y), (-x, -y), (x, -y)
