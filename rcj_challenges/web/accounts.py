@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 from django.conf import settings
 from django.contrib.auth.hashers import Argon2PasswordHasher
+from django.db.models import Q
 from django.http import HttpRequest
 from django.middleware.csrf import rotate_token
 
@@ -139,19 +140,25 @@ def signs_in(name: str, password: str, now: datetime) -> Account | None:
     After some failures that account alone has to wait, longer each time; never an address, which a class shares.
     """
     account = Account.objects.filter(name=name, is_active=True).first()
-    if account is None:
+    if account is None or not _reserve_try(account, now):
         Account().set_password(password)  # takes as long as a wrong password
         return None
-    if account.locked_until is not None and now < account.locked_until:
+    if not account.check_password(password):
         return None
-    if account.check_password(password):
-        Account.objects.filter(pk=account.pk).update(failures=0, locked_until=None)
-        return account
+    Account.objects.filter(pk=account.pk).update(failures=0, locked_until=None)
+    return account
+
+
+def _reserve_try(account: Account, now: datetime) -> bool:
+    """Count a try as a failure before it is made, so that tries at the same time cannot pass the wait."""
     failures = account.failures + 1
-    wait_s = min(_MAX_WAIT_S, 2 ** (failures - _FREE_FAILURES)) if failures >= _FREE_FAILURES else 0
-    locked_until = now + timedelta(seconds=wait_s) if wait_s else None
-    Account.objects.filter(pk=account.pk).update(failures=failures, locked_until=locked_until)
-    return None
+    wait_s = min(_MAX_WAIT_S, 2 ** min(failures - _FREE_FAILURES, 10)) if failures >= _FREE_FAILURES else 0
+    is_free = Q(locked_until=None) | Q(locked_until__lte=now)
+    return bool(
+        Account.objects.filter(is_free, pk=account.pk, failures=account.failures).update(
+            failures=failures, locked_until=now + timedelta(seconds=wait_s) if wait_s else None
+        )
+    )
 
 
 def write_audit(viewer: Viewer, act: str, about: object, reason: str, now: datetime) -> None:

@@ -77,7 +77,7 @@ def _receipt(found: Submission) -> dict[str, Any]:
     }
 
 
-_REFUSALS = {400: Problem, 409: Problem, 429: Problem, 507: Problem}
+_REFUSALS = dict.fromkeys((400, 409, 429, 503, 507), Problem)
 
 
 @api.post("submissions", response={201: Receipt, **_REFUSALS})

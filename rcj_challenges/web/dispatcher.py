@@ -14,6 +14,7 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from datetime import datetime
+from pathlib import Path
 from typing import Any
 
 from django.db import DatabaseError, close_old_connections, connections
@@ -113,7 +114,17 @@ class Dispatcher:
         finally:
             with self._lock:
                 self._held.discard(claim)
+            self._remove_left(job)
         return True
+
+    def _remove_left(self, job: Job) -> None:
+        """Remove what an attempt has written and `finish` has not moved away."""
+        if job.submission is not None:
+            shutil.rmtree(report_folder(self._config.folder, job.submission, job.attempt), ignore_errors=True)
+        self._repaired(job).unlink(missing_ok=True)
+
+    def _repaired(self, job: Job) -> Path:
+        return self._blobs.incoming / f"repair-{job.pk}-{job.attempt}.zip"
 
     def _insist(self, end: Callable[[float], bool], began: float) -> None:
         """Store how a job ended; if the database is away, try again as long as a lease lasts."""
@@ -181,16 +192,13 @@ class Dispatcher:
         return store
 
     def _repair(self, job: Job, submission: Submission, claim: tuple[int, int]) -> Callable[[Job], None]:
-        out = self._blobs.incoming / f"repair-{job.pk}-{job.attempt}.zip"
-        out.unlink(missing_ok=True)
+        out = self._repaired(job)
         answer = self._answer(job, claim, {"kind": "repair", "out": str(out)}, submission)
         if answer["repaired"] is None:
             return lambda _: None
-        sha256, size = self._blobs.keep_file(out)
-        out.unlink()
 
-        def store(_job: Job) -> None:
-            accept_repaired(submission, sha256, size, self._now())
+        def store(_job: Job) -> None:  # runs only if the result still counts: the team may have been deleted since
+            accept_repaired(submission, *self._blobs.keep_file(out), self._now())
 
         return store
 

@@ -149,6 +149,8 @@ def finish(job: Job, now: datetime, lane_s: float, store: Callable[[Job], None])
         store: stores the result; runs in the transaction.
     """
     with writing():
+        if job.team_id is not None:
+            Team.objects.select_for_update().get(pk=job.team_id)  # a team is locked before its jobs, everywhere
         mine = Job.objects.filter(pk=job.pk, worker=job.worker, attempt=job.attempt, state=JobState.RUNNING)
         done = mine.update(
             state=JobState.DONE, finished_at=now, lane_s=F("lane_s") + lane_s, lease_until=None, error=""
@@ -160,13 +162,15 @@ def finish(job: Job, now: datetime, lane_s: float, store: Callable[[Job], None])
 
 
 def store_verdict(submission: Submission, verdict: Verdict) -> None:
-    """Store what a check found; the newest accepted submission of a team becomes the one that plays."""
+    """Store what a check found; the newest accepted submission of a team becomes the one that plays.
+
+    Called inside `writing`, with the team locked.
+    """
     submission.state, submission.level, submission.digest = verdict.state, verdict.level, verdict.digest
     submission.report = verdict.report
     submission.save(update_fields=("state", "level", "digest", "report"))
     if verdict.state == State.ACCEPTED:
-        team = Team.objects.select_for_update().get(pk=submission.team_id)
-        entry, _ = Entry.objects.get_or_create(team=team, season_id=submission.season_id)
+        entry, _ = Entry.objects.get_or_create(team_id=submission.team_id, season_id=submission.season_id)
         if entry.active is None or entry.active.number < submission.number:
             entry.active = submission
             entry.save(update_fields=("active",))
@@ -223,7 +227,8 @@ def _give_back(job: Job, now: datetime) -> None:
     job.worker, job.lease_until, job.not_before = "", None, now + _RETRY_AFTER * max(0, job.tries - 1)
     job.save(update_fields=("state", "worker", "lease_until", "not_before"))
     if job.submission_id is not None:
-        state = State.UNCHECKED if is_stuck else State.QUEUED
-        Submission.objects.filter(pk=job.submission_id, state=State.CHECKING).update(
-            state=state, is_counted=not is_stuck
-        )
+        checking = Submission.objects.filter(pk=job.submission_id, state=State.CHECKING)
+        if is_stuck:
+            checking.update(state=State.UNCHECKED, is_counted=False)
+        else:
+            checking.update(state=State.QUEUED)

@@ -18,6 +18,8 @@ from rcj_challenges.web.models import Job, JobState, Season, State, Submission, 
 
 MAX_UPLOAD = timedelta(seconds=120)
 _HOUR, _DAY = timedelta(hours=1), timedelta(days=1)
+_UNCOUNTED_FACTOR = 5
+"""Of the uploads a day, for those that count for no quota: they need the disk, too."""
 
 
 class RefusedError(Exception):
@@ -47,15 +49,23 @@ def ensure_may_upload(team: Team, season: Season | None, begun_at: datetime) -> 
         raise RefusedError(409, "not-open", f"uploads open on {opens_at:%Y-%m-%d at %H:%M %Z}")
     if not Blobs(current_site().folder).has_room():
         raise RefusedError(507, "disk-full", "the site has no room for more; the organizers can see this")
-    counted = Submission.objects.filter(team=team, is_counted=True)
+    _ensure_within_quotas(team, begun_at)
+    return season
+
+
+def _ensure_within_quotas(team: Team, begun_at: datetime) -> None:
     config = current_site()
+    today = Submission.objects.filter(team=team, received_at__gt=begun_at - _DAY)
+    counted = today.filter(is_counted=True)
     if counted.filter(received_at__gt=begun_at - _HOUR).count() >= config.uploads_per_hour:
         raise RefusedError(429, "too-often", f"{config.uploads_per_hour} uploads an hour are taken; try again later")
-    today = counted.filter(received_at__gt=begun_at - _DAY)
-    size = today.aggregate(total=Sum("size_bytes"))["total"] or 0
-    if today.count() >= config.uploads_per_day or size >= config.upload_bytes_per_day:
-        raise RefusedError(429, "too-often", f"{config.uploads_per_day} uploads a day are taken; try again tomorrow")
-    return season
+    limit = config.uploads_per_day
+    if counted.count() >= limit or today.count() >= _UNCOUNTED_FACTOR * limit:
+        raise RefusedError(429, "too-often", f"{limit} uploads a day are taken; try again tomorrow")
+    if (today.aggregate(total=Sum("size_bytes"))["total"] or 0) >= config.upload_bytes_per_day:
+        raise RefusedError(
+            429, "too-much", f"{config.upload_bytes_per_day} bytes a day are taken of a team; try again tomorrow"
+        )
 
 
 def receive(
@@ -84,9 +94,15 @@ def receive(
 
     Raises:
         OSError: the disk is full or broken.
+        RefusedError: the team was deleted or has reached a quota in the meantime.
     """
     Blobs(current_site().folder).keep(received, sha256)
-    return _record(team, season, sha256, size_bytes, begun_at, now, via)
+    try:
+        return _record(team, season, sha256, size_bytes, begun_at, now, via)
+    except RefusedError:
+        with jobs.writing():
+            remove_unneeded(sha256)
+        raise
 
 
 def accept_repaired(submission: Submission, sha256: str, size_bytes: int, now: datetime) -> Submission:
@@ -113,7 +129,10 @@ def _record_here(
     via: str,
     repaired_from: Submission | None = None,
 ) -> Submission:
-    team = Team.objects.select_for_update().get(pk=team.pk)
+    if Team.objects.select_for_update().filter(pk=team.pk, deleted_at=None).first() is None:
+        raise RefusedError(409, "no-team", "this team has been deleted")
+    if repaired_from is None:
+        _ensure_within_quotas(team, begun_at)
     mine = Submission.objects.filter(team=team, season=season)
     number = (mine.aggregate(last=Max("number"))["last"] or 0) + 1
     counts_from = max(begun_at, now - MAX_UPLOAD)
@@ -141,7 +160,15 @@ def _record_here(
         _link_report(earlier, submission)
     else:
         jobs.enqueue_check(submission, now)
+    if not Blobs(current_site().folder).path(sha256).exists():  # a team with the same bytes was deleted just now
+        raise RefusedError(503, "not-stored", "the site could not store it; try again")
     return submission
+
+
+def remove_unneeded(sha256: str) -> None:
+    """Remove an archive that belongs to no submission; called inside `jobs.writing`."""
+    if not Submission.objects.filter(sha256=sha256, is_deleted=False).exists():
+        Blobs(current_site().folder).path(sha256).unlink(missing_ok=True)
 
 
 def _link_report(earlier: Submission, submission: Submission) -> None:

@@ -13,10 +13,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.web import jobs
+from rcj_challenges.web.blobs import Blobs
 from rcj_challenges.web.config import SiteConfig
 from rcj_challenges.web.models import Entry, Job, JobState, Season, State, Submission
 from rcj_challenges.web.receiving import RefusedError, ensure_may_upload
-from tests.web.conftest import NOW, make_team
+from tests.web.conftest import NOW, make_team, use_site
 from tests.web.handing_in import hand_in
 
 ACCEPTED = jobs.Verdict(State.ACCEPTED, "passed", "d" * 64, {"level": "passed"})
@@ -315,3 +316,43 @@ def test_in_whatever_order_things_happen_each_submission_ends_once(  # noqa: C90
     for entry in Entry.objects.all():
         newest = Submission.objects.filter(team=entry.team, state=State.ACCEPTED).order_by("-number").first()
         assert entry.active == newest
+
+
+def test_bytes_of_submissions_that_are_not_counted_fill_the_limit_and_their_number_has_one(folder: Any) -> None:
+    with use_site(config := folder(upload_bytes_per_day=1000, uploads_per_day=1)):
+        team, _ = make_team()
+        big, small = hand_in(config, team, b"x" * 999), hand_in(config, make_team("Other")[0], b"0")
+        Submission.objects.update(is_counted=False)
+        hand_in(config, team, b"y")
+        Submission.objects.update(is_counted=False)
+        with pytest.raises(RefusedError) as refused:  # under the team's lock, too
+            hand_in(config, team, b"z")
+        assert (refused.value.status, refused.value.code) == (429, "too-much")
+        assert len(list(config.folder.glob("blobs/*/*.zip"))) == 3
+        assert big.team_id == team.pk
+        for index in range(1, 5):
+            hand_in(config, small.team, f"{index}".encode())
+            Submission.objects.update(is_counted=False)
+        with pytest.raises(RefusedError) as refused:
+            ensure_may_upload(small.team, small.season, NOW)
+        assert (refused.value.status, refused.value.code) == (429, "too-often")
+
+
+def test_a_failed_try_does_not_make_a_submission_count(site: SiteConfig) -> None:
+    team, _ = make_team()
+    submission = hand_in(site, team, b"x")
+    Submission.objects.update(is_counted=False)
+    assert jobs.fail(claimed(), NOW, 1.0, "fault")
+    submission.refresh_from_db()
+    assert (submission.state, submission.is_counted) == (State.QUEUED, False)
+
+
+def test_bytes_that_went_with_another_team_at_the_same_moment_are_not_receipted(
+    site: SiteConfig, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    team, _ = make_team()
+    monkeypatch.setattr(Blobs, "keep", lambda *_: None)
+    with pytest.raises(RefusedError) as refused:
+        hand_in(site, team, b"x")
+    assert refused.value.status == 503
+    assert not Submission.objects.exists()

@@ -152,3 +152,36 @@ def test_invitation_makes_one_account(site: SiteConfig):
     assert new_client().post(f"/invite/{code}", {**wanted, "name": "second"}).status_code == 404
     assert list(Account.objects.values_list("name", "role")) == [("chief", "organizer")]
     assert new_client().post("/login", wanted)["Location"] == "/desk"
+
+
+def test_guesses_at_the_same_moment_do_not_pass_the_wait(site: SiteConfig, monkeypatch: pytest.MonkeyPatch):
+    from rcj_challenges.web.accounts import signs_in
+    from rcj_challenges.web.models import Account, Role
+
+    hashed: list[str] = []
+
+    def check(_account: Account, password: str) -> bool:
+        if len(hashed) < 20:
+            hashed.append(password)
+            signs_in("chief", f"{password}+", NOW)  # another request, while this one hashes
+        return password == "right"
+
+    monkeypatch.setattr(Account, "check_password", check)
+    Account.objects.create(name="chief", role=Role.ORGANIZER, password="!")  # noqa: S106
+    assert signs_in("chief", "wrong", NOW) is None
+    assert len(hashed) == 5
+
+
+def test_account_that_waits_answers_as_slowly_as_one_that_does_not_exist(
+    site: SiteConfig, monkeypatch: pytest.MonkeyPatch
+):
+    from rcj_challenges.web.accounts import Argon2, signs_in
+    from rcj_challenges.web.models import Account, Role
+
+    hashed: list[str] = []
+    monkeypatch.setattr(Argon2, "encode", lambda _self, password, _salt: hashed.append(password) or "!")
+    far = NOW + timedelta(days=1)
+    Account.objects.create(name="chief", role=Role.ORGANIZER, password="!", locked_until=far)  # noqa: S106
+    for name in ("chief", "none"):
+        assert signs_in(name, "guess", NOW) is None
+    assert hashed == ["guess", "guess"]

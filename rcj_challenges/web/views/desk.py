@@ -55,7 +55,7 @@ def release_name(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseB
     """Show a team's own name to all."""
     team = get_object_or_404(Team, pk=pk, deleted_at=None)
     Team.objects.filter(pk=pk).update(is_name_public=True)
-    write_audit(viewer, "release name", f"team {team.pk}: {team.name}", "", timezone.now())
+    write_audit(viewer, "release name", f"team {team.pk}", "", timezone.now())
     return redirect("desk")
 
 

@@ -15,10 +15,11 @@ from django.utils.translation import gettext
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.web import jobs
 from rcj_challenges.web.accounts import Viewer, give_card, write_audit
-from rcj_challenges.web.blobs import Blobs, report_folder
+from rcj_challenges.web.blobs import report_folder
 from rcj_challenges.web.config import current_site
-from rcj_challenges.web.models import Entry, Group, Submission, Team
+from rcj_challenges.web.models import Entry, Group, Job, JobState, Submission, Team
 from rcj_challenges.web.pages import message_page, page
+from rcj_challenges.web.receiving import remove_unneeded
 from rcj_challenges.web.views.guards import only, seen_team
 
 _MAX_AT_ONCE = 60
@@ -64,7 +65,7 @@ def new_card(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBase:
     team = seen_team(viewer, pk)
     with jobs.writing():
         code = give_card(team)
-        write_audit(viewer, "new card", team, request.POST.get("reason", ""), timezone.now())
+        write_audit(viewer, "new card", f"team {pk}", request.POST.get("reason", ""), timezone.now())
     return page(request, "cards.html", viewer, cards=[_card(request, team, code)])
 
 
@@ -93,16 +94,19 @@ def delete_team(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBa
         found.save()
         Submission.objects.filter(team=found).update(is_deleted=True, report=None)
         Entry.objects.filter(team=found).delete()
+        open_jobs = Job.objects.filter(team=found).exclude(state=JobState.DONE)
+        open_jobs.update(state=JobState.DONE, worker="", lease_until=None)  # late results are then dropped
         write_audit(viewer, "delete team", f"team {pk}", request.POST.get("reason", ""), now)
-    _remove_files(found)
+        _remove_files(found)
     return redirect("group")
 
 
 def _remove_files(deleted: Team) -> None:
     for submission in Submission.objects.filter(team=deleted):
-        shutil.rmtree(report_folder(current_site().folder, submission), ignore_errors=True)
-        if not Submission.objects.filter(sha256=submission.sha256, is_deleted=False).exists():
-            Blobs(current_site().folder).path(submission.sha256).unlink(missing_ok=True)
+        shown = report_folder(current_site().folder, submission)
+        for folder in (shown, *shown.parent.glob(f"{submission.pk}.*")):
+            shutil.rmtree(folder, ignore_errors=True)
+        remove_unneeded(submission.sha256)
 
 
 def _card(request: HttpRequest, team: Team, code: str) -> dict[str, str]:
