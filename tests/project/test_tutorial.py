@@ -46,12 +46,11 @@ def compare(followed, monkeypatch, capsys):
     """Return a function that compares the tutorial's two programs and returns the report."""
     if machine() not in read(STATES):
         pytest.skip(f"other matches than those that were measured: {machine()}")
-    what = shlex.split(COMPARE)[1:]
+    what = shlex.split(COMPARE.partition(" --seeds")[0])[1:]
 
     def compared(*options):
         capsys.readouterr()
-        arguments = [*what[: what.index("--seeds")], *(options or what[what.index("--seeds") :])]
-        assert here(monkeypatch, followed, *arguments, "--json") == 0
+        assert here(monkeypatch, followed, *what, *options, "--json") == 0
         return json.loads(capsys.readouterr().out)
 
     return compared
@@ -70,11 +69,6 @@ def test_the_new_program_does_better_than_the_first_in_the_match_that_is_shown(c
     assert "--seed" not in options
     report = compare("--seeds=1", *options[options.index("--duration") :])
     assert report["better"] == 1
-
-
-@pytest.mark.nightly
-def test_the_new_program_does_better_than_the_first_with_15_of_20_seeds(compare):
-    assert compare()["better"] >= 15
 
 
 def test_rules_of_the_tutorial_give_no_warning():
