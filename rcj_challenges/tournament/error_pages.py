@@ -4,9 +4,8 @@ from __future__ import annotations
 
 _TEXT = """
 unknown-stage
-There is no such kind of stage, or no stage with this name.
-The kinds are round_robin, swiss, knock_out, challenge and super_team. Options such as --premiere take the names of
-stages in the file.
+There is no stage with this name.
+Options such as --premiere take the names of stages in the file.
 
 unknown-scenario
 There is no scenario file at this path, and no shipped scenario with this name.

@@ -204,6 +204,7 @@ class Tie:
         scores: sum of the legs, or matches won in a best-of; None while nothing is played.
         winner: id, or empty: of a tie that is decided if both teams have left or forfeit.
         decided_by: ``match``, ``extra_time``, ``tie_scenario``, ``lot``, ``bye``, ``forfeit``, or empty.
+        tree: which of the stage's brackets it is drawn in; empty if there is one.
     """
 
     id: str
@@ -215,6 +216,7 @@ class Tie:
     scores: tuple[float, float] | None = None
     winner: str = ""
     decided_by: str = ""
+    tree: str = ""
 
     @property
     def round_title(self) -> str:

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rcj_challenges.tournament.formats.knock_out import fold
+from rcj_challenges.tournament.formats.bracket import fold
 from rcj_challenges.tournament.season import FixtureKind, Outcome, Ruled
 from tests.tournament.seasons import FOLDER, alone, by_chance, by_strength, names, order, play, season, stage, teams_of
 

@@ -9,9 +9,12 @@ from typing import Annotated
 from pydantic import Field
 
 from rcj_challenges.tournament.formats.challenge import Challenge
+from rcj_challenges.tournament.formats.double_elimination import DoubleElimination
 from rcj_challenges.tournament.formats.knock_out import KnockOut
 from rcj_challenges.tournament.formats.round_robin import RoundRobin
 from rcj_challenges.tournament.formats.super_team import SuperTeam
 from rcj_challenges.tournament.formats.swiss import Swiss
 
-Stage = Annotated[RoundRobin | Swiss | KnockOut | Challenge | SuperTeam, Field(discriminator="stage")]
+Stage = Annotated[
+    RoundRobin | Swiss | KnockOut | DoubleElimination | Challenge | SuperTeam, Field(discriminator="stage")
+]

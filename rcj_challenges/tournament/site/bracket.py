@@ -48,11 +48,20 @@ def bracket_svg(
         links: by fixture id, where its page is.
         alone: whether the picture is a file of its own, with its style in it.
     """
-    placed = _placed([tie for tie in ties if tie.round != _THIRD_PLACE])
-    bottom = max((one.y + _BOX_HEIGHT for one in placed), default=_HEAD)
+    trees: dict[str, list[Tie]] = {}
+    for tie in ties:
+        if tie.round != _THIRD_PLACE:
+            trees.setdefault(tie.tree, []).append(tie)
+    placed: list[_Placed] = []
+    parts: list[str] = []
+    bottom = 0.0
+    for tree in trees.values():
+        own = _placed(tree, bottom + _HEAD)
+        parts += _heads(own, bottom + 18) + _joins(own)
+        bottom = max(one.y + _BOX_HEIGHT for one in own) + _GAP_Y
+        placed += own
+    bottom = max(bottom - _GAP_Y, _HEAD)
     right = max((one.x + _BOX_WIDTH for one in placed), default=_BOX_WIDTH)
-    parts = _heads(placed)
-    parts += _joins(placed)
     for third in (tie for tie in ties if tie.round == _THIRD_PLACE):
         last_x = right - _BOX_WIDTH
         final_bottom = max((one.y + _BOX_HEIGHT for one in placed if one.x == last_x), default=_HEAD)
@@ -70,28 +79,26 @@ def bracket_svg(
     )
 
 
-def _placed(ties: list[Tie]) -> list[_Placed]:
-    """Place each tie in the middle of the two that lead to it; of a round with byes by its numbers."""
+def _placed(ties: list[Tie], top: float) -> list[_Placed]:
+    """Place the ties of each round evenly: each in the middle of those that lead to it."""
     rounds: dict[str, list[Tie]] = {}
     for tie in ties:
         rounds.setdefault(tie.round, []).append(tie)
-    columns = list(rounds.values())
-    slots = max((len(column) << at for at, column in enumerate(columns)), default=0)
-    placed = []
-    for at, column in enumerate(columns):
-        # A round has as many places as halving makes of the widest one: with byes some of them stay empty.
-        share = max(1, slots >> at)
-        step = (slots / share) * (_BOX_HEIGHT + _GAP_Y)
-        spread = max(share, *(tie.number for tie in column))
-        for tie in column:
-            y = _HEAD + (tie.number - 0.5) * step * share / spread - _BOX_HEIGHT / 2
-            placed.append(_Placed(tie, 1 + at * (_BOX_WIDTH + _GAP_X), max(y, _HEAD)))
-    return placed
+    height = max(map(len, rounds.values())) * (_BOX_HEIGHT + _GAP_Y)
+    return [
+        _Placed(
+            tie,
+            1 + at * (_BOX_WIDTH + _GAP_X),
+            max(top, top + (tie.number - 0.5) * height / len(column) - _BOX_HEIGHT / 2),
+        )
+        for at, column in enumerate(rounds.values())
+        for tie in column
+    ]
 
 
-def _heads(placed: list[_Placed]) -> list[str]:
+def _heads(placed: list[_Placed], y: float) -> list[str]:
     columns = {one.x: one.tie.round_title for one in placed}
-    return [f'<text class="head" x="{x:g}" y="18">{escaped(name)}</text>' for x, name in columns.items()]
+    return [f'<text class="head" x="{x:g}" y="{y:g}">{escaped(name)}</text>' for x, name in columns.items()]
 
 
 def _joins(placed: list[_Placed]) -> list[str]:
@@ -99,8 +106,9 @@ def _joins(placed: list[_Placed]) -> list[str]:
     parts = []
     for x, following in pairwise(columns):
         later = {one.tie.number: one for one in placed if one.x == following}
-        for one in (one for one in placed if one.x == x):
-            target = later.get((one.tie.number + 1) // 2)
+        own = [one for one in placed if one.x == x]
+        for one in own:
+            target = later.get((one.tie.number - 1) * len(later) // len(own) + 1)
             if target is not None:
                 begin, end = one.y + _BOX_HEIGHT / 2, target.y + _BOX_HEIGHT / 2
                 middle = following - _GAP_X / 2
