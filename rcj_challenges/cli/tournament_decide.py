@@ -48,7 +48,7 @@ def record_decision(
         lost = decide(tournament, match or "", given[0], reason, losers=forfeit or (), scores=scores, cascade=cascade)
     console = console_for()
     lines = [f"{fixture} is played again by the next run" for fixture in lost]
-    for line in [*changes(before, tournament.state()), *lines] or ["no result changes"]:
+    for line in [*changes(before, tournament.state()), *lines] or ["recorded: no result changes"]:
         console.print(line, markup=False, highlight=False, soft_wrap=True)
     return OK
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from itertools import chain
 from typing import Any, Self
 
@@ -46,10 +46,6 @@ class Drawn:
     def of(cls, seed: int | str, teams: Mapping[str, Team]) -> Self:
         """Return the data before anything is drawn."""
         return cls(seed, seed, {team: one.pot for team, one in teams.items()})
-
-    def to_json(self) -> dict[str, Any]:
-        """Return it as JSON-able data."""
-        return asdict(self)
 
     def draw(self, stage: str, inputs: Any, make: Callable[[], Any]) -> Any:
         """Return what was drawn in a stage, drawing it now if it was not.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from functools import cached_property
 from pathlib import Path
 
@@ -97,7 +97,7 @@ class OpenTournament:
     def keep_drawn(self) -> None:
         """Keep what was drawn since the last time."""
         if len(self.drawn.draws) != self._kept_draws:
-            self.store.keep_drawn(self.drawn.to_json())
+            self.store.keep_drawn(asdict(self.drawn))
             self._kept_draws = len(self.drawn.draws)
 
     def refresh(self) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import asdict
 
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.scenario.errors import listing
@@ -41,7 +42,7 @@ def redraw(tournament: OpenTournament) -> list[str]:
         first = before.moved.get(old, old)
         if stages[fixture.stage].FOLLOWS_PAIRS and first != fixture.id:
             moved[fixture.id], drawn.moved[fixture.id] = old, first
-    store.keep_drawn(drawn.to_json(), moved)
+    store.keep_drawn(asdict(drawn), moved)
     tournament.refresh()
     state = tournament.state()
     count = sum(moved.get(fixture.id, fixture.id) in played for fixture in state.fixtures)
@@ -77,7 +78,7 @@ def add_teams(tournament: OpenTournament, late: Sequence[str]) -> list[str]:
         why = f"; too late for {listing(too_late)}" if too_late else ""
         lines.append(f"{team} plays from stage {entered[0]} on{why}")
     drawn.check(tournament.loaded.tournament.seed, teams)
-    tournament.store.keep_drawn(drawn.to_json())
+    tournament.store.keep_drawn(asdict(drawn))
     tournament.refresh()
     return lines
 

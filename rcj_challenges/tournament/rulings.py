@@ -49,7 +49,7 @@ def decide(
     if is_settled and kind is not RulingKind.UNDONE:
         message = f"'{fixture_id}' cannot be ruled on: a team of it has left the tournament"
         raise _wrong("ruling-annulled", message, "first take the withdrawal back: --withdraw TEAM --undo")
-    undone = last_ruling(tournament.held, fixture_id)
+    undone = last_ruling(tournament.held, fixture_id) if kind is RulingKind.UNDONE else None
     if kind is RulingKind.UNDONE and undone is None:
         raise _nothing_to_undo(fixture_id)
     if kind is RulingKind.FORFEIT:
@@ -62,8 +62,7 @@ def decide(
         kind.value, reason, tournament.store.now(), fixture_id, "+".join(losers), sides_of(fixture), list(scores)
     )
     # Without a replay the first result counts again; the next run finds it among the jobs.
-    is_replay = RulingKind.REPLAY in (kind, undone.kind if undone and kind is RulingKind.UNDONE else "")
-    replayed = [fixture_id] if is_replay else []
+    replayed = [fixture_id] if RulingKind.REPLAY in (kind, undone.kind if undone else "") else []
     return _note(tournament, before, row, fixture, replayed, cascade=cascade)
 
 

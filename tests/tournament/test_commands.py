@@ -264,7 +264,7 @@ def test_a_decision_prints_what_it_changes(desk):
         in desk("decide", match, "--undo", "--reason", "r")[1]
     )
     out = desk("decide", "--withdraw", loser, "--reason", "r")[1]
-    assert out == "no result changes\n", "it has played all of its matches"
+    assert out == "recorded: no result changes\n", "it has played all of its matches"
     assert desk.home.state().teams[loser].withdrawn
     assert desk("decide", "--withdraw", loser, "--undo", "--reason", "r")[:2] == (0, out)
     assert not desk.home.state().teams[loser].withdrawn

@@ -136,17 +136,21 @@ class _Tie:
         return won if scores else None
 
     def _decided(self, result: TieResult, outcomes: list[Outcome], by: str = "match") -> TieResult | None:
-        """Return the result with its winner if the teams are not level."""
-        if result.scores is None or result.scores[0] == result.scores[1]:
+        """Return the result with its winner if the teams are not level; without one if both forfeit and are level."""
+        if result.scores is None:
             return None
-        result.winner = self.teams[result.scores[1] > result.scores[0]]
-        is_forfeit = any(one.ruled in (Ruled.FORFEIT, Ruled.WITHDRAWN) for one in outcomes)
+        one, other = result.scores
+        ruled = {outcome.ruled for outcome in outcomes}
+        if one == other and Ruled.DOUBLE_FORFEIT not in ruled:
+            return None
+        result.winner = "" if one == other else self.teams[other > one]
+        is_forfeit = one == other or not ruled.isdisjoint((Ruled.FORFEIT, Ruled.WITHDRAWN))
         result.decided_by = "forfeit" if is_forfeit else by
         return result
 
     def _extra_time(self, result: TieResult, *, changed: bool, counts_wins: bool = False) -> TieResult:
         """Go on with extra time, if the file has it."""
-        if self.context.tournament.drawn.extra_time is None or self._has_double_forfeit(result):
+        if self.context.tournament.drawn.extra_time is None:
             return self._tie_scenario(result)
         pair = self.teams[::-1] if changed else self.teams
         fixture = self.context.fixture(
@@ -174,7 +178,7 @@ class _Tie:
     def _tie_scenario(self, result: TieResult) -> TieResult:
         """Go on with the tie scenario, if the file has one; then with a lot."""
         tie = self.context.tournament.drawn.tie_scenario
-        if tie is not None and not self._has_double_forfeit(result):
+        if tie is not None:
             use = self.context.names.use(tie.scenario, tie.set)
             is_alone = len(self.context.scenarios[use].seats) == 1
             sides = [((team,),) for team in self.teams] if is_alone else [tuple((team,) for team in self.teams)]
@@ -199,17 +203,11 @@ class _Tie:
             if winner := self._best(fixtures, is_alone=is_alone):
                 result.winner, result.decided_by = winner, "tie_scenario"
                 return result
-        if self._has_double_forfeit(result):
-            result.decided_by = "forfeit"
-        else:
-            result.winner = min(self.teams, key=lambda team: self.context.lot(self.path, team))
-            result.decided_by = "lot"
+            if decided := self._decided(result, [self.context.outcomes[one.id] for one in fixtures]):
+                return decided
+        result.winner = min(self.teams, key=lambda team: self.context.lot(self.path, team))
+        result.decided_by = "lot"
         return result
-
-    def _has_double_forfeit(self, result: TieResult) -> bool:
-        """Return whether both have forfeited a match: if the others leave the tie level, neither wins it."""
-        outcomes = [self.context.outcomes.get(one.id) for one in result.fixtures]
-        return any(one is not None and one.ruled is Ruled.DOUBLE_FORFEIT for one in outcomes)
 
     def _best(self, fixtures: list[Fixture], *, is_alone: bool) -> str:
         """Return the team that was better in the tie scenario; empty if they are level."""

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
-from datetime import datetime
+from typing import Any
 
 from rcj_challenges.core.file_names import slug
 from rcj_challenges.tournament.season import Row, StageState, Status
@@ -13,27 +12,6 @@ from rcj_challenges.tournament.site.render import Renderer
 from rcj_challenges.tournament.site.tree import Tree
 
 _PODIUM_PLACES = 3
-
-
-@dataclass(frozen=True, slots=True)
-class Certificate:
-    """One page for one team.
-
-    Attributes:
-        team: id.
-        place: ``2nd place``.
-        shared: whether others have the same place.
-        among: the group; empty if the stage has one ranking.
-        super_team: ids of all teams that won it together; empty if it was one.
-        count: how many were ranked.
-    """
-
-    team: str
-    place: str
-    shared: bool
-    among: str
-    super_team: tuple[str, ...]
-    count: int
 
 
 def podiums(season: Season) -> list[tuple[StageState, list[Row]]]:
@@ -49,24 +27,30 @@ def podiums(season: Season) -> list[tuple[StageState, list[Row]]]:
 def publish_certificates(tree: Tree, renderer: Renderer, season: Season, stage: StageState) -> None:
     """Write the certificates of a stage that has finished: one page for each team, the last place first."""
     path = f"certificates/{slug(stage.name)}.html"
-    found = sorted(_certificates(season, stage), key=lambda one: one[0], reverse=True)
     days = [match.played_at for match in season.of_stage(stage) if match.outcome and match.played_at.year > 1]
-    at: datetime | None = max(days, default=None)
-    tree.write(
-        path, renderer.page("certificates.html", path, stage=stage, at=at, certificates=[one for _, one in found])
-    )
+    certificates = sorted(_certificates(season, stage), key=lambda one: one["row"].place, reverse=True)
+    page = renderer.page("certificates.html", path, stage=stage, at=max(days, default=None), certificates=certificates)
+    tree.write(path, page)
 
 
-def _certificates(season: Season, stage: StageState) -> Iterator[tuple[int, Certificate]]:
-    """Yield each certificate with its place; of stages in groups, the place in the group."""
+def _certificates(season: Season, stage: StageState) -> Iterator[dict[str, Any]]:
+    """Yield what stands on each certificate; of stages in groups, the place in the group."""
     for group, rows in stage.rankings if _has_groups(stage) else [("", stage.places)]:
         among = group_title(stage, group) if group else ""
         for row in rows:
             teams = tuple(row.team.split("+"))
+            members = teams if len(teams) > 1 else ()
             for team in teams:
                 if not season.teams[team].withdrawn:
-                    members = teams if len(teams) > 1 else ()
-                    yield row.place, Certificate(team, ordinal(row.place), row.shared, among, members, len(rows))
+                    place = ordinal(row.place)
+                    yield {
+                        "team": team,
+                        "row": row,
+                        "place": place,
+                        "among": among,
+                        "members": members,
+                        "of": len(rows),
+                    }
 
 
 def _has_groups(stage: StageState) -> bool:

@@ -185,14 +185,12 @@ class Store:
 
     def failed_submissions(self) -> dict[str, str]:
         """Return why submissions that would play now fail the check, by team."""
-        verdicts: dict[str, list[CheckRow]] = {}
-        for row in self.checks().values():
-            verdicts.setdefault(row.archive, []).append(row)
+        failed = [row for row in self.checks().values() if row.level == "failure"]
         return {
             team: "; ".join(message for _, message in row.findings)
             for (team, _), handed in self.current_submissions().items()
-            for row in verdicts.get(handed.archive, ())
-            if row.level == "failure"
+            for row in failed
+            if row.archive == handed.archive
         }
 
     def doubtful_fixtures(self) -> list[str]:
@@ -255,7 +253,7 @@ class Store:
         return any(row is not None for row in rows)
 
     def drawn(self) -> dict[str, Any] | None:
-        """Return what was drawn, as in `Drawn.to_json`; None if nothing is kept."""
+        """Return what was drawn, a `Drawn` as a dict; None if nothing is kept."""
         with self.transaction() as connection:
             kept = connection.scalar(select(META.c.value).where(META.c.key == _DRAWN_KEY))
         return None if kept is None else json.loads(kept)
@@ -264,7 +262,7 @@ class Store:
         """Keep what was drawn, and in the same transaction let results count for fixtures with other ids.
 
         Args:
-            drawn: as in `Drawn.to_json`.
+            drawn: a `Drawn` as a dict.
             moved: by fixture, the id that it had before; rulings are repeated, since rows of them never change.
         """
         with self.transaction() as connection:
