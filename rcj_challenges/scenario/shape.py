@@ -184,14 +184,14 @@ def chosen(shape: Shape, node: Node) -> Shape:
         return shape
     kind, discriminator = bare(shape)
     if discriminator is not None:
-        return tags(shape).get(tag_of(shape, node) or _usual_tag(shape) or "")
+        return tags(shape).get(tag_of(shape, node) or usual_tag(shape) or "")
     fitting = [member for member in members(kind) if _fits(bare(member).kind, node)]
     if isinstance(node, Entries) and len(fitting) > 1:
         return max(fitting, key=lambda member: _likeness(bare(member).kind, node))
     return fitting[0] if fitting else None
 
 
-def _usual_tag(shape: Shape) -> str | None:
+def usual_tag(shape: Shape) -> str | None:
     """Return the tag that is meant if a mapping has none; None: it must have one."""
     key = bare(shape).discriminator
     models = {tag: bare(member).kind for tag, member in tags(shape).items() if isinstance(key, str)}

@@ -68,3 +68,9 @@ def test_chassis_that_does_not_exist_is_an_unknown_word():
     with pytest.raises(ScenarioError) as caught:
         load_text(V2 % "chassis: {drive: hover}")
     assert [(one.code, one.where.path) for one in caught.value.diagnostics] == [("unknown-word", "kits.v2.chassis")]
+
+
+def test_kind_that_is_meant_without_its_key_keeps_what_a_base_says_when_it_is_named():
+    text = V2 % "chassis: {wheel_track_m: 0.12}"
+    merged = load_text(text, ["kits.v2.chassis={drive: differential}"])
+    assert merged.scenario.kits["v2"].chassis.wheels()[0].y_m == 0.06

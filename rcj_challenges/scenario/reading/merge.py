@@ -26,6 +26,7 @@ from rcj_challenges.scenario.shape import (
     may_be_scalar,
     step_into,
     tag_of,
+    usual_tag,
 )
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, in_names
 
@@ -112,7 +113,7 @@ class Merger:
         if may_be_scalar(shape) and (is_param(before) or is_param(node)):
             return False
         kind = tag_of(shape, node)
-        return kind is None or kind == tag_of(shape, before)
+        return kind is None or kind == (tag_of(shape, before) or usual_tag(shape))
 
     def _null(self, base: Entries, key: str, node: Leaf, key_mark: Mark, shape: Shape, path: Path) -> None:
         here = (*path, key)
