@@ -67,10 +67,8 @@ class BracketFormat(MatchFormat):
         is_known = all(entrant.team for entrant in entrants)
         is_finished = is_known and all(tie.decided_by for tie in bracket.ties)
         return StageState(
-            name=context.name,
-            kind=context.kind,
-            title=context.title(self),
-            status=(Status.FINISHED if is_finished else Status.RUNNING) if is_known else Status.WAITING,
+            *context.head(self),
+            (Status.FINISHED if is_finished else Status.RUNNING) if is_known else Status.WAITING,
             teams=tuple(entrant.team for entrant in entrants) if is_known else (),
             fixtures=tuple(bracket.fixtures),
             expected_matches=bracket.expected_matches(),

@@ -89,10 +89,8 @@ class Challenge(Format):
             tables.append(_total(context, self, counted, tables))
         is_finished = context.are_decided(fixtures)
         return StageState(
-            name=context.name,
-            kind=context.kind,
-            title=context.title(self),
-            status=Status.FINISHED if is_finished else Status.RUNNING,
+            *context.head(self),
+            Status.FINISHED if is_finished else Status.RUNNING,
             teams=teams,
             fixtures=fixtures,
             expected_matches=len(fixtures),

@@ -70,6 +70,10 @@ class StageContext:
         """Return what the stage is called."""
         return stage.title or humanized(self.name)
 
+    def head(self, stage: StageModel) -> tuple[str, str, str]:
+        """Return name, kind and title, with which the state begins."""
+        return self.name, self.kind, self.title(stage)
+
     def rules(self, use: str = "", *, with_lot: bool = False) -> TableRules:
         """Return how a table of this stage is ranked.
 

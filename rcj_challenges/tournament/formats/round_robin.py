@@ -14,13 +14,13 @@ from rcj_challenges.tournament.formats.circle import all_meet, pairings
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
 from rcj_challenges.tournament.formats.groups import group_names, groups_of
 from rcj_challenges.tournament.formats.play_off import play_offs
-from rcj_challenges.tournament.formats.stage import Intake, MatchFormat, StageProblem, StageSize, listed_problems
+from rcj_challenges.tournament.formats.stage import Intake, LeagueFormat, StageProblem, StageSize, listed_problems
 from rcj_challenges.tournament.models import LostBy, TeamId
 from rcj_challenges.tournament.season import Fixture, Ruled, StageState, Status, Table, humanized
 from rcj_challenges.tournament.standings import table
 
 
-class RoundRobin(MatchFormat):
+class RoundRobin(LeagueFormat):
     """All teams of a group meet each other."""
 
     stage: Literal["round_robin"]
@@ -33,17 +33,8 @@ class RoundRobin(MatchFormat):
         "{A: [ada, bee], B: […]}",
     )
     legs: int = described(1, "how often two teams meet; 2: home and away, with the sides changed", ge=1, le=2)
-    play_off: bool = described(
-        False, "whether teams that share a place play each other if only some of them can advance; after that, a lot"
-    )
 
     FOLLOWS_PAIRS: ClassVar[bool] = True
-    CAN_PLAY_OFF: ClassVar[bool] = True
-
-    @property
-    def has_ties(self) -> bool:
-        """Whether play-offs are played."""
-        return self.play_off
 
     def size(self, intake: Intake) -> StageSize:
         """Return the size of the stage; groups that are drawn differ by one team at most."""
@@ -73,10 +64,6 @@ class RoundRobin(MatchFormat):
         if missing:
             message = f"in no group: {listing(missing)}"
             yield StageProblem(("groups",), "listed-teams", message, "put each team into one group")
-
-    def shared_cuts(self, cuts: frozenset[int], teams: int) -> frozenset[int]:
-        """Return nothing if play-offs decide."""
-        return frozenset() if self.play_off else cuts
 
     def keep_seats(self, draw: Any, before: Collection[tuple[str, str]]) -> None:
         """Give pairs that have met the seats that they had, if they meet once."""
@@ -118,10 +105,8 @@ class RoundRobin(MatchFormat):
         fixtures = tuple(sorted((one for own in by_group.values() for one in own), key=lambda one: one.round))
         is_finished = all(found.complete for found in tables)
         return StageState(
-            name=context.name,
-            kind=context.kind,
-            title=context.title(self),
-            status=Status.FINISHED if is_finished else Status.RUNNING,
+            *context.head(self),
+            Status.FINISHED if is_finished else Status.RUNNING,
             teams=teams,
             fixtures=(*fixtures, *play_off_fixtures),
             expected_matches=len(fixtures) + len(play_off_fixtures),

@@ -9,6 +9,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, Literal
 
+from rcj_challenges.rules.fields import described
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.tree import Step
 from rcj_challenges.tournament.errors import did_you_mean
@@ -131,8 +132,7 @@ class Format(FromModel, ABC):
             entrants: where each team will come from.
             matches: how many there will be.
         """
-        title = context.title(self)
-        return StageState(context.name, context.kind, title, Status.WAITING, expected_matches=matches)
+        return StageState(*context.head(self), Status.WAITING, expected_matches=matches)
 
     def keep_seats(self, draw: Any, before: Collection[tuple[str, str]]) -> None:
         """Give pairs that have met the seats that they had, in what was drawn again."""
@@ -154,6 +154,25 @@ class MatchFormat(MatchesModel, Format):
     def uses(self, names: ScenarioNames) -> Iterator[tuple[ScenarioUse, tuple[Step, ...]]]:
         """Yield the scenario."""
         yield names.of_matches(self), ("scenario",) if self.scenario is not None else ("set",) if self.set else ()
+
+
+class LeagueFormat(MatchFormat):
+    """A format with a table of matches, and play-offs if they are needed."""
+
+    play_off: bool = described(
+        False, "whether teams that share a place play each other if only some of them can advance; after that, a lot"
+    )
+
+    CAN_PLAY_OFF: ClassVar[bool] = True
+
+    @property
+    def has_ties(self) -> bool:
+        """Whether play-offs are played."""
+        return self.play_off
+
+    def shared_cuts(self, cuts: frozenset[int], teams: int) -> frozenset[int]:
+        """Return nothing if play-offs decide."""
+        return frozenset() if self.play_off else cuts
 
 
 def listed_problems(key: str, lists: Mapping[str, tuple[str, ...]], teams: Collection[str]) -> Iterator[StageProblem]:

@@ -75,10 +75,8 @@ class SuperTeam(MatchFormat):
         joined = ["+".join(own) for own in sides.values()]
         found = table("", joined, matches, context.rules(), complete=is_complete)
         return StageState(
-            name=context.name,
-            kind=context.kind,
-            title=context.title(self),
-            status=Status.FINISHED if is_complete else Status.RUNNING,
+            *context.head(self),
+            Status.FINISHED if is_complete else Status.RUNNING,
             teams=teams,
             fixtures=tuple(fixtures),
             expected_matches=len(fixtures),

@@ -3,20 +3,20 @@
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import ClassVar, Literal
+from typing import Literal
 
 from rcj_challenges.rules.fields import described
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
 from rcj_challenges.tournament.formats.groups import by_pot
 from rcj_challenges.tournament.formats.pairing import Player, pair
 from rcj_challenges.tournament.formats.play_off import play_offs
-from rcj_challenges.tournament.formats.stage import Intake, MatchFormat, StageProblem, StageSize
+from rcj_challenges.tournament.formats.stage import Intake, LeagueFormat, StageProblem, StageSize
 from rcj_challenges.tournament.models import LostBy
 from rcj_challenges.tournament.season import Fixture, StageState, Status, Table
 from rcj_challenges.tournament.standings import Match, table
 
 
-class Swiss(MatchFormat):
+class Swiss(LeagueFormat):
     """In each round, teams with equal points meet; no two meet twice. With an odd number of teams, one has a bye."""
 
     stage: Literal["swiss"]
@@ -26,16 +26,6 @@ class Swiss(MatchFormat):
         ge=1,
         le=64,
     )
-    play_off: bool = described(
-        False, "whether teams that share a place play each other if only some of them can advance; after that, a lot"
-    )
-
-    CAN_PLAY_OFF: ClassVar[bool] = True
-
-    @property
-    def has_ties(self) -> bool:
-        """Whether play-offs are played."""
-        return self.play_off
 
     def size(self, intake: Intake) -> StageSize:
         """Return the size of the stage."""
@@ -53,10 +43,6 @@ class Swiss(MatchFormat):
             help_ = f"up to {safe} rounds need no rematch; all meet in a round_robin"
             yield StageProblem(("rounds",), "rematch-possible", message, help_, "warning")
 
-    def shared_cuts(self, cuts: frozenset[int], teams: int) -> frozenset[int]:
-        """Return nothing if play-offs decide."""
-        return frozenset() if self.play_off else cuts
-
     def state(self, context: StageContext, entrants: Sequence[Entrant]) -> StageState:
         """Return the state of a Swiss stage: rounds are drawn one by one, as soon as the one before is over."""
         teams = tuple(entrant.team for entrant in entrants)
@@ -68,10 +54,8 @@ class Swiss(MatchFormat):
         if self.play_off and is_complete:
             found, more = play_offs(context, self, found, self.rounds + 1)
         return StageState(
-            name=context.name,
-            kind=context.kind,
-            title=context.title(self),
-            status=Status.FINISHED if found.complete else Status.RUNNING,
+            *context.head(self),
+            Status.FINISHED if found.complete else Status.RUNNING,
             teams=teams,
             fixtures=(*course.fixtures, *more),
             expected_matches=len(course.fixtures) + len(more) + course.matches_to_come(),
