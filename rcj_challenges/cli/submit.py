@@ -120,7 +120,11 @@ class _Site:
             state = self._request("GET", f"/api/v1/submissions/{pk}")
             if state["state"] in _DONE:
                 return state
-            now = f"place {state['place']} in the queue" if state["state"] == "queued" else f"checking {state['stage']}"
+            now = (
+                f"place {state['place']} in the queue"
+                if state["state"] == "queued"
+                else f"checking {state['stage']}".rstrip()
+            )
             if now != shown and not quiet:
                 typer.echo(now, err=True)
                 shown = now

@@ -120,6 +120,7 @@ def serve(config: SiteConfig, host: str, port: int, *, dispatch: bool, on_start:
     listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         listening.bind((host, port))
+        listening.listen()  # from here on a browser that follows the printed link waits instead of being refused
     except OSError as error:
         message = f"cannot listen at {host}:{port}: {error.strerror}"
         raise SiteError(message, "give another --port", code="bad-option") from error
