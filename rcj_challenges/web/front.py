@@ -12,7 +12,6 @@ import secrets
 import time
 from collections.abc import Awaitable, Callable, MutableMapping
 from datetime import UTC, datetime
-from pathlib import Path
 from typing import Any
 
 from rcj_challenges.web.blobs import Blobs
@@ -30,6 +29,7 @@ _FORM_SLACK_BYTES = 20_000
 MAX_BODY_S = 120.0
 _FORMS, _RAW, _WAITING = 4, 16, 200
 _DRAIN_BYTES, _DRAIN_S = 64_000_000, 5.0
+_NO_ROOM = "The site has no room for more. The organizers can see this."
 _POLICY = b"default-src 'none'; frame-ancestors 'none'"
 
 
@@ -51,6 +51,7 @@ class Front:
         self._app = app
         self._config = config
         self._blobs = Blobs(config.folder)
+        (config.folder / "incoming").mkdir(exist_ok=True)
         self._forms = asyncio.Semaphore(_FORMS)
         self._raw = asyncio.Semaphore(_RAW)
         self._waiting = 0
@@ -70,8 +71,9 @@ class Front:
             else:
                 await self._pass_on(scope, receive, send, limit)
         except _Refused as refused:
-            await _drain(receive)
-            await _answer(send, refused.status, str(refused))
+            await _answer(send, refused.status, str(refused), receive)
+        except OSError:  # of an upload or the spool of a form: the disk is full
+            await _answer(send, 507, _NO_ROOM, receive)
 
     def _limit(self, path: str) -> int:
         return self._config.upload_bytes + (_FORM_SLACK_BYTES if path == FORM_PATH else 0)
@@ -92,12 +94,11 @@ class Front:
         if length is not None and (not length.isdigit() or int(length) > limit):
             raise _Refused(413, f"At most {limit} bytes are taken here.")
         if is_upload and not self._blobs.has_room():
-            raise _Refused(507, "The site has no room for more. The organizers can see this.")
+            raise _Refused(507, _NO_ROOM)
 
     async def _upload(self, scope: Message, receive: Receive, send: Send, limit: int) -> None:
         if self._waiting >= _WAITING:
-            await _answer(send, 503, "Many are handing in at this moment. Try again.", [(b"retry-after", b"10")])
-            return
+            raise _Refused(503, "Many are handing in at this moment. Try again.")
         slots = self._raw if scope["path"] == RAW_PATH else self._forms
         self._waiting += 1
         try:
@@ -202,16 +203,21 @@ async def _drain(receive: Receive) -> None:
             return
 
 
-async def _answer(send: Send, status: int, text: str, headers: list[tuple[bytes, bytes]] | None = None) -> None:
+async def _answer(send: Send, status: int, text: str, receive: Receive) -> None:
+    """Answer at once, and end when the body has come or was waited for."""
+    body = text.encode()
     start = [
         (b"content-type", b"text/plain; charset=utf-8"),
+        (b"content-length", str(len(body)).encode()),
         (b"content-security-policy", _POLICY),
         (b"x-content-type-options", b"nosniff"),
         (b"connection", b"close"),
-        *(headers or ()),
+        *([(b"retry-after", b"10")] if status == 503 else ()),
     ]
     await send({"type": "http.response.start", "status": status, "headers": start})
-    await send({"type": "http.response.body", "body": text.encode()})
+    await send({"type": "http.response.body", "body": body, "more_body": True})
+    await _drain(receive)
+    await send({"type": "http.response.body", "body": b""})
 
 
 def asgi_app(config: SiteConfig) -> App:
@@ -219,5 +225,4 @@ def asgi_app(config: SiteConfig) -> App:
     from django.core.asgi import get_asgi_application  # noqa: PLC0415 - once Django is set up
 
     django: App = get_asgi_application()  # type: ignore[assignment]  # the same, in other types
-    Path(config.folder / "incoming").mkdir(exist_ok=True)
     return Front(django, config)

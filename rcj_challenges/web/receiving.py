@@ -8,6 +8,7 @@ from contextlib import suppress
 from datetime import datetime, timedelta
 from pathlib import Path
 
+from django.db import DatabaseError
 from django.db.models import Max, QuerySet, Sum
 from django.utils.timezone import localtime
 
@@ -93,33 +94,28 @@ def receive(
         via: ``page``, ``api`` or ``repair``.
 
     Raises:
-        OSError: the disk is full or broken.
-        RefusedError: the team was deleted or has reached a quota in the meantime.
+        RefusedError: the disk is full or broken or the database away, or the team was deleted or has reached a quota
+            in the meantime: nothing was taken.
     """
-    Blobs(current_site().folder).keep(received, sha256)
     try:
-        return _record(team, season, sha256, size_bytes, begun_at, now, via)
+        Blobs(current_site().folder).keep(received, sha256)
+        with jobs.writing():
+            return _record(team, season, sha256, size_bytes, begun_at, now, via)
     except RefusedError:
         with jobs.writing():
             remove_unneeded(sha256)
         raise
+    except (OSError, DatabaseError) as error:
+        message = "the site cannot store it at this moment; nothing was taken: try again"
+        raise RefusedError(507, "not-stored", message) from error
 
 
 def accept_repaired(submission: Submission, sha256: str, size_bytes: int, now: datetime) -> Submission:
     """Make a new submission of a repaired archive; called inside `jobs.writing`."""
-    return _record_here(
-        submission.team, submission.season, sha256, size_bytes, now, now, "repair", repaired_from=submission
-    )
+    return _record(submission.team, submission.season, sha256, size_bytes, now, now, "repair", repaired_from=submission)
 
 
 def _record(
-    team: Team, season: Season, sha256: str, size_bytes: int, begun_at: datetime, now: datetime, via: str
-) -> Submission:
-    with jobs.writing():
-        return _record_here(team, season, sha256, size_bytes, begun_at, now, via)
-
-
-def _record_here(
     team: Team,
     season: Season,
     sha256: str,

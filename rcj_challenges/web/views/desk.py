@@ -7,7 +7,7 @@ import zipfile
 from datetime import timedelta
 from typing import Any
 
-from django.http import FileResponse, HttpRequest, HttpResponse, HttpResponseBase
+from django.http import HttpRequest, HttpResponse, HttpResponseBase
 from django.shortcuts import get_object_or_404, redirect
 from django.utils import timezone
 from django.utils.translation import gettext
@@ -17,6 +17,7 @@ from rcj_challenges.web import jobs
 from rcj_challenges.web.accounts import Viewer, invite, write_audit
 from rcj_challenges.web.blobs import Blobs
 from rcj_challenges.web.config import current_site
+from rcj_challenges.web.files import FileAnswer
 from rcj_challenges.web.models import Audit, Entry, Group, Job, JobState, Role, Season, Team, Worker
 from rcj_challenges.web.pages import message_page, page
 from rcj_challenges.web.views.guards import only
@@ -91,4 +92,4 @@ def export(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
             lines.append(f"{entry.active.sha256}  submissions/{name}\n")
         archive.writestr("hashes.txt", "".join(lines))
     made.seek(0)
-    return FileResponse(made, as_attachment=True, filename="submissions.zip", content_type="application/zip")
+    return FileAnswer(made, as_attachment=True, filename="submissions.zip", content_type="application/zip")

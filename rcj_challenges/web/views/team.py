@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from csp.decorators import csp
-from django.http import FileResponse, Http404, HttpRequest, HttpResponse, HttpResponseBase, JsonResponse
+from django.http import Http404, HttpRequest, HttpResponse, HttpResponseBase, JsonResponse
 from django.shortcuts import redirect
 from django.utils import timezone
 from django.utils.translation import gettext
@@ -20,6 +20,7 @@ from rcj_challenges.web import jobs
 from rcj_challenges.web.accounts import Viewer
 from rcj_challenges.web.blobs import Blobs, report_folder
 from rcj_challenges.web.config import current_site
+from rcj_challenges.web.files import FileAnswer
 from rcj_challenges.web.models import Entry, Job, JobState, Season, State, Submission
 from rcj_challenges.web.pages import page
 from rcj_challenges.web.receiving import RefusedError, ensure_may_upload, receive
@@ -178,7 +179,7 @@ def replay(request: HttpRequest, pk: int, name: str) -> HttpResponseBase:
 
 def _sandboxed(path: Path) -> HttpResponseBase:
     try:
-        return FileResponse(path.open("rb"), content_type="text/html; charset=utf-8")
+        return FileAnswer(path.open("rb"), content_type="text/html; charset=utf-8")
     except FileNotFoundError as error:
         raise Http404 from error
 
@@ -189,7 +190,7 @@ def archive(request: HttpRequest, pk: int) -> HttpResponseBase:
     _, found = seen_submission(request, pk)
     path = Blobs(current_site().folder).path(found.sha256)
     name = f"team{found.team_id}-{found.number}.zip"
-    return FileResponse(path.open("rb"), as_attachment=True, filename=name, content_type="application/zip")
+    return FileAnswer(path.open("rb"), as_attachment=True, filename=name, content_type="application/zip")
 
 
 @only("team", post=True)
