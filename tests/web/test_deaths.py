@@ -201,13 +201,11 @@ def test_a_worker_that_was_suspended_stores_nothing_when_it_goes_on(any_folder: 
             hand_in(any_folder, teams[number % 6], f"{number}".encode(), timezone.now())
             if number > 6 and held_by(suspended):
                 os.kill(suspended, signal.SIGSTOP)
-                if held_by(suspended):
+                # SQLite has one transaction: a worker that was suspended within it holds up all, as it must.
+                if held_by(suspended) and (not any_folder.is_sqlite or can_write(any_folder)):
                     break
                 os.kill(suspended, signal.SIGCONT)
         held = held_by(suspended)
-        if any_folder.is_sqlite and not can_write(any_folder):
-            os.kill(suspended, signal.SIGCONT)
-            pytest.skip("it was suspended within a transaction, which SQLite has one of")
         time.sleep(LEASE_S)
         settle(any_folder)
         os.kill(suspended, signal.SIGCONT)
