@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 from django.conf import settings
 from django.contrib.auth.hashers import Argon2PasswordHasher
+from django.contrib.sessions.backends.base import SessionBase
 from django.db.models import Q
 from django.http import HttpRequest
 from django.middleware.csrf import rotate_token
@@ -21,6 +22,7 @@ _ALPHABET = "0123456789ABCDEFGHJKMNPQRSTVWXYZ"
 """Crockford's base 32: no letters that look like digits."""
 _CHARACTERS = 12
 _AS_MEANT = str.maketrans("OIL", "011", "- \t")
+_USE_NOTED_EVERY = timedelta(minutes=1)
 INVITE_DAYS = 7
 _FREE_FAILURES = 5
 _MAX_WAIT_S = 900
@@ -93,7 +95,7 @@ def give_card(team: Team) -> str:
 def team_of_code(code: str, now: datetime) -> Team | None:
     """Return the team whose code this is; only a right one costs more than a look-up."""
     team = Team.objects.filter(code_hmac=code_hmac(code), deleted_at=None).select_related("group").first()
-    if team is not None:
+    if team is not None and (team.last_used_at is None or now - team.last_used_at > _USE_NOTED_EVERY):
         Team.objects.filter(pk=team.pk).update(last_used_at=now)
     return team
 
@@ -110,14 +112,16 @@ def viewer_of(request: HttpRequest) -> Viewer:
     user: Any = request.user
     if user.is_authenticated:
         return Viewer(account=user)
-    pk = request.session.get("team")
-    if pk is None:
-        return Viewer()
-    team = Team.objects.filter(pk=pk, deleted_at=None).select_related("group").first()
-    if team is None or team.epoch != request.session.get("epoch"):
+    team = team_of_session(request.session)
+    if team is None and "team" in request.session:
         request.session.flush()
-        return Viewer()
     return Viewer(team=team)
+
+
+def team_of_session(session: SessionBase) -> Team | None:
+    """Return the team that a session belongs to, unless its card was replaced since."""
+    pk, epoch = session.get("team", 0), session.get("epoch", 0)
+    return Team.objects.filter(pk=pk, epoch=epoch, deleted_at=None).select_related("group").first()
 
 
 def invite(role: Role, group: Group | None, now: datetime) -> str:

@@ -55,6 +55,7 @@ class Front:
         self._forms = asyncio.Semaphore(_FORMS)
         self._raw = asyncio.Semaphore(_RAW)
         self._waiting = 0
+        self._teams: set[int] = set()
 
     async def __call__(self, scope: Message, receive: Receive, send: Send) -> None:
         """Answer a request."""
@@ -100,6 +101,20 @@ class Front:
         if self._waiting >= _WAITING:
             raise _Refused(503, "Many are handing in at this moment. Try again.")
         slots = self._raw if scope["path"] == RAW_PATH else self._forms
+        team = await asyncio.to_thread(_team_of, dict(scope["headers"]), is_raw=scope["path"] == RAW_PATH)
+        if team is None:
+            raise _Refused(401, "Enter with the card of your team first.")
+        if team in self._teams:
+            raise _Refused(429, "Another upload of this team is under way. Wait for its end.")
+        self._teams.add(team)
+        try:
+            await self._upload_in_turn(slots, scope, receive, send, limit)
+        finally:
+            self._teams.remove(team)
+
+    async def _upload_in_turn(
+        self, slots: asyncio.Semaphore, scope: Message, receive: Receive, send: Send, limit: int
+    ) -> None:
         self._waiting += 1
         try:
             await slots.acquire()
@@ -168,6 +183,27 @@ class Front:
         await self._app(scope, counted, unless_refused)
         if refused is not None and not is_begun:
             raise refused
+
+
+def _team_of(headers: dict[bytes, bytes], *, is_raw: bool) -> int | None:
+    """Return the key of the team that a request is signed in as; strangers must not occupy the few slots."""
+    from django.conf import settings  # noqa: PLC0415 - once Django is set up
+    from django.contrib.sessions.backends.db import SessionStore  # noqa: PLC0415
+    from django.db import connection  # noqa: PLC0415
+    from django.http import parse_cookie  # noqa: PLC0415
+
+    from rcj_challenges.web.accounts import team_of_code, team_of_session  # noqa: PLC0415
+
+    try:
+        if is_raw:
+            kind, _, code = headers.get(b"authorization", b"").decode("latin-1").partition(" ")
+            team = team_of_code(code.strip()[:60], datetime.now(UTC)) if kind.lower() == "bearer" else None
+        else:
+            cookies = parse_cookie(headers.get(b"cookie", b"").decode("latin-1"))
+            team = team_of_session(SessionStore(cookies.get(settings.SESSION_COOKIE_NAME)))
+        return None if team is None else team.pk
+    finally:
+        connection.close()  # that of this thread
 
 
 async def _receive_until(receive: Receive, until: float) -> Message:

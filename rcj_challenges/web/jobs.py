@@ -69,11 +69,11 @@ def database_now() -> datetime:
     return now
 
 
-def enqueue_check(submission: Submission, now: datetime, *, again: int = 0) -> Job:
+def enqueue_check(submission: Submission, now: datetime) -> Job:
     """Put the check of a submission into the queue; called inside `writing`."""
     return Job.objects.create(
         kind="check",
-        key=f"check/{submission.pk}/{again}" if again else f"check/{submission.pk}",
+        key=f"check/{submission.pk}",
         submission=submission,
         team=submission.team,
         priority=PRIORITY["check"],
@@ -164,6 +164,7 @@ def finish(job: Job, now: datetime, lane_s: float, store: Callable[[Job], None])
 def store_verdict(submission: Submission, verdict: Verdict) -> None:
     """Store what a check found; the newest accepted submission of a team becomes the one that plays.
 
+    A late one does not replace one that was in time, nor an older one the team's own choice.
     Called inside `writing`, with the team locked.
     """
     submission.state, submission.level, submission.digest = verdict.state, verdict.level, verdict.digest
@@ -171,7 +172,10 @@ def store_verdict(submission: Submission, verdict: Verdict) -> None:
     submission.save(update_fields=("state", "level", "digest", "report"))
     if verdict.state == State.ACCEPTED:
         entry, _ = Entry.objects.get_or_create(team_id=submission.team_id, season_id=submission.season_id)
-        if entry.active is None or entry.active.number < submission.number:
+        active, number = entry.active, submission.number
+        if active is None or (
+            number > entry.chosen_over and (not submission.is_late, number) > (not active.is_late, active.number)
+        ):
             entry.active = submission
             entry.save(update_fields=("active",))
 

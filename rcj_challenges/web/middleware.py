@@ -36,7 +36,6 @@ def fetch_metadata(
             return HttpResponse("This was sent by a page of another site.", status=403, content_type="text/plain")
         response = get_response(request)
         response.setdefault("Cache-Control", "no-store" if request.session.session_key else "no-cache")
-        response.setdefault("Cross-Origin-Opener-Policy", "same-origin")
         return response
 
     return middleware

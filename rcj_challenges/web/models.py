@@ -166,11 +166,16 @@ class Submission(models.Model):
 
 
 class Entry(models.Model):
-    """A team's place in a season: which of its accepted submissions plays."""
+    """A team's place in a season: which of its accepted submissions plays.
+
+    Attributes:
+        chosen_over: the last number there was when the team chose itself; only later submissions replace its choice.
+    """
 
     team = models.ForeignKey(Team, on_delete=models.CASCADE)
     season = models.ForeignKey(Season, on_delete=models.CASCADE)
     active = models.ForeignKey(Submission, on_delete=models.PROTECT, null=True, blank=True)
+    chosen_over = models.PositiveIntegerField(default=0)
 
     class Meta:
         constraints = (models.UniqueConstraint(fields=("team", "season"), name="one_entry_a_season"),)
@@ -199,7 +204,6 @@ class Job(models.Model):
     key = models.CharField(max_length=120, unique=True)
     submission = models.ForeignKey(Submission, on_delete=models.CASCADE, null=True, blank=True)
     team = models.ForeignKey(Team, on_delete=models.CASCADE, null=True, blank=True)
-    payload = models.JSONField(default=dict)
     priority = models.IntegerField(default=0)
     state = models.CharField(max_length=8, choices=JobState.choices, default=JobState.QUEUED)
     attempt = models.PositiveIntegerField(default=0)
@@ -217,7 +221,7 @@ class Job(models.Model):
     class Meta:
         indexes = (
             models.Index(fields=("state", "priority", "id")),
-            models.Index(fields=("team", "finished_at")),
+            models.Index(fields=("team", "started_at")),
         )
 
     def __str__(self) -> str:
@@ -234,7 +238,7 @@ class Worker(models.Model):
 
 
 class Audit(models.Model):
-    """What was done with consequences, by whom, and why; only ever added to."""
+    """What was done with consequences, its actor and reason; only ever added to."""
 
     at = models.DateTimeField()
     actor = models.CharField(max_length=60)

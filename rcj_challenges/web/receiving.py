@@ -17,7 +17,6 @@ from rcj_challenges.web.blobs import Blobs, report_folder
 from rcj_challenges.web.config import current_site
 from rcj_challenges.web.models import Job, JobState, Season, State, Submission, Team
 
-MAX_UPLOAD = timedelta(seconds=120)
 _HOUR, _DAY = timedelta(hours=1), timedelta(days=1)
 _UNCOUNTED_FACTOR = 5
 """Of the uploads a day, for those that count for no quota: they need the disk, too."""
@@ -89,7 +88,7 @@ def receive(
         received: the file in `Blobs.incoming`; it is moved away.
         sha256: of its content.
         size_bytes: its size.
-        begun_at: when the upload began: what counts for the deadline, unless it took longer than `MAX_UPLOAD`.
+        begun_at: when the upload began: what counts for the deadline. `front` waits for a body for a limited time.
         now: the time.
         via: ``page``, ``api`` or ``repair``.
 
@@ -131,7 +130,6 @@ def _record(
         _ensure_within_quotas(team, begun_at)
     mine = Submission.objects.filter(team=team, season=season)
     number = (mine.aggregate(last=Max("number"))["last"] or 0) + 1
-    counts_from = max(begun_at, now - MAX_UPLOAD)
     earlier = Submission.objects.filter(
         sha256=sha256, season=season, state__in=(State.ACCEPTED, State.REJECTED), is_deleted=False
     ).filter(team=team).order_by("-id").first()  # fmt: skip
@@ -144,7 +142,7 @@ def _record(
         begun_at=begun_at,
         received_at=now,
         via=via,
-        is_late=season.closes_at is not None and counts_from > season.closes_at,
+        is_late=season.closes_at is not None and begun_at > season.closes_at,
         is_counted=earlier is None and via != "repair",
         repaired_from=repaired_from,
     )

@@ -140,7 +140,7 @@ def _database(config: SiteConfig) -> dict[str, Any]:
         "CONN_MAX_AGE": 0,
         "CONN_HEALTH_CHECKS": True,  # a server that was restarted costs no request
         "OPTIONS": {
-            "pool": {"min_size": 1, "max_size": 10},
+            "pool": {"min_size": 1, "max_size": max(10, config.lanes + 2)},
             # A process that is suspended or cut off within a transaction must not keep its locks.
             "options": "-c idle_in_transaction_session_timeout=20s",
         },

@@ -139,6 +139,7 @@ def test_page_without_barriers(served: Served, browser: Browser, codes: dict[str
     made = {name: Visitor(browser, served.address, viewport={"width": width, "height": 740}, color_scheme=theme)
             for name in ("anonymous", "team", "mentor", "chief")}  # fmt: skip
     made["team"].page.goto(f"/enter#{codes['Robo Rangers']}")
+    made["team"].page.press("#code", "Enter")
     made["team"].page.wait_for_url("**/my")
     hand_in(made["team"].page, BROKEN)
     submission = made["team"].page.url
@@ -213,6 +214,7 @@ def test_mentor_replaces_a_lost_card(served: Served, browser: Browser, codes: di
     new = mentor.look().inner_text(".team-card .code")
     old = next(code for name, code in codes.items() if name.startswith("A name"))
     team.page.goto(f"/enter#{old}")
+    team.page.press("#code", "Enter")  # a link alone signs nothing in
     team.page.wait_for_selector("[role=alert]")
     assert team.complaints == ["Failed to load resource: the server responded with a status of 403 (Forbidden)"]
     team.complaints.clear()
@@ -226,6 +228,7 @@ def test_mentor_replaces_a_lost_card(served: Served, browser: Browser, codes: di
 def test_form_of_another_site_does_nothing(served: Served, browser: Browser, codes: dict[str, str]):
     team = Visitor(browser, served.address)
     team.page.goto(f"/enter#{codes['Robo Rangers']}")
+    team.page.press("#code", "Enter")
     team.page.wait_for_url("**/my")
     form = f'<form method="post" action="{served.address}/leave"><button>x</button></form>'
     team.page.route("http://evil.example/", lambda route: route.fulfill(body=form, content_type="text/html"))

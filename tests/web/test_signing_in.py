@@ -185,3 +185,13 @@ def test_account_that_waits_answers_as_slowly_as_one_that_does_not_exist(
     for name in ("chief", "none"):
         assert signs_in(name, "guess", NOW) is None
     assert hashed == ["guess", "guess"]
+
+
+def test_use_of_a_card_is_noted_once_a_minute(site: SiteConfig):
+    from rcj_challenges.web.accounts import team_of_code
+
+    team, code = make_team()
+    for after_s, noted_s in ((0, 0), (59, 0), (61, 61)):
+        assert team_of_code(code, NOW + timedelta(seconds=after_s)) is not None
+        team.refresh_from_db()
+        assert team.last_used_at == NOW + timedelta(seconds=noted_s)

@@ -89,6 +89,8 @@ def export(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
             assert entry.active is not None  # noqa: S101 - filtered
             name = f"team{entry.team_id}.zip"
             archive.write(blobs.path(entry.active.sha256), f"submissions/{name}")
+            if entry.active.is_late:
+                lines.append(f"# late: submissions/{name}\n")  # a comment for sha256sum
             lines.append(f"{entry.active.sha256}  submissions/{name}\n")
         archive.writestr("hashes.txt", "".join(lines))
     made.seek(0)

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from csp.decorators import csp
+from django.db.models import Max
 from django.http import Http404, HttpRequest, HttpResponse, HttpResponseBase, JsonResponse
 from django.shortcuts import redirect
 from django.utils import timezone
@@ -220,5 +221,8 @@ def activate(request: HttpRequest, pk: int) -> HttpResponseBase:
     if found.state != State.ACCEPTED:
         return plain("Only an accepted submission can play.", 409)
     with jobs.writing():
-        Entry.objects.update_or_create(team=found.team, season=found.season, defaults={"active": found})
+        last = Submission.objects.filter(team=found.team, season=found.season).aggregate(last=Max("number"))["last"]
+        Entry.objects.update_or_create(
+            team=found.team, season=found.season, defaults={"active": found, "chosen_over": last}
+        )
     return redirect("my")
