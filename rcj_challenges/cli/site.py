@@ -25,8 +25,9 @@ site_app = typer.Typer(
     epilog="rcj-challenge site init club\nrcj-challenge site serve club",
 )
 
-_SAMPLES = ("all_sensors", "ball_chaser", "roles_and_radio", "fast_shooter")
-"""Of the sample teams; the last one is for another scenario, so that a report of a rejected one can be seen."""
+_DEMO_TEAMS = 4
+_MATCH_FOLDER = "rcj_soccer_team_blue"
+"""What the sample teams for a match have; those for challenges have others."""
 
 Folder = Annotated[Path, typer.Argument(metavar="FOLDER", help="The folder of the site.")]
 Trust = Annotated[
@@ -74,10 +75,11 @@ def init(
     set_up(config)
     migrate(config)
     if demo:
-        from rcj_challenges.cli.teams import locate_team
+        from rcj_challenges.scenario.resources import shipped_teams
         from rcj_challenges.web.demo import make_demo
 
-        for line in make_demo({name: locate_team(name) for name in _SAMPLES}):
+        samples = {name: team for name, team in shipped_teams().items() if (team / _MATCH_FOLDER).is_dir()}
+        for line in make_demo(dict(list(samples.items())[:_DEMO_TEAMS])):
             typer.echo(line)
     typer.echo(f"made {folder}; start it with: rcj-challenge site serve {folder}")
 

@@ -21,8 +21,8 @@ Stages of matches need scenarios for two, challenges scenarios for one. Super te
 number of robots.
 
 teams-folder
-The folder of the submissions cannot be read, most of it has nothing to do with teams, or it has pipes, devices or
-links that lead out of it.
+The folder of the submissions cannot be used as it is.
+It cannot be read, most of it has nothing to do with teams, or it has pipes, devices or links that lead out of it.
 Create it next to the tournament file, and put one ZIP for each team into it.
 
 same-team-id

@@ -7,6 +7,16 @@ PAGES: dict[str, str] = {
         "The commands `site` need Django and other libraries, which are not installed with a plain `pip install`.\n\n"
         'Install them with `pip install "rcj-challenges[web]"`.'
     ),
+    "no-file": "No archive came with the request.\n\nChoose a ZIP, or send it as the body.",
+    "no-season": "No season is open, so nothing can be handed in.\n\nWait until the organizers announce one.",
+    "no-team": "The team has been deleted, so it can hand in nothing.\n\nAsk its mentor.",
+    "not-open": "The season does not take uploads yet.\n\nThe message says when it does.",
+    "not-stored": (
+        "The archive may not have been stored, because the disk or the database of the site failed.\n\nLook at the "
+        "list of your submissions, and hand it in again if it is not there."
+    ),
+    "too-much": "The team has handed in as many bytes as a day allows.\n\nHand in again tomorrow.",
+    "too-often": "The team has handed in as often as an hour or a day allows.\n\nHand in again later.",
     "site-exists": (
         "`site init` makes a new folder, and never changes one that holds a site.\n\n"
         "Choose another name, or start the site that is there with `rcj-challenge site serve FOLDER`."

@@ -141,8 +141,8 @@ def test_a_zone_in_which_a_team_gets_points_lies_at_the_end_that_it_attacks(zone
 
 
 def test_contacts_close_to_each_other_are_one_touch() -> None:
-    made = contacts((10, 0), (12, 0), (13, 1), (22, 0), (33, 0))
-    assert touch_ends(made, 0) == [22, 33]
+    made = contacts((10, 0), (12, 0), (13, 1), (18, 0), (25, 0))  # ticks; 0.2 s are 6.25
+    assert touch_ends(made, 0) == [18, 25]
     assert touch_ends(made, 1) == [13]
     assert touch_ends(made, 2) == []
 

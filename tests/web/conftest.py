@@ -47,7 +47,7 @@ def use_site(config: SiteConfig) -> Iterator[None]:
     """Let this process work on a site."""
     from django.test import override_settings
 
-    made = {**settings_for(config, (config.folder / "secret_key").read_text()), "RCJ": config}
+    made = {**settings_for(config, (config.folder / "secret_key").read_text(encoding="utf-8")), "RCJ": config}
     databases = made.pop("DATABASES")
     if config.is_sqlite:  # nothing here outlives a power cut, and waiting for the disk takes most of the time
         databases["default"]["OPTIONS"]["init_command"] = "PRAGMA journal_mode=WAL; PRAGMA synchronous=OFF;"
@@ -74,16 +74,16 @@ def _close_all() -> None:
 def make_folder(folder: Path, database: str = "sqlite", **options: Any) -> SiteConfig:
     """Make the folder of a site with other settings than the usual ones; its database is empty."""
     make_site(folder, "Test club")
-    with (folder / "site.yaml").open("a") as file:
+    with (folder / "site.yaml").open("a", encoding="utf-8") as file:
         for key, value in options.items():
             file.write(f"{key}: {json.dumps(value)}\n")
-    text = (folder / "site.yaml").read_text().replace("database: sqlite", f"database: {database}")
+    text = (folder / "site.yaml").read_text(encoding="utf-8").replace("database: sqlite", f"database: {database}")
     lines = text.splitlines()
     for key in options:  # a later line of the same name wins, and only that one is left
         first = next(index for index, line in enumerate(lines) if line.startswith(f"{key}:"))
         if sum(line.startswith(f"{key}:") for line in lines) > 1:
             del lines[first]
-    (folder / "site.yaml").write_text("\n".join(lines) + "\n")
+    (folder / "site.yaml").write_text("\n".join(lines) + "\n", encoding="utf-8")
     return load_site(folder)
 
 
@@ -154,7 +154,7 @@ class Served:
             )  # fmt: skip
         assert self.process.stdout is not None
         line = self.process.stdout.readline()
-        assert line, self.log.read_text()
+        assert line, self.log.read_text(encoding="utf-8")
         self.address = line.rsplit(": ", 1)[1].strip()
         until = time.monotonic() + _START_S
         while time.monotonic() < until:
@@ -285,7 +285,7 @@ class Postgres:
             check=False, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
             cwd=self.folder, timeout=60, **self._user,
         )  # fmt: skip
-        assert started.returncode == 0, Path(log).read_text()[-3000:]
+        assert started.returncode == 0, Path(log).read_text(encoding="utf-8")[-3000:]
 
     def stop(self, mode: str = "fast", *, wait: bool = True) -> None:
         """Stop the server: fast, or immediate, without a last checkpoint."""
@@ -293,9 +293,9 @@ class Postgres:
 
     def kill(self) -> None:
         """End the server with all its processes, as if the power had gone."""
-        pid = int((self._data / "postmaster.pid").read_text().splitlines()[0])
+        pid = int((self._data / "postmaster.pid").read_text(encoding="utf-8").splitlines()[0])
         os.kill(pid, signal.SIGSTOP)  # it starts no more
-        children = Path(f"/proc/{pid}/task/{pid}/children").read_text().split()
+        children = Path(f"/proc/{pid}/task/{pid}/children").read_text(encoding="utf-8").split()
         for one in (pid, *map(int, children)):
             os.kill(one, signal.SIGKILL)
         until = time.monotonic() + _START_S

@@ -91,7 +91,7 @@ class Load:
         """Wait for some receipts more."""
         count, until = len(self.receipts) + count, time.monotonic() + _SETTLE_S
         while len(self.receipts) < count:
-            assert time.monotonic() < until, (self.last, self._served.log.read_text()[-2000:])
+            assert time.monotonic() < until, (self.last, self._served.log.read_text(encoding="utf-8")[-2000:])
             time.sleep(0.01)
 
     def _run(self) -> None:
@@ -117,7 +117,7 @@ def settle(config: SiteConfig) -> None:
     while Submission.objects.filter(state__in=OPEN).exists() or Job.objects.filter(state=JobState.STUCK).exists():
         for job in Job.objects.filter(state=JobState.STUCK):
             jobs.try_again(job, timezone.now())
-        assert time.monotonic() < until, (config.folder / "workers.log").read_text()[-2000:]
+        assert time.monotonic() < until, (config.folder / "workers.log").read_text(encoding="utf-8")[-2000:]
         time.sleep(0.1)
 
 

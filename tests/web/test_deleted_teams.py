@@ -36,9 +36,9 @@ def test_result_that_comes_after_the_team_was_deleted_is_dropped_with_its_files(
 
     def answer(_self: Dispatcher, _job: Job, _claim: Any, request: dict[str, Any], _submission: Any) -> dict[str, Any]:
         if kind == "check":
-            Path(request["folder"], "report.html").write_text("x")
+            Path(request["folder"], "report.html").write_text("x", encoding="utf-8")
         else:
-            Path(request["out"]).write_text("repaired")
+            Path(request["out"]).write_text("repaired", encoding="utf-8")
         delete(team)
         return {
             "report": {"level": "passed", "digest": "d", "hindrance": ""}, "host": False, "repaired": request.get("out")

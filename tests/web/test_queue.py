@@ -180,10 +180,10 @@ def test_the_same_bytes_get_the_earlier_verdict_with_its_pages_at_once(site: Sit
     assert accept(claimed())
     pages = site.folder / "reports" / str(first.pk)
     pages.mkdir()
-    (pages / "report.html").write_text("all is well")
+    (pages / "report.html").write_text("all is well", encoding="utf-8")
     second = hand_in(site, team, b"x")
     assert (second.state, second.is_counted, second.number) == (State.ACCEPTED, False, 2)
-    assert (site.folder / "reports" / str(second.pk) / "report.html").read_text() == "all is well"
+    assert (site.folder / "reports" / str(second.pk) / "report.html").read_text(encoding="utf-8") == "all is well"
     assert Entry.objects.get().active_id == second.pk
 
 

@@ -31,7 +31,7 @@ _MAX_WEB_BYTES = 200_000_000
 
 
 def peak_bytes(pid: int) -> int:
-    status = Path(f"/proc/{pid}/status").read_text()
+    status = Path(f"/proc/{pid}/status").read_text(encoding="utf-8")
     return int(next(line for line in status.splitlines() if line.startswith("VmHWM")).split()[1]) * 1024
 
 
@@ -125,7 +125,7 @@ def test_no_archive_is_an_error_of_the_server_or_takes_its_memory(
     print(f"{len(archives) + count} archives; memory {peak_bytes(served.process.pid) / 1e6:.0f} MB")
     assert statuses <= {201, 413}
     assert peak_bytes(served.process.pid) < _MAX_WEB_BYTES
-    assert "Traceback" not in served.log.read_text()
+    assert "Traceback" not in served.log.read_text(encoding="utf-8")
 
 
 def raw(served: Served, head: str, body: bytes = b"") -> int:
@@ -186,7 +186,7 @@ def test_an_upload_that_is_cut_off_leaves_nothing(
     while list(incoming.iterdir()):
         assert time.monotonic() < until
         time.sleep(0.01)
-    assert "Traceback" not in served.log.read_text()
+    assert "Traceback" not in served.log.read_text(encoding="utf-8")
     with use_site(config):
         assert not Submission.objects.exists()
 
