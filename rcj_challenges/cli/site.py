@@ -120,6 +120,20 @@ def worker(folder: Folder, trust_all_teams: Trust = False) -> None:
     work(config)
 
 
+@site_app.command("invite", cls=Command, epilog="rcj-challenge site invite club")
+def invite(
+    folder: Folder,
+    address: Annotated[
+        str, typer.Option("--address", metavar="ADDRESS", help="Under which browsers reach the site.")
+    ] = "http://localhost:8000",
+) -> None:
+    """Print a link with which an organizer makes an account, once."""
+    opened(folder)
+    from rcj_challenges.web.serving import organizer_link
+
+    typer.echo(organizer_link(address.rstrip("/")))
+
+
 @site_app.command("migrate", cls=Command, epilog="rcj-challenge site migrate club")
 def migrate(folder: Folder) -> None:
     """Bring the database up to date, after an update of this program."""

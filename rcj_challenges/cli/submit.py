@@ -23,8 +23,9 @@ from rcj_challenges.core.sanitize import sanitize
 _CODE_VARIABLE = "RCJ_CARD"
 _TIMEOUT_S = 150
 _POLL_S = 2.0
+_AWAY_S = 60.0
 _DONE = frozenset({"accepted", "rejected", "unchecked", "superseded"})
-_EXIT_CODES = {"accepted": 0, "superseded": 0, "rejected": 1, "unchecked": 2}
+_EXIT_CODES = {"accepted": 0, "rejected": 1, "unchecked": 2, "superseded": 2}
 
 
 class SubmitError(RcjError):
@@ -99,11 +100,17 @@ class _Site:
     """
 
     def __init__(self, address: str, code: str) -> None:
-        parts = urlsplit(address)
-        if parts.scheme not in {"http", "https"} or not parts.hostname:
+        try:
+            parts = urlsplit(address)
+            is_address = parts.scheme in {"http", "https"} and parts.hostname and parts.port != 0
+        except ValueError:  # the port is no number, or too large
+            is_address = False
+        if not is_address:
             raise SubmitError(
                 f"--site {sanitize(address)}: this is no address", "--site http://club.lan:8000", code="bad-option"
             )
+        if not (code.isascii() and code.isprintable()):
+            raise SubmitError("this is no code of a card", "compare it with the card", code="wrong-card")
         self._address = address
         self._parts = parts
         self._headers = {"Authorization": f"Bearer {code}"}
@@ -115,9 +122,16 @@ class _Site:
 
     def wait(self, pk: int, *, quiet: bool) -> dict[str, Any]:
         """Wait until a submission is checked; return its state."""
-        shown = ""
+        shown, reached = "", time.monotonic()
         while True:
-            state = self._request("GET", f"/api/v1/submissions/{pk}")
+            try:
+                state = self._request("GET", f"/api/v1/submissions/{pk}")
+            except SubmitError as error:  # the receipt is there: a site that starts again is waited for
+                if error.code != "site-unreachable" or time.monotonic() - reached > _AWAY_S:
+                    raise
+                time.sleep(_POLL_S)
+                continue
+            reached = time.monotonic()
             if state["state"] in _DONE:
                 return state
             now = (

@@ -16,6 +16,7 @@ from django.db.models import Q
 from django.http import HttpRequest
 from django.middleware.csrf import rotate_token
 
+from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.web.models import Account, Audit, Group, Invite, Role, Team
 
 _ALPHABET = "0123456789ABCDEFGHJKMNPQRSTVWXYZ"
@@ -168,4 +169,4 @@ def _reserve_try(account: Account, now: datetime) -> bool:
 def write_audit(viewer: Viewer, act: str, about: object, reason: str, now: datetime) -> None:
     """Note an act with consequences."""
     actor = str(viewer.account.name if viewer.account is not None else viewer.team or "")
-    Audit.objects.create(at=now, actor=actor[:60], act=act, about=str(about)[:120], reason=reason[:200])
+    Audit.objects.create(at=now, actor=actor[:60], act=act, about=str(about)[:120], reason=sanitize(reason, 200))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from django.contrib import admin
+from django.contrib.auth.models import Group as DjangoGroup
 from django.http import HttpRequest
 
 from rcj_challenges.web.models import Account, Audit, Group, Job, Season, Submission, Team, Worker
@@ -74,10 +75,15 @@ class SeasonAdmin(Base):
 
 
 class AccountAdmin(Listed):
-    """Accounts, without their passwords."""
+    """Accounts, without their passwords; one that is no longer active is signed out."""
 
     list_display = ("name", "role", "group", "is_active", "last_login")
-    exclude = ("password",)
+    fields = ("name", "role", "group", "is_active")
+    readonly_fields = ("name", "role", "group")
+
+    def has_change_permission(self, request: HttpRequest, obj: Any = None) -> bool:
+        """Return whether it may be made inactive."""
+        return Base.has_change_permission(self, request, obj)
 
 
 class GroupAdmin(Base):
@@ -94,6 +100,7 @@ class AuditAdmin(Listed):
 
 
 admin.site.site_header = admin.site.site_title = "RCJ Challenges"
+admin.site.unregister(DjangoGroup)
 admin.site.register(Submission, SubmissionAdmin)
 admin.site.register(Team, TeamAdmin)
 admin.site.register(Job, JobAdmin)

@@ -15,7 +15,7 @@ from ninja.security import HttpBearer
 from rcj_challenges.web.accounts import team_of_code
 from rcj_challenges.web.models import Entry, Season, Submission, Team
 from rcj_challenges.web.receiving import RefusedError, ensure_may_upload, receive
-from rcj_challenges.web.views.team import _progress, begun
+from rcj_challenges.web.views.team import begun, progress_of
 
 
 class Receipt(Schema):
@@ -110,7 +110,7 @@ def look_up(request: HttpRequest, pk: int) -> Status[dict[str, Any]]:
     if found is None:
         return Status(404, {"code": "unknown-submission", "message": "this team has no submission with this number"})
     is_active = Entry.objects.filter(active=found).exists()
-    return Status(200, {**_receipt(found), **_progress(found), "is_active": is_active, "report": found.report})
+    return Status(200, {**_receipt(found), **progress_of(found), "is_active": is_active, "report": found.report})
 
 
 @api.get("me", response=Me)

@@ -30,6 +30,13 @@ def work() -> None:
     """Check or repair, as the request says."""
     request = json.loads(_read_line())
     threading.Thread(target=_end_with_dispatcher, daemon=True).start()
+    try:
+        _work(request)
+    except RcjError as error:
+        _write({"error": str(error)})
+
+
+def _work(request: dict[str, Any]) -> None:
     loaded = load(request["scenario"], request["overrides"])
     path = Path(request["path"])
     if request["kind"] == "repair":

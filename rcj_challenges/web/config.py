@@ -1,4 +1,4 @@
-"""The settings of a site: ``site.yaml`` in its folder, and what Django is told of them."""
+"""The settings of a site: ``site.yaml`` in its folder, and Django's settings made from it."""
 
 from __future__ import annotations
 
@@ -99,7 +99,7 @@ def make_site(folder: Path, title: str) -> SiteConfig:
     if (folder / SITE_FILE).exists():
         message = f"{sanitize(folder)}: there is a site in this folder"
         raise SiteError(message, f"start it with: rcj-challenge site serve {sanitize(folder)}", code="site-exists")
-    folder.mkdir(parents=True, exist_ok=True)
+    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     for name in ("blobs", "incoming", "reports"):
         (folder / name).mkdir(exist_ok=True)
     descriptor = os.open(folder / SECRET_FILE, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)

@@ -31,6 +31,7 @@ from rcj_challenges.web.receiving import accept_repaired
 _START = "import sys; sys.path.append(sys.argv[1]); from rcj_challenges.web.check_process import work; work()"
 _POLL_S = 0.5
 _MAX_JOB_S = 3600.0
+_CLEAN_UP_S = 3600.0
 
 
 class _HostFaultError(Exception):
@@ -66,6 +67,7 @@ class Dispatcher:
         self._processes: dict[tuple[int, int], subprocess.Popen[str]] = {}
         self._lock = threading.Lock()
         self._stopped = threading.Event()
+        self._cleans_at = 0.0
 
     def run(self, parent: int | None = None) -> None:
         """Work until it is interrupted; then the running processes are ended, and their jobs given back.
@@ -159,6 +161,9 @@ class Dispatcher:
             with jobs.writing():
                 Worker.objects.update_or_create(name=self.name, defaults=seen)
             lost = held - jobs.renew(self.name, held, now)
+            if time.monotonic() >= self._cleans_at:
+                self._cleans_at = time.monotonic() + _CLEAN_UP_S
+                jobs.clean_up(now)
         with self._lock:
             for claim in lost & self._held:
                 if claim in self._processes:
@@ -231,6 +236,8 @@ class Dispatcher:
                     del self._processes[claim]
                 if process.stdin is not None:
                     process.stdin.close()
+        if last is not None and set(last) == {"error"}:
+            raise _HostFaultError(last["error"])
         if last is None:
             raise _HostFaultError(f"the check process ended without a report (exit status {process.returncode})")
         return last

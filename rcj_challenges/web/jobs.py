@@ -12,13 +12,14 @@ from contextlib import contextmanager
 from datetime import datetime, timedelta
 from typing import Any, NamedTuple
 
+from django.contrib.sessions.models import Session
 from django.db import connection, transaction
 from django.db.models import F, FloatField, OuterRef, QuerySet, Subquery, Sum, Value
 from django.db.models.functions import Coalesce
 from django.utils import timezone
 
 from rcj_challenges.web.config import current_site
-from rcj_challenges.web.models import Entry, Job, JobState, State, Submission, Team
+from rcj_challenges.web.models import Entry, Invite, Job, JobState, State, Submission, Team, Worker
 
 LEASE = timedelta(seconds=60)
 HEARTBEAT_S = 5.0
@@ -212,6 +213,7 @@ def return_expired(now: datetime) -> int:
     Job.objects.filter(state=JobState.QUEUED, not_before__gt=now + MAX_TRIES * _RETRY_AFTER).update(not_before=now)
     expired = list(_locked(Job.objects.filter(state=JobState.RUNNING, lease_until__lt=now)))
     for job in expired:
+        job.error = "the dispatcher ended"
         _give_back(job, now)
     return len(expired)
 
@@ -225,11 +227,19 @@ def try_again(job: Job, now: datetime) -> None:
             Submission.objects.filter(job=job.pk, state=State.UNCHECKED).update(state=State.QUEUED)
 
 
+def clean_up(now: datetime) -> None:
+    """Remove what has no use any more: expired sessions and invitations, and dispatchers not seen for a day."""
+    with writing():
+        Session.objects.filter(expire_date__lt=now).delete()
+        Invite.objects.filter(expires_at__lt=now).delete()
+        Worker.objects.filter(seen_at__lt=now - _DAY).delete()
+
+
 def _give_back(job: Job, now: datetime) -> None:
     is_stuck = job.tries >= MAX_TRIES
     job.state = JobState.STUCK if is_stuck else JobState.QUEUED
     job.worker, job.lease_until, job.not_before = "", None, now + _RETRY_AFTER * max(0, job.tries - 1)
-    job.save(update_fields=("state", "worker", "lease_until", "not_before"))
+    job.save(update_fields=("state", "worker", "lease_until", "not_before", "error"))
     if job.submission_id is not None:
         checking = Submission.objects.filter(pk=job.submission_id, state=State.CHECKING)
         if is_stuck:

@@ -5,8 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 from django.contrib.auth.base_user import AbstractBaseUser, BaseUserManager
+from django.core.exceptions import ValidationError
 from django.db import models
 from django.db.models import Q
+
+from rcj_challenges.core.errors import RcjError
 
 
 class Role(models.TextChoices):
@@ -113,6 +116,19 @@ class Season(models.Model):
 
     def __str__(self) -> str:
         return self.title
+
+    def clean(self) -> None:
+        """Refuse a scenario that cannot be played.
+
+        Raises:
+            ValidationError: it cannot be loaded with these overrides.
+        """
+        from rcj_challenges.scenario.load import load  # noqa: PLC0415 - a process that serves pages loads none else
+
+        try:
+            load(self.scenario, self.overrides)
+        except RcjError as error:
+            raise ValidationError(str(error)) from error
 
 
 class State(models.TextChoices):

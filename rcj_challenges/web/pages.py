@@ -17,6 +17,8 @@ from rcj_challenges.core.sanitize import sanitize, sanitize_block
 from rcj_challenges.web.accounts import Viewer, viewer_of
 from rcj_challenges.web.config import current_site
 
+_LOCAL = frozenset({"localhost", "127.0.0.1"})
+
 
 def environment(**options: Any) -> Environment:
     """Return Jinja's environment."""
@@ -35,6 +37,20 @@ def format_time(at: datetime | None) -> str:
 
 def _format_bytes(size: int) -> str:
     return f"{size / 1_000_000:.1f} MB" if size >= 100_000 else f"{size / 1000:.1f} kB"
+
+
+def public_address(request: HttpRequest, path: str) -> tuple[str, bool]:
+    """Return an address of this site, and whether other computers reach it.
+
+    Where the site is looked at on its own computer, it is that of another name in ``hosts``.
+    """
+    name, _, port = request.get_host().partition(":")
+    if name not in _LOCAL:
+        return request.build_absolute_uri(path), True
+    others = [host for host in current_site().hosts if host not in _LOCAL and host[0] not in ".*["]
+    if not others:
+        return request.build_absolute_uri(path), False
+    return f"{request.scheme}://{others[0]}{':' * bool(port)}{port}{path}", True
 
 
 def page(

@@ -74,10 +74,7 @@ def ensure_isolation(config: SiteConfig) -> None:
 
 def first_link(address: str) -> str | None:
     """Return a link for the first organizer, if there is no organizer yet; and make the first season."""
-    from django.utils import timezone  # noqa: PLC0415 - once Django is set up
-
-    from rcj_challenges.web import jobs  # noqa: PLC0415
-    from rcj_challenges.web.accounts import invite  # noqa: PLC0415
+    from rcj_challenges.web import jobs  # noqa: PLC0415 - once Django is set up
     from rcj_challenges.web.models import Account, Role, Season  # noqa: PLC0415
 
     with jobs.writing():
@@ -85,6 +82,18 @@ def first_link(address: str) -> str | None:
             Season.objects.create(title="First season")
         if Account.objects.filter(role=Role.ORGANIZER).exists():
             return None
+    return organizer_link(address)
+
+
+def organizer_link(address: str) -> str:
+    """Return a link with which an organizer makes an account, once."""
+    from django.utils import timezone  # noqa: PLC0415 - once Django is set up
+
+    from rcj_challenges.web import jobs  # noqa: PLC0415
+    from rcj_challenges.web.accounts import invite  # noqa: PLC0415
+    from rcj_challenges.web.models import Role  # noqa: PLC0415
+
+    with jobs.writing():
         return f"{address}/invite/{invite(Role.ORGANIZER, None, timezone.now())}"
 
 
@@ -135,8 +144,8 @@ def serve(config: SiteConfig, host: str, port: int, *, dispatch: bool, on_start:
     keeper = threading.Thread(target=_keep_dispatcher, args=(config, stopped)) if dispatch else None
     if keeper is not None:
         keeper.start()
-    on_start(address)
     try:
+        on_start(address)
         server.run(sockets=[listening])
     finally:
         stopped.set()

@@ -19,7 +19,7 @@ from rcj_challenges.web.blobs import Blobs
 from rcj_challenges.web.config import current_site
 from rcj_challenges.web.files import FileAnswer
 from rcj_challenges.web.models import Audit, Entry, Group, Job, JobState, Role, Season, Team, Worker
-from rcj_challenges.web.pages import message_page, page
+from rcj_challenges.web.pages import message_page, page, public_address
 from rcj_challenges.web.views.guards import only
 
 
@@ -74,7 +74,7 @@ def new_invite(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
             group, _ = Group.objects.get_or_create(label=label, defaults={"quota": current_site().team_quota})
         code = invite(role, group, now)
         write_audit(viewer, "invite", group or role, "", now)
-    return page(request, "invite.html", viewer, address=request.build_absolute_uri(f"/invite/{code}"), group=group)
+    return page(request, "invite.html", viewer, address=public_address(request, f"/invite/{code}")[0], group=group)
 
 
 @only("organizer")
@@ -88,6 +88,9 @@ def export(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
         for entry in entries.select_related("team", "active").order_by("team__pk"):
             assert entry.active is not None  # noqa: S101 - filtered
             name = f"team{entry.team_id}.zip"
+            if not blobs.path(entry.active.sha256).exists():
+                lines.append(f"# missing: submissions/{name}\n")
+                continue
             archive.write(blobs.path(entry.active.sha256), f"submissions/{name}")
             if entry.active.is_late:
                 lines.append(f"# late: submissions/{name}\n")  # a comment for sha256sum

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import shutil
+from typing import Any
 
 import segno
 from django.db.models import Count, Q
@@ -18,7 +19,7 @@ from rcj_challenges.web.accounts import Viewer, give_card, write_audit
 from rcj_challenges.web.blobs import report_folder
 from rcj_challenges.web.config import current_site
 from rcj_challenges.web.models import Entry, Group, Job, JobState, Submission, Team
-from rcj_challenges.web.pages import message_page, page
+from rcj_challenges.web.pages import message_page, page, public_address
 from rcj_challenges.web.receiving import remove_unneeded
 from rcj_challenges.web.views.guards import only, seen_team
 
@@ -109,9 +110,15 @@ def _remove_files(deleted: Team) -> None:
         remove_unneeded(submission.sha256)
 
 
-def _card(request: HttpRequest, team: Team, code: str) -> dict[str, str]:
+def _card(request: HttpRequest, team: Team, code: str) -> dict[str, Any]:
     """Return what is printed on a card. The code stands behind #, so that it is in no log of a server."""
-    address = request.build_absolute_uri("/enter")
+    address, is_reached = public_address(request, "/enter")
     drawn = io.BytesIO()
     segno.make(f"{address}#{code}", error="m").save(drawn, kind="svg", xmldecl=False, svgns=True, border=2, scale=4)
-    return {"team": team.name, "code": code, "address": address, "qr": drawn.getvalue().decode("utf-8")}
+    return {
+        "team": team.name,
+        "code": code,
+        "address": address,
+        "is_reached": is_reached,
+        "qr": drawn.getvalue().decode(),
+    }

@@ -15,6 +15,7 @@ from django.utils import timezone
 from django.utils.translation import gettext
 from django.views.decorators.http import require_GET, require_http_methods, require_POST
 
+from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.web import jobs
 from rcj_challenges.web.accounts import enter as sign_in_team
 from rcj_challenges.web.accounts import open_invite, signs_in, team_of_code
@@ -58,7 +59,9 @@ def enter(request: HttpRequest) -> HttpResponseBase:
 def login(request: HttpRequest) -> HttpResponseBase:
     """Sign in as a mentor or an organizer."""
     if request.method == "POST":
-        account = signs_in(request.POST.get("name", "")[:40], request.POST.get("password", "")[:200], timezone.now())
+        account = signs_in(
+            sanitize(request.POST.get("name", ""), 40), request.POST.get("password", "")[:200], timezone.now()
+        )
         if account is not None:
             request.session.pop("team", None)
             start_session(request, account)
@@ -86,7 +89,7 @@ def invited(request: HttpRequest, code: str) -> HttpResponseBase:
         )
     error = ""
     if request.method == "POST":
-        name, password = request.POST.get("name", "").strip()[:40], request.POST.get("password", "")[:200]
+        name, password = sanitize(request.POST.get("name", "").strip(), 40), request.POST.get("password", "")[:200]
         try:
             validate_password(password)
             if not name:

@@ -96,7 +96,7 @@ def begun(request: HttpRequest) -> datetime:
     return found if isinstance(found, datetime) else timezone.now()
 
 
-def _progress(submission: Submission) -> dict[str, Any]:
+def progress_of(submission: Submission) -> dict[str, Any]:
     """Return what is known of a submission that is not yet checked: its place, an estimate, its stage."""
     job = Job.objects.filter(submission=submission).order_by("-id").first()
     state: dict[str, Any] = {"state": submission.state, "stage": "", "place": 0, "estimate_s": None}
@@ -123,7 +123,7 @@ def submission(request: HttpRequest, pk: int) -> HttpResponse:
     entry = Entry.objects.filter(team=found.team, season=found.season).first()
     repaired = Submission.objects.filter(repaired_from=found).order_by("-id").first()
     repair_job = Job.objects.filter(key=f"repair/{found.pk}").first()
-    progress = _progress(found)
+    progress = progress_of(found)
     values: dict[str, Any] = {
         "submission": found,
         "progress": progress,
@@ -140,7 +140,7 @@ def submission(request: HttpRequest, pk: int) -> HttpResponse:
 
 def _state_tag(request: HttpRequest, pk: int) -> str:
     _, found = seen_submission(request, pk)
-    return _tag_of(_progress(found))
+    return _tag_of(progress_of(found))
 
 
 def _tag_of(state: dict[str, Any]) -> str:
@@ -152,7 +152,7 @@ def _tag_of(state: dict[str, Any]) -> str:
 def submission_state(request: HttpRequest, pk: int) -> JsonResponse:
     """Return where a check stands, for the page that waits for it."""
     _, found = seen_submission(request, pk)
-    return JsonResponse(_progress(found))
+    return JsonResponse(progress_of(found))
 
 
 def _replays(found: Submission) -> list[Path]:
@@ -190,6 +190,8 @@ def archive(request: HttpRequest, pk: int) -> HttpResponseBase:
     """Return the archive as it was handed in."""
     _, found = seen_submission(request, pk)
     path = Blobs(current_site().folder).path(found.sha256)
+    if not path.exists():
+        raise Http404
     name = f"team{found.team_id}-{found.number}.zip"
     return FileAnswer(path.open("rb"), as_attachment=True, filename=name, content_type="application/zip")
 
