@@ -189,7 +189,7 @@ def _team_of(headers: dict[bytes, bytes], *, is_raw: bool) -> int | None:
     """Return the key of the team that a request is signed in as; strangers must not occupy the few slots."""
     from django.conf import settings  # noqa: PLC0415 - once Django is set up
     from django.contrib.sessions.backends.db import SessionStore  # noqa: PLC0415
-    from django.db import connection  # noqa: PLC0415
+    from django.db import DatabaseError, connection  # noqa: PLC0415
     from django.http import parse_cookie  # noqa: PLC0415
 
     from rcj_challenges.web.accounts import team_of_code, team_of_session  # noqa: PLC0415
@@ -202,6 +202,8 @@ def _team_of(headers: dict[bytes, bytes], *, is_raw: bool) -> int | None:
             cookies = parse_cookie(headers.get(b"cookie", b"").decode("latin-1"))
             team = team_of_session(SessionStore(cookies.get(settings.SESSION_COOKIE_NAME)))
         return None if team is None else team.pk
+    except DatabaseError as error:
+        raise _Refused(503, "The database of the site is away. Try again.") from error
     finally:
         connection.close()  # that of this thread
 

@@ -42,3 +42,14 @@ def test_strangers_do_not_occupy_the_slots_and_a_team_one_at_a_time(
         assert [stranger.recv(12)[-3:] for stranger in strangers] == [b"401"] * 20
         headers = dict(line.split(": ") for line in card.splitlines())
         assert served.send(path, b"x", headers)[0] == 429
+
+
+def test_upload_while_the_database_is_away_is_to_be_tried_again(
+    folder: Callable[..., SiteConfig], serve: Callable[..., Served]
+) -> None:
+    config = folder()
+    served = serve(config, "--no-dispatch")
+    for path in config.folder.glob("site.sqlite3*"):
+        path.unlink()
+    (config.folder / "site.sqlite3").mkdir()
+    assert served.send("/api/v1/submissions", b"x", {"Authorization": "Bearer 0000"})[0] == 503
