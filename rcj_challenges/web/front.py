@@ -106,11 +106,20 @@ class Front:
             raise _Refused(401, "Enter with the card of your team first.")
         if team in self._teams:
             raise _Refused(429, "Another upload of this team is under way. Wait for its end.")
-        self._teams.add(team)
+        mine = {team}
+        self._teams |= mine
+
+        async def send_and_let_go(message: Message) -> None:
+            if message["type"] == "http.response.body" and not message.get("more_body", False):
+                # Before the answer ends: whoever has read it may hand in again at once.
+                self._teams -= mine
+                mine.clear()
+            await send(message)
+
         try:
-            await self._upload_in_turn(slots, scope, receive, send, limit)
+            await self._upload_in_turn(slots, scope, receive, send_and_let_go, limit)
         finally:
-            self._teams.remove(team)
+            self._teams -= mine
 
     async def _upload_in_turn(
         self, slots: asyncio.Semaphore, scope: Message, receive: Receive, send: Send, limit: int

@@ -171,7 +171,7 @@ def kill_at_random(
     return load, counts
 
 
-@pytest.fixture(params=["sqlite", "postgresql"])
+@pytest.fixture(params=["sqlite", pytest.param("postgresql", marks=pytest.mark.nightly)])
 def any_folder(request: pytest.FixtureRequest, tmp_path: Path, folder: Callable[..., SiteConfig]) -> SiteConfig:
     """Return the folder of a site that is not used by this process yet, with each database."""
     if request.param == "sqlite":
