@@ -193,6 +193,7 @@ def test_kills_at_random_moments_lose_nothing_and_repeat_nothing(
     assert len(load.receipts) > kills
 
 
+@pytest.mark.nightly
 def test_a_worker_that_was_suspended_stores_nothing_when_it_goes_on(any_folder: SiteConfig) -> None:
     with use_site(any_folder), workers(any_folder, 2) as working:
         teams = [make_team(f"Team {index}")[0] for index in range(6)]
