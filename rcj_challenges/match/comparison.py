@@ -7,7 +7,7 @@ from typing import Any
 
 from scipy.stats import binom, binomtest
 
-from rcj_challenges.core.amounts import Score, round_score
+from rcj_challenges.core.amounts import Score, add_up, round_score
 from rcj_challenges.referee.ranking import sign
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime
 
@@ -37,11 +37,12 @@ def tally(results: Sequence[Result], team: str) -> dict[str, Score]:
     places = [{entry["team"]: entry["place"] for entry in result["ranking"]} for result in results]
     if len(places[0]) > 1:
         leads = [min(place for name, place in one.items() if name != team) - one[team] for one in places]
-        counts |= {"won": sum(x > 0 for x in leads), "drawn": leads.count(0), "lost": sum(x < 0 for x in leads)}
-        conceded = sum(sum(result["score"].values()) - result["score"][team] for result in results)
+        won, lost = sum(x > 0 for x in leads), sum(x < 0 for x in leads)  # integers
+        counts |= {"won": won, "drawn": leads.count(0), "lost": lost}
+        conceded = add_up(add_up(result["score"].values()) - result["score"][team] for result in results)
         counts["conceded"] = round_score(conceded)
-    counts["scored"] = round_score(sum(result["score"][team] for result in results))
-    counts["faults"] = sum(any(fault["team"] == team for fault in result["faults"]) for result in results)
+    counts["scored"] = round_score(add_up(result["score"][team] for result in results))
+    counts["faults"] = sum(any(fault["team"] == team for fault in result["faults"]) for result in results)  # integers
     return counts
 
 
