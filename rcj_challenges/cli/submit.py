@@ -103,7 +103,7 @@ class _Site:
         try:
             parts = urlsplit(address)
             is_address = parts.scheme in {"http", "https"} and parts.hostname and parts.port != 0
-        except ValueError:  # the port is no number, or too large
+        except ValueError:  # the port is not a number, or too large
             is_address = False
         if not is_address:
             raise SubmitError(
