@@ -14,8 +14,6 @@ class PhaseChange:
     """Another phase, or the first one of a half.
 
     Attributes:
-        tick: of the half.
-        phase: after the actions of the tick.
         waiting_for_kickoff: the flag that programs get.
     """
 
@@ -29,7 +27,6 @@ class ScoreChange:
     """Another score.
 
     Attributes:
-        tick: of the half.
         scores: points of the match by entrant, as seated in this half.
     """
 
@@ -42,7 +39,6 @@ class CountersChange:
     """Other counters that the scenario's ``result`` ranks by, or those at the start of a half.
 
     Attributes:
-        tick: of the half.
         counters: by name; of one kept per entity, by entity.
     """
 
@@ -55,7 +51,6 @@ class HeldChange:
     """Other robots held by rules; a half begins with none.
 
     Attributes:
-        tick: of the half.
         robots: names of all that are held now, in the roster's order.
     """
 
@@ -89,7 +84,7 @@ class ChangeTracker:
         counters: Mapping[str, Any],
         held: tuple[str, ...],
     ) -> tuple[Change, ...]:
-        """Return what is different.
+        """Return the differences.
 
         Args:
             tick: of the half.

@@ -125,11 +125,7 @@ def _message_of(error: RcjError | Diagnostic) -> str:
 
 
 class DiagnosticError(RcjError):
-    """Wrong input that has codes; all that is wrong is reported at once. ``str()`` is the text for the terminal.
-
-    Attributes:
-        diagnostics: what is wrong, at least one.
-    """
+    """Wrong input that has codes; all that is wrong is reported at once. ``str()`` is the text for the terminal."""
 
     def __init__(self, *diagnostics: Diagnostic) -> None:
         self.diagnostics = diagnostics

@@ -19,10 +19,7 @@ MAX_LETTERS = 32
 def nearest_name(word: str, known: Iterable[str], likeness: float = 0.6) -> str | None:
     """Return the known name that is most similar to a misspelt one; None if none is similar.
 
-    Args:
-        word: as it was written.
-        known: the existing names; the first `MAX_COMPARED` count.
-        likeness: the required similarity, from 0 to 1.
+    The first `MAX_COMPARED` known names count; the required similarity is from 0 to 1.
     """
     by_beginning: dict[str, str] = {}
     for name in islice(known, MAX_COMPARED):
@@ -32,5 +29,5 @@ def nearest_name(word: str, known: Iterable[str], likeness: float = 0.6) -> str 
 
 
 def likeness_of(one: str, other: str) -> float:
-    """Return how similar two names are, from 0 to 1."""
+    """Return the similarity of two names, from 0 to 1."""
     return SequenceMatcher(None, one[:MAX_LETTERS], other[:MAX_LETTERS]).ratio()

@@ -81,9 +81,7 @@ READS: dict[str | None, Callable[[str], object]] = {
 def matches_text(text: str, wanted: str | float | bool) -> bool:
     """Return whether a message equals the wanted value: the same text, or the same number.
 
-    Args:
-        text: of the message.
-        wanted: text, a number, or true or false (as the value of a draw may be): then "true", "True" and the like.
+    True and false (the value of a draw may be one) equal "true", "True" and the like.
     """
     if isinstance(wanted, bool):
         return text.lower() == str(wanted).lower()

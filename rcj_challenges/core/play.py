@@ -102,13 +102,10 @@ class Firing:
     """Why something happened: a rule that fired, or would have.
 
     Attributes:
-        tick: tick of the half.
-        rule: the rule's name in the scenario.
         entity: the entity that ``each`` (or the trigger) bound, else None.
         place: the zone or gate that ``each`` bound, else None.
         settling: the number of the settling pass after the last tick in which it fired; 0: it fired in the tick.
         other: what it touched, in a rule that names ``other``, else None.
-        trigger: the word that fired (``enters``, ``no_progress`` …).
         measured: what was measured (m, s, m/s or a count; None where the word measures nothing).
         limit: the limit it was compared with, in the same unit.
         scored: points by entrant that this firing gave.
@@ -140,9 +137,7 @@ class RefereeOutput:
         events: for the reflog, in order.
         firings: for the referee's own log, in order.
         placements: to be carried out now: all things are lifted first, then placed in this order.
-        phase: the phase after the actions.
         waiting_for_kickoff: the flag sent to programs, after the actions.
-        ended: None, or the reason for which an ``end`` action ended the half.
         ends_match: True if that action ended the whole match: no half follows.
         broadcast: the JSON object sent to programs in addition to the official packet, or None.
         private_broadcasts: by index of a robot, the values sent to it alone; None: nothing.

@@ -37,9 +37,7 @@ def sanitize(text: object, longest: int = MAX_LETTERS) -> str:
 def sanitize_block(text: str, most_lines: int = MAX_BLOCK_LINES) -> str:
     """Make text of several lines harmless: a traceback, or the output of a program.
 
-    Args:
-        text: the original.
-        most_lines: of longer texts the first few and the last lines are kept: there a traceback says what went wrong.
+    Of longer texts the first few and the last lines are kept: there a traceback says what went wrong.
     """
     lines = text.expandtabs(4).replace("\r\n", "\n").strip("\n").split("\n")
     if len(lines) > most_lines:
@@ -70,7 +68,7 @@ def _spelled(text: str) -> str:
 
 
 def _escape(letter: str) -> str:
-    """Return how Python would write a letter that cannot be seen."""
+    """Return the escape of Python for a character that cannot be seen."""
     code = ord(letter)
     if letter in "\n\r\t":
         return {"\n": "\\n", "\r": "\\r", "\t": "\\t"}[letter]

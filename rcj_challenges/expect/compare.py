@@ -25,14 +25,7 @@ _Pair = tuple[Event | None, int | None]
 
 
 def difference(what: str, expected: Scalar, found: Scalar | None, tolerance: float | None = None) -> Iterator[str]:
-    """Yield a line if a value is not the expected one.
-
-    Args:
-        what: what it is.
-        expected: the value that it should have.
-        found: the one that it has.
-        tolerance: how far off a number may be; None: not at all.
-    """
+    """Yield a line if a value is not the expected one, or a number further off than a tolerance."""
     if equal(expected, found, tolerance or 0):
         return
     allowed = "" if tolerance is None else f"; up to {tolerance:g} off is allowed"
@@ -42,11 +35,7 @@ def difference(what: str, expected: Scalar, found: Scalar | None, tolerance: flo
 def sent_difference(what: str, expected: Scalar | tuple[float, ...], found: Any, tolerance_m: float) -> Iterator[str]:
     """Yield a line if a value that was sent to a program is not the expected one.
 
-    Args:
-        what: what it is.
-        expected: the value, or the first numbers of a position.
-        found: the value that was sent.
-        tolerance_m: how far off each number of a position may be, in m and rad.
+    Of a position the first numbers are expected; each may be off by the tolerance, in m and rad.
     """
     if not isinstance(expected, tuple):
         yield from difference(what, expected, found if isinstance(found, str | int | float) else None)
@@ -85,14 +74,9 @@ def shown(value: object) -> str:
 def event_differences(
     found: Sequence[Event], expected: Sequence[ExpectedEvent], ignored: Sequence[str]
 ) -> Iterator[str]:
-    """Yield where the events that came are others than expected.
+    """Yield where the events that came are others than expected; those that the test ignores are not among them.
 
     Those that belong together are found first, so that one event too many is one difference.
-
-    Args:
-        found: what came, without what the test ignores.
-        expected: what the test expects.
-        ignored: its list of events to ignore.
     """
     pairs = _beside(found, expected)
     moved = {} if _is_flood(found, expected) else _elsewhere(pairs, expected)
@@ -125,7 +109,7 @@ def _differences_of(pair: _Pair, expected: Sequence[ExpectedEvent], ignored: Seq
 
 
 def _elsewhere(pairs: Sequence[_Pair], expected: Sequence[ExpectedEvent]) -> dict[int, int]:
-    """Return what came as expected, but not in the order of the test: place of the event to that of what is missing."""
+    """Return the events in another order than the test's: place of the event to that of what is missing."""
     lacks = [(place, index) for place, (event, index) in enumerate(pairs) if event is None and index is not None]
     moved: dict[int, int] = {}
     for place, (event, index) in enumerate(pairs):
@@ -152,7 +136,7 @@ def _out_of_order(pairs: Sequence[_Pair], came: int, lacks: int) -> str:
 
 
 def _no_longer_ignored(name: str, ignored: Sequence[str]) -> str:
-    """Return what helps where a test ignores other events, and so no longer those that all others ignore."""
+    """Return a note where a test ignores other events, and so no longer those that all others ignore."""
     if name not in IGNORED_BY_DEFAULT or name in ignored:
         return ""
     return (
@@ -238,7 +222,7 @@ _SAME_NAME = 1 << 20
 
 
 def _likeness(event: Event, wanted: ExpectedEvent) -> float:
-    """Return how well an event is the one that is expected, apart from its name: its payload, then its time."""
+    """Return the similarity of an event to the expected one, apart from its name: its payload, then its time."""
     as_told = sum(equal(value, event.payload.get(key)) for key, value in wanted.payload.items())
     payload = as_told / len(wanted.payload) if wanted.payload else 1
     # A sixteenth of a second counts as much as half a payload; halves keep sums of floats exact.

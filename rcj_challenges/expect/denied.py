@@ -21,9 +21,6 @@ class Wanted(NamedTuple):
 
     Attributes:
         missing: the events that did not come, with the time in s at which they were expected, if at any.
-        scores: the entrants with another score.
-        entries: the counters and flags with another value, each with its section.
-        phase: the phase that it should be; None: it is.
         over: whether nothing, or the half only, is over that should be.
         held: whether a robot is held that should not be, or the other way round.
     """
@@ -47,14 +44,7 @@ def denied_condition_notes(
     wanted: Wanted,
     fired: Container[str],
 ) -> Iterable[str]:
-    """Return notes on rules that never fired but would have changed what differs from the expectations.
-
-    Args:
-        denied: what conditions did not hold.
-        scenario: the scenario.
-        wanted: what the test expects and is otherwise.
-        fired: the rules that fired at some time.
-    """
+    """Return notes on rules that never fired but would have changed what differs from the expectations."""
     noted = 0
     for name, ticks in denied.items():
         rule = scenario.rules[name]

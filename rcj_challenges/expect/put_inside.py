@@ -19,14 +19,9 @@ def put_inside_notes(
     missing: Container[str],
     fired: Container[str],
 ) -> Iterable[str]:
-    """Return which rules that emit a missing event wait for an entry where a rule has put the thing.
+    """Return notes on rules that emit a missing event and wait for an entry where a rule has put the thing.
 
-    Args:
-        placements: what rules have put somewhere or taken off, each with its tick.
-        scenario: the models.
-        roster: its names.
-        missing: the events that did not come.
-        fired: the rules that have fired.
+    Placements are given with their ticks, and the rules that have fired are left out.
     """
     for name, rule in scenario.rules.items():
         if name in fired or not any(one.event in missing for one in rule.effects(Emits)):

@@ -38,7 +38,6 @@ class TestResult:
         differences: what came out differently, one line each, then notes on why that may be: what found no room, draws
             that were not drawn, gates crossed the wrong way, what a rule put where it should enter, rules of which a
             condition did not hold, the course of the phases; empty if all is as expected.
-        ticks: how many ticks were judged.
         fired: the rules that fired, in the order of their first time.
     """
 
@@ -54,10 +53,6 @@ def run_test(loaded: Loaded, name: str) -> TestResult:
 
     A keyframe takes effect in the snapshot of its tick (one at 0 in that of tick 1). If the script outlasts the half,
     or a rule ends it, the rules of ``half_ended`` run as well.
-
-    Args:
-        loaded: scenario and roster.
-        name: name of the block.
 
     Raises:
         KeyError: there is no block of this name.
@@ -108,21 +103,21 @@ def run_test(loaded: Loaded, name: str) -> TestResult:
 
 
 def _unsettled(match: ScriptedMatch) -> Iterable[str]:
-    """Return which rules would go on setting each other off after the half."""
+    """Return notes on rules that would go on setting each other off after the half."""
     rules = dict.fromkeys(firing.rule for firing in match.firings if firing.suppressed == "unsettled")
     if rules:
         yield f"unsettled: after the last tick these rules set each other off without end: {', '.join(rules)}"
 
 
 def _no_room(match: ScriptedMatch) -> Iterable[str]:
-    """Return what found no room: often the reason why something is not where a test expects it."""
+    """Return notes on placements without room: often the reason why something is not where a test expects it."""
     first = {(f.rule, f.says): f for f in reversed(match.firings) if f.suppressed == "no_room"}
     for firing in sorted(first.values(), key=lambda firing: firing.tick):
         yield f"note: from {s_from_ticks(firing.tick):g} s on {firing.says} (rule {firing.rule})"
 
 
 def _already_true(match: ScriptedMatch, fired: Container[str]) -> Iterable[str]:
-    """Return which rules waited for a condition to come true that held from the beginning."""
+    """Return notes on rules that waited for a condition to come true that held from the beginning."""
     for rule, tick in match.referee.already_true.items():
         if rule not in fired:
             yield (
@@ -132,7 +127,7 @@ def _already_true(match: ScriptedMatch, fired: Container[str]) -> Iterable[str]:
 
 
 def _wanted(differences: Collection[str], match: ScriptedMatch, expected: Expectation) -> Wanted:
-    """Return what differs from the expectations, from the lines of differences."""
+    """Return the differences from the expectations as data."""
     # A name has no blank and no colon in it.
     differing = {tuple(one.replace(":", " :").split(" ", 3)[:2]) for one in differences}
     return Wanted(
@@ -146,7 +141,7 @@ def _wanted(differences: Collection[str], match: ScriptedMatch, expected: Expect
 
 
 def _early_end_notes(match: ScriptedMatch, scenario: Scenario, expected: Expectation, wanted: Wanted) -> Iterable[str]:
-    """Return which rule ended the half or the match, where the test would have gone on."""
+    """Return a note on the rule that ended the half or the match, where the test would have gone on."""
     last = ticks_from_s(expected.lasts_s)
     if match.output.ended is None or match.tick >= last:
         return
@@ -162,13 +157,13 @@ def _early_end_notes(match: ScriptedMatch, scenario: Scenario, expected: Expecta
 
 
 def _missing(differences: Iterable[str], expected: Expectation) -> dict[str, float | None]:
-    """Return which events did not come, each with the time in s at which it was expected, if at any."""
+    """Return the events that did not come, each with the time in s at which it was expected, if at any."""
     names = {words[1].rstrip(",") for one in differences if (words := one.split())[0] == "missing:"}
     return {event.event: event.at_s for event in reversed(expected.events or ()) if event.event in names}
 
 
 def _scores(match: ScriptedMatch, expected: Expectation) -> set[str]:
-    """Return which entrants have another score than expected."""
+    """Return the entrants with another score than expected."""
     scores = match.referee.scores
     return {name for name, score in expected.score.items() if not equal(score, scores.get(name))}
 
@@ -187,7 +182,7 @@ def _course(match: ScriptedMatch, differences: Iterable[str]) -> Iterable[str]:
 
 
 def _not_drawn(match: ScriptedMatch, expected: Expectation) -> Iterable[str]:
-    """Return which draws were drawn, and which spots were set by chance, less often than a test decides them."""
+    """Return notes on draws and spots that chance decided less often than the test decides them."""
     for name, left in match.referee.undecided.items():
         series = series_of(expected.draws[name])
         drawn = len(series) - len(left)
@@ -220,7 +215,7 @@ def _as_given(scenario: Scenario, given: Given) -> Scenario:
 
 
 def _kept(scenario: Scenario, roster: Roster, given: Given) -> dict[str, dict[str, dict[str, Scalar]]]:
-    """Return what a test presets for single entities, as the half before would have left it; others are at first."""
+    """Return the presets of single entities, as the half before would have left them; others are at first."""
     return {
         section: {
             name: {
@@ -288,7 +283,7 @@ def _differences(match: ScriptedMatch, scenario: Scenario, expected: Expectation
 
 
 def _state_differences(referee: Referee, expected: Expectation) -> Iterable[str]:
-    """Return which counters and flags are others than expected."""
+    """Return the counters and flags with another value than expected."""
     for name, count in expected.counters.items():
         if isinstance(count, dict):
             yield from _of_each(f"counter {name}", count, referee.counters.get(name), expected.tolerance_counters)
@@ -315,7 +310,7 @@ def _pose_differences(match: ScriptedMatch, expected: Expectation) -> Iterable[s
 def _ranking_differences(
     match: ScriptedMatch, scenario: Scenario, expected: tuple[str | tuple[str, ...], ...]
 ) -> Iterable[str]:
-    """Return how the entrants are ranked, if otherwise than expected, with what was compared."""
+    """Return the ranking, if it is not the expected one, with what was compared."""
     referee, seats = match.referee, {seat: seat for seat in scenario.entrants}
     tally = Tally(referee.counters, seats, s_from_ticks(match.tick))
     places: dict[int, dict[str, list[Number]]] = {}
@@ -332,7 +327,7 @@ def _ranking_differences(
 
 
 def _ended(match: ScriptedMatch) -> str:
-    """Return what is over when a test is: the match by a rule, or the half by a rule or by its time."""
+    """Return the end that a test has reached: the match by a rule, or the half by a rule or by its time."""
     if match.output.ends_match:
         return "match"
     return "half" if match.output.ended is not None or match.referee.time_is_up else "none"
@@ -344,7 +339,7 @@ def _number(referee: Referee, name: str) -> Number | None:
 
 
 def _of_each(what: str, expected: Mapping[str, Scalar], found: object, tolerance: float | None = None) -> Iterable[str]:
-    """Return where what is kept for each of several is different."""
+    """Return the differences of a value that is kept for each of several."""
     kept = found if isinstance(found, dict) else {}
     for member, value in expected.items():
         yield from difference(f"{what} of {member}", value, kept.get(member), tolerance)

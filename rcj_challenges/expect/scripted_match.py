@@ -47,18 +47,12 @@ class ScriptedMatch:
     """A match in which things move only when the script or the referee moves them.
 
     Args:
-        scenario: a checked scenario.
-        roster: its roster.
         half: facts of the half; left out: the first half with seed 1.
-        draws: draws decided beforehand.
         spots: where chance sets spots, decided beforehand, in m.
 
     Attributes:
-        referee: the referee.
-        tick: the tick judged last.
         events, firings: all so far, in order.
         placements: all so far, each with its tick.
-        output: the last output.
         received: by robot, the last broadcast that it received.
         wrong_ways: the gates that were crossed the way that does not count.
         phases: all phases so far, each with the tick in which it was entered.
@@ -155,7 +149,7 @@ class ScriptedMatch:
     # --- what came of it --------------------------------------------------------------------------------------------
 
     def pose(self, entity: str) -> Pose2:
-        """Return where an entity stands now: x and y in m, yaw in rad."""
+        """Return the pose of an entity: x and y in m, yaw in rad."""
         return self._poses[self.roster.index[entity]]
 
     def names(self) -> list[str]:

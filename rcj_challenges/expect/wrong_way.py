@@ -29,11 +29,7 @@ class _Passage(NamedTuple):
 
 
 class WrongWays:
-    """Notes which gates were crossed the way that a sequence, or a rule with a direction, does not count.
-
-    Attributes:
-        passages: the crossings that would be noted.
-    """
+    """Notes which gates were crossed the way that a sequence, or a rule with a direction, does not count."""
 
     def __init__(self, scenario: Scenario, roster: Roster) -> None:
         self._roster = roster
@@ -71,13 +67,9 @@ class WrongWays:
         return tuple(self._roster.index[name] for name in self._members(names, each))
 
     def look(self, tick: int, before: list[Pose2], substeps: list[list[Pose2]], parked: Collection[int]) -> None:
-        """Note what is crossed in a tick.
+        """Note the crossings of a tick in its sub-steps, ``[sub-step][entity]``, from the poses by entity before them.
 
-        Args:
-            tick: the tick.
-            before: poses by entity before its first sub-step.
-            substeps: ``[sub-step][entity]``.
-            parked: entities off the field; they cross nothing, nor are gates crossed that are anchored to them.
+        Entities that are parked, off the field, cross nothing, nor are gates crossed that are anchored to them.
         """
         for passage in self.passages:
             if passage in self._first or passage.entity in parked:
@@ -100,7 +92,7 @@ class WrongWays:
         return crossing(start, end, gate.from_m, gate.to_m)
 
     def notes(self) -> Iterable[str]:
-        """Return what was crossed the wrong way, each with its first time, in s."""
+        """Return the crossings the wrong way, each with its first time in s."""
         for passage, tick in sorted(self._first.items(), key=lambda entry: entry[1]):
             name = self._roster.entities[passage.entity]
             when = f"{s_from_ticks(tick):g} s"

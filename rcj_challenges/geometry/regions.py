@@ -74,10 +74,10 @@ class Outlined(Region):
 
     @abstractmethod
     def outline_m(self, x_m: float, y_m: float) -> float:
-        """Return how far a point is from the nearest point of the outline, in m, from inside and from outside."""
+        """Return the distance in m of a point, inside or outside, from the outline."""
 
     def away_m(self, x_m: float, y_m: float) -> float:
-        """Return how far a point is from the nearest point of the region, in m: 0 inside and on the outline."""
+        """Return the distance in m of a point from the region: 0 inside and on the outline."""
         return 0.0 if self.contains(x_m, y_m) else self.outline_m(x_m, y_m)
 
 
@@ -235,11 +235,7 @@ class AnyOf(Region):
 
 
 class Drawn(Region):
-    """The region that a draw has decided; trackers start again when the draw changes.
-
-    Args:
-        now: returns the region that it is now.
-    """
+    """The region that a draw has decided; trackers start again when the draw changes."""
 
     def __init__(self, now: Callable[[], Region]) -> None:
         self._now = now
@@ -267,7 +263,7 @@ class FarFrom(Region):
         self.anchor = (0.0, 0.0)
 
     def distance_m(self, x_m: float, y_m: float) -> float:
-        """Return how far the point is from the anchor, in m."""
+        """Return the distance in m of the point from the anchor."""
         dx, dy = x_m - self.anchor[0], y_m - self.anchor[1]
         return max(abs(dx), abs(dy)) if self._square else sqrt(dx * dx + dy * dy)
 

@@ -28,12 +28,7 @@ _T = TypeVar("_T", bound=Tracker)
 
 
 class RuleBinder(NameScope):
-    """Implements `Binder` for one rule.
-
-    Args:
-        context: what the compilers of all words share.
-        rule: the rule.
-    """
+    """Implements `Binder` for one rule."""
 
     def __init__(self, context: CompileContext, rule: BoundRule) -> None:
         super().__init__(context, rule.each)
@@ -54,12 +49,7 @@ class RuleBinder(NameScope):
         self._position = 0
 
     def bind(self, position: int, trigger: Trigger) -> None:
-        """Bind the rule to one of its triggers.
-
-        Args:
-            position: its place in the rule.
-            trigger: the trigger.
-        """
+        """Bind the rule to one of its triggers, with the place that it has in the rule."""
         self._position, self._trigger, self._by_time = position, trigger.name(), trigger.IS_TIME
         trigger.bind(self)
 

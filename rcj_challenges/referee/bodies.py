@@ -81,13 +81,9 @@ class Bodies:
         self.half_box_m = (scenario.field.width_m / 2, scenario.field.length_m / 2 + deepest_m)
 
     def fits(self, entity: int, pose: Pose2, others: dict[int, Pose2], clearance_m: float) -> bool:
-        """Return whether an entity can stand at a pose.
+        """Return whether an entity, given by its index, can stand at a pose beside others.
 
-        Args:
-            entity: index of the entity.
-            pose: where it is to stand.
-            others: the entities that stand on the field, by index.
-            clearance_m: smallest gap to any other body; walls only must not be overlapped.
+        The clearance is the smallest gap in m to any other body; walls only must not be overlapped.
         """
         if abs(pose[0]) > self.half_box_m[0] or abs(pose[1]) > self.half_box_m[1]:
             return False

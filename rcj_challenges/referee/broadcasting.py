@@ -35,7 +35,7 @@ class Broadcasting:
                 self._to_some.setdefault(context.roster.index[robot], {}).update(readers)
 
     def values_at(self, tick: int) -> tuple[Told | None, dict[int, Told] | None]:
-        """Return what is sent to all robots at a tick, and to single ones besides, by index; None: nothing."""
+        """Return the values sent to all robots at a tick, and to single ones besides, by index; None: nothing."""
         if tick % self._every_ticks:
             return None, None
         to_some = {robot: _read(readers) for robot, readers in self._to_some.items()}

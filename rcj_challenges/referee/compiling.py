@@ -31,21 +31,12 @@ class CompileContext:
     """What the compilers of all words share.
 
     Attributes:
-        state: the referee's memory; closures read it when they run.
-        hits: where trackers report.
-        trackers: the trackers of all rules.
-        pose_history: judged poses of the past.
-        clock_events: triggers that no tracker follows.
-        contacts: what touches what.
-        bodies: outlines.
-        queue: placements asked for.
         emit: writes an event; set by the engine.
         enter_phase: enters a phase; set by the engine.
         layouts: compiled layouts by name, what ``each`` stands for, and mirror.
         floor: what lies inside the walls.
         remembered: the spots that rules set; they are read each time.
         members: what names stand for, by names and what ``each`` stands for.
-        names: resolves names without ``each``.
     """
 
     def __init__(self, state: State) -> None:

@@ -44,9 +44,6 @@ class Referee:
     placements of an output must be carried out exactly; the next snapshot shows their effect in the physics.
 
     Args:
-        scenario: a checked scenario.
-        roster: its roster.
-        half: what makes this half different from others.
         draws: values of draws decided beforehand (for tests): one stands until a rule draws again; of several the next
             one comes whenever the draw is drawn, and when all have come, chance decides again.
         spots: where random ``set_spot`` actions set spots, decided beforehand in the same way, in m.
@@ -186,12 +183,7 @@ class Referee:
         return self._output()
 
     def judge(self, snapshot: Snapshot, by_hand: frozenset[int] = frozenset()) -> RefereeOutput:
-        """Judge a tick.
-
-        Args:
-            snapshot: what is seen of it.
-            by_hand: entities that were put elsewhere by hand since the last one: only tests do that.
-        """
+        """Judge a tick; ``by_hand``: entities that a test has put elsewhere since the last one."""
         state = self._state
         state.by_hand = by_hand
         tick = state.tick = snapshot.tick

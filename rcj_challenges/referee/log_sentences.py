@@ -45,7 +45,7 @@ def _format_number(number: float | None, decimals: int) -> str:
 
 
 def no_room_sentence(job: PlacementJob, spec: PlacementSpec, state: State, bodies: Bodies) -> str:
-    """Return what happens to an entity that could not be set down, and why, once all others are set down."""
+    """Return the sentence about an entity that could not be set down, and why, once all others are set down."""
     name = state.roster.entities[job.entity]
     stays = "where it is" if state.present[job.entity] else "off the field"
     what = "waits for room" if spec.retry else f"stays {stays} for want of room"

@@ -37,12 +37,8 @@ class PlacementSpec:
     """How one entity is put somewhere.
 
     Attributes:
-        how: what a rule asks for.
-        entity: its index.
-        where: the compiled place.
         facing: returns the yaw in rad for a point; gets the board, the entity, the point and the stream.
         mirrors: each returns the signs of x and y (-1 mirrors).
-        stream: name of the random stream.
         kick: how it rolls away from there; None: it lies still.
     """
 
@@ -128,7 +124,7 @@ class PlacementSpec:
 
 
 def compile_placement(how: Places, to: Scope, entity: int, stream: str) -> PlacementSpec:
-    """Return how an entity, given by its index, is placed; its random numbers come from the stream of that name."""
+    """Return the placement of an entity, given by its index; its random numbers come from the stream of that name."""
     return PlacementSpec(
         how=how,
         entity=entity,
@@ -145,7 +141,6 @@ class PlacementJob:
     """A placement that a rule asked for.
 
     Attributes:
-        entity: index of the entity.
         spec: how it is set down; None takes it off the field.
         rule: the rule that asked; a retry waits while the rule is inactive. None: the start of the half.
         due: from which tick on it is to be done.
@@ -201,7 +196,7 @@ class PlacementQueue:
         return entity in self._asked or entity in self._waiting
 
     def take(self, state: State) -> list[PlacementJob]:
-        """Return what is to be done in this tick: what waited first, then what was asked for, in order."""
+        """Return the placements of this tick: those that waited, then the new ones, in order."""
         ready = [
             job
             for job in self._waiting.values()

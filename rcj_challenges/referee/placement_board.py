@@ -31,13 +31,7 @@ class PlacementBoard:
         self.standing[entity] = pose
 
     def free(self, spot: Point, clearance_m: float, entity: int | None) -> bool:
-        """Return whether no robot's or ball's centre is nearer to a spot than the clearance.
-
-        Args:
-            spot: [x, y] in m.
-            clearance_m: strict limit in m.
-            entity: the one that is to be put there, if any: its own present place counts as well.
-        """
+        """Return whether no robot's or ball's centre is nearer to a spot than a strict limit in m; see `Board`."""
         centres = [pose for index, pose in self.standing.items() if index < self._judged and index != entity]
         if entity is not None and entity < self._judged and self._state.present[entity]:
             centres.append(self._state.poses[entity])

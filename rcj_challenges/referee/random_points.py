@@ -22,9 +22,6 @@ _MAX_TRIES = 10_000
 def point_sampler(zones: Mapping[str, models.Zone]) -> Sampler:
     """Return a function that draws a point in at least one of these zones, every such point equally likely.
 
-    Args:
-        zones: by name; at least one.
-
     Raises:
         ValueError: a zone has no end in some direction.
     """

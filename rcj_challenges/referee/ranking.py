@@ -39,20 +39,15 @@ def ranked_counters(scenario: Scenario) -> tuple[str, ...]:
 
 
 def counted_for(scenario: Scenario, team: str, counter: str, halves: Sequence[Tally]) -> Score:
-    """Return what a counter counts for a team over halves: those of its own robots, or one that all share."""
+    """Return a team's counters over halves: those of its own robots, or one that all share."""
     return round_score(add_up(_count(half, counter, _robots(scenario, half, team)) for half in halves))
 
 
 def ranking(scenario: Scenario, scores: Mapping[str, Score], halves: Sequence[Tally]) -> list[dict[str, Any]]:
-    """Return the teams, best first; teams that are equal by all criteria share a place.
+    """Return ``{"place", "team", "values"}`` each, best first; teams that are equal by all criteria share a place.
 
-    Args:
-        scenario: its ``result.rank`` holds the criteria; a later one breaks ties.
-        scores: by team.
-        halves: all that are over: their times and counters are added up.
-
-    Returns:
-        ``{"place", "team", "values"}`` each; values in the order of the criteria.
+    Criteria, in the order of the values, are those of the scenario's ``result.rank``; a later one breaks ties. Scores
+    are by team; times and counters of all halves are added up.
     """
     criteria = scenario.result.rank
     values = {
@@ -91,7 +86,7 @@ def _robots(scenario: Scenario, half: Tally, team: str) -> tuple[str, ...]:
 
 
 def _count(half: Tally, name: str, robots: tuple[str, ...]) -> Score:
-    """Return what a half adds to a counter that is kept, or else what it has counted."""
+    """Return the count of a half: of a counter that is kept, what the half adds."""
 
     def of_the_robots(counted: Score | Mapping[str, Score]) -> Score:
         return add_up(counted.get(robot, 0) for robot in robots) if isinstance(counted, Mapping) else counted

@@ -22,11 +22,6 @@ class Rounds:
         firings: for the referee's log, in order; the engine takes them.
         settling: the number of the settling pass; 0: an ordinary tick.
         denied: what kept triggered rules from firing; None: it is not noted (only tests need it).
-
-    Args:
-        state: the referee's memory.
-        hits: the triggers that fired.
-        enter_phase: enters a phase.
     """
 
     def __init__(self, state: State, hits: HitBuffer, enter_phase: Callable[[str], None]) -> None:

@@ -28,7 +28,6 @@ class NameScope:
     """Implements `Scope`: what names stand for in a rule or a layout.
 
     Args:
-        context: what the compilers of all words share.
         each: the name that ``each`` stands for; None: it is not known there.
     """
 

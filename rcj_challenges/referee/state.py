@@ -26,12 +26,7 @@ def float32(value: float) -> float:
 
 
 class State(RefereeState):
-    """The referee's memory of one half, filled from a scenario.
-
-    Attributes:
-        scenario: the scenario.
-        roster: its roster.
-    """
+    """The referee's memory of one half, filled from a scenario."""
 
     def __init__(self, scenario: Scenario, roster: Roster, half: HalfInfo) -> None:
         super().__init__(half, scenario.first_phase, len(roster.entities))
@@ -104,13 +99,7 @@ class State(RefereeState):
                 self.wind_up(clock, timer.lasts_s, whose)
 
     def wind_up(self, clock: Clock, lasts_s: Lasts, whose: str | None) -> None:
-        """Give a clock its length, as its draw has decided or its counter says by now.
-
-        Args:
-            clock: the clock.
-            lasts_s: how long it lasts.
-            whose: the entity whose clock it is; None for a single one.
-        """
+        """Give a clock its length, as its draw has decided or its counter says by now."""
         clock.length_s = duration_s(lasts_s, self, whose)
         clock.length = ticks_from_s(clock.length_s)
 
@@ -146,12 +135,12 @@ class State(RefereeState):
         self._decided_spots = {name: list(places) for name, places in decided.items()}
 
     def decided_place(self, spot: str) -> tuple[float, float] | None:
-        """Return where a test has decided that chance sets a spot this time; None: chance decides."""
+        """Return the next place that a test decides for a spot set by chance; None: chance decides."""
         places = self._decided_spots.get(spot)
         return places.pop(0) if places else None
 
     def undecided_spots(self) -> dict[str, int]:
-        """Return how many of the places that a test decided have not come, by spot."""
+        """Return the number of places decided by a test that have not come, by spot."""
         return {name: len(left) for name, left in self._decided_spots.items() if left}
 
     def kept(self) -> dict[str, dict[str, object]]:

@@ -17,7 +17,7 @@ _Point = tuple[float, float]
 
 
 def targets_of(named: str | _Point, scope: NameScope) -> tuple[Target, ...]:
-    """Return what a name stands for, groups expanded, or a point.
+    """Return the target of a name, groups expanded, or of a point.
 
     Raises:
         ValueError: it is nothing on the field.

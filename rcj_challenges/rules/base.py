@@ -38,9 +38,7 @@ class Word(Strict):
         KEY: the field that says which word it is: ``trigger``.
         EXAMPLE: sections of a scenario that show it; run as a test and printed in the reference.
         SENTENCE: how the rule sheet describes the one in the example.
-        ASKS_WHERE: whether it asks where something is.
         ALL_IF_NONE: whether it is about all of what is kept for several, if it names none.
-        READS_MESSAGES: whether it reads messages from robots to the referee.
     """
 
     # ClassVar alone: pydantic would evaluate ClassVar[str] again for each word.
@@ -53,7 +51,7 @@ class Word(Strict):
 
     @classmethod
     def name(cls) -> str:
-        """Return how the file writes the word."""
+        """Return the word as the file writes it."""
         return str(get_args(cls.model_fields[cls.KEY].annotation)[0])
 
     def stands_for(self, _bound: str) -> bool:
@@ -72,9 +70,6 @@ class Vocabulary:
     their key. That is built when a model is first used, so words can be added until then.
 
     Args:
-        key: the field that says which word it is.
-        words: the words, a list that may be shared.
-        without: those that are left out of it.
         otherwise: the word that is meant without the key; empty: the key is required.
     """
 
@@ -203,7 +198,7 @@ class Trigger(Word):
         raise NotImplementedError
 
     def moment(self) -> Moment | None:
-        """Return what it waits for, if readers of rules need it."""
+        """Return its moment, if readers of rules need it."""
         return None if self.MOMENT is None else declared(self.MOMENT, self)
 
     def describe(self, phrases: Phrases) -> str:
@@ -211,12 +206,12 @@ class Trigger(Word):
         raise NotImplementedError
 
     def about(self, _phrases: Phrases) -> Names | None:
-        """Return what it can be about; None: nothing."""
+        """Return the names that it can be about; None: it has none."""
         names: Names | None = getattr(self, self.ABOUT, None)
         return names
 
     def limit(self, _phrases: Phrases) -> float | None:
-        """Return what it measures against; None: nothing, or it is not known before."""
+        """Return the limit of its measurement; None: it has none, or it is not known before."""
         return float(getattr(self, self.LIMIT)) if self.LIMIT else None
 
     def measures_its_limit(self) -> bool:
@@ -284,11 +279,11 @@ class Action(Word):
     EFFECT: ClassVar[type[Effect] | None] = None
 
     def compile(self, to: Binder) -> Act:
-        """Return what carries out the action when its rule fires."""
+        """Return the function that carries out the action when its rule fires."""
         raise NotImplementedError
 
     def effects(self) -> tuple[Effect, ...]:
-        """Return what it changes: its ``EFFECT``, or what its fields name as written."""
+        """Return its effects: its ``EFFECT``, or the entries that its fields mark as written."""
         if self.EFFECT is not None:
             return (declared(self.EFFECT, self),)
         references = ((name, ref_of(type(self), name)) for name in type(self).model_fields)
@@ -303,7 +298,7 @@ class Action(Word):
         raise NotImplementedError
 
     def points_row(self, _phrases: Phrases) -> tuple[str, str] | None:
-        """Return which entrant gets points, and how many, for the table of points; None: it gives none."""
+        """Return entrant and points for the table of points; None: it gives none."""
         return None
 
 
@@ -326,12 +321,7 @@ class PlaceWord(FormWord):
     IS_SPREAD: ClassVar[bool] = False
 
     def compile(self, to: Scope, entity: int) -> PlaceResolver:
-        """Return what finds the point.
-
-        Args:
-            to: what names stand for.
-            entity: the index of what is put there.
-        """
+        """Return the resolver of the point for an entity, given by its index."""
         raise NotImplementedError
 
     def describe(self, phrases: Phrases) -> str:
@@ -348,7 +338,7 @@ class PlaceWord(FormWord):
         return self.describe(phrases).removeprefix("on ")
 
     def put(self, phrases: Phrases, _entity: Names, *, plural: bool) -> str:
-        """Return where something is put: ``put on the spot “centre”``, ``each put on the spot “centre”``."""
+        """Return the placement in words: ``put on the spot “centre”``, ``each put on the spot “centre”``."""
         return f"{'each ' if plural else ''}put {self.describe(phrases)}"
 
     def fixed(self) -> Name | Point | None:
@@ -360,30 +350,26 @@ class PlaceWord(FormWord):
         return False
 
     def mirrored(self, _phrases: Phrases) -> str | None:
-        """Return what of it a mirror changes: an empty text for all of it, `` as seen from Y1``; None: nothing."""
+        """Return the part that a mirror changes: an empty text for all of it, `` as seen from Y1``; None: nothing."""
         return ""
 
 
 class ValueWord(FormWord):
-    """A value that rules name, ``{counter: laps}``.
-
-    Attributes:
-        UNIT: of what unit it is, if of any.
-    """
+    """A value that rules name, ``{counter: laps}``."""
 
     UNIT: ClassVar = ""
 
     def now(self, to: Scope) -> Callable[[], Any]:
-        """Return what reads the value, of one that is the same whichever rule fires."""
+        """Return a function that reads the value, of one that is the same whichever rule fires."""
         raise NotImplementedError
 
     def read(self, to: Scope) -> Reader:
-        """Return what reads the value when a rule fires; it can be written as JSON."""
+        """Return a function that reads the value when a rule fires; it can be written as JSON."""
         read_now = self.now(to)
         return lambda _firing: read_now()
 
     def number(self, to: Scope) -> Reader:
-        """Return what reads the value where a number is asked for; 0 if there is none."""
+        """Return a function that reads the value where a number is asked for; 0 if there is none."""
         read = self.read(to)
 
         def read_number(firing: Firing) -> Number:

@@ -39,25 +39,25 @@ class Scope(Protocol):
         """What touches what."""
 
     def members(self, names: Names) -> tuple[str, ...]:
-        """Return what names stand for: groups expanded, ``each`` replaced, without repeats, in order."""
+        """Return the members that names stand for: groups expanded, ``each`` replaced, without repeats, in order."""
 
     def start_of(self, entity: int) -> StartPose:
-        """Return where an entity starts."""
+        """Return the start of an entity."""
 
     def whose(self, name: str | None) -> str | None:
         """Return whose counter, flag, timer or sequence a name stands for; None: all of them, or the only one."""
 
     def spot(self, name: str) -> Callable[[], Point]:
-        """Return what reads where a spot is now, or the spot that a draw of this name decided."""
+        """Return a function that reads the present place of a spot, or of the spot that a draw decided."""
 
     def spots(self, names: Names) -> Callable[[], tuple[Point, ...]]:
-        """Return what reads where spots are now, in order."""
+        """Return a function that reads the present places of spots, in order."""
 
     def anchor(self, what: Name | Point) -> Callable[[], Anchor]:
-        """Return what finds the entity, spot or point for which a name stands now; a draw's name, what it decided."""
+        """Return a function that finds the entity, spot or point of a name; of a draw's name, what it decided."""
 
     def random_point(self, zones: Names) -> Callable[[Random], Point]:
-        """Return what draws a point of zones, every one equally likely."""
+        """Return a function that draws a point of zones, every one equally likely."""
 
     def entity(self, name: str) -> int:
         """Return the index of one entity."""
@@ -75,10 +75,10 @@ class Scope(Protocol):
         """Return whether something is on the field now; what is no entity always is."""
 
     def pose(self, name: str) -> Callable[[], tuple[float, ...] | None]:
-        """Return what reads where something is: [x, y, yaw], of a spot [x, y]; None while it is off the field."""
+        """Return a function that reads the pose [x, y, yaw], of a spot [x, y]; None while it is off the field."""
 
     def targets(self, named: Name | Point) -> tuple[Target, ...]:
-        """Return what a distance is measured to: what a name stands for, or a point."""
+        """Return the target of a distance: what a name stands for, or a point."""
 
     def half_length_s(self) -> Number:
         """Return the length of the half in s."""
@@ -128,10 +128,7 @@ class Binder(Scope, Protocol):
     def track(self, kind: type[_T], key: tuple[object, ...], *args: Any) -> _T:
         """Return the tracker that follows ``key`` in the phases of the rule; rules that follow the same share it.
 
-        Args:
-            kind: its class.
-            key: what it follows.
-            args: what a new one is made of, after state and hits.
+        A new one is made of state, hits and ``args``.
         """
 
     def track_alone(self, tracker: Tracker) -> None:
@@ -141,25 +138,21 @@ class Binder(Scope, Protocol):
         """Reset a tracker whenever one of the draws among these names decides otherwise."""
 
     def binding(self, entity: int | None = None) -> TriggerBinding:
-        """Return the rule's binding to the trigger that is compiled.
-
-        Args:
-            entity: the index of what it is about.
-        """
+        """Return the rule's binding to the trigger that is compiled, about an entity given by its index."""
 
     def drawn_value(self, value: Scalar) -> Scalar:
         """Return a value of a draw: ``each`` is a name where the rule is for one."""
 
     def locate(self, what: Name | Point) -> Callable[[], Point | None]:
-        """Return what finds where a thing, a spot, a zone's centre or a point is; None while it is off the field."""
+        """Return a function that finds a thing, a spot, a zone's centre or a point; None while it is off the field."""
 
     def free_spots(self, names: Names, clearance_m: float) -> Callable[[], Iterable[bool]]:
-        """Return what finds for each of some spots whether no robot's or ball's centre is near."""
+        """Return a function that finds for each spot whether no robot's or ball's centre is near."""
 
     # --- for actions ------------------------------------------------------------------------------------------------
 
     def ticks(self, lasts_s: Any) -> Callable[[], int]:
-        """Return what reads how many ticks something lasts."""
+        """Return a function that reads a duration in ticks."""
 
     def wind_up(self, timer: str, clock: Clock, owner: str | None) -> None:
         """Give a clock of a timer its length, as its draw has decided or its counter says by now."""
@@ -186,7 +179,7 @@ class Binder(Scope, Protocol):
         """Write an event."""
 
     def decided_place(self, spot: str) -> Point | None:
-        """Return where a test has decided that chance sets a spot this time; None: chance decides."""
+        """Return the next place that a test decides for a spot set by chance; None: chance decides."""
 
     def is_on_floor(self, point: Point) -> bool:
         """Return whether a point lies inside the walls."""

@@ -22,7 +22,7 @@ class _Bounded(Protocol):
 
 
 def amount_bound(model: _Bounded) -> Callable[[Number], Number]:
-    """Return what brings an amount between ``at_least`` and ``at_most``."""
+    """Return a function that brings an amount between ``at_least`` and ``at_most``."""
     least, most = model.at_least, model.at_most
 
     def within(amount: Number) -> Number:
@@ -34,7 +34,7 @@ def amount_bound(model: _Bounded) -> Callable[[Number], Number]:
 
 
 def change_bound(model: _Bounded) -> Callable[[Number, Number], Number]:
-    """Return what an amount becomes that is added to a score or a counter, given what that is before.
+    """Return a function from an amount and the total before it to the amount that is added.
 
     It goes as far as ``keeps_at_least`` or ``keeps_at_most`` and no further. What lies beyond already stays where it
     is: losing points never raises a score.
@@ -54,7 +54,7 @@ def change_bound(model: _Bounded) -> Callable[[Number, Number], Number]:
 
 
 def bounds_words(action: _Bounded, total: str) -> str:
-    """Return how much an action pays or counts at least and at most, and how far it takes the total."""
+    """Return the bounds of an action's amount, and of the total, in words."""
     least, most = action.at_least, action.at_most
     amounts = [f"at {how} {number(one)}" for how, one in (("least", least), ("most", most)) if one is not None]
     ways = (("fall below", action.keeps_at_least), ("rise above", action.keeps_at_most))
@@ -64,7 +64,7 @@ def bounds_words(action: _Bounded, total: str) -> str:
 
 
 def subtracted_parts(action: _Bounded, parts: Any) -> tuple[Any, ...]:
-    """Return what is taken away, where all parts of a sum are; empty where not, or where the sum is bounded itself."""
+    """Return the parts of a sum that takes away only, without their signs; else, or with bounds, none."""
     is_bounded = action.at_least is not None or action.at_most is not None
     if is_bounded or not isinstance(parts, tuple):
         return ()

@@ -42,12 +42,9 @@ class Compared(Condition):
         self, to: Binder, rounded: Callable[[Number], Number] = _unchanged,
         counted: Callable[[Number], Number] = _unchanged,
     ) -> Callable[[Number], bool]:  # fmt: skip
-        """Return what compares a number with the bounds.
+        """Return a function that compares a number with the bounds, which ``rounded`` rounds.
 
-        Args:
-            to: the rule's binder.
-            rounded: how bounds are rounded, as what is compared with them is.
-            counted: what is done to a number before it is compared with a counter: as it would be counted.
+        ``counted`` is done to a number before it is compared with a counter: as it would be counted.
         """
         bounds = (self.at_least, self.at_most, self.equals)
         least, most, equals = (None if bound is None else compile_bound(bound, to) for bound in bounds)
@@ -65,13 +62,7 @@ class Compared(Condition):
         return holds
 
     def compared(self, phrases: Phrases, unit: str = "", where: str = "") -> str:
-        """Return the comparison: ``at least 3 and at most 5``, ``at most 0.5 m from the ball``.
-
-        Args:
-            phrases: what the names stand for.
-            unit: what follows the numbers.
-            where: what follows the unit.
-        """
+        """Return the comparison: ``at least 3 and at most 5``, ``at most 0.5 m from the ball``."""
         bounds = (("at least", self.at_least), ("at most", self.at_most), ("exactly", self.equals))
         limits = [(words, limit) for words, limit in bounds if limit is not None]
         if all(isinstance(limit, int | float) for _, limit in limits):

@@ -102,9 +102,7 @@ class SetsSpot:
     """A spot moves.
 
     Attributes:
-        spot: its name.
         at: the point, the random place, or the thing that it is set to; None: the place that a robot has sent.
-        mirror: applied to that place.
     """
 
     spot: Name

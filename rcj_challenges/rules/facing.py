@@ -35,7 +35,7 @@ Facing = Annotated[
 
 
 def compile_facing(facing: Facing, to: Scope, entity: int) -> CompiledFacing:
-    """Return what gives the yaw at a point."""
+    """Return a function from a point to the yaw there, in rad."""
     start_yaw, state = to.start_of(entity).pose[2], to.state
     match facing:
         case Towards():
@@ -59,7 +59,7 @@ def compile_facing(facing: Facing, to: Scope, entity: int) -> CompiledFacing:
 
 
 def facing_words(phrases: Phrases, facing: Facing) -> str:
-    """Return which way something looks, if not the way it looks at its start: ``facing the ball``."""
+    """Return the direction of something that is not that of its start: ``facing the ball``."""
     match facing:
         case "start":
             return ""

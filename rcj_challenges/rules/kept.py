@@ -21,11 +21,7 @@ class _OfKept(Protocol):
 def test_of_kept(condition: _OfKept, to: Binder, kept: Any, test: Callable[[str | None], bool]) -> Test:
     """Return the test of something kept per entity: of one, of all as one, or with ``of`` of so many of them.
 
-    Args:
-        condition: the condition.
-        to: the rule's binder.
-        kept: a mapping by entity; anything else if there is a single one.
-        test: whether that of an entity satisfies it; of None all as one, or the single one.
+    ``kept`` is a mapping by entity, or the single one; ``test`` gets None for all as one, and for the single one.
 
     Raises:
         ValueError: several entities are named without ``of``; such a scenario is refused when it is loaded.
@@ -43,7 +39,7 @@ def test_of_kept(condition: _OfKept, to: Binder, kept: Any, test: Callable[[str 
 
 
 def asked(phrases: Phrases, condition: _OfKept, kind: str, name: str) -> Subject | None:
-    """Return which of several are asked for what each of them has; None where one is asked, or all in one."""
+    """Return the names of several that have a value each; None where one value is read, or all as one."""
     of, entity = condition.of, condition.entity
     together = of is None and entity is None and kind != "counter" and phrases.owners(kind, name) is not None
     if (of is None and not together) or entity == "each":

@@ -56,7 +56,7 @@ class Kick(Strict):
                 return CompiledKick(towards, lambda: _exactly(speed))
 
     def describe(self, phrases: Phrases) -> str:
-        """Return how fast it rolls, and where to: ``at 0.5 m/s towards the ball``."""
+        """Return its speed and its aim in words: ``at 0.5 m/s towards the ball``."""
         return f"{self._how_fast(phrases)} towards {place_of(self.towards).aim(phrases)}"
 
     def _how_fast(self, phrases: Phrases) -> str:

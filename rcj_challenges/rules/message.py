@@ -36,11 +36,7 @@ class Message(Strict):
     )
 
     def matcher(self, draws: Mapping[str, Scalar]) -> Callable[[str], bool]:
-        """Return what decides whether a message is as it must be.
-
-        Args:
-            draws: the value of each draw; read when a message comes.
-        """
+        """Return a function that decides whether a message is as it must be; draws are read when it comes."""
         text, parse = self.text, READS[self.is_a]
 
         def wanted() -> tuple[Scalar, ...]:
@@ -56,7 +52,7 @@ class Message(Strict):
         return matches
 
     def said(self, phrases: Phrases) -> str:
-        """Return what the message must be: ``“FOUND”``, ``2``, ``a number``; an empty text if it may be anything."""
+        """Return the required message in words: ``“FOUND”``, ``2``, ``a number``; empty if it may be anything."""
         if isinstance(self.text, DrawValue):
             return phrases.what_drawn(self.text.draw)
         if self.text is not None:

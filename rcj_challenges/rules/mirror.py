@@ -20,7 +20,7 @@ class Mirror(Strict):
     )
 
     def compile(self, state: RefereeState) -> Callable[[], Point]:
-        """Return what reads the signs of x and y now."""
+        """Return a function that reads the signs of x and y now."""
         flipped = (-1.0 if self.axis in {"x", "both"} else 1.0, -1.0 if self.axis in {"y", "both"} else 1.0)
         flag = self.when
         if flag is None:
@@ -28,12 +28,12 @@ class Mirror(Strict):
         return lambda: flipped if state.flag(flag, None) else (1.0, 1.0)
 
     def describe(self, phrases: Phrases) -> str:
-        """Return what a mirror does, in brackets, and when: ``(x becomes -x) if the flag “changed” is set``."""
+        """Return a mirror's effect and its condition, in brackets: ``(x becomes -x) if the flag “changed” is set``."""
         turned = listed([f"{axis} becomes -{axis}" for axis in ("x", "y") if self.axis in (axis, "both")], "and")
         return f"({turned})" + (f" if {phrases.kept('flag', self.when, None)} is set" if self.when else "")
 
 
 def mirrored_words(phrases: Phrases, mirror: Mirror | None, at: At) -> str:
-    """Return how a place is mirrored; an empty text if it is not, or if that changes nothing."""
+    """Return the mirroring of a place in words; an empty text if it is not, or if that changes nothing."""
     changed = None if mirror is None else place_of(at).mirrored(phrases)
     return "" if mirror is None or changed is None else f", mirrored{changed} {mirror.describe(phrases)}"

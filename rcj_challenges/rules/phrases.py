@@ -26,7 +26,7 @@ class Phrases(Protocol):
         """Return a named thing or a point ``(x, y)``; of a group the nearest, but nothing is measured from itself."""
 
     def owned(self, what: str, names: Names, name: str = "") -> str:
-        """Return what belongs to one of several: ``its program``, ``the timer “rest” of one of the robots``."""
+        """Return the phrase for what one has: ``its program``, ``the timer “rest” of one of the robots``."""
 
     def kept(self, kind: str, name: str, entity: str | None) -> str:
         """Return a counter, flag, timer or sequence with whose it is: ``the counter “laps” of Y1``."""
@@ -38,7 +38,7 @@ class Phrases(Protocol):
         """Return whose of several it is: ``each`` if the rule is for each of its owners, else the group; or None."""
 
     def sequence_of(self, sequence: str) -> str:
-        """Return what a sequence follows: an entity, or the group of which each member has one of its own."""
+        """Return the entity that a sequence follows, or the group of which each member has one of its own."""
 
     def timer_of(self, timer: str) -> str | None:
         """Return the group of entities of which each has a timer of its own; None where it is not kept for such."""
@@ -53,7 +53,7 @@ class Phrases(Protocol):
         """Return one thing: ``Y1``, ``the ball``, ``gate 1``, ``the spot “centre”``; ``each`` is ``it``."""
 
     def quantified(self, of: Any, names: Names, *, negate: bool) -> Subject:
-        """Return how many of several must do something: ``none of the robots``; negated, the opposite of it."""
+        """Return the subject for a number of several: ``none of the robots``; negated, the opposite of it."""
 
     def may_be_off(self) -> bool:
         """Return whether a rule takes anything off the field."""
@@ -83,7 +83,7 @@ class Phrases(Protocol):
         """Return whether a name stands for an entity, and not for a spot or a draw."""
 
     def what_drawn(self, draw: str) -> str:
-        """Return what a draw decided: ``what was drawn as “target”``, of one that rules set ``what “king” is``."""
+        """Return a draw's value in words: ``what was drawn as “target”``, of one that rules set ``what “king” is``."""
 
     # --- for actions ------------------------------------------------------------------------------------------------
 

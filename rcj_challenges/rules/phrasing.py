@@ -29,25 +29,14 @@ WAITING_NOTE = (
 
 @dataclass(frozen=True)
 class Subject:
-    """What a sentence is about, with what its verb must know.
-
-    Attributes:
-        text: ``the robots``.
-        plural: whether the verb stands in the plural: ``are``.
-        negated: whether the verb is negated: ``is not``.
-    """
+    """What a sentence is about, ``the robots``, and whether its verb is in the plural and negated."""
 
     text: str
     plural: bool = False
     negated: bool = False
 
     def does(self, one: str, several: str) -> str:
-        """Return the subject with its verb: ``the robots move``, ``Y1 does not move``.
-
-        Args:
-            one: the verb after a single one: ``moves``, ``is``.
-            several: the verb after several, ``move``, ``are``; it also follows ``does not``.
-        """
+        """Return it with its verb: ``the robots move``, ``Y1 does not move``; ``several`` follows ``does not``."""
         if not self.negated:
             return f"{self.text} {several if self.plural else one}"
         if several in ("are", "were"):
@@ -129,5 +118,5 @@ def heading(yaw_rad: float) -> str:
 
 
 def times(count: int) -> str:
-    """Return how often: ``once``, ``3 times``."""
+    """Return a number of times in words: ``once``, ``3 times``."""
     return "once" if count == 1 else f"{count} times"

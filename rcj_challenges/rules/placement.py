@@ -91,19 +91,19 @@ def placement_words(phrases: Phrases, entity: Names, at: At, placement: _Placeme
 
 
 def put_words(phrases: Phrases, entity: Names, at: At) -> str:
-    """Return where something is put: ``put at their starts``, ``each put on the spot “centre”``."""
+    """Return the placement in words: ``put at their starts``, ``each put on the spot “centre”``."""
     return place_of(at).put(phrases, entity, plural=phrases.all_of(entity).plural)
 
 
 def looks_words(phrases: Phrases, entity: Names, at: At, facing: Facing) -> str:
-    """Return which way it looks there: ``, facing the ball``; of several at their starts ``, each facing the ball``."""
+    """Return its direction in words: ``, facing the ball``; of several at their starts ``, each facing the ball``."""
     words = facing_words(phrases, facing)
     each = "each " if phrases.all_of(entity).plural and isinstance(place_of(at), Start) else ""
     return f", {each}{words}" if words else ""
 
 
 def _rolls(phrases: Phrases, at: At, placement: _Placement) -> str:
-    """Return how fast a ball rolls off and where to, and how that is mirrored; as its place is, if that was said."""
+    """Return the kick of a ball in words, with its mirroring, if that is not the one of its place."""
     kick, mirror = placement.kick, placement.mirror
     if kick is None:
         return ""
@@ -116,7 +116,7 @@ def _rolls(phrases: Phrases, at: At, placement: _Placement) -> str:
 
 
 def _room(placement: _Placement) -> str:
-    """Return how much room it needs, and what happens if there is none."""
+    """Return the room that it needs in words, and what happens without it."""
     gap_m = placement.min_clearance_m
     gap = f", with a gap of at least {metres(gap_m)} between outlines (not to the walls)" if gap_m else ""
     return gap + (", or left where it is if there is no room" if placement.on_failure == "stay" else "")

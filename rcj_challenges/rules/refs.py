@@ -17,17 +17,13 @@ class Ref:
     """A reference to something on the field: entities, zones, gates, spots, or groups of them.
 
     Attributes:
-        noun: what is named, for messages.
-        kinds: what it may be.
         groups: whether a group's name may stand for its members.
         each: whether ``each`` may stand there, within a rule with ``for_each``, and ``other``, within one of touches.
         drawn: whether a draw's name may stand for what it decided.
-        words: words that are not names.
         keys: True if the names are the keys of the mapping.
         instead: what to write in place of what is of these kinds, such as of an obstacle, where something that moves or
             tips is needed; empty: the usual.
         instead_of: those kinds.
-        is_written: whether an action changes what is named.
     """
 
     noun: str
@@ -47,11 +43,8 @@ class SectionRef:
     """A reference to an entry of some sections: a counter, a phase, a kit.
 
     Attributes:
-        noun: what is named, for messages.
-        sections: where it may be defined.
         words: names that exist without being defined.
         keys: True if the names are the keys of the mapping.
-        is_written: whether an action changes what is named.
         numbers: of a draw the least and the greatest number that its values may be; None: they need not be numbers.
         per_entity: whether a counter must be kept per entity.
     """
@@ -80,7 +73,7 @@ Reference = Ref | SectionRef
 
 
 def ref_of(model: type[BaseModel], field: str) -> Reference | None:
-    """Return what a field of a model names; None if it names nothing."""
+    """Return the reference of a model's field; None if it names nothing."""
     metadata = model.model_fields[field].metadata
     return next((extra for extra in metadata if isinstance(extra, Ref | SectionRef)), None)
 

@@ -22,7 +22,7 @@ def centre_of(zone: Zone) -> tuple[float, float] | None:
 
 
 def middle_of(obstacle: Obstacle) -> tuple[float, float, float]:
-    """Return where a fixed obstacle stands, [x, y, yaw] in m and rad: a wall from its middle along its line."""
+    """Return the pose of a fixed obstacle, [x, y, yaw] in m and rad: a wall from its middle along its line."""
     match obstacle:
         case Wall():
             (ax, ay), (bx, by) = obstacle.from_m, obstacle.to_m

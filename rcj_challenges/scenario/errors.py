@@ -39,12 +39,7 @@ _OPPOSITES = (frozenset({"any", "all", "none"}), frozenset({"min", "most"}), fro
 
 
 def nearest(word: str, known: Iterable[str]) -> str | None:
-    """Return the known word that is most like a misspelt one; None if none is like it.
-
-    Args:
-        word: as it was written.
-        known: the words that there are.
-    """
+    """Return the known word that is most like a misspelt one; None if none is like it."""
     folded: dict[str, str] = {}
     written = set(word.casefold().split("_"))
     for name in islice(known, MAX_COMPARED):
@@ -66,10 +61,7 @@ def did_you_mean(word: str, known: Iterable[str]) -> str:
 def choice_of(word: str, known: Iterable[str], noun: str = "") -> str:
     """Return the known word that is most like a misspelt one, and all known words.
 
-    Args:
-        word: as it was written.
-        known: the words that there are.
-        noun: what they name: ``zone``; empty if they are words of the language.
+    The noun says what they name, ``zone``; it is empty for words of the language.
     """
     names = list(known)
     if not names:

@@ -19,12 +19,7 @@ def half_lengths_s(match: Match) -> tuple[float, ...]:
 
 
 def half_length_s(match: Match, half: int) -> float:
-    """Return the length of a half in s.
-
-    Args:
-        match: the section.
-        half: its number, from 1; beyond those that are played it is as long as the last.
-    """
+    """Return the length of a half in s, numbered from 1; beyond those that are played it is as long as the last."""
     lengths_s = half_lengths_s(match)
     return lengths_s[min(half, len(lengths_s)) - 1]
 

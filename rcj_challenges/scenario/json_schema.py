@@ -79,11 +79,7 @@ def schema_text() -> str:
 
 
 def schema_is_fresh(folder: Path | None = None) -> bool:
-    """Return whether the committed schema is what the models say.
-
-    Args:
-        folder: where it lies; left out: the shipped schemas.
-    """
+    """Return whether the committed schema, in a folder or in that of the shipped ones, is that of the models."""
     file = (folder or schemas_folder()) / FILE
     return file.is_file() and file.read_text(encoding="utf-8") == schema_text()
 

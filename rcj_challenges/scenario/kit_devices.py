@@ -28,10 +28,8 @@ def chassis_of(scenario: Scenario, robot_name: str) -> Chassis:
 def fill_in_devices(tree: Entries) -> None:
     """Complete the devices of robots that do not say what they are, from the device of the same name in the kit.
 
-    ``robots: {Y1: {devices: {distancesensor front: {range_m: 0.4}}}}`` so shortens one sonar of one robot.
-
-    Args:
-        tree: a finished tree; malformed parts are left to the checks that follow.
+    ``robots: {Y1: {devices: {distancesensor front: {range_m: 0.4}}}}`` so shortens one sonar of one robot. Malformed
+    parts are left to the checks that follow.
     """
     robots = tree.entries.get("robots")
     for robot in robots.entries if isinstance(robots, Entries) else ():

@@ -13,7 +13,7 @@ def layouts_of(scenario: Scenario, effect: PlacesLayout) -> list[str]:
 
 
 def alternatives(scenario: Scenario, effect: Places | PlacesLayout) -> list[list[Places]]:
-    """Return what may be put where: of a layout all its entries, of which a mirror of the whole is the last."""
+    """Return the alternative placements: of a layout all its entries, of which a mirror of the whole is the last."""
     if isinstance(effect, Places):
         return [[effect]]
     layouts = (scenario.placements[name] for name in layouts_of(scenario, effect))

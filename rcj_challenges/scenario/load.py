@@ -36,8 +36,6 @@ class Loaded:
     """A scenario that can be played.
 
     Attributes:
-        scenario: the models, all references checked.
-        roster: names to indices.
         name: short name for records and messages: the file's stem.
         path: the file it came from; None if it came from a record or a text.
         resolved: the whole scenario as JSON-able data with all defaults filled in, base files merged, params and
@@ -65,11 +63,9 @@ class Loaded:
 
 
 def load(source: str | Path, overrides: Sequence[str] = ()) -> Loaded:
-    """Load a scenario.
+    """Load a scenario from a file, or a shipped one by its bare name (``match``).
 
-    Args:
-        source: a file, or the bare name of a shipped scenario (``match``).
-        overrides: ``PATH=VALUE`` each: a param's name, or a dotted path.
+    Overrides are ``PATH=VALUE`` each: a param's name, or a dotted path.
 
     Raises:
         ScenarioError: everything that is wrong with it.
@@ -81,11 +77,6 @@ def load(source: str | Path, overrides: Sequence[str] = ()) -> Loaded:
 def load_text(text: str, overrides: Sequence[str] = (), *, file: str = "scenario.yaml") -> Loaded:
     """Load a scenario from a text; ``extends`` knows what is shipped only.
 
-    Args:
-        text: the YAML.
-        overrides: as for `load`.
-        file: how messages name it.
-
     Raises:
         ScenarioError: everything that is wrong with it.
     """
@@ -93,12 +84,9 @@ def load_text(text: str, overrides: Sequence[str] = (), *, file: str = "scenario
 
 
 def load_resolved(resolved: Mapping[str, Any], name: str = "", overrides: Sequence[str] = ()) -> Loaded:
-    """Load what ``Loaded.resolved`` holds, for example from a record.
+    """Load ``Loaded.resolved``, for example from a record; without a name it is called by its ``id``.
 
-    Args:
-        resolved: the data, as read from JSON.
-        name: short name; left out: the scenario's ``id``.
-        overrides: ``PATH=VALUE`` each. The values of params stand where they are used: there they can be changed.
+    The values of params stand where they are used: overrides can change them there.
 
     Raises:
         ScenarioError: it is not what this version writes, or is wrong with the overrides.
@@ -115,11 +103,7 @@ def load_recorded(resolved: Mapping[str, Any], unresolved: Mapping[str, Any], ov
     """Load a recorded scenario with overrides, also of params.
 
     Params are set first; paths then lead into the scenario as it was played, where repeated rules have their names.
-
-    Args:
-        resolved: as for `load_resolved`.
-        unresolved: `Loaded.unresolved`; empty for a record without it, in which no param can be set.
-        overrides: ``PATH=VALUE`` each.
+    ``unresolved`` is empty for a record without it, in which no param can be set.
 
     Raises:
         ScenarioError: something is wrong with the overrides, or with the data.

@@ -39,10 +39,9 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Outline:
-    """A body seen from above, in its own frame.
+    """A body seen from above, in its own frame: the union of convex parts.
 
     Attributes:
-        parts: the convex parts whose union it is.
         reach_m: radius of a circle around its origin that holds it all.
     """
 

@@ -26,7 +26,7 @@ def placeholders_in(says: str) -> tuple[str, ...]:
 
 
 def fill_params(rule: Rule, params: Mapping[str, Scalar]) -> str:
-    """Return what a rule says, with its params filled in, and its points if it gives one plain number."""
+    """Return the sentence of a rule with its params filled in, and its points if it gives one plain number."""
     known = {name: _as_text(value) for name, value in params.items() if name not in PLACEHOLDERS}
     points = {one.points for one in rule.effects(Scores)}
     if len(points) == 1 and (number := points.pop()) is not None:
@@ -35,7 +35,7 @@ def fill_params(rule: Rule, params: Mapping[str, Scalar]) -> str:
 
 
 def description_of(scenario: Scenario) -> str:
-    """Return what a scenario is about, with the values of its params: it is true for every ``--set``."""
+    """Return the description with the values of params: it is true for every ``--set``."""
     known = {name: _as_text(value) for name, value in scenario.params.items()}
     return _filled(scenario.description, known)
 

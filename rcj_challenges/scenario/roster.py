@@ -36,12 +36,7 @@ def as_tuple(names: Names) -> tuple[str, ...]:
 
 
 def with_each(names: Names, each: str | None) -> tuple[str, ...]:
-    """Return names of a rule as a tuple, with another name for ``each``.
-
-    Args:
-        names: as they are written.
-        each: one member, or the whole group of the rule's ``for_each``; None: ``each`` stays.
-    """
+    """Return names of a rule as a tuple, with one member, or the whole group, for ``each``; None: that stays."""
     return tuple(each if name == EACH and each is not None else name for name in as_tuple(names))
 
 
@@ -51,7 +46,6 @@ class Roster:
 
     Attributes:
         entities: robots, balls, movable obstacles; each kind in the order of the file.
-        robots, balls: how many of the entities are robots; how many are balls.
         things: the entities, then the fixed obstacles, then ``walls``.
         index: name to index in ``things``.
         groups: group to the names of its members, nested groups resolved; the groups that always exist included.
@@ -111,7 +105,7 @@ class Roster:
         return self.sections.get(section, ())
 
     def kind_of(self, name: str) -> str:
-        """Return what a name names, wherever that is defined, as ``robot``, ``group``, ``draw``; else an empty text."""
+        """Return the kind of a name, wherever it is defined: ``robot``, ``group``, ``draw``; else an empty text."""
         if name in self.kinds:
             return self.kinds[name]
         defined = (noun for section, noun in _NOUN_OF_SECTION.items() if name in self.names(section))
@@ -124,22 +118,12 @@ class Roster:
     # --- what names stand for -----------------------------------------------------------------------------------------
 
     def expand(self, names: Names, each: str | None = None) -> tuple[str, ...]:
-        """Return the members that names stand for, without repeats, in order.
-
-        Args:
-            names: a name, a group, or a list of both.
-            each: what ``each`` stands for: one member, or the whole group of the rule; None: it stays.
-        """
+        """Return the members that names stand for, without repeats, in order; without ``each`` that stays."""
         found = (one for name in with_each(names, each) for one in self.groups.get(name, (name,)))
         return tuple(dict.fromkeys(found))
 
     def may_be(self, names: Names, rule: Rule | None = None) -> tuple[str, ...]:
-        """Return all that names may ever stand for: of a draw all among which it decides.
-
-        Args:
-            names: as they are written.
-            rule: the rule in which they stand, for ``each`` and ``other``; None: in none.
-        """
+        """Return all that names may ever stand for: of a draw all among which it decides, in a rule also ``each``."""
         found: list[str] = []
         for name in self.expand(names, rule.for_each if rule is not None else None):
             if rule is not None and name == OTHER and has_other(rule):
@@ -149,11 +133,9 @@ class Roster:
         return tuple(dict.fromkeys(found))
 
     def others(self, rule: Rule, each: str | None) -> tuple[str, ...]:
-        """Return what ``other`` may stand for, in the order of ``things``; nothing touches itself.
+        """Return the names that ``other`` may stand for in a rule of touches, in the order of ``things``.
 
-        Args:
-            rule: a rule whose triggers are all touches.
-            each: for which member the rule is; the whole group of its ``for_each``: for any of them.
+        Nothing touches itself; the whole group for ``each`` stands for any of its members.
         """
         found: set[str] = set()
         for touch in rule.moments(Touch):

@@ -76,7 +76,7 @@ def bare(shape: Shape) -> Bare:
 
 @_once_a_shape
 def without_none(shape: Shape) -> Shape:
-    """Return what may stand at a place that may also be left out; metadata is kept."""
+    """Return the shape of a place without its ``None``; metadata is kept."""
     if not is_union(shape) or type(None) not in get_args(shape):
         return shape
     rest = tuple(member for member in get_args(shape) if member is not type(None))
@@ -199,7 +199,7 @@ def usual_tag(shape: Shape) -> str | None:
 
 
 def _likeness(model: type[BaseModel], node: Entries) -> float:
-    """Return how many of a mapping's keys a model knows; a misspelt one counts for half."""
+    """Return the number of a mapping's keys that a model knows; a misspelt one counts for half."""
     known = fields(model)
     return sum(1.0 if key in known else 0.5 * bool(nearest(key, known)) for key in node.entries)
 
@@ -218,7 +218,7 @@ def _fits(kind: Any, node: Node) -> bool:
 
 
 def step_into(shape: Shape, node: Node, step: Step) -> Shape:
-    """Return what is expected one step into a value; None where the models know nothing."""
+    """Return the shape one step into a value; None where the models know nothing."""
     inside = _inside(shape)
     if inside.is_union:
         inside = _inside(chosen(shape, node))
@@ -228,7 +228,7 @@ def step_into(shape: Shape, node: Node, step: Step) -> Shape:
 
 
 def shape_at(shape: Shape, root: Node, path: Path) -> Shape:
-    """Return what is expected at the end of a path of existing values."""
+    """Return the shape at the end of a path of existing values."""
     node: Node | None = root
     for step in path:
         if node is None or shape is None:

@@ -8,7 +8,7 @@ from rcj_challenges.scenario.models.scenario import Scenario
 
 
 def start_pose(scenario: Scenario, name: str) -> Pose2:
-    """Return where a robot, ball or obstacle stands at the start, without noise: x and y in m, yaw in rad.
+    """Return the start of a robot, ball or obstacle, without noise: x and y in m, yaw in rad.
 
     A wall has no place of its own: its ends say where it stands.
     """

@@ -40,10 +40,8 @@ class Leaf:
 
     Attributes:
         value: text, number, true or false; None for a written ``null`` and for an empty value.
-        mark: where it stands.
         empty: True if nothing was written at all.
         note: where the value came from if not from here: ``param 'push_m' times 2``.
-        param: the param for which it stands; empty if it stands for none.
         written: the characters of a plain value in its file, such as ``007``.
     """
 
@@ -179,7 +177,7 @@ def node_at(root: Node, path: Sequence[Step]) -> Node | None:
 
 
 def mark_of(root: Node, path: Sequence[Step], *, at_key: bool = False) -> Mark:
-    """Return where a value stands, or its key; what was not written stands where its surroundings do."""
+    """Return the mark of a value, or of its key; what was not written has that of its surroundings."""
     node, count = deepest(root, path)
     whole = count == len(path)
     if not count or (whole and not at_key and not isinstance(node, Entries)):
@@ -193,7 +191,7 @@ def mark_of(root: Node, path: Sequence[Step], *, at_key: bool = False) -> Mark:
 
 
 def note_at(root: Node, path: Sequence[Step]) -> str:
-    """Return what a message adds about where a value came from: `` (param 'push_m')``; empty if from the file."""
+    """Return the addition to a message on the origin of a value: `` (param 'push_m')``; empty if from the file."""
     node = node_at(root, path)
     return f" ({node.note})" if isinstance(node, Leaf) and node.note else ""
 

@@ -18,11 +18,6 @@ class Issue(NamedTuple):
     """Something wrong in a scenario, before its position in the file is looked up.
 
     Attributes:
-        code: as of `Diagnostic`.
-        path: where it is.
-        message: what is wrong.
-        help: what to do.
-        at_key: whether it is the key that is wrong.
         other: another place that has part in it: reported there if only that one stands in the author's own file.
     """
 

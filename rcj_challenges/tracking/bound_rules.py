@@ -22,7 +22,6 @@ class RuleHistory:
 
     Attributes:
         rests_until: first tick at which it may fire again.
-        executions: how often it has fired.
     """
 
     rests_until: int = 0
@@ -34,20 +33,14 @@ class BoundRule:
     """A rule of the scenario, for one member of its ``for_each`` if it has one.
 
     Attributes:
-        name: as in the scenario.
-        each: the member that ``each`` stands for, or None.
         about: ``each`` if it is an entity or an obstacle; else None, and the trigger finds the entity.
         other: what ``other`` stands for; the rule fires only if that is touched. None: the rule does not name it.
         phases: in which it is active; None: in all.
         exclusive: the group of which only one fires a tick, per entity.
         cooldown: ticks it rests after firing.
-        max_executions: how often it may fire in the half.
         says: the sentence; what is known only when it fires is not filled in yet.
         priority: rules with a lower one fire in an earlier round.
         rank: place in the order of firing, over all bound rules.
-        tests: compiled conditions.
-        actions: compiled actions.
-        past: how often it has fired, and until when it rests.
     """
 
     name: str
@@ -91,10 +84,7 @@ class Firing:
     """One firing while it happens: what the actions can name.
 
     Attributes:
-        rule: the rule that fires.
         entity: what the trigger found (the name of an entity or an obstacle), or None.
-        trigger: the word that fired.
-        measured, limit: what was measured against what.
         scored: points given so far, by entrant.
     """
 
@@ -121,9 +111,7 @@ class TriggerBinding:
     """Binds a rule to one of its triggers.
 
     Attributes:
-        rule: whose it is.
         entity: the entity or obstacle it is about, or None.
-        trigger: the word.
         key: order among all bindings: the rule's rank, the trigger's place in the rule, the index of what it is about.
         by_time: whether a time sets it off, so that it fires after all else of its priority.
     """

@@ -17,8 +17,6 @@ class Alarm(NamedTuple):
     """A time, or a row of times, of the half's clock for which a rule waits.
 
     Attributes:
-        binding: its binding to the trigger.
-        at_s: the first time.
         every_s: how long after one the next comes; None: there is no other.
         past: how many have come.
     """

@@ -16,7 +16,6 @@ class GateLine:
     Args:
         from_m, to_m: its ends in m; relative to the anchor if there is one.
         anchor: the index of the entity with which it moves; None: fixed.
-        state: where entities are.
     """
 
     def __init__(
@@ -33,7 +32,7 @@ class GateLine:
         return box_around(x_m, y_m, distance_to_segment_m(x_m, y_m, *self._from, *self._to))
 
     def distance_m(self, x_m: float, y_m: float) -> float | None:
-        """Return how far a point is from it now, in m; None while what it moves with is off the field."""
+        """Return the distance of a point in m; None while what it moves with is off the field."""
         if self.anchor is None:
             return distance_to_segment_m(x_m, y_m, *self._from, *self._to)
         if not self._state.present[self.anchor]:
@@ -53,7 +52,7 @@ class GateLine:
 
 
 def seen_from(anchor: Pose2, pose: Pose2) -> tuple[float, float]:
-    """Return where a pose is in the frame of an anchor that moves and turns: x and y in m."""
+    """Return x and y in m of a pose in the frame of an anchor that moves and turns."""
     dx, dy = pose[0] - anchor[0], pose[1] - anchor[1]
     c, s = cos(anchor[2]), sin(anchor[2])
     return (c * dx + s * dy, c * dy - s * dx)

@@ -10,7 +10,6 @@ class Held:
     """Which robots are held, by the phase or by rules, independently of each other.
 
     Attributes:
-        by_phase: whether the phase holds all robots.
         by_rules: indices of the robots that rules hold; another object only when that changes.
         ends: the earliest tick at which a hold is over.
     """

@@ -20,12 +20,9 @@ class Board(Protocol):
         """By entity, where it is: placed already, or not moved, or (lifted) where it was."""
 
     def free(self, spot: Point, clearance_m: float, entity: int | None) -> bool:
-        """Return whether no robot's or ball's centre is nearer to a spot than the clearance.
+        """Return whether no robot's or ball's centre is nearer to a spot than a strict limit in m.
 
-        Args:
-            spot: [x, y] in m.
-            clearance_m: strict limit in m.
-            entity: the one that is to be put there, if any: its own present place counts as well.
+        The present place of the entity that is to be put there, if any, counts as well.
         """
 
 
@@ -48,10 +45,8 @@ class PlaceRequest:
     """What a place is looked for.
 
     Attributes:
-        board: the field now.
         entity: index of what is to be put there.
         mirrored: mirrors a point as the scenario asks (or not).
-        rng: the stream of this use.
         fits: whether the entity can stand at a point, with the facing it will have.
     """
 

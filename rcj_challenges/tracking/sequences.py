@@ -36,7 +36,6 @@ class SequenceTracker(PositionTracker):
 
     Attributes:
         reached: name of the zone or gate reached last; None before the first step.
-        completed, broken: the rules that it reports to.
     """
 
     def __init__(

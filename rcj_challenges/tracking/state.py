@@ -32,7 +32,7 @@ class Clock:
     length_s: float = 0.0
 
     def ticks(self, tick: int) -> int:
-        """Return how long it has run."""
+        """Return the ticks that it has run."""
         return min(self.length, self.elapsed + (tick - self.since if self.since is not None else 0))
 
     def running(self, tick: int) -> bool:
@@ -44,9 +44,7 @@ class RefereeState:
     """What the referee knows at a tick.
 
     Attributes:
-        tick: tick of the half.
         clock: ticks of the half's clock: those of phases whose clock stops are not in it.
-        phase: the phase now.
         poses: by entity, where it is now (after a placement: where it was put).
         before: by entity, where it was a tick ago (or was put then).
         by_hand: entities that a test moved by hand since the last tick; their speed is unknown.
@@ -60,7 +58,6 @@ class RefereeState:
         heard: by robot, its last radio message to the referee in this half.
         counters, flags: by name; a mapping by entity for those kept per entity.
         timers: by name, then entity (None for one that is not kept per entity).
-        draws: by name, the value drawn.
         entrant_of: by robot, the entrant it plays for.
         ended: None, or why an ``end`` action ended the half.
         match_over: whether that action ended the whole match.

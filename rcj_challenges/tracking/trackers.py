@@ -22,16 +22,9 @@ class Tracker:
     """Something followed for rules that are active in the same phases.
 
     Attributes:
-        bindings: the rules that it reports to.
         phases: in which it is active; None: in all.
-        entities: the indices of those whose placement resets it.
         since: the tick at which it was last reset.
         already_true: the tick at which it could not come true because it was true already; None: it always could.
-
-    Args:
-        state: the referee's memory.
-        hits: where it reports.
-        entities: the indices of those whose placement resets it.
     """
 
     phases: frozenset[str] | None = None

@@ -10,11 +10,7 @@ from rcj_challenges.tracking.trackers import PositionTracker
 
 
 class ZoneTracker(PositionTracker):
-    """Follows an entity into and out of a region.
-
-    Attributes:
-        entering, leaving: the rules that it reports to.
-    """
+    """Follows an entity into and out of a region."""
 
     def __init__(self, state: RefereeState, hits: HitBuffer, entity: int, region: Region) -> None:
         super().__init__(state, hits, entity)

@@ -58,7 +58,7 @@ expect:
     SENTENCE = "the counter “rounds” grows by 1"
 
     def compile(self, to: Binder) -> Act:
-        """Return what changes a counter: first ``to``, then ``by``."""
+        """Return a function that changes a counter: first ``to``, then ``by``."""
         counters, name, whose = to.state.counters, self.counter, to.whose(self.entity)
         new = None if self.to is None else compile_points(self.to, to)
         by = 1 if self.by is None and self.to is None else self.by

@@ -37,7 +37,7 @@ expect:
     SENTENCE = "the match ends (golden goal)"
 
     def compile(self, to: Binder) -> Act:
-        """Return what ends the half, or the match, after the last firing of this tick.
+        """Return a function that ends the half, or the match, after the last firing of this tick.
 
         The first reason stands, but one for the end of the match goes before one for the end of the half.
         """

@@ -76,7 +76,7 @@ expect:
     SENTENCE = "yellow gets 1 point"
 
     def compile(self, to: Binder) -> Act:
-        """Return what gives points to an entrant; to none if nothing touched what they are given for."""
+        """Return a function that gives points to an entrant; to none if nothing touched what they are given for."""
         state, receiver = to.state, self._receiver(to)
         points, bounded = compile_points(self.points, to), change_bound(self)
 

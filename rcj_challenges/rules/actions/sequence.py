@@ -44,7 +44,6 @@ expect:
     SENTENCE = "the sequence “across” starts again"
 
     def compile(self, to: Binder) -> Act:
-        """Return what resets a sequence: that of one, or of all that have one."""
         trackers, whose = to.sequences(self.sequence), to.whose(self.entity)
         chosen = tuple(trackers.values()) if whose is None else (trackers[whose],)
 

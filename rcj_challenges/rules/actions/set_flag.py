@@ -41,7 +41,7 @@ expect:
 
 
 def change_flag(to: Binder, name: str, entity: str | None, new: Callable[[bool], bool]) -> Act:
-    """Return what changes a flag, of one or of all that have one."""
+    """Return a function that changes a flag, of one or of all that have one."""
     flags, whose = to.state.flags, to.whose(entity)
 
     def act(_firing: Firing) -> None:

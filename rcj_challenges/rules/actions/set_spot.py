@@ -70,7 +70,7 @@ expect:
     SENTENCE = "the place of the ball is remembered as the spot “kicked from”"
 
     def compile(self, to: Binder) -> Act:
-        """Return what sets a spot to a place, its mirror image, or where chance says: there only inside the walls.
+        """Return a function that sets a spot to a place, its mirror image, or a random place inside the walls.
 
         What is off the field leaves it where it is.
         """
@@ -97,7 +97,7 @@ expect:
         return act
 
     def _where(self, to: Binder) -> Callable[[], Point | None]:
-        """Return what finds the place that the spot is set to; None if there is none at present."""
+        """Return a function that finds the place that the spot is set to; None if there is none at present."""
         match self.to:
             case ReportedValue():
                 messages, robot = to.state.heard, to.members(self.to.told)[0]

@@ -71,7 +71,6 @@ expect:
     SENTENCE = "all of the blue robots are at least 0.3 m from the ball"
 
     def test(self, to: Binder) -> Test:
-        """Return how far centres are from another thing (the nearest of a group), a place or a point, compared."""
         state, of = to.state, self.of
         entities, holds = to.entities(self.entity), self.comparison(to, counted=to_mm)
         targets = to.targets(self.to)

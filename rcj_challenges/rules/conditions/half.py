@@ -45,7 +45,6 @@ expect:
         return self.at_least == 1 and self.at_most is None and not self.negate
 
     def test(self, to: Binder) -> Test:
-        """Return whether a half is played, which is known when the rule is compiled."""
         half = to.state.half.half
         is_now = (
             (self.at_least is None or half >= self.at_least)

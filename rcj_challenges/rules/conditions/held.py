@@ -44,7 +44,6 @@ expect:
     SENTENCE = "it is not held"
 
     def test(self, to: Binder) -> Test:
-        """Return whether robots are held, by a rule or by the phase; also those off the field."""
         held, of = to.state.held, self.of
         robots = to.entities(self.entity)
         return lambda: quantified(of, (held.holds(robot) for robot in robots))

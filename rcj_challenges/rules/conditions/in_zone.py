@@ -35,7 +35,6 @@ expect:
     SENTENCE = "at least 2 of the yellow robots are in the blue penalty area"
 
     def test(self, to: Binder) -> Test:
-        """Return whether centres are in a zone; entities off the field are not counted."""
         state, of = to.state, self.of
         entities, region = to.entities(self.entity), to.region(self.zone)
 

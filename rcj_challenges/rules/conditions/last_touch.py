@@ -35,7 +35,6 @@ expect:
     SENTENCE = "the last to touch the ball was one of the blue robots"
 
     def test(self, to: Binder) -> Test:
-        """Return whether one of some robots touched something last since it was put where it is."""
         touched, by = to.thing(self.entity), frozenset(to.entities(self.by))
         contacts = to.contacts
         contacts.follow_last(touched)

@@ -46,7 +46,6 @@ expect:
     SENTENCE = "Y1 looks towards the ball (to within 17.2°)"
 
     def test(self, to: Binder) -> Test:
-        """Return whether robots look towards something or in a direction: their front points there within an angle."""
         state, of, within, heading_rad = to.state, self.of, self.within_rad, self.heading_rad
         is_drawn = self.towards in to.drawn
         itself = () if self.towards is None or is_drawn else anchors(to, self.towards)

@@ -54,7 +54,6 @@ expect:
     SENTENCE = "at least 2 of the yellow robots have a sequence “across” that stands at the west"
 
     def test(self, to: Binder) -> Test:
-        """Return whether a step of a sequence was reached last; with ``of``: those of so many."""
         trackers = to.sequences(self.sequence)
         everyone = tuple(trackers.values())
         (step,) = to.members(self.step)

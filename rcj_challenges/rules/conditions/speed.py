@@ -42,7 +42,6 @@ expect:
     SENTENCE = "the ball moves at a speed of at least 0.3 m/s"
 
     def test(self, to: Binder) -> Test:
-        """Return how fast centres move: the way of the last tick over its time, in m/s, compared."""
         state, of = to.state, self.of
         entities, holds = to.entities(self.entity), self.comparison(to)
 

@@ -53,7 +53,6 @@ expect:
     SENTENCE = "the timer “since touch” has run for at most 2 s"
 
     def test(self, to: Binder) -> Test:
-        """Return how long a timer has run in s (of several the longest); without a comparison: whether one runs."""
         state, clocks = to.state, to.state.timers[self.timer]
         everyone = tuple(clocks.values())
         is_compared = any(bound is not None for bound in (self.at_least, self.at_most, self.equals))

@@ -40,7 +40,6 @@ expect:
     SENTENCE = "it has a way in this half of at least as many m as the counter “budget (m)” says"
 
     def test(self, to: Binder) -> Test:
-        """Return how far things have driven or rolled in the half, in m, compared; also what is off the field."""
         state, of = to.state, self.of
         entities, holds = to.entities(self.entity), self.comparison(to, counted=to_mm)
         for entity in entities:

@@ -34,7 +34,7 @@ expect:
     SENTENCE = "on (0.5, 0) or (0.5, 0.1)"
 
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
-        """Return what draws one of the spots and points; a draw among them stands for the spot that it decided."""
+        """Return a function that draws a spot or point; a draw among them stands for the spot that it decided."""
         options = [option for one in self.choice for option in _options(one, to)]
         return PlaceResolver(lambda request: request.mirrored(request.rng.choice(options)()), random=len(options) > 1)
 

@@ -25,14 +25,9 @@ class _FreeSpot(Protocol):
 def compile_free_spot(
     place: _FreeSpot, to: Scope, names: Names, reference: Name | Point | None, *, sign: float
 ) -> PlaceResolver:
-    """Return what draws one of the first free spots in the order of their distances.
+    """Return a function that draws one of the first free spots, the nearest (``sign`` 1) or the furthest (-1) first.
 
-    Args:
-        place: among how many one is drawn, and how free they must be.
-        to: what names stand for.
-        names: the spots.
-        reference: from where distances are measured; None: from what is put there.
-        sign: 1: the nearest first; -1: the furthest first.
+    Distances are measured from the reference, or without one from what is put there.
     """
     locate = None if reference is None else to.anchor(reference)
     spots = to.spots(names)

@@ -35,7 +35,6 @@ expect:
         return PlaceResolver(lambda request: request.mirrored(sample(request.rng)), random=True)
 
     def sampler(self, _to: Scope) -> Callable[[Random], Point]:
-        """Return what draws a point from a stream."""
         (ax, ay), (bx, by) = self.on_line
 
         def sample(rng: Random) -> Point:

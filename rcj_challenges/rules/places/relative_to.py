@@ -37,7 +37,7 @@ expect:
     SENTENCE = "0.1 m to the front of Y1, as Y1 is turned"
 
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
-        """Return what finds the point beside something.
+        """Return a function that finds the point beside something.
 
         A mirror turns the offset over; a spot is mirrored with it, an entity is not.
         """
@@ -64,7 +64,7 @@ expect:
         return f"the point {self.describe(phrases)}" if any(self.offset_m) else phrases.thing(self.relative_to)
 
     def put(self, phrases: Phrases, entity: Names, *, plural: bool) -> str:
-        """Return where something is put; beside itself: ``put 5 cm towards +x of where it is``."""
+        """Return the placement in words; of a thing beside itself: ``put 5 cm towards +x of where it is``."""
         if entity != self.relative_to:
             return super().put(phrases, entity, plural=plural)
         return f"{'each ' if plural else ''}put {self._beside('where it is', 'where it is', 'it')}"
@@ -87,7 +87,7 @@ expect:
         return entity == self.relative_to and not any(self.offset_m)
 
     def mirrored(self, phrases: Phrases) -> str | None:
-        """Return what of it a mirror changes: of a place beside an entity only the way there, if that turns not."""
+        """Return the part that a mirror changes: of a place beside an entity only the way there, if that turns not."""
         if not phrases.is_entity(self.relative_to):
             return ""
         return None if self.turns or not any(self.offset_m) else f" as seen from {phrases.thing(self.relative_to)}"

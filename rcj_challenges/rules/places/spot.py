@@ -37,7 +37,6 @@ expect:
     SENTENCE = "on the spot “mark”"
 
     def compile(self, to: Scope, _entity: int) -> PlaceResolver:
-        """Return what finds the spot, or the one that a draw decided."""
         read = to.spot(to.members(self.spot)[0])
         return PlaceResolver(lambda request: request.mirrored(read()))
 

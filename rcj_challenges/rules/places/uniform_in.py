@@ -39,7 +39,6 @@ expect:
         return PlaceResolver(lambda request: request.mirrored(sample(request.rng)), random=True)
 
     def sampler(self, to: Scope) -> Callable[[Random], Point]:
-        """Return what draws a point from a stream."""
         return to.random_point(self.uniform_in)
 
     def describe(self, phrases: Phrases) -> str:

@@ -74,10 +74,6 @@ class GateTracker(PositionTracker):
         by_direction: the rules that it reports to, by direction: 1 forward and -1 backward.
 
     Args:
-        state: the referee's memory.
-        hits: where it reports.
-        entity: the index of the entity.
-        gate: the gate.
         drawn: the draw and the gate that it must have decided on; None: the gate always counts.
     """
 

@@ -61,7 +61,7 @@ expect:
         return f"{phrases.owned('timer', whose, self.timer)} runs out"
 
     def about(self, phrases: Phrases) -> Names | None:
-        """Return what it can be about; of a zone or a gate the rule does not know which one it was."""
+        """Return the owners that it can be about; zones and gates are not bound to the rule."""
         return phrases.timer_of(self.timer)
 
     def limit(self, phrases: Phrases) -> float | None:
@@ -72,11 +72,7 @@ expect:
 
 
 class TimerTracker(DueTracker):
-    """Reports the clocks of a timer that reach their length.
-
-    Attributes:
-        by_member: the rules that it reports to, by whose clock it is.
-    """
+    """Reports the clocks of a timer that reach their length."""
 
     def __init__(self, state: RefereeState, hits: HitBuffer, clocks: dict[str | None, Clock]) -> None:
         super().__init__(state, hits)

@@ -112,11 +112,7 @@ expect:
 
 
 class TouchTracker(TickTracker):
-    """Reports the new contacts of a tick.
-
-    Attributes:
-        by_pair: the rules that it reports to, by pair of things.
-    """
+    """Reports the new contacts of a tick."""
 
     def __init__(self, state: RefereeState, hits: HitBuffer, contacts: Contacts, apart: int) -> None:
         super().__init__(state, hits)

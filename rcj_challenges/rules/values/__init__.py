@@ -83,12 +83,12 @@ Lasts = Annotated[float | DrawnDuration | CounterValue, DURATIONS]
 
 
 def compile_value(value: Value, to: Scope) -> Reader:
-    """Return what reads a value of an event's payload or of the broadcast."""
+    """Return a function that reads a value of an event's payload or of the broadcast."""
     return value.read(to) if isinstance(value, ValueWord) else lambda _firing: value
 
 
 def compile_points(points: Points, to: Scope) -> Callable[[Firing], Number]:
-    """Return what reads a number of points: one number, or a sum of numbers and terms."""
+    """Return a function that reads a number of points: one number, or a sum of numbers and terms."""
     if not isinstance(points, tuple):
         return _compile_number(points, to)
     parts = [(_compile_number(part, to), part.weight if isinstance(part, Term) else 1) for part in points]
@@ -110,7 +110,7 @@ def _compile_number(value: float | ValueWord, to: Scope) -> Callable[[Firing], N
 
 
 def compile_bound(bound: Bound, to: Scope) -> Callable[[], Number]:
-    """Return what reads what a condition compares with."""
+    """Return a function that reads what a condition compares with."""
     if isinstance(bound, ValueWord):
         return bound.now(to)
     constant = plain(bound)
@@ -118,7 +118,7 @@ def compile_bound(bound: Bound, to: Scope) -> Callable[[], Number]:
 
 
 def longest_s(lasts_s: object, draws: Mapping[str, Any]) -> float | None:
-    """Return how long something lasts at most, in s; None if it has no length, or a counter decides."""
+    """Return the longest duration in s; None if it has no length, or a counter decides."""
     if isinstance(lasts_s, DrawnDuration):
         return max(float(value) for value in draws[lasts_s.draw].values)
     return lasts_s if isinstance(lasts_s, int | float) else None
@@ -130,14 +130,7 @@ def is_counted(lasts_s: Lasts) -> bool:
 
 
 def duration_s(lasts_s: Lasts, state: RefereeState, each: str | None, least_s: float = TICK_S) -> float:
-    """Return a duration as its draw has decided or its counter stands by now.
-
-    Args:
-        lasts_s: the duration.
-        state: the referee's memory.
-        each: the name that ``each`` stands for.
-        least_s: the least that a counter gives.
-    """
+    """Return a duration as its draw has decided or its counter stands by now."""
     match lasts_s:
         case DrawnDuration():
             return float(state.draws[lasts_s.draw])
@@ -175,7 +168,7 @@ def amount_words(phrases: Phrases, amount: Points | Bound) -> str:
 
 
 def duration_words(phrases: Phrases, lasts_s: Lasts) -> str:
-    """Return how long something lasts: ``15 s``, ``5 s or 8 s, as “pause” is drawn``, as many s as a counter says."""
+    """Return a duration in words: ``15 s``, ``5 s or 8 s, as “pause” is drawn``, as many s as a counter says."""
     if isinstance(lasts_s, CounterValue):
         return f"as many s as {lasts_s.describe(phrases)} says"
     return lasts_s.describe(phrases) if isinstance(lasts_s, ValueWord) else seconds(lasts_s)

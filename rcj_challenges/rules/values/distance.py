@@ -41,7 +41,7 @@ expect:
     SENTENCE = "the distance between the ball and the spot “centre” in m"
 
     def now(self, to: Scope) -> Callable[[], float | None]:
-        """Return what measures the distance; None if one of the two is off the field."""
+        """Return a function that measures the distance; None if one of the two is off the field."""
         here, there = (to.targets(end) for end in self.distance)
         if any(one.place is None for one in here):
             here, there = there, here  # from what is a point to a zone or a gate

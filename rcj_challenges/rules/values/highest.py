@@ -38,7 +38,7 @@ expect:
     SENTENCE = "the highest counter “laps” of all others on the field"
 
     def now(self, to: Scope) -> Callable[[], Number]:
-        """Return what reads the highest value; not a number if there are no others."""
+        """Return a function that reads the highest value; not a number if there are no others."""
         return of_others(max, self.highest, to)
 
     def describe(self, phrases: Phrases) -> str:

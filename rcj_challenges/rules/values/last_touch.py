@@ -30,7 +30,6 @@ expect:
     SENTENCE = "the name of the last to touch the ball"
 
     def now(self, to: Scope) -> Callable[[], str | None]:
-        """Return what reads the name of the robot that touched it last; None if none has."""
         contacts, touched = to.contacts, to.thing(self.last_touch)
         contacts.follow_last(touched)
 

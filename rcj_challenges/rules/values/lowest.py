@@ -42,7 +42,7 @@ expect:
     SENTENCE = "the lowest counter “laps” of all others on the field"
 
     def now(self, to: Scope) -> Callable[[], Number]:
-        """Return what reads the lowest value; not a number if there are no others."""
+        """Return a function that reads the lowest value; not a number if there are no others."""
         return of_others(min, self.lowest, to)
 
     def describe(self, phrases: Phrases) -> str:

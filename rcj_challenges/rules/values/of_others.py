@@ -7,7 +7,7 @@ from rcj_challenges.rules.base import Number, Scope
 
 
 def of_others(pick: Callable[[list[Number]], Number], counter: str, to: Scope) -> Callable[[], Number]:
-    """Return what picks from the values that a counter has for all but ``each``.
+    """Return a function that picks from the values that a counter has for all but ``each``.
 
     It reads not a number, with which no comparison holds, if there are no others on the field, or ``each`` is not.
     """

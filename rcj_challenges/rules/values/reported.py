@@ -44,12 +44,10 @@ expect:
     SENTENCE = "what Y1 has told the referee last"
 
     def now(self, to: Scope) -> Callable[[], str | None]:
-        """Return a function that reads the text; None if there was no message yet."""
         messages, robot = to.state.heard, to.members(self.told)[0]
         return lambda: messages.get(robot)
 
     def number(self, to: Scope) -> Reader:
-        """Return what reads the number; 0 if it was none."""
         read = self.now(to)
         return lambda _firing: round_score(number_in(read() or "") or 0)
 

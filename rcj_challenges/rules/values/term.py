@@ -30,11 +30,7 @@ def term_of(value: type[ValueWord]) -> type[Term]:
 
 
 class Terms(FormVocabulary):
-    """The values of another vocabulary, each with a weight, and plain numbers.
-
-    Args:
-        values: returns the values.
-    """
+    """The values of another vocabulary, each with a weight, and plain numbers."""
 
     def __init__(self, values: Callable[[], tuple[type[Word], ...]]) -> None:
         super().__init__({"number": int | float}, lambda _value: "number")

@@ -45,7 +45,6 @@ expect:
     SENTENCE = "the time in s that the timer “attempt” has run"
 
     def now(self, to: Scope) -> Callable[[], float]:
-        """Return what reads how long the timer has run; of several the longest."""
         state, clocks = to.state, to.state.timers[self.timer]
         whose = to.whose(self.entity)
         read = tuple(clocks.values()) if whose is None else (clocks[whose],)

@@ -32,11 +32,8 @@ _RANGES = (("at_least", "at_most"), ("keeps_at_least", "keeps_at_most"))
 def check_consistency(scenario: Scenario, *, is_half_set: bool, is_length_set: bool) -> Iterator[Issue]:
     """Yield contradictions.
 
-    Args:
-        scenario: the models.
-        is_half_set: whether number or length of the halves was changed on the command line: what would come after a
-            shortened half is no mistake then.
-        is_length_set: whether their lengths were: then there must be as many as halves.
+    With halves set on the command line, what comes after a shortened half is no mistake; with lengths set, there must
+    be as many as halves.
     """
     roster = Roster.of(scenario)
     longest_s = longest_half_s(scenario.match)

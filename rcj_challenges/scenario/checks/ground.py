@@ -138,14 +138,7 @@ def _around(part: Part) -> Iterator[Point]:
 
 @dataclass(frozen=True)
 class Body:
-    """A thing on the floor.
-
-    Attributes:
-        name: its name.
-        path: where the file says where it stands.
-        parts: what it covers.
-        fixed: whether nothing can push it.
-    """
+    """A thing on the floor."""
 
     name: str
     path: Path

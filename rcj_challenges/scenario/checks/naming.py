@@ -20,13 +20,7 @@ _FAMILIES = dict.fromkeys(("robot", "ball", "obstacle", "fixed obstacle", "walls
 
 
 def check_naming(root: Entries, roster: Roster, removed: Mapping[Path, Mark]) -> Iterator[Issue]:
-    """Yield what is wrong with the names that a scenario defines.
-
-    Args:
-        root: the finished tree.
-        roster: its names.
-        removed: where entries of a base were removed.
-    """
+    """Yield what is wrong with the names that a scenario defines."""
     yield from _namespace(root, roster)
     yield from _colours(roster, root)
     for name in roster.names("counters"):
@@ -111,13 +105,7 @@ def _leads_to(root: Entries, roster: Roster, name: str, group: str) -> bool:
 
 
 def removal_help(name: str, sections: Iterable[str], removed: Mapping[Path, Mark]) -> str:
-    """Return what to do about a name that was removed from a base; empty if it was not removed.
-
-    Args:
-        name: what is named.
-        sections: in which it may have been.
-        removed: where entries of a base were removed.
-    """
+    """Return a help text about a name that was removed from a base; empty if it was not removed."""
     at = next((removed[section, name] for section in sections if (section, name) in removed), None)
     if at is None:
         return ""

@@ -37,18 +37,12 @@ class Scope(NamedTuple):
     other: tuple[str, ...] | None = None
 
     def of(self, name: str) -> tuple[str, ...] | None:
-        """Return what one of the two names stands for."""
+        """Return the name that ``each`` or ``other`` stands for."""
         return self.each if name == EACH else self.other
 
 
 def check_references(root: Entries, roster: Roster, removed: Mapping[Path, Mark]) -> list[Issue]:
-    """Return what is wrong with the names that a scenario uses.
-
-    Args:
-        root: the finished tree.
-        roster: the names that it defines.
-        removed: where entries of a base were removed.
-    """
+    """Return the mistakes in the names that a scenario uses."""
     walker = _Walker(root, roster, removed)
     walker.walk(root, Scenario, (), Scope())
     return list(walker.issues.values())
@@ -134,7 +128,7 @@ class _Walker:
         return scope._replace(other=tuple(found))
 
     def _members(self, names: Node | None, scope: Scope) -> tuple[str, ...]:
-        """Return what names stand for: groups expanded, ``each`` and ``other`` replaced."""
+        """Return the members that names stand for: groups expanded, ``each`` and ``other`` replaced."""
         found = ((scope.of(name) or ()) if name in BOUND else self.roster.expand(name) for name in texts(names))
         return tuple(one for members in found for one in members)
 
@@ -348,7 +342,7 @@ class _Walker:
             self.add("never-touches", (*path, "other"), why, "name what it touches, such as robots or walls")
 
     def _receiver(self, name: str, scope: Scope) -> _Wrong | None:
-        """Return what is wrong if points are given to ``each`` or ``other``, which stands for robots of entrants."""
+        """Return the mistakes in points for ``each`` or ``other``, which stands for robots of entrants."""
         if name in self.roster.names("entrants"):
             return None
         members = scope.of(name)

@@ -29,13 +29,7 @@ from rcj_challenges.scenario.walk import Issue
 
 
 def check(scenario: Scenario | None, tree: Entries, removed: Mapping[Path, Mark]) -> list[Diagnostic]:
-    """Return what is wrong with a scenario whose parts may each be well formed.
-
-    Args:
-        scenario: the models; None if the tree has not the form of a scenario: then only names are checked.
-        tree: the finished tree.
-        removed: where entries of a base were removed.
-    """
+    """Return the mistakes in a scenario whose parts may each be well formed; without models only names are checked."""
     roster = Roster.of_tree(tree)
     issues = [*check_naming(tree, roster, removed), *check_references(tree, roster, removed)][: 2 * MAX_FOUND]
     if scenario is not None:

@@ -14,9 +14,6 @@ class LintRule:
     """A check. Its docstring is the page of its code; ``message`` and ``help`` are filled in where it reports.
 
     Attributes:
-        code: stable over versions, lower case with hyphens.
-        message: what is suspicious, a template.
-        help: what to do, a template.
         at_key: whether the key is reported, not its value.
     """
 
@@ -30,5 +27,5 @@ class LintRule:
         raise NotImplementedError
 
     def at(self, path: Path, *, help: str = "", **values: object) -> Issue:  # noqa: A002 - as it is printed
-        """Return what is suspicious at a path, with the templates filled in; ``help`` replaces the check's own."""
+        """Return an issue at a path, with the templates filled in; ``help`` replaces the check's own."""
         return Issue(self.code, path, self.message.format(**values), (help or self.help).format(**values), self.at_key)

@@ -33,12 +33,7 @@ class Use(NamedTuple):
 
 
 class LintContext:
-    """A scenario with what checks ask about it, computed once.
-
-    Attributes:
-        loaded: the scenario, all references checked.
-        tree: the scenario as it was written.
-    """
+    """A scenario with what checks ask about it, computed once."""
 
     def __init__(self, loaded: Loaded, tree: Entries) -> None:
         self.loaded = loaded
@@ -96,7 +91,7 @@ class LintContext:
             yield from ((effect, rule, path) for effect, path in effects_in(name, rule, kind))
 
     def members(self, names: str | tuple[str, ...], rule: Rule) -> frozenset[str]:
-        """Return what names in a rule may stand for: of ``each``, ``other`` and draws all that they may ever be."""
+        """Return the members that names in a rule may stand for; ``each``, ``other`` and draws: all of theirs."""
         return frozenset(self.roster.may_be(names, rule))
 
     def moved(self, rule: Rule) -> frozenset[str]:

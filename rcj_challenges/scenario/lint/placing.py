@@ -167,7 +167,7 @@ class NoRoom(LintRule):
 
 
 def _outline(name: str, point: Point, placing: Places, ctx: LintContext) -> tuple[Part, ...] | None:
-    """Return what a ball or a robot covers at a point; None for anything else."""
+    """Return the parts of a ball or a robot at a point; None for anything else."""
     if name in ctx.scenario.balls:
         return disc(ctx.scenario.balls[name].radius_m).at((*point, 0.0))
     robot = ctx.scenario.robots.get(name)

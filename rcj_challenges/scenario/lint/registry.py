@@ -46,9 +46,6 @@ LINT_RULES: tuple[LintRule, ...] = (
 def lint(loaded: Loaded) -> list[Diagnostic]:
     """Return the warnings about a valid scenario, in the order of the file.
 
-    Args:
-        loaded: a scenario that came from a file or a text.
-
     Raises:
         ValueError: it came from a record, so that nothing has a position.
     """

@@ -154,7 +154,7 @@ def _may_name(use: Use, section: str) -> bool:
 
 
 def _names_on_field(ctx: LintContext) -> set[str]:
-    """Return what is read on the field, members of groups and values of draws included; tests are no use."""
+    """Return the names on the field that are read, members of groups and values of draws included; tests are no use."""
     draws = ctx.scenario.draws
     uses = (use for use in ctx.uses if use.is_on_field and use.model not in _TESTS)
     named = {use.name for use in uses if not use.reference.is_written}

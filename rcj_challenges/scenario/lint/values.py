@@ -53,7 +53,7 @@ class LimitTooLong(LintRule):
 
     @staticmethod
     def _phase_s(ctx: LintContext, path: Path) -> float | None:
-        """Return how long the one phase lasts in which a rule is active, in s; None if that is open."""
+        """Return the duration in s of the one phase in which a rule is active; None if that is open."""
         rule = ctx.scenario.rules[str(path[1])]
         phases = [phase for phase in ctx.reachable_phases if rule.is_active_in(phase)]
         phase = ctx.scenario.phases.get(phases[0]) if len(phases) == 1 else None

@@ -97,7 +97,7 @@ class Rule(Strict):
         return [one for one in self.all_effects() if isinstance(one, kind)]
 
     def all_effects(self) -> list[Effect]:
-        """Return what its actions change, in order."""
+        """Return the effects of its actions, in order."""
         return [one for action in self.actions for one in action.effects()]
 
     def moments(self, kind: type[_M]) -> list[_M]:

@@ -32,13 +32,7 @@ _BARE_NAME = re.compile(r"[A-Za-z0-9_-]+")
 
 @dataclass(frozen=True)
 class Source:
-    """A file's tree.
-
-    Attributes:
-        tree: what stands in it.
-        shown: how messages name it.
-        path: where it lies; None for a text.
-    """
+    """A file's tree."""
 
     tree: Entries
     shown: str
@@ -163,7 +157,7 @@ def _base(name: str, user: Source, mark: Mark) -> Source:
 
 
 def _shipped(name: str, user: Source, mark: Mark) -> Source:
-    """Return what is extended by its bare name."""
+    """Return the shipped scenarios and presets that are extended by their bare names."""
     shipped = _shipped_files()
     if name in shipped:
         own = own_of_that_name(shipped[name], user.path.parent) if user.path is not None else None

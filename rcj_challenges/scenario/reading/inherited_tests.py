@@ -19,15 +19,9 @@ ALL_INHERITED = "inherited"
 
 
 def unfit_tests(error: ScenarioError, tree: Entries, bases: Collection[str]) -> dict[str, Diagnostic]:
-    """Return the tests in which something is wrong, and that stand as a whole in what the scenario extends.
+    """Return the first mistake in each test that stands as a whole in what the scenario extends, by name of the test.
 
-    Args:
-        error: what is wrong with the scenario.
-        tree: the merged scenario.
-        bases: the files that it extends, as marks name them.
-
-    Returns:
-        By name of the test the first thing that is wrong in it.
+    The bases are the files that it extends, as marks name them.
     """
     tests = tree.entries.get(TESTS)
     found: dict[str, Diagnostic] = {}

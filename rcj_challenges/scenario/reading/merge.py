@@ -35,7 +35,6 @@ class Repeated(NamedTuple):
     """Where a rule comes from that was written once and repeated.
 
     Attributes:
-        rule: the name under which it is written.
         known: what is a param in it besides those of the scenario.
     """
 
@@ -48,7 +47,6 @@ class Merger:
     """Merges trees and collects what is wrong with them.
 
     Attributes:
-        problems: what was found.
         removed: where each entry was removed, by section and name path.
         overridden: the entries of sections that the base has too, by section and name.
         repeated: where each rule comes from that is one of a repeated one.
@@ -150,7 +148,7 @@ class Merger:
 
 
 def of_repeated(name: str, rules: Entries) -> str:
-    """Return where a rule is changed or removed that comes from a repeated one; empty if none is called so."""
+    """Return the help for a change or removal of a rule that comes from a repeated one; empty if there is none."""
     for rule, node in rules.entries.items():
         rows = node.entries.get("repeat_for") if isinstance(node, Entries) else None
         if not isinstance(rows, Entries | Items) or not name.startswith(f"{rule}_"):

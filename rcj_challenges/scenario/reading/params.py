@@ -150,9 +150,6 @@ class Resolver:
     """Resolves params in one part of a tree.
 
     Attributes:
-        root: the whole tree.
-        params: the scenario's.
-        problems: what is wrong is added to them.
         row: what is known besides within a repeated rule: single values and lists of them; None elsewhere.
     """
 
@@ -252,11 +249,7 @@ def _name(node: Entries) -> str:
 
 
 def compute(value: float, times: float, plus: float) -> int | float | None:
-    """Return a number times a number plus a number, exact before it is rounded: three times 0.1 is 0.3.
-
-    Returns:
-        The result; None if it is too large a number.
-    """
+    """Return a product plus a number, exact before it is rounded (3 times 0.1 is 0.3); None: too large."""
     if isinstance(value, int) and isinstance(times, int) and isinstance(plus, int):
         whole = value * times + plus
         return whole if -INT_LIMIT <= whole < INT_LIMIT else None

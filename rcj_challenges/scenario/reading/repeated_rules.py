@@ -74,7 +74,7 @@ def _is_repeated(rule: Node) -> bool:
 
 
 def _listed_in(values: Mapping[str, Leaf | Items], uses: Iterable[str]) -> int:
-    """Return how many single values come from lists that stand where some params are used."""
+    """Return the number of single values from lists that stand where some params are used."""
     lists = (values.get(name) for name in uses)
     return sum(len(one.items) for one in lists if isinstance(one, Items))
 
@@ -232,12 +232,7 @@ def _line(other: Mark, here: Mark) -> str:
 
 
 def merged(problems: Iterable[Diagnostic], repeated: Mapping[str, Repeated]) -> list[Diagnostic]:
-    """Return problems in their order; the same one of several rules that came from one is reported once, of that one.
-
-    Args:
-        problems: each at its place, with the path of the rule that it is about.
-        repeated: where each rule comes from that is one of a repeated one.
-    """
+    """Return problems in their order; the same one of several rules that came from one is reported once, of it."""
     pairs = [(problem, _of_written(problem, repeated)) for problem in problems]
     about: dict[Diagnostic, set[str]] = {}
     for problem, written in pairs:

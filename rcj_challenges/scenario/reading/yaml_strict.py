@@ -60,11 +60,7 @@ _HINTS = (
 
 
 def parse_bytes(data: bytes, file: str) -> Node:
-    """Return the tree of a file's contents.
-
-    Args:
-        data: UTF-8, with or without a byte-order mark, any line ends.
-        file: how messages name the file.
+    """Return the tree of a file's contents: UTF-8, with or without a byte-order mark, any line ends.
 
     Raises:
         ScenarioError: it is too large, not UTF-8, or not strict YAML; all that is known to be wrong.
@@ -83,10 +79,6 @@ def parse_bytes(data: bytes, file: str) -> Node:
 
 def parse_text(text: str, file: str) -> Node:
     """Return the tree of a YAML text.
-
-    Args:
-        text: the document.
-        file: how messages name it.
 
     Raises:
         ScenarioError: it is not strict YAML; all that is known to be wrong.
@@ -243,7 +235,7 @@ class _Reader:
         return event.value if event.style else self._resolve(event.value, mark)
 
     def _resolve(self, text: str, mark: Mark) -> str | int | float | bool | None:
-        """Return what a plain scalar means in YAML 1.2's core schema."""
+        """Return the value of a plain scalar in YAML 1.2's core schema."""
         if text in _WORDS:
             return _WORDS[text]
         if _INT.fullmatch(text) or _OCTAL.fullmatch(text) or _HEX.fullmatch(text):
