@@ -15,8 +15,8 @@ from rcj_challenges.core.changes import ChangeTracker
 from rcj_challenges.core.play import Event, Fault, Firing, HalfInfo, Placement, Pose2, RefereeOutput, Snapshot
 from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.records.writer import RecordWriter, RunHeader
+from rcj_challenges.scenario.halves import teams_by_seat
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.seats import teams_by_seat
 
 GOAL_EVERY_TICKS = 400
 _HELD, _HELD_IN_TICKS, _NOBODY = frozenset({0}), (200, 260), frozenset[int]()

@@ -12,7 +12,7 @@ from rcj_challenges.checker.advice.hints import standing_help
 from rcj_challenges.checker.faults import MissingDevices, device_findings, fault_findings, missing_by_device
 from rcj_challenges.checker.findings import Finding, Level, Stage
 from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed, late_from_ticks, rehearse
-from rcj_challenges.core.measures import number_words
+from rcj_challenges.core.amounts import number_words
 from rcj_challenges.core.sanitize import sanitize, sanitize_block
 from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.match.observers import ProgramTimes

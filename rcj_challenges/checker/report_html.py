@@ -21,7 +21,7 @@ from rcj_challenges.checker.report import (
     summary,
     verdict,
 )
-from rcj_challenges.core.measures import number_words
+from rcj_challenges.core.amounts import number_words
 
 
 def html_page(report: CheckReport, folder: Path) -> str:

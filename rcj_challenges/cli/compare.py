@@ -15,9 +15,8 @@ from rcj_challenges.cli.run_match import score_lines
 from rcj_challenges.cli.simulate import Progress, SimulateOptions, prepared
 from rcj_challenges.cli.stdio import print_json, print_lines
 from rcj_challenges.cli.team_args import UsageError
-from rcj_challenges.core.amounts import counted
+from rcj_challenges.core.amounts import counted, number_words
 from rcj_challenges.core.errors import RcjError
-from rcj_challenges.core.measures import number_words
 from rcj_challenges.match import batch
 from rcj_challenges.match.batch import Job, Outcome
 from rcj_challenges.records.result import has_time_fault

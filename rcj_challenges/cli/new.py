@@ -10,7 +10,7 @@ from pathlib import Path
 
 from rcj_challenges.cli.stdio import shell_quoted
 from rcj_challenges.core.errors import RcjError, format_error, room_help
-from rcj_challenges.core.file_names import is_device_of_windows
+from rcj_challenges.core.files import is_device_of_windows
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.scenario.errors import choice_of
 from rcj_challenges.scenario.json_schema import FILE

@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 from rcj_challenges.core.errors import RcjError, format_error, room_help
-from rcj_challenges.core.file_names import is_device_of_windows
+from rcj_challenges.core.files import is_device_of_windows
 
 
 class OutputError(RcjError):

@@ -16,9 +16,8 @@ from rcj_challenges.cli import OK, OUR_FAULT, WRONG_INPUT
 from rcj_challenges.cli.sandbox import require_layers
 from rcj_challenges.cli.stdio import print_json, print_progress
 from rcj_challenges.cli.team_args import open_teams
-from rcj_challenges.core.amounts import counted, times
+from rcj_challenges.core.amounts import counted, number_words, times
 from rcj_challenges.core.errors import RcjError
-from rcj_challenges.core.measures import number_words
 from rcj_challenges.core.sanitize import sanitize
 
 if TYPE_CHECKING:

@@ -12,9 +12,8 @@ import typer
 from rcj_challenges.cli.help import WATCH, Command
 from rcj_challenges.cli.options import Json, Runs, RunsFolder
 from rcj_challenges.cli.stdio import print_json, print_lines
-from rcj_challenges.core.amounts import counted
+from rcj_challenges.core.amounts import counted, number_words
 from rcj_challenges.core.diagnostics import render_error
-from rcj_challenges.core.measures import number_words
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.core.timing import TICK_S
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from rcj_challenges.core.measures import number_words
+from rcj_challenges.core.amounts import number_words
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.tournament.season import Fixture, Outcome, Row, SeasonState, StageState, Table, Team
 

@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterable, Iterator
 from pathlib import PurePosixPath
 
 from rcj_challenges.controllers.submission_problems import Problem, safe_text
-from rcj_challenges.core.file_names import is_device_of_windows
+from rcj_challenges.core.files import is_device_of_windows
 
 MAX_PATH_LETTERS = 160
 """Windows takes 260 letters for a whole path; the private folder of a program needs up to 100 of them."""

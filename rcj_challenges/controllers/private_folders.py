@@ -20,7 +20,7 @@ from typing import Self
 from rcj_challenges.controllers import scratch
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.errors import HostError, format_error
-from rcj_challenges.core.file_lock import try_lock
+from rcj_challenges.core.files import try_lock
 from rcj_challenges.core.sanitize import sanitize
 
 PREFIX = "rcj-match-"

@@ -7,8 +7,7 @@ from dataclasses import dataclass, replace
 from math import hypot
 from typing import TYPE_CHECKING, Any
 
-from rcj_challenges.core.amounts import counted, round_score, times
-from rcj_challenges.core.measures import number_words
+from rcj_challenges.core.amounts import counted, number_words, round_score, times
 from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.expect.compare import difference, equal, event_differences, sent_difference
 from rcj_challenges.expect.denied import Wanted, denied_condition_notes

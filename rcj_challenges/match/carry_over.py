@@ -8,8 +8,8 @@ from rcj_challenges.core.amounts import Score
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.referee.ranking import Tally, ranking
+from rcj_challenges.scenario.halves import by_team
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.seats import by_team
 
 if TYPE_CHECKING:  # it is loaded while programs start
     from rcj_challenges.referee.engine import Referee

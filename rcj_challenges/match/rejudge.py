@@ -17,10 +17,9 @@ from rcj_challenges.records.referee_log import RefereeLog
 from rcj_challenges.records.reflog import event_line, events_of
 from rcj_challenges.records.trajectory import HalfTrack, Trajectory
 from rcj_challenges.referee.engine import Referee
-from rcj_challenges.scenario.halves import half_length_s
+from rcj_challenges.scenario.halves import by_seat, half_length_s
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.seats import by_seat
 
 Score = int | float
 

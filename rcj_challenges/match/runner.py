@@ -27,9 +27,8 @@ from rcj_challenges.records.logos import logo_of
 from rcj_challenges.records.result import MemberResult
 from rcj_challenges.records.writer import RecordWriter, RunHeader
 from rcj_challenges.robots.fitting import fit, robot_specs
-from rcj_challenges.scenario.halves import half_length_s, half_lengths_s
+from rcj_challenges.scenario.halves import by_seat, half_length_s, half_lengths_s, teams_by_seat
 from rcj_challenges.scenario.load import Loaded
-from rcj_challenges.scenario.seats import by_seat, teams_by_seat
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from rcj_challenges.core.errors import format_error, is_held
-from rcj_challenges.core.regular_files import open_without_waiting
+from rcj_challenges.core.files import open_without_waiting
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.records.errors import RecordError
 

@@ -15,8 +15,8 @@ from rcj_challenges.records.folder import REFEREE_LOG, read_file
 from rcj_challenges.records.lines import json_line, number_or_none, parsed
 from rcj_challenges.records.reflog import event_line
 from rcj_challenges.records.result import RunResult
+from rcj_challenges.scenario.halves import teams_by_seat
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.scenario.seats import teams_by_seat
 
 Entry = Event | Firing | Change
 

@@ -12,7 +12,7 @@ from rcj_challenges.referee.binding import RuleBinder
 from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.placeholders import fill_params
-from rcj_challenges.scenario.touch_rules import for_other, names_other
+from rcj_challenges.scenario.rule_effects import for_other, names_other
 from rcj_challenges.tracking.bound_rules import BoundRule
 
 

@@ -17,9 +17,8 @@ from rcj_challenges.rules.effects import Places, PlacesLayout
 from rcj_challenges.rules.fields import Name, Names, Point, Scalar
 from rcj_challenges.rules.mirror import Mirror
 from rcj_challenges.rules.values import Lasts, duration_s
-from rcj_challenges.scenario.centres import centre_of
-from rcj_challenges.scenario.floor import on_floor
-from rcj_challenges.scenario.layouts import alternatives
+from rcj_challenges.scenario.positions import centre_of, on_floor
+from rcj_challenges.scenario.rule_effects import alternatives
 from rcj_challenges.tracking.bound_rules import BoundRule, TriggerBinding
 from rcj_challenges.tracking.state import Clock
 from rcj_challenges.tracking.trackers import Tracker

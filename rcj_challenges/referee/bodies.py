@@ -17,8 +17,8 @@ from rcj_challenges.scenario.outlines import (
     obstacle_outline,
     robot_outline,
 )
+from rcj_challenges.scenario.positions import start_pose
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.start_poses import start_pose
 
 # Walls are solid far beyond their real thickness here, as nothing can stand in or behind them. What is placed outside
 # the box around field and goals is refused before any wall is looked at, however far out it is.

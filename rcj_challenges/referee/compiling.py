@@ -12,10 +12,10 @@ from rcj_challenges.referee.scope import NameScope
 from rcj_challenges.referee.state import State
 from rcj_challenges.rules.fields import Names
 from rcj_challenges.rules.mirror import Mirror
-from rcj_challenges.scenario.floor import floor_parts
-from rcj_challenges.scenario.half_start import spots_set_by_rules
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.models.state import Sequence
+from rcj_challenges.scenario.positions import floor_parts
+from rcj_challenges.scenario.rule_effects import spots_set_by_rules
 from rcj_challenges.scenario.walk import walk
 from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.clock_events import ClockEvents

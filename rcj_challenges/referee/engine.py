@@ -27,8 +27,8 @@ from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.rules.places import place_of
 from rcj_challenges.scenario.draw_order import Series
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.positions import start_noise_m
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.start_poses import start_noise_m
 from rcj_challenges.tracking.bound_rules import Denied
 from rcj_challenges.tracking.state import Number
 from rcj_challenges.tracking.trackers import NEVER

@@ -5,8 +5,7 @@ from __future__ import annotations
 import random
 import re
 
-from rcj_challenges.core.amounts import add_up, round_score
-from rcj_challenges.core.measures import distinct_decimals, number_words
+from rcj_challenges.core.amounts import add_up, distinct_decimals, number_words, round_score
 from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.placement import PlacementJob, PlacementSpec
 from rcj_challenges.referee.placement_board import PlacementBoard

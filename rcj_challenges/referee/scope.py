@@ -11,9 +11,8 @@ from rcj_challenges.referee.random_points import point_sampler
 from rcj_challenges.referee.targets import targets_of
 from rcj_challenges.referee.zones import region_of
 from rcj_challenges.rules.fields import Name, Names, Point, Scalar
-from rcj_challenges.scenario.centres import middle_of
+from rcj_challenges.scenario.positions import middle_of, start_noise_m, start_pose
 from rcj_challenges.scenario.roster import EACH, with_each
-from rcj_challenges.scenario.start_poses import start_noise_m, start_pose
 from rcj_challenges.tracking.gates import GateLine
 from rcj_challenges.tracking.places import Anchor, StartPose
 from rcj_challenges.tracking.state import Number

@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from rcj_challenges.core.measures import measure_words, number_words
+from rcj_challenges.core.amounts import measure_words, number_words
 
 _DIGITS = 9  # behind the point: to so many scores and counters are exact
 _MOST = 1e15  # what neither a score nor a counter exceeds

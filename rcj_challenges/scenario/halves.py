@@ -1,7 +1,16 @@
-"""How long the halves of a match are: all alike, or each its own length; longer where a phase stops the clock."""
+"""The halves of a match: their lengths, and the team in each seat.
+
+A half is longer than its length where a phase stops the clock. A *seat* is an entrant of the scenario (``blue``): it
+owns robots and a goal. A *team* is what a seat holds in the first half, and keeps that name for the whole match. With
+``swap_sides`` two teams exchange seats after each half. The match, tests and readers of records all use this module,
+so that they agree.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
+from rcj_challenges.core.amounts import Score
 from rcj_challenges.scenario.models.field import Match
 from rcj_challenges.scenario.models.scenario import Scenario
 
@@ -32,3 +41,21 @@ def longest_half_s(match: Match) -> float:
 def clock_may_stop(scenario: Scenario) -> bool:
     """Return whether a phase stops the clock, so that a half lasts longer than its length."""
     return any(phase.clock == "stops" for phase in scenario.phases.values())
+
+
+def teams_by_seat(scenario: Scenario, half: int) -> dict[str, str]:
+    """Return, by seat, the team (named by its seat of the first half) that plays there in a half (1-based)."""
+    seats = list(scenario.entrants)
+    teams = seats[::-1] if scenario.match.swap_sides and half % 2 == 0 else seats
+    return dict(zip(seats, teams, strict=True))
+
+
+def by_seat(by_team: Mapping[str, Score], teams: Mapping[str, str]) -> dict[str, Score]:
+    """Return scores by seat from scores by team."""
+    return {seat: by_team[team] for seat, team in teams.items()}
+
+
+def by_team(by_seat_now: Mapping[str, Score], teams: Mapping[str, str]) -> dict[str, Score]:
+    """Return scores by team, in the order of the first half's seats, from scores by seat."""
+    scores = {team: by_seat_now[seat] for seat, team in teams.items()}
+    return {team: scores[team] for team in sorted(scores, key=list(teams).index)}

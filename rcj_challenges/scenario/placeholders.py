@@ -5,8 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from rcj_challenges.core.amounts import round_score
-from rcj_challenges.core.measures import number_words
+from rcj_challenges.core.amounts import number_words, round_score
 from rcj_challenges.rules.effects import Scores
 from rcj_challenges.rules.fields import Scalar
 from rcj_challenges.scenario.models.scenario import Rule, Scenario

@@ -11,7 +11,7 @@ from typing import Any, Self
 
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.errors import format_error
-from rcj_challenges.core.file_names import slug
+from rcj_challenges.core.files import slug
 from rcj_challenges.records.digest import given_values
 from rcj_challenges.records.folder import replaced
 from rcj_challenges.records.lines import canonical, parsed

@@ -10,7 +10,7 @@ from pydantic import ValidationError
 
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.core.errors import format_error
-from rcj_challenges.core.regular_files import open_regular
+from rcj_challenges.core.files import open_regular
 from rcj_challenges.scenario.errors import ScenarioError, listing
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.load import Loaded, load

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from rcj_challenges.core.regular_files import open_regular
+from rcj_challenges.core.files import open_regular
 from rcj_challenges.scenario.resources import names_in, tournaments_folder
 
 _VERSION = re.compile(rb"^[\"']?tournament_version[\"']?\s*:", re.MULTILINE)

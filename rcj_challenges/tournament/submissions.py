@@ -21,7 +21,7 @@ from rcj_challenges.controllers.submission_limits import MAX_PACKED_BYTES
 from rcj_challenges.controllers.team import opening_of
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError, InFile
 from rcj_challenges.core.errors import format_error
-from rcj_challenges.core.regular_files import open_regular
+from rcj_challenges.core.files import open_regular
 from rcj_challenges.records.folder import replaced
 from rcj_challenges.records.lines import json_line
 from rcj_challenges.scenario.load import Loaded

@@ -7,7 +7,7 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
-from rcj_challenges.core.measures import measure, measured_words, number_words
+from rcj_challenges.core.amounts import measure, measured_words, number_words
 
 _ON_THE_BOARD = frozenset(
     ("score", "score_blue", "score_yellow", "team_name_blue", "team_name_yellow", "halftime", "match_id",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rcj_challenges.core.measures import distinct_decimals, number_words
+from rcj_challenges.core.amounts import distinct_decimals, number_words
 from rcj_challenges.core.play import Firing
 from rcj_challenges.rules.phrasing import quoted
 from rcj_challenges.scenario.models.scenario import Scenario

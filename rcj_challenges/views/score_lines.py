@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rcj_challenges.core.measures import number_words
+from rcj_challenges.core.amounts import number_words
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.views.naming import distinct_names

@@ -13,7 +13,7 @@ from rich.progress_bar import ProgressBar
 from rich.table import Table
 from rich.text import Text
 
-from rcj_challenges.core.measures import measure_words, measured_words, number_words
+from rcj_challenges.core.amounts import measure_words, measured_words, number_words
 from rcj_challenges.core.play import Fault, HalfInfo, RefereeOutput, Snapshot
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.core.timing import TICK_S, s_from_ticks

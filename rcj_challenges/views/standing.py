@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from rcj_challenges.core.measures import measure, measured_words, number_words
+from rcj_challenges.core.amounts import measure, measured_words, number_words
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.referee.ranking import Tally, counted_for, ranked_counters
 from rcj_challenges.rules.effects import Scores

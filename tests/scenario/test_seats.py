@@ -5,8 +5,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.expect.scripted_match import half_of
+from rcj_challenges.scenario.halves import by_seat, by_team, teams_by_seat
 from rcj_challenges.scenario.load import load
-from rcj_challenges.scenario.seats import by_seat, by_team, teams_by_seat
 from tests.made_up_runs import half_info, small_header, small_scenario
 
 

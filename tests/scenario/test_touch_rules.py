@@ -3,7 +3,7 @@
 import pytest
 
 from rcj_challenges.rules.refs import Ref, refs_of
-from rcj_challenges.scenario.touch_rules import with_other
+from rcj_challenges.scenario.rule_effects import with_other
 from tests.scenario.test_cross_references import WORLD
 from tests.scenario.writing import loaded, problems_of
 from tests.whole_scenarios.models import all_models

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from rcj_challenges.core.file_names import slug
+from rcj_challenges.core.files import slug
 from rcj_challenges.tournament.rulings import withdraw
 from tests.cli.in_this_process import here
 from tests.tournament.store_helpers import LEAGUE, Home

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rcj_challenges.core.diagnostics import DiagnosticError
-from rcj_challenges.core.file_names import is_device_of_windows, slug
+from rcj_challenges.core.files import is_device_of_windows, slug
 from rcj_challenges.scenario.resources import teams_folder
 from rcj_challenges.tournament.load import load_tournament
 from rcj_challenges.tournament.opened import OpenTournament

@@ -14,7 +14,6 @@ from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.kick import Kick
 from rcj_challenges.rules.quantifier import AtLeast
 from rcj_challenges.rules.values.distance import DistanceValue
-from rcj_challenges.scenario.centres import centre_of
 from rcj_challenges.scenario.draw_order import never_drawn
 from rcj_challenges.scenario.errors import choice_of, listing
 from rcj_challenges.scenario.halves import clock_may_stop, half_length_s, longest_half_s
@@ -22,6 +21,7 @@ from rcj_challenges.scenario.messages.wording import spelled
 from rcj_challenges.scenario.models.field import Match, Wall
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Rule, Scenario
 from rcj_challenges.scenario.models.state import Draw
+from rcj_challenges.scenario.positions import centre_of
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.walk import Issue, effects_in, walk

@@ -9,13 +9,12 @@ from math import cos, dist, pi, sin
 from rcj_challenges.geometry.polygons import Point, is_simple, side
 from rcj_challenges.rules.places.uniform_in import UniformIn
 from rcj_challenges.scenario.errors import listing
-from rcj_challenges.scenario.floor import floor_parts
 from rcj_challenges.scenario.models.field import FieldModel, Obstacle, Wall
 from rcj_challenges.scenario.models.places import HalfPlaneZone, PolygonZone, RectZone, Zone
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.outlines import TOUCHING_M, Part, disc, extent, obstacle_outline, overlap, robot_outline
+from rcj_challenges.scenario.positions import floor_parts, start_pose
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.start_poses import start_pose
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.walk import Issue, walk
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 
 from rcj_challenges.core.colours import CSS_COLOURS, hex_colour
-from rcj_challenges.core.file_names import is_device_of_windows
+from rcj_challenges.core.files import is_device_of_windows
 from rcj_challenges.scenario.errors import choice_of, did_you_mean
 from rcj_challenges.scenario.models.scenario import MAX_MEMBERS
 from rcj_challenges.scenario.roster import ALWAYS, BOUND, Roster, texts

@@ -7,8 +7,7 @@ from collections.abc import Iterator
 from rcj_challenges.rules import effects
 from rcj_challenges.rules.base import Word
 from rcj_challenges.scenario.errors import did_you_mean, listing
-from rcj_challenges.scenario.lint.base import LintRule
-from rcj_challenges.scenario.lint.context import LintContext
+from rcj_challenges.scenario.lint.base import LintContext, LintRule
 from rcj_challenges.scenario.models.scenario import RankByScore, Rule
 from rcj_challenges.scenario.roster import EACH
 from rcj_challenges.scenario.tree import Path

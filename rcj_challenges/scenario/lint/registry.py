@@ -7,8 +7,7 @@ from dataclasses import replace
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.scenario.errors import place_of
 from rcj_challenges.scenario.lint import flow, placing, state, values
-from rcj_challenges.scenario.lint.base import LintRule
-from rcj_challenges.scenario.lint.context import LintContext
+from rcj_challenges.scenario.lint.base import LintContext, LintRule
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.scenario.reading.repeated_rules import merged
 from rcj_challenges.scenario.tree import format_path, mark_of, note_at

@@ -8,11 +8,10 @@ from typing import ClassVar
 from rcj_challenges.rules.effects import Holds, Releases
 from rcj_challenges.rules.refs import SectionRef
 from rcj_challenges.scenario.errors import place_of
-from rcj_challenges.scenario.half_start import spots_set_by_rules
-from rcj_challenges.scenario.lint.base import LintRule
-from rcj_challenges.scenario.lint.context import LintContext, Use
+from rcj_challenges.scenario.lint.base import LintContext, LintRule, Use
 from rcj_challenges.scenario.models.scenario import Expectation, Given, Keyframe
 from rcj_challenges.scenario.placeholders import PLACEHOLDERS, placeholders_in
+from rcj_challenges.scenario.rule_effects import spots_set_by_rules
 from rcj_challenges.scenario.tree import Leaf, nodes_in
 from rcj_challenges.scenario.walk import Issue
 

@@ -11,7 +11,7 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from rcj_challenges import __version__
-from rcj_challenges.core.regular_files import open_regular
+from rcj_challenges.core.files import open_regular
 from rcj_challenges.scenario.errors import ScenarioError, choice_of, did_you_mean, nearest
 from rcj_challenges.scenario.models.scenario import SCHEMA_VERSION
 from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES, parse_bytes, parse_text, refuse_size

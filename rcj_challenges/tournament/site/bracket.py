@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from markupsafe import Markup
 
-from rcj_challenges.core.measures import number_words
+from rcj_challenges.core.amounts import number_words
 from rcj_challenges.tournament.season import Tie
 from rcj_challenges.tournament.site.render import escaped, fitted
 

@@ -10,7 +10,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from rcj_challenges.core.measures import number_words
+from rcj_challenges.core.amounts import number_words
 from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY, TRAJECTORY

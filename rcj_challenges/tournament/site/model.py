@@ -9,8 +9,8 @@ from datetime import UTC, datetime
 from functools import cached_property
 from typing import Any
 
-from rcj_challenges.core.file_names import slug
-from rcj_challenges.core.measures import measured_words, number_words
+from rcj_challenges.core.amounts import measured_words, number_words
+from rcj_challenges.core.files import slug
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.tournament.played import PlayedMatch
 from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Ruled, Side, StageState, humanized

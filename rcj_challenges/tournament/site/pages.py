@@ -8,8 +8,8 @@ from typing import Any
 
 from markupsafe import Markup
 
-from rcj_challenges.core.file_names import slug
-from rcj_challenges.core.measures import measure_words
+from rcj_challenges.core.amounts import measure_words
+from rcj_challenges.core.files import slug
 from rcj_challenges.tournament.season import StageState, Status
 from rcj_challenges.tournament.seeds import seed_hash
 from rcj_challenges.tournament.site.bracket import bracket_svg

@@ -7,7 +7,7 @@ from statistics import median
 
 from markupsafe import Markup
 
-from rcj_challenges.core.measures import number_words
+from rcj_challenges.core.amounts import number_words
 from rcj_challenges.tournament.site.render import escaped, fitted
 
 _WIDTH = 360

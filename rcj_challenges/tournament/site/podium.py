@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from rcj_challenges.core.file_names import slug
+from rcj_challenges.core.files import slug
 from rcj_challenges.tournament.season import Row, StageState, Status
 from rcj_challenges.tournament.site.model import Season, group_title
 from rcj_challenges.tournament.site.render import Renderer

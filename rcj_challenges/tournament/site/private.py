@@ -12,7 +12,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.core.file_names import slug
+from rcj_challenges.core.files import slug
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import LOGS, REPLAY, SCENARIO
 from rcj_challenges.records.sensors import DAMAGE, read_sensors

@@ -12,8 +12,8 @@ from urllib.parse import quote
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
-from rcj_challenges.core.file_names import slug
-from rcj_challenges.core.measures import measure_words, number_words
+from rcj_challenges.core.amounts import measure_words, number_words
+from rcj_challenges.core.files import slug
 from rcj_challenges.core.sanitize import sanitize, sanitize_block
 from rcj_challenges.tournament.season import humanized
 from rcj_challenges.tournament.site.model import Season, group_title

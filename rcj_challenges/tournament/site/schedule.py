@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 
-from rcj_challenges.core.file_names import slug
+from rcj_challenges.core.files import slug
 from rcj_challenges.tournament.csv_text import csv_text
 from rcj_challenges.tournament.season import humanized
 from rcj_challenges.tournament.site.model import MatchView, Season

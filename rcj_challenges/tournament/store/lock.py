@@ -9,7 +9,7 @@ from types import TracebackType
 from typing import Self
 
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
-from rcj_challenges.core.file_lock import try_lock
+from rcj_challenges.core.files import try_lock
 
 _LOCK_FILE = "store.lock"
 _MAX_PID_BYTES = 32

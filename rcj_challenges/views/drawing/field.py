@@ -7,11 +7,11 @@ from typing import NamedTuple
 
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.rules.phrasing import degrees
-from rcj_challenges.scenario.half_start import spots_set_at_start, spots_set_by_rules
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.outlines import extent, obstacle_outline
+from rcj_challenges.scenario.positions import start_noise_m, start_pose
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.start_poses import start_noise_m, start_pose
+from rcj_challenges.scenario.rule_effects import spots_set_at_start, spots_set_by_rules
 from rcj_challenges.views.drawing.distances import measured_distances
 from rcj_challenges.views.drawing.paper import MARKER_PX, Entry, Paper, Section
 from rcj_challenges.views.drawing.placement_areas import Area, first_poses, flipped, placement_areas

@@ -13,12 +13,10 @@ from rcj_challenges.rules.effects import Places, PlacesLayout, Removes, SetsSpot
 from rcj_challenges.rules.fields import Names
 from rcj_challenges.rules.mirror import Mirror
 from rcj_challenges.rules.places import place_of
-from rcj_challenges.scenario.half_start import fixed_spots, rules_at_start
-from rcj_challenges.scenario.layouts import alternatives
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
+from rcj_challenges.scenario.positions import start_noise_m, start_pose
 from rcj_challenges.scenario.roster import EACH, OTHER, Roster, as_tuple
-from rcj_challenges.scenario.start_poses import start_noise_m, start_pose
-from rcj_challenges.scenario.touch_rules import written_others
+from rcj_challenges.scenario.rule_effects import alternatives, fixed_spots, rules_at_start, written_others
 from rcj_challenges.views.drawing.shapes import Point, point_words
 
 Flip = tuple[bool, bool]

@@ -8,8 +8,7 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
-from rcj_challenges.core.amounts import Score
-from rcj_challenges.core.measures import distinct_decimals, number_words
+from rcj_challenges.core.amounts import Score, distinct_decimals, number_words
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.triggers import TRIGGERS

@@ -6,10 +6,10 @@ from typing import Any
 
 from pydantic import BaseModel
 
-from rcj_challenges.scenario.half_start import fixed_spots
 from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.rule_effects import fixed_spots
 from rcj_challenges.scenario.walk import walk
 from rcj_challenges.views.palette import css_colour
 from rcj_challenges.views.standing import counted_names, shows_score

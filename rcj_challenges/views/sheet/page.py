@@ -10,7 +10,6 @@ from rcj_challenges.rules.effects import PlacesLayout
 from rcj_challenges.rules.phrasing import counted, listed, number, plain, quoted, quoted_measure, seconds
 from rcj_challenges.rules.placement import placement_words
 from rcj_challenges.scenario.halves import clock_may_stop, half_lengths_s
-from rcj_challenges.scenario.layouts import layouts_of
 from rcj_challenges.scenario.models.limits import Limits
 from rcj_challenges.scenario.models.scenario import (
     RankByCounter,
@@ -22,6 +21,7 @@ from rcj_challenges.scenario.models.scenario import (
 )
 from rcj_challenges.scenario.placeholders import description_of
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.rule_effects import layouts_of
 from rcj_challenges.views.drawing.field import picture_of
 from rcj_challenges.views.sheet.course import course_blocks, length_words
 from rcj_challenges.views.sheet.document import Block, Items, Section, Sheet, Table

@@ -8,11 +8,10 @@ from rcj_challenges.rules.effects import Removes
 from rcj_challenges.rules.fields import Names, Scalar
 from rcj_challenges.rules.phrasing import Subject, listed, plain, quoted, quoted_measure
 from rcj_challenges.rules.quantifier import AtLeast
-from rcj_challenges.scenario.half_start import set_from_the_start
 from rcj_challenges.scenario.halves import clock_may_stop
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.roster import BOUND, OTHER, WALLS, Roster, as_tuple, with_each
-from rcj_challenges.scenario.touch_rules import names_other
+from rcj_challenges.scenario.rule_effects import names_other, set_from_the_start
 
 _MEASURED_BY_SEVERAL = "what was measured"
 """Written where triggers of one rule measure different things."""

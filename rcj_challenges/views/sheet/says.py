@@ -8,7 +8,7 @@ from rcj_challenges.rules.phrasing import number, plain
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.placeholders import fill_params
 from rcj_challenges.scenario.roster import as_tuple, has_other
-from rcj_challenges.scenario.touch_rules import written_others
+from rcj_challenges.scenario.rule_effects import written_others
 from rcj_challenges.views.sheet.phrasebook import Phrasebook
 
 OPEN = "…"

@@ -11,8 +11,8 @@ from rcj_challenges.records.referee_log import score_so_far
 from rcj_challenges.records.reflog import PROGRAM_FAULT
 from rcj_challenges.records.run_record import RunRecord, read_run
 from rcj_challenges.records.trajectory import HalfTrack
+from rcj_challenges.scenario.halves import teams_by_seat
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.scenario.seats import teams_by_seat
 from rcj_challenges.views.naming import titles
 from rcj_challenges.views.stats.ends import attacked_ends, goal_widths, own_end
 from rcj_challenges.views.stats.motion import Motion, motion_of, play_mask

@@ -7,7 +7,7 @@ from typing import Any
 
 from PIL import Image, ImageDraw
 
-from rcj_challenges.core.measures import number_words
+from rcj_challenges.core.amounts import number_words
 from rcj_challenges.views.palette import PALETTE, Rgb, rgb, text_on
 from rcj_challenges.views.sentences import clock
 from rcj_challenges.views.video.clips import Moment

@@ -1,4 +1,4 @@
-"""What rules do as a half starts: which of them fire, and which draws and spots they set before anything reads them."""
+"""What rules do as a half starts, where they put things, and for which names they stand with ``other``."""
 
 from __future__ import annotations
 
@@ -7,11 +7,16 @@ from itertools import groupby
 from operator import attrgetter
 from typing import Any
 
-from rcj_challenges.rules.base import ValueWord
-from rcj_challenges.rules.effects import Draws, HalfStart, SetsPhase, SetsSpot
+from rcj_challenges.rules.base import ValueWord, Word
+from rcj_challenges.rules.effects import Draws, HalfStart, Places, PlacesLayout, Scores, SetsPhase, SetsSpot, Touch
+from rcj_challenges.rules.fields import Strict
+from rcj_challenges.rules.placement import places
+from rcj_challenges.rules.refs import Ref, drawn_value, ref_of
 from rcj_challenges.scenario.models.places import Spot
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
-from rcj_challenges.scenario.roster import BOUND
+from rcj_challenges.scenario.placeholders import placeholders_in
+from rcj_challenges.scenario.roster import BOUND, OTHER, has_other, with_each
+from rcj_challenges.scenario.walk import walk
 
 
 def rules_at_start(scenario: Scenario) -> Iterator[tuple[Rule, bool]]:
@@ -93,3 +98,71 @@ def spots_set_at_start(scenario: Scenario) -> tuple[str, ...]:
     """Return the spots that a rule always sets as a half starts: they are never where the file has them."""
     named = {e.spot for rule in _firing_each_half(scenario) for e in rule.effects(SetsSpot) if e.at is not None}
     return tuple(name for name in scenario.spots if name in named)
+
+
+def layouts_of(scenario: Scenario, effect: PlacesLayout) -> list[str]:
+    """Return the layouts that may be placed: of a draw all among which it decides."""
+    return [str(value) for value in scenario.draws[effect.layout].values] if effect.is_drawn else [effect.layout]
+
+
+def alternatives(scenario: Scenario, effect: Places | PlacesLayout) -> list[list[Places]]:
+    """Return the alternative placements: of a layout all its entries, of which a mirror of the whole is the last."""
+    if isinstance(effect, Places):
+        return [[effect]]
+    layouts = (scenario.placements[name] for name in layouts_of(scenario, effect))
+    return [[places(one, one.entity, one.at, effect.mirror) for one in layout] for layout in layouts]
+
+
+def names_other(rule: Rule, scenario: Scenario) -> bool:
+    """Return whether a rule of touches asks about what was touched, acts on it or names it in a text."""
+    if not has_other(rule):
+        return False
+    receives = OTHER not in scenario.entrants and any(one.entrant == OTHER for one in rule.effects(Scores))
+    return (
+        receives
+        or OTHER in placeholders_in(rule.says)
+        or for_other(rule, "") != rule
+        or any(isinstance(one, Word) and one.stands_for(OTHER) for one, _ in walk((rule.conditions, rule.actions)))
+    )
+
+
+def written_others(rule: Rule) -> tuple[str, ...]:
+    """Return the names behind ``other`` as the rule's triggers write them: groups as groups."""
+    return tuple(dict.fromkeys(name for one in rule.moments(Touch) for name in with_each(one.other, rule.for_each)))
+
+
+def for_other(rule: Rule, other: str) -> Rule:
+    """Return a rule with one name for ``other`` in its conditions and actions."""
+    return rule.model_copy(
+        update={"conditions": with_other(rule.conditions, other), "actions": with_other(rule.actions, other)}
+    )
+
+
+def with_other(value: Any, other: str) -> Any:
+    """Return a part of a rule with a name wherever it says ``other``; the very same part if it never does.
+
+    The entrant of ``score`` stays: who drives a robot is known where points are given.
+    """
+    if isinstance(value, Strict):
+        changed = {name: _field(value, name, other) for name in type(value).model_fields}
+        update = {name: field for name, field in changed.items() if field is not getattr(value, name)}
+        return value.model_copy(update=update) if update else value
+    if isinstance(value, tuple):
+        parts = tuple(with_other(part, other) for part in value)
+        return parts if any(new is not old for new, old in zip(parts, value, strict=True)) else value
+    if isinstance(value, dict):
+        entries = {key: with_other(part, other) for key, part in value.items()}
+        return entries if any(entries[key] is not part for key, part in value.items()) else value
+    return value
+
+
+def _field(model: Strict, name: str, other: str) -> Any:
+    value = getattr(model, name)
+    if drawn_value(type(model), name) is not None:
+        return other if value == OTHER else value
+    reference = ref_of(type(model), name)
+    if not isinstance(reference, Ref) or not reference.each:
+        return with_other(value, other)
+    if isinstance(value, tuple) and OTHER in value:
+        return tuple(other if part == OTHER else part for part in value)
+    return other if value == OTHER else with_other(value, other)

@@ -1,0 +1,77 @@
+"""Where things are: the floor inside the walls, centres of zones and obstacles, poses at the start of a half."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import atan2
+
+from rcj_challenges.core.play import Pose2
+from rcj_challenges.geometry.polygons import Point, side
+from rcj_challenges.scenario.models.field import Box, Cylinder, FieldModel, Obstacle, Wall
+from rcj_challenges.scenario.models.places import CircleZone, RectZone, Zone
+from rcj_challenges.scenario.models.scenario import Scenario
+
+Corners = tuple[Point, ...]
+
+
+def floor_parts(field: FieldModel) -> list[Corners]:
+    """Return the convex parts of the floor inside the walls: the field, then its goals, counter-clockwise."""
+    x, y, cut = field.width_m / 2, field.length_m / 2, field.corner_cut_m
+    octagon = ((x, cut - y), (x, y - cut), (x - cut, y), (cut - x, y), (-x, y - cut), (-x, cut - y), (cut - x, -y))
+    parts: list[Corners] = [(*octagon, (x - cut, -y))]
+    for goal in field.goals.values():
+        half, far = goal.width_m / 2, y + goal.depth_m
+        low, high = (y, far) if goal.end == "positive_y" else (-far, -y)
+        parts.append(((-half, low), (half, low), (half, high), (-half, high)))
+    return parts
+
+
+def on_floor(point: Point, parts: Sequence[Corners]) -> bool:
+    """Return whether a point is on the floor."""
+    return any(all(side(a, b, point) >= 0 for a, b in zip(p, (*p[1:], p[0]), strict=True)) for p in parts)
+
+
+def centre_of(zone: Zone) -> tuple[float, float] | None:
+    """Return the centre of a zone; None of one that has none, or several points with equal right to the name."""
+    if zone.inverted:
+        return None
+    if isinstance(zone, CircleZone):
+        return zone.centre_m
+    sides = (zone.x_min_m, zone.x_max_m, zone.y_min_m, zone.y_max_m) if isinstance(zone, RectZone) else (None,) * 4
+    x_min, x_max, y_min, y_max = sides
+    if x_min is None or x_max is None or y_min is None or y_max is None:
+        return None
+    return (x_min + x_max) / 2, (y_min + y_max) / 2
+
+
+def middle_of(obstacle: Obstacle) -> tuple[float, float, float]:
+    """Return the pose of a fixed obstacle, [x, y, yaw] in m and rad: a wall from its middle along its line."""
+    match obstacle:
+        case Wall():
+            (ax, ay), (bx, by) = obstacle.from_m, obstacle.to_m
+            return (ax + bx) / 2, (ay + by) / 2, atan2(by - ay, bx - ax)
+        case Box():
+            return *obstacle.centre_m, obstacle.yaw_rad
+        case Cylinder():
+            return *obstacle.centre_m, 0.0
+
+
+def start_pose(scenario: Scenario, name: str) -> Pose2:
+    """Return the start of a robot, ball or obstacle, without noise: x and y in m, yaw in rad.
+
+    A wall has no place of its own: its ends say where it stands.
+    """
+    if name in scenario.robots:
+        start = scenario.robots[name].start
+        return start.x_m, start.y_m, start.yaw_rad
+    if name in scenario.balls:
+        return (*scenario.balls[name].start_m, 0.0)
+    obstacle = scenario.obstacles[name]
+    if isinstance(obstacle, Wall):
+        return 0.0, 0.0, 0.0
+    return (*obstacle.centre_m, obstacle.yaw_rad if isinstance(obstacle, Box) else 0.0)
+
+
+def start_noise_m(scenario: Scenario, name: str) -> tuple[float, float]:
+    """Return the half widths, on x and y in m, of the noise around the place where something starts."""
+    return scenario.robots[name].start.noise_m if name in scenario.robots else (0.0, 0.0)
