@@ -20,11 +20,11 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from rcj_challenges.controllers.program_pool import PoolPlan, ProgramPool
-from rcj_challenges.controllers.team import open_team
 from rcj_challenges.core.play import Fault
 from rcj_challenges.core.traffic import DeviceSpec, Observation, Packet, RobotSpec
+from rcj_challenges.programs.pool import PoolPlan, ProgramPool
 from rcj_challenges.scenario.models.limits import Limits
+from rcj_challenges.submissions.team import open_team
 
 ROBOTS = ("B1", "B2", "B3", "Y1", "Y2", "Y3")
 DEVICES = (

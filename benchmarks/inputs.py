@@ -22,11 +22,11 @@ from pathlib import Path
 
 from rcj_challenges.checker.check import CheckOptions, check_file
 from rcj_challenges.checker.reading import MAX_ALL_BYTES, MAX_BYTES, MAX_IMPORTS
-from rcj_challenges.controllers.submission_limits import MAX_DEPTH, MAX_FILES, MAX_FOLDERS
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import load, load_text
 from rcj_challenges.scenario.tree import MAX_ITEMS, MAX_KEYS, MAX_VALUES
+from rcj_challenges.submissions.limits import MAX_DEPTH, MAX_FILES, MAX_FOLDERS
 
 MAX_S = 5.0
 """What looking at any of them may take."""

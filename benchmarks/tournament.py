@@ -27,6 +27,7 @@ from sqlalchemy import insert
 from benchmarks.rows import Row, as_users_have_it, parser, show
 from rcj_challenges.cli.tournament_run import RunLines, RunOptions, prepare
 from rcj_challenges.match.batch import Job, play_many
+from rcj_challenges.tournament.admission import take_submissions
 from rcj_challenges.tournament.engine import Season
 from rcj_challenges.tournament.executor import LocalExecutor
 from rcj_challenges.tournament.fixtures import JobMaker, summary_of
@@ -37,7 +38,6 @@ from rcj_challenges.tournament.runner import Runner
 from rcj_challenges.tournament.season import Fixture, Outcome
 from rcj_challenges.tournament.store.store import Store
 from rcj_challenges.tournament.store.tables import JOB, PLAYED, JobRow, PlayedRow
-from rcj_challenges.tournament.submissions import take_submissions
 
 LANES = 2
 SAMPLES = ("all_sensors", "roles_and_radio", "ball_chaser")

@@ -26,10 +26,10 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks.rows import Row, as_users_have_it, parser, show
-from rcj_challenges.controllers.team import open_team
 from rcj_challenges.match.observers import Observer, ObserverGroup
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.scenario.load import load
+from rcj_challenges.submissions.team import open_team
 from rcj_challenges.views.live import MAX_SPEED, LiveShow
 from rcj_challenges.views.replay.page import write_replay
 

@@ -1,6 +1,6 @@
 """Lets editors resolve ``controller`` outside a match; the types are in ``__init__.pyi``.
 
-In a match programs import the implementation, ``rcj_challenges/controllers/program_side/controller``.
+In a match programs import the implementation, ``rcj_challenges/programs/program_side/controller``.
 """
 
 import sys

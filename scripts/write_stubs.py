@@ -1,6 +1,6 @@
 """Writes ``controller/__init__.pyi``: what editors and type checkers know of the module that robot programs import.
 
-It is made from the implementation (``rcj_challenges/controllers/program_side/controller``), so that signatures and
+It is made from the implementation (``rcj_challenges/programs/program_side/controller``), so that signatures and
 docstrings are written once; what ``getDevice`` returns by name comes from the kits of the shipped presets.
 
     python scripts/write_stubs.py            write it
@@ -18,7 +18,7 @@ from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
 STUB = ROOT / "controller" / "__init__.pyi"
-IMPLEMENTATION = ROOT / "rcj_challenges" / "controllers" / "program_side"
+IMPLEMENTATION = ROOT / "rcj_challenges" / "programs" / "program_side"
 
 HEAD = '''\
 """The module that robot programs import: ``from controller import Robot``.

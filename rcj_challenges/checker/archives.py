@@ -9,11 +9,11 @@ from rcj_challenges.checker.findings import Finding, Stage
 from rcj_challenges.checker.identity import find_logo, finding_of, name_findings
 from rcj_challenges.checker.layout import layout_findings
 from rcj_challenges.checker.others import others_that_fit, seats_of
-from rcj_challenges.controllers.archive import Contents
-from rcj_challenges.controllers.team import Opening, Team, TeamError, look_into
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.scenario.models.robots import Entrant
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.submissions.archive import Contents
+from rcj_challenges.submissions.team import Opening, Team, TeamError, look_into
 
 __all__ = ["Inspection", "TeamError", "inspect"]
 

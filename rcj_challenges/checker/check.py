@@ -10,14 +10,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rcj_challenges.checker.archives import Inspection, TeamError, inspect
+from rcj_challenges.checker.discovery import SubmissionName, name_submissions
 from rcj_challenges.checker.findings import STAGES, Finding, Level, Stage, StageName, most_serious
 from rcj_challenges.checker.report import FileReport, MatchReport, first_cause, match_report, stage_report
 from rcj_challenges.checker.report_files import copy_page
 from rcj_challenges.checker.sources import check_sources
-from rcj_challenges.checker.submissions import SubmissionName, name_submissions
-from rcj_challenges.controllers.private_folders import PrivateFolders, temporary_folder_error
-from rcj_challenges.controllers.scratch import ensure_room
-from rcj_challenges.controllers.team import Team
 from rcj_challenges.core.diagnostics import one_line
 from rcj_challenges.core.errors import (
     HostError,
@@ -29,9 +26,13 @@ from rcj_challenges.core.errors import (
     is_of_the_host,
 )
 from rcj_challenges.core.sanitize import sanitize, sanitize_block
+from rcj_challenges.core.temporary_folder import temporary_folder_error
+from rcj_challenges.programs.private_folders import PrivateFolders
+from rcj_challenges.programs.scratch import ensure_room
 from rcj_challenges.records.errors import RecordError, UnwritableError
 from rcj_challenges.records.logos import PNG_SIGNATURE
 from rcj_challenges.scenario.load import Loaded
+from rcj_challenges.submissions.team import Team
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

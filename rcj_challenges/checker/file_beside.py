@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import PurePosixPath
 
-from rcj_challenges.controllers.team import Team
 from rcj_challenges.core.sanitize import sanitize
+from rcj_challenges.submissions.team import Team
 
 
 def help_for_module_beside(team: Team, module: str) -> str:

@@ -8,9 +8,9 @@ from pathlib import PurePosixPath
 
 from rcj_challenges.checker.findings import Finding
 from rcj_challenges.checker.images import Picture, identify
-from rcj_challenges.controllers.submission_problems import Problem, safe_text
-from rcj_challenges.controllers.team import LOGO_FILE, Opening, may_be_logo
 from rcj_challenges.records.logos import MAX_LOGO_BYTES, MAX_LOGO_SIDE, LogoError, checked_png
+from rcj_challenges.submissions.problems import Problem, safe_text
+from rcj_challenges.submissions.team import LOGO_FILE, Opening, may_be_logo
 
 _AS_PNG = "save it as a PNG"
 

@@ -10,9 +10,9 @@ from rcj_challenges.checker.findings import Finding
 from rcj_challenges.checker.likeness import BLANK, alike, like_an_entry, mentioned
 from rcj_challenges.checker.others import suggest_scenarios
 from rcj_challenges.checker.renaming import all_entries, entries_of, plan_moves
-from rcj_challenges.controllers.submission_problems import safe_text
-from rcj_challenges.controllers.team import Opening, missing_programs
 from rcj_challenges.scenario.models.robots import Entrant
+from rcj_challenges.submissions.problems import safe_text
+from rcj_challenges.submissions.team import Opening, missing_programs
 
 _MAX_EMPTY = 10
 _MAX_NEVER_STARTED = 10

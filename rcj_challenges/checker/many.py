@@ -16,14 +16,14 @@ from typing import Any
 from pydantic import ValidationError
 
 from rcj_challenges.checker.check import CheckOptions, check_file, crashed_report, unchecked_report
+from rcj_challenges.checker.discovery import SubmissionName, name_submissions
 from rcj_challenges.checker.report import FileReport
-from rcj_challenges.checker.submissions import SubmissionName, name_submissions
-from rcj_challenges.controllers.team import TeamError
 from rcj_challenges.core.diagnostics import one_line
 from rcj_challenges.core.errors import format_error
 from rcj_challenges.match.worker_pool import Attempt, python_command, run_all
 from rcj_challenges.scenario.load import Loaded, load_resolved
 from rcj_challenges.scenario.models.limits import Limits
+from rcj_challenges.submissions.team import TeamError
 
 _SLACK_S = 120.0
 _MAX_SHORT_MATCHES = 12

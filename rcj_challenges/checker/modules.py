@@ -1,6 +1,6 @@
 """Resolves imports: which file of the submission, Python itself, what is installed for programs, or nowhere.
 
-The same places in the same order as `controllers` gives a program: its own folder, the folder above (which holds all of
+The same places in the same order as `programs` gives a program: its own folder, the folder above (which holds all of
 a team's programs), Python's library, then numpy and scipy. A program that changes ``sys.path`` may find modules in any
 of its folders; then only running it can show where they are.
 """

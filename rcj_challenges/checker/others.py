@@ -6,12 +6,12 @@ import functools
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import PurePosixPath
 
-from rcj_challenges.controllers.archive import Contents
-from rcj_challenges.controllers.team import opening_of
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.robots import Entrant
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.resources import names_in, scenarios_folder
+from rcj_challenges.submissions.archive import Contents
+from rcj_challenges.submissions.team import opening_of
 
 
 def seats_of(scenario: Scenario) -> list[tuple[Entrant, ...]]:

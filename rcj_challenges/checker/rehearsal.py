@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any
 
 from rcj_challenges.checker.advice.hints import read_log
-from rcj_challenges.controllers.team import Team, TeamError, open_team
 from rcj_challenges.core.play import RefereeOutput, Snapshot
 from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.match.observers import Observer, ProgramTimes
@@ -20,6 +19,7 @@ from rcj_challenges.match.samples import sample_team
 from rcj_challenges.records.folder import LOGS
 from rcj_challenges.scenario.halves import longest_half_s
 from rcj_challenges.scenario.load import Loaded, load_resolved
+from rcj_challenges.submissions.team import Team, TeamError, open_team
 
 SEED = 1
 """Two checks of one file see the same match."""

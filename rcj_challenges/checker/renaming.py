@@ -16,10 +16,10 @@ from rcj_challenges.checker.likeness import (
     of_yellow,
     same_number,
 )
-from rcj_challenges.controllers.archive import Files
-from rcj_challenges.controllers.submission_problems import safe_text
-from rcj_challenges.controllers.team import alternatives
 from rcj_challenges.scenario.models.robots import Entrant
+from rcj_challenges.submissions.archive import Files
+from rcj_challenges.submissions.problems import safe_text
+from rcj_challenges.submissions.team import alternatives
 
 HIDDEN_ENDING = ".py.txt"
 """What an editor of Windows makes of ``.py``, and shows as ``.py``."""

@@ -16,17 +16,17 @@ from rcj_challenges.checker.images import PictureError, as_png
 from rcj_challenges.checker.layout import empty_programs
 from rcj_challenges.checker.others import others_that_fit
 from rcj_challenges.checker.renaming import plan_moves
-from rcj_challenges.controllers.archive import Files
-from rcj_challenges.controllers.paths import clean, folded
-from rcj_challenges.controllers.private_folders import PrivateFolders
-from rcj_challenges.controllers.submission_problems import MAX_OF_A_KIND, MAX_PATH_SHOWN, safe_text, with_help
-from rcj_challenges.controllers.team import LOGO_FILE, Opening, alternatives, called_after, opening_of
-from rcj_challenges.controllers.team_name import NAME_FILE, find_team_name
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.errors import RcjError, format_error, room_help
+from rcj_challenges.programs.private_folders import PrivateFolders
 from rcj_challenges.records.logos import LogoError, checked_png
 from rcj_challenges.scenario.models.robots import Entrant
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.submissions.archive import Files
+from rcj_challenges.submissions.paths import clean, folded
+from rcj_challenges.submissions.problems import MAX_OF_A_KIND, MAX_PATH_SHOWN, safe_text, with_help
+from rcj_challenges.submissions.team import LOGO_FILE, Opening, alternatives, called_after, opening_of
+from rcj_challenges.submissions.team_name import NAME_FILE, find_team_name
 
 _NAME_PATH, _LOGO_PATH = PurePosixPath(NAME_FILE), PurePosixPath(LOGO_FILE)
 _FIRST_DAY = (1980, 1, 1, 0, 0, 0)  # the earliest that a ZIP can say

@@ -7,7 +7,7 @@ import os
 import shutil
 from pathlib import Path
 
-from rcj_challenges.controllers.scratch import ensure_room
+from rcj_challenges.programs.scratch import ensure_room
 from rcj_challenges.records.folder import replaced
 
 

@@ -22,10 +22,10 @@ from rcj_challenges.checker.modules import (
 )
 from rcj_challenges.checker.reading import Import, Risk, Source, read_sources
 from rcj_challenges.checker.unreadable import PYTHON, describe_error
-from rcj_challenges.controllers.team import Team
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.likeness import nearest_name
 from rcj_challenges.core.sanitize import sanitize
+from rcj_challenges.submissions.team import Team
 
 Unit = tuple[PurePosixPath, int]
 """A file that a program runs, and in how many packages it lies then: relative imports lead as far up, no further."""

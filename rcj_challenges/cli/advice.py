@@ -11,8 +11,8 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
     from pathlib import Path
 
-    from rcj_challenges.controllers.team import SuperTeam, Team
     from rcj_challenges.scenario.models.scenario import Scenario
+    from rcj_challenges.submissions.team import SuperTeam, Team
 
 _ONLY_SPECIAL = ("crash", "start", "protocol")
 """Faults whose general help adds nothing to the fault itself."""

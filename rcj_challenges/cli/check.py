@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from rcj_challenges.checker.check import CheckOptions
+    from rcj_challenges.checker.discovery import Submissions
     from rcj_challenges.checker.report import CheckReport, FileReport
-    from rcj_challenges.checker.submissions import Submissions
     from rcj_challenges.scenario.load import Loaded
 
 
@@ -127,8 +127,8 @@ def check_submissions(command: CheckCommand) -> int:
     _ensure_outputs(command)
 
     from rcj_challenges.checker.check import CheckOptions
+    from rcj_challenges.checker.discovery import name_submissions
     from rcj_challenges.checker.report import LeftOut, check_report
-    from rcj_challenges.checker.submissions import name_submissions
     from rcj_challenges.views.console import console_for
 
     options = CheckOptions(command.sandbox, command.play, replays=command.replays, show_output=command.show_output)
@@ -164,7 +164,7 @@ def submissions(given: list[Path]) -> Submissions:
     Raises:
         CheckUsageError: one cannot be opened.
     """
-    from rcj_challenges.checker.submissions import find_submissions
+    from rcj_challenges.checker.discovery import find_submissions
 
     for path in given:
         with _or_usage_error(path, "opened"):

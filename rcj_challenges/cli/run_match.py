@@ -155,7 +155,7 @@ def _prepared(options: RunOptions) -> tuple[MatchPlan, Console, Observer]:
 
 def _team_names(loaded: Loaded, options: RunOptions) -> dict[str, str]:
     """Return the names that override the teams' own, made safe to show as those are."""
-    from rcj_challenges.controllers.team import safe_name
+    from rcj_challenges.submissions.team import safe_name
 
     given = assignments(options.team_names, loaded.scenario.entrants, "--team-name")
     names = {seat: safe_name(name) for seat, name in given.items()}

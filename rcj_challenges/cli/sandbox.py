@@ -11,7 +11,7 @@ def require_layers(sandbox: str) -> None:
     Raises:
         IsolationError: ``strict``, and layers are missing; or no such sandbox.
     """
-    from rcj_challenges.controllers.isolation import active_layers, dropped_layers
+    from rcj_challenges.programs.isolation import active_layers, dropped_layers
     from rcj_challenges.views.console import console_for
 
     active_layers(sandbox)

@@ -11,10 +11,10 @@ from rcj_challenges.core.errors import RcjError
 from rcj_challenges.core.likeness import nearest_name
 
 if TYPE_CHECKING:
-    from rcj_challenges.controllers.team import Team
     from rcj_challenges.scenario.load import Loaded
     from rcj_challenges.scenario.models.robots import Entrant
     from rcj_challenges.scenario.models.scenario import Scenario
+    from rcj_challenges.submissions.team import Team
 
 
 class UsageError(RcjError):
@@ -52,7 +52,7 @@ def _opened(path: Path, seats: tuple[Entrant, ...], scenario: Scenario) -> Team:
     Raises:
         TeamError: it cannot be; for missing programs with the code and help of ``check``.
     """
-    from rcj_challenges.controllers.team import TeamError, look_into, open_team
+    from rcj_challenges.submissions.team import TeamError, look_into, open_team
 
     try:
         return open_team(path, *seats)
@@ -62,7 +62,7 @@ def _opened(path: Path, seats: tuple[Entrant, ...], scenario: Scenario) -> Team:
             raise
         from rcj_challenges.checker.layout import layout_findings
         from rcj_challenges.checker.others import others_that_fit
-        from rcj_challenges.controllers.submission_problems import MAX_PATH_SHOWN, safe_text
+        from rcj_challenges.submissions.problems import MAX_PATH_SHOWN, safe_text
 
         others = others_that_fit(opening.contents.files, scenario)
         found = next(one for one in layout_findings(opening, seats, others) if one.level == "failure")

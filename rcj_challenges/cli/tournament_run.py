@@ -22,6 +22,7 @@ from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.scenario.errors import listing
+from rcj_challenges.tournament.admission import Failure, Submitted, check_submissions, take_submissions
 from rcj_challenges.tournament.executor import Executor, LocalExecutor
 from rcj_challenges.tournament.fixtures import JobMaker
 from rcj_challenges.tournament.opened import OpenTournament
@@ -29,7 +30,6 @@ from rcj_challenges.tournament.reconcile import other_pythons, reconcile
 from rcj_challenges.tournament.redrawing import add_teams, redraw
 from rcj_challenges.tournament.runner import Progress, Runner
 from rcj_challenges.tournament.season import Fixture, Outcome, SeasonState, Status
-from rcj_challenges.tournament.submissions import Failure, Submitted, check_submissions, take_submissions
 from rcj_challenges.views.console import console_for
 
 _NEWEST_SHOWN = 5

@@ -147,7 +147,7 @@ def _recorded(folder: Path, teams: Sequence[Path], place: Workplace, sandbox: st
 
 def _candidates(folder: Path, teams: Sequence[Path]) -> Iterable[Path]:
     """Yield the submissions among which the programs of a record may be."""
-    from rcj_challenges.checker.submissions import find_submissions
+    from rcj_challenges.checker.discovery import find_submissions
     from rcj_challenges.scenario.resources import teams_folder
 
     yield from find_submissions(teams).paths
@@ -159,9 +159,9 @@ def _programs(
     wanted: Mapping[str, str], candidates: Iterable[Path], entrants: Sequence[Entrant], place: Workplace
 ) -> dict[str, Program]:
     """Return the programs that are wanted, by digest, as far as they are among some submissions."""
-    from rcj_challenges.controllers.team import TeamError, open_team
+    from rcj_challenges.submissions.team import TeamError, open_team
+    from rcj_challenges.tournament.admission import keep_submission
     from rcj_challenges.tournament.jobs import Program
-    from rcj_challenges.tournament.submissions import keep_submission
 
     found: dict[str, Program] = {}
     for path in candidates:

@@ -1,6 +1,6 @@
 """The data exchanged between the devices of a robot and the program that drives it.
 
-The devices room makes `Observation`s and consumes `Request`s; the controllers room carries both over pipes. Neither
+`devices` makes `Observation`s and consumes `Request`s; `programs` carries both over pipes. Neither
 imports the other: this file is all they share.
 """
 

@@ -6,9 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
-from rcj_challenges.controllers.cpu_policy import DEFAULT_SHARE, CpuPolicy, CpuShare
 from rcj_challenges.core.play import Fault, HalfInfo, RefereeOutput, Snapshot
 from rcj_challenges.core.traffic import Observation, Request
+from rcj_challenges.programs.cpu_policy import DEFAULT_SHARE, CpuPolicy, CpuShare
 from rcj_challenges.scenario.halves import MAX_LENGTHS
 
 if TYPE_CHECKING:

@@ -6,10 +6,10 @@ import time
 from collections.abc import Collection
 from typing import TYPE_CHECKING
 
-from rcj_challenges.controllers.program_pool import ProgramPool
 from rcj_challenges.core.play import HalfInfo, RefereeOutput, Snapshot
 from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.match.observers import Observer, Progress
+from rcj_challenges.programs.pool import ProgramPool
 from rcj_challenges.records.writer import RecordWriter
 
 if TYPE_CHECKING:

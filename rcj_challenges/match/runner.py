@@ -8,10 +8,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.controllers.isolation import active_layers, dropped_layers
-from rcj_challenges.controllers.program import Program
-from rcj_challenges.controllers.program_pool import PoolPlan, ProgramPool
-from rcj_challenges.controllers.team import SuperTeam, Team
 from rcj_challenges.core.errors import format_error, interruption_behind
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.core.timing import ticks_from_s
@@ -22,6 +18,9 @@ from rcj_challenges.match.loop import LoopResult, TickLoop
 from rcj_challenges.match.observers import Observer, ProgramTimes
 from rcj_challenges.match.pacing import TickEffects
 from rcj_challenges.match.sensor_recording import SensorRecording
+from rcj_challenges.programs.isolation import active_layers, dropped_layers
+from rcj_challenges.programs.pool import PoolPlan, ProgramPool
+from rcj_challenges.programs.program import Program
 from rcj_challenges.records.errors import UnwritableError
 from rcj_challenges.records.logos import logo_of
 from rcj_challenges.records.result import MemberResult
@@ -29,6 +28,7 @@ from rcj_challenges.records.writer import RecordWriter, RunHeader
 from rcj_challenges.robots.fitting import fit, robot_specs
 from rcj_challenges.scenario.halves import by_seat, half_length_s, half_lengths_s, teams_by_seat
 from rcj_challenges.scenario.load import Loaded
+from rcj_challenges.submissions.team import SuperTeam, Team
 
 
 @dataclass(frozen=True)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from pathlib import Path
 
-from rcj_challenges.controllers.team import TeamError, open_team
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.resources import teams_folder
+from rcj_challenges.submissions.team import TeamError, open_team
 
 _OF_THE_MATCH = {"blue": "roles_and_radio", "yellow": "all_sensors"}
 """They understand the messages v2.1 and v2.2."""

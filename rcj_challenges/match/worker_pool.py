@@ -12,7 +12,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, Generic, NamedTuple, Protocol, Self, TypeVar
 
-from rcj_challenges.controllers.private_folders import remove_left_overs
+from rcj_challenges.programs.private_folders import remove_left_overs
 
 _POLL_INTERVAL_S = 0.2
 _MAX_SHUTDOWN_S = 5.0

@@ -2,5 +2,5 @@
 
 Belongs here: which devices each robot has (`fitting`), the manager that serves them tick by tick (`manager`), and radio
 (`radio_hub`, `channels`). Does not belong here: what one kind of device measures or does (devices), how
-readings reach a program's process (controllers), when a program is due (match).
+readings reach a program's process (programs), when a program is due (match).
 """

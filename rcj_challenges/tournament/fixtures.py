@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from rcj_challenges.controllers.team import TeamError, open_team
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.records.result import has_time_fault, versions
 from rcj_challenges.scenario.load import Loaded, load
+from rcj_challenges.submissions.team import TeamError, open_team
+from rcj_challenges.tournament.admission import CheckTask, Submissions, Submitted, purpose_of
 from rcj_challenges.tournament.jobs import MatchJob, Program, Workplace, entrants_of
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.scenarios import ScenarioNames, ScenarioUse
 from rcj_challenges.tournament.season import Fixture, Outcome
-from rcj_challenges.tournament.submissions import CheckTask, Submissions, Submitted, purpose_of
 
 
 class JobMaker:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from contextlib import ExitStack
 
-from rcj_challenges.controllers.team import SuperTeam, Team, open_team
 from rcj_challenges.match.runner import MatchPlan, PlayedMatch, play_match
 from rcj_challenges.records.folder import replaced
 from rcj_challenges.records.lines import json_line
 from rcj_challenges.records.run_record import read_run
 from rcj_challenges.scenario.load import Loaded
+from rcj_challenges.submissions.team import SuperTeam, Team, open_team
 from rcj_challenges.tournament.jobs import MatchJob, Program, Workplace, data_file_error, entrants_of
 from rcj_challenges.tournament.records import STATS, trim_record
 from rcj_challenges.views.replay import write_replay

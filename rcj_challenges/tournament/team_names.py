@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping
 
-from rcj_challenges.controllers.team_name import safe_name
+from rcj_challenges.submissions.team_name import safe_name
 from rcj_challenges.tournament.entries import TeamEntry
 from rcj_challenges.tournament.store.tables import SubmissionRow
 

@@ -15,11 +15,11 @@ from pathlib import Path
 from typing import Any
 
 from rcj_challenges.checker.check import CheckOptions, check_file
+from rcj_challenges.checker.discovery import SubmissionName
 from rcj_challenges.checker.repair import repair
 from rcj_challenges.checker.report import check_report
 from rcj_challenges.checker.report_files import write_page
 from rcj_challenges.checker.report_html import html_page
-from rcj_challenges.checker.submissions import SubmissionName
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.scenario.load import load
 

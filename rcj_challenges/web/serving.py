@@ -60,8 +60,8 @@ def ensure_isolation(config: SiteConfig) -> None:
     Raises:
         SiteError: they cannot.
     """
-    from rcj_challenges.controllers.isolation import active_layers  # noqa: PLC0415 - only a dispatcher needs it
     from rcj_challenges.core.errors import RcjError  # noqa: PLC0415
+    from rcj_challenges.programs.isolation import active_layers  # noqa: PLC0415 - only a dispatcher needs it
 
     if config.trust_all_teams:
         return

@@ -11,8 +11,8 @@ import pytest
 from rcj_challenges.checker.advice.hints import hint_for
 from rcj_challenges.checker.advice.table import TABLE
 from rcj_challenges.checker.check import CheckOptions, check_file
-from rcj_challenges.controllers.team import open_team
 from rcj_challenges.scenario.load import load
+from rcj_challenges.submissions.team import open_team
 from tests.checker.alone import alone
 
 MATCH, MATCH_OF_2021 = load("match").scenario, load("match_2021").scenario

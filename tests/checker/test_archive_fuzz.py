@@ -17,12 +17,12 @@ from rcj_challenges.checker.findings import STAGES
 from rcj_challenges.checker.identity import find_logo
 from rcj_challenges.checker.images import PictureError, as_png, identify
 from rcj_challenges.checker.repair import repair
-from rcj_challenges.controllers.paths import clean, name_problems
-from rcj_challenges.controllers.submission_problems import safe_text
-from rcj_challenges.controllers.team import TeamError, open_team
-from rcj_challenges.controllers.team_name import find_team_name
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.submissions.paths import clean, name_problems
+from rcj_challenges.submissions.problems import safe_text
+from rcj_challenges.submissions.team import TeamError, open_team
+from rcj_challenges.submissions.team_name import find_team_name
 from tests.hostile.archives import pictures
 from tests.hostile.archives.building import Member, pack, with_folders
 from tests.hostile.archives.cases import ALL, FINE, built

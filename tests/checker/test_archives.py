@@ -18,9 +18,9 @@ from rcj_challenges.checker.archives import Inspection, inspect
 from rcj_challenges.checker.check import CheckOptions, check_file
 from rcj_challenges.checker.findings import Finding
 from rcj_challenges.checker.images import Picture, identify
-from rcj_challenges.controllers.team import TeamError, open_team
 from rcj_challenges.scenario.load import load, load_text
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.submissions.team import TeamError, open_team
 from tests.hostile.archives import pictures
 from tests.hostile.archives.building import Member, pack, with_folders
 from tests.hostile.archives.case import Case

@@ -17,11 +17,11 @@ from rich.console import Console
 from rcj_challenges.checker import check as check_module
 from rcj_challenges.checker import many, playing, report_files, starting
 from rcj_challenges.checker.check import CheckOptions, check_file, crashed_report
+from rcj_challenges.checker.discovery import name_submissions
 from rcj_challenges.checker.many import check_many
 from rcj_challenges.checker.report import check_report, schema_text, summary, verdict
 from rcj_challenges.checker.report_html import html_page
 from rcj_challenges.checker.report_text import print_report
-from rcj_challenges.checker.submissions import name_submissions
 from rcj_challenges.core.errors import HostError
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.scenario.load import load

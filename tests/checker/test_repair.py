@@ -16,9 +16,9 @@ from hypothesis import strategies as st
 from rcj_challenges.checker import repair as repairing
 from rcj_challenges.checker.archives import Inspection, inspect
 from rcj_challenges.checker.repair import Repaired, RepairError, repair
-from rcj_challenges.controllers.team import open_team
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.submissions.team import open_team
 from tests.hostile.archives import pictures
 from tests.hostile.archives.building import Member, pack, with_folders
 from tests.hostile.archives.cases import ALL, FINE, built

@@ -8,8 +8,8 @@ import pytest
 
 from rcj_challenges.checker.reading import MAX_BYTES
 from rcj_challenges.checker.sources import check_sources
-from rcj_challenges.controllers.team import open_team
 from rcj_challenges.scenario.load import load
+from rcj_challenges.submissions.team import open_team
 
 FOLDER = "rcj_soccer_team_blue"
 ENTRY = f"{FOLDER}/rcj_soccer_team_blue.py"

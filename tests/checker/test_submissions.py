@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from rcj_challenges.checker.submissions import file_slug, find_submissions, name_submissions
+from rcj_challenges.checker.discovery import file_slug, find_submissions, name_submissions
 
 
 @pytest.fixture

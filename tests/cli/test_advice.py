@@ -7,9 +7,9 @@ import json
 import pytest
 
 from rcj_challenges.cli.advice import advice_on
-from rcj_challenges.controllers.team import open_team
 from rcj_challenges.records.result import RunResult
 from rcj_challenges.scenario.load import load
+from rcj_challenges.submissions.team import open_team
 from tests.cli.in_this_process import here
 from tests.cli.test_run import DUEL, short
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from rcj_challenges.controllers import isolation
+from rcj_challenges.programs import isolation
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="layers of Linux")
 

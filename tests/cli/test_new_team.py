@@ -6,8 +6,8 @@ import pytest
 
 from rcj_challenges.cli.app import app
 from rcj_challenges.cli.new import StarterError
-from rcj_challenges.controllers.debugging import PORT
 from rcj_challenges.core.errors import RcjError
+from rcj_challenges.programs.debugging import PORT
 from tests.cli.conftest import ONE_ROBOT
 from tests.cli.in_this_process import here
 

@@ -100,7 +100,7 @@ def report(folder: Path) -> dict[str, object]:
 
 def use_controller_with(folder: Path) -> None:
     """Let programs run with a copy of `controller` that has the device's class."""
-    from rcj_challenges.controllers import processes, visible_files
+    from rcj_challenges.programs import processes, visible_files
 
     shutil.copytree(processes.PROGRAM_SIDE, folder)
     shutil.copy(Path(__file__).with_name("toy_controller.py"), folder / "controller" / "midline_sensor.py")

@@ -14,7 +14,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 MISTAKES = Path(__file__).with_name("ten_mistakes.py")
-IMPLEMENTATION = ROOT / "rcj_challenges" / "controllers" / "program_side"
+IMPLEMENTATION = ROOT / "rcj_challenges" / "programs" / "program_side"
 CLEAN = {key: value for key, value in os.environ.items() if not key.startswith(("PYTHON", "COV_"))}
 
 

@@ -7,11 +7,11 @@ from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 
-from rcj_challenges.controllers.team import open_team
 from rcj_challenges.expect.runner import run_test
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.records.result import versions
 from rcj_challenges.scenario.load import load
+from rcj_challenges.submissions.team import open_team
 
 FOLDER = Path(__file__).parent
 STATES = FOLDER / "states.json"

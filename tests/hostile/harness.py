@@ -36,8 +36,8 @@ from typing import Any
 
 import numpy as np
 
-from rcj_challenges.controllers.isolation import LAYERS, active_layers
-from rcj_challenges.controllers.team import Team, open_team
+from rcj_challenges.programs.isolation import LAYERS, active_layers
+from rcj_challenges.submissions.team import Team, open_team
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.records.trajectory import Trajectory
 from rcj_challenges.scenario.load import Loaded, load

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from rcj_challenges.controllers import isolation, pipes, processes, scratch
+from rcj_challenges.programs import isolation, pipes, processes, scratch
 from tests.hostile import page
 from tests.hostile.harness import Entry, assert_gets_through, assert_held, batches, entries
 

@@ -5,13 +5,13 @@ from dataclasses import dataclass, replace
 from itertools import count
 from pathlib import Path
 
-from rcj_challenges.controllers.team import open_team
 from rcj_challenges.core.traffic import Request
 from rcj_challenges.expect.scripted_match import half_of
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.match.stage import build_stage
 from rcj_challenges.records.trajectory import Trajectory
 from rcj_challenges.scenario.load import load, load_text
+from rcj_challenges.submissions.team import open_team
 from tests.match.programs import STAND
 
 

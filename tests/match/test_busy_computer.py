@@ -6,8 +6,8 @@ import sys
 
 import pytest
 
-from rcj_challenges.controllers import program_pool
 from rcj_challenges.core.errors import HostError
+from rcj_challenges.programs import pool as program_pool
 from tests.match.programs import AHEAD
 
 ONE_EXPENSIVE_STEP = """

@@ -2,10 +2,10 @@
 
 import pytest
 
-from rcj_challenges.controllers.archive import TeamError
-from rcj_challenges.controllers.team import open_team
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.scenario.load import load_text
+from rcj_challenges.submissions.archive import TeamError
+from rcj_challenges.submissions.team import open_team
 from rcj_challenges.views.sheet import sheet_markdown
 
 DUEL = """schema_version: 1

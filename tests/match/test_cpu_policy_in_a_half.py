@@ -2,9 +2,9 @@
 
 import pytest
 
-from rcj_challenges.controllers.cpu_policy import DEFAULT_SHARE, CpuPolicy, CpuShare
 from rcj_challenges.core.play import Fault
 from rcj_challenges.match.loop import TickLoop
+from rcj_challenges.programs.cpu_policy import DEFAULT_SHARE, CpuPolicy, CpuShare
 from tests.match.playing import StandIn, staged
 
 

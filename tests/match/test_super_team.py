@@ -4,9 +4,9 @@ import hashlib
 
 import pytest
 
-from rcj_challenges.controllers.team import SuperTeam, open_team
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.scenario.load import load
+from rcj_challenges.submissions.team import SuperTeam, open_team
 from tests.match.playing import Place, Run
 from tests.match.programs import STAND
 

@@ -10,8 +10,8 @@ import time
 
 import pytest
 
-from rcj_challenges.controllers.private_folders import PrivateFolders
 from rcj_challenges.match.worker_pool import Attempt, WorkerPool, run_all
+from rcj_challenges.programs.private_folders import PrivateFolders
 
 LASTS_S = 30
 

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from rcj_challenges.controllers.team import open_team
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.scenario.load import load
+from rcj_challenges.submissions.team import open_team
 
 SAMPLES = Path(__file__).resolve().parents[2] / "examples" / "teams"
 

@@ -10,9 +10,9 @@ from typing import Any
 
 import pytest
 
-from rcj_challenges.controllers.team import open_team
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.scenario.load import load
+from rcj_challenges.submissions.team import open_team
 
 ROOT = Path(__file__).resolve().parents[2]
 SAMPLES = ROOT / "examples" / "teams"

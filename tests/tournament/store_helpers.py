@@ -11,6 +11,7 @@ from sqlalchemy import update
 
 from rcj_challenges.records.result import versions
 from rcj_challenges.scenario.resources import teams_folder
+from rcj_challenges.tournament.admission import take_submissions
 from rcj_challenges.tournament.executor import JobOutcome
 from rcj_challenges.tournament.fixtures import JobMaker
 from rcj_challenges.tournament.load import load_tournament
@@ -19,7 +20,6 @@ from rcj_challenges.tournament.reconcile import reconcile
 from rcj_challenges.tournament.runner import Runner
 from rcj_challenges.tournament.store.store import Store
 from rcj_challenges.tournament.store.tables import JOB
-from rcj_challenges.tournament.submissions import take_submissions
 
 LEAGUE = """
 tournament_version: 1

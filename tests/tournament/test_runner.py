@@ -3,10 +3,10 @@
 import pytest
 
 from rcj_challenges.core.diagnostics import DiagnosticError
+from rcj_challenges.tournament.admission import take_submissions
 from rcj_challenges.tournament.fixtures import JobMaker
 from rcj_challenges.tournament.rulings import withdraw
 from rcj_challenges.tournament.season import Status
-from rcj_challenges.tournament.submissions import take_submissions
 from tests.tournament.store_helpers import LEAGUE, SUPER_TEAMS, FakeExecutor, Home, Silent, code_of
 
 

@@ -7,9 +7,9 @@ import zipfile
 
 import pytest
 
+from rcj_challenges.tournament.admission import keep_submission
 from rcj_challenges.tournament.errors import TournamentFileError
 from rcj_challenges.tournament.load import load_tournament
-from rcj_challenges.tournament.submissions import keep_submission
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="pipes and links as on POSIX")
 

@@ -5,10 +5,10 @@ from dataclasses import replace
 
 import pytest
 
+from rcj_challenges.tournament.admission import take_submissions
 from rcj_challenges.tournament.fixtures import JobMaker
 from rcj_challenges.tournament.jobs import MatchJob
 from rcj_challenges.tournament.playing import play_job
-from rcj_challenges.tournament.submissions import take_submissions
 from tests.cli.in_this_process import here
 from tests.tournament.store_helpers import Home
 from tests.tournament.test_killed import new_home

@@ -17,11 +17,11 @@ import pytest
 from typer.testing import CliRunner
 
 from rcj_challenges.cli.app import app
-from rcj_challenges.controllers.team import open_team
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.match.observers import Observer, ObserverGroup
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.scenario.load import load
+from rcj_challenges.submissions.team import open_team
 from rcj_challenges.views.live import MAX_SPEED, LiveShow
 
 DRIVE = """\

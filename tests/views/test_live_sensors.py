@@ -13,12 +13,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.controllers.team import open_team
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.match.observers import ObserverGroup
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.records.sensors import SensorWriter, read_sensors
 from rcj_challenges.scenario.load import load
+from rcj_challenges.submissions.team import open_team
 from rcj_challenges.views.live import MAX_SPEED, LiveShow, Pace
 from rcj_challenges.views.live.encoder import LiveObserver
 from rcj_challenges.views.live.feed import Feed

@@ -8,11 +8,11 @@ from typing import Any
 
 from rcj_challenges.checker.advice.table import Hint
 from rcj_challenges.checker.others import others_that_fit, suggest_scenarios
-from rcj_challenges.controllers.team import Team
 from rcj_challenges.core.likeness import nearest_name
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.scenario.kit_devices import devices_of
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.submissions.team import Team
 
 # What `controller` writes into a program's log when it returns None. A program may print such lines itself, as long as
 # it likes, so the patterns are bounded.

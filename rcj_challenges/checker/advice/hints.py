@@ -14,10 +14,10 @@ from rcj_challenges.checker.advice.endings import ending_loop_help, hidden_error
 from rcj_challenges.checker.advice.packets import packet_hint
 from rcj_challenges.checker.advice.table import Hint, find_row
 from rcj_challenges.checker.file_beside import help_for_module_beside
-from rcj_challenges.controllers.log import AFTER_ITS_END, ANOTHER_THREAD
-from rcj_challenges.controllers.team import Team
 from rcj_challenges.core.sanitize import sanitize
+from rcj_challenges.programs.log import AFTER_ITS_END, ANOTHER_THREAD
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.submissions.team import Team
 
 WHEREABOUTS = "It was here, the innermost call first:\n"
 """What the match writes into a program's log after stopping it."""

@@ -8,9 +8,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from rcj_challenges.checker.advice.table import Hint
-from rcj_challenges.controllers.team import Team
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.submissions.team import Team
 
 _FIRST_TICKS = 8  # a program that misreads the referee's packets does so with the first of them
 _OTHER_SIZE = re.compile(r"struct\.error: unpack requires a buffer of (?P<bytes>[0-9]{1,9}) bytes")

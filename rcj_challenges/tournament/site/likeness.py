@@ -16,8 +16,8 @@ from functools import cache
 from itertools import combinations
 from pathlib import Path, PurePosixPath
 
-from rcj_challenges.controllers.archive import TeamError, read_contents
 from rcj_challenges.scenario.resources import teams_folder
+from rcj_challenges.submissions.archive import TeamError, read_contents
 
 LENGTH = 12
 """Tokens of a row: shorter ones are in any two programs that drive two wheels."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rcj_challenges.checker.reading import MAX_ALL_BYTES, MAX_IMPORTS, MAX_BYTES
-from rcj_challenges.controllers.submission_limits import MAX_DEPTH, MAX_FOLDERS
+from rcj_challenges.submissions.limits import MAX_DEPTH, MAX_FOLDERS
 from tests.hostile.archives.building import Member, pack, with_folders
 from tests.hostile.archives.case import Case
 from tests.hostile.archives.making import SOUND, importing, sound_with

@@ -1,0 +1,40 @@
+"""Errors about the folder for temporary files: where it is, and what helps."""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.core.errors import HostError, format_error
+from rcj_challenges.core.sanitize import sanitize
+
+_VARIABLE = "TEMP" if sys.platform == "win32" else "TMPDIR"
+
+
+def temporary_folder_error(error: BaseException, trouble: str = "cannot be used") -> HostError:
+    """Return an error about the temporary folder that says where it is, and what helps."""
+    place = _temporary_folder()
+    message = f"the temporary folder{place} {trouble}: {format_error(error)}"
+    return HostError(message, f"make room there, or let {_VARIABLE} name another", code="temporary-folder")
+
+
+class DiskFullError(DiagnosticError, HostError):
+    """The disk of the temporary folder is full, and no program has filled it."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            Diagnostic(
+                "disk-full",
+                f"the disk of the temporary folder{_temporary_folder()} is full, although no program of the match has "
+                "written more than its share",
+                f"free some space there, or set {_VARIABLE} to a folder with more room, and run the command again",
+            )
+        )
+
+
+def _temporary_folder() -> str:
+    try:
+        return f" {sanitize(tempfile.gettempdir())}"
+    except OSError:  # what the system said names the folders that were tried
+        return ""

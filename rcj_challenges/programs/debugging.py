@@ -1,0 +1,33 @@
+"""Differences for a program under a debugger: where it runs, and which side waits for the other."""
+
+from __future__ import annotations
+
+import os
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+from rcj_challenges.programs.assignment import Assignment
+
+PORT = 5678
+"""The one that editors suggest."""
+
+
+def program_place(assignment: Assignment, unpacked: Path) -> tuple[Path, Path]:
+    """Return the folder of the team's files, which are unpacked in ``unpacked``, and the path of the program.
+
+    A debugged program of a team that is a folder runs in that folder, where an editor has its breakpoints.
+    """
+    own = assignment.team.place_on_disk(assignment.entry) if assignment.is_debugged else None
+    return own or (unpacked, unpacked.joinpath(*assignment.entry.split("/")))
+
+
+def debugger_settings() -> dict[str, Any] | None:
+    """Return what a debugged program's process needs to wait for an editor; None: ``breakpoint()`` has the terminal.
+
+    None without debugpy, or if the user sets ``PYTHONBREAKPOINT``.
+    """
+    spec = find_spec("debugpy")
+    if spec is None or spec.origin is None or os.environ.get("PYTHONBREAKPOINT"):
+        return None
+    return {"folder": str(Path(spec.origin).parents[1]), "port": PORT}

@@ -1,0 +1,147 @@
+"""Statistics of processes from the operating system: numbers of threads (Linux), CPU times."""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+from rcj_challenges.programs.time_budget import ProcessTimes, ThreadTimes
+
+_GRANT = Path("/sys/fs/cgroup/cpu.max")
+"""Where Linux shows a container's share of processor time: µs, and of how many (cgroup version 2)."""
+
+_LINKS_OF_A_FOLDER = 2  # itself and its parent; each further one is a folder in it, here a thread
+
+
+def threads_of(pid: int) -> int:
+    """Return how many threads a process has; 0 if that is unknown, or if there is no such process."""
+    try:
+        return max(0, os.stat(f"/proc/{pid}/task").st_nlink - _LINKS_OF_A_FOLDER)  # noqa: PTH116 - called while a match waits
+    except OSError:
+        return 0
+
+
+def has_lost_main_thread(pid: int) -> bool:
+    """Return whether the main thread of a process has ended and others run on; False if that is unknown.
+
+    Then ``/proc/PID/fd`` is empty, whatever they have open. A process that is ending may look the same for a moment.
+    """
+    try:
+        with open(f"/proc/{pid}/task/{pid}/stat", "rb", buffering=0) as file:  # noqa: PTH123 - called while a match waits
+            state = file.read().rpartition(b")")[2].split()[0]
+    except (OSError, IndexError):
+        return False
+    return state == b"Z" and threads_of(pid) > 1
+
+
+@functools.cache
+def tasks_of_user() -> int:
+    """Return how many threads all processes of this process's user had when this was first asked; 0: not known.
+
+    ``RLIMIT_NPROC`` counts all of them together, so a limit for one program can only be one above what there is.
+    """
+    user, total = os.geteuid(), 0
+    with contextlib.suppress(OSError):
+        for entry in os.scandir("/proc"):
+            with contextlib.suppress(OSError):
+                if entry.name.isdigit() and entry.stat().st_uid == user:
+                    total += threads_of(int(entry.name))
+    return total
+
+
+def process_times(pid: int) -> ProcessTimes | None:
+    """Return what the kernel counted for a process until now; None if that is unknown (Windows: the job object knows).
+
+    A thread's numbers lag behind by up to 10 ms while it computes; those of a thread that waits are exact.
+    """
+    try:
+        if sys.platform == "linux":
+            return ProcessTimes(time.clock_gettime(_processor_clock(pid)), _thread_times(pid))
+        if sys.platform != "win32":
+            listed = subprocess.run(["ps", "-o", "time=", "-p", str(pid)], capture_output=True, text=True, check=True)
+            return ProcessTimes(seconds_of(listed.stdout), None)
+    except (OSError, ValueError, subprocess.SubprocessError):
+        pass
+    return None
+
+
+def computed_s(pid: int) -> float:
+    """Return for how long all threads of a process have computed, in s; 0 where that takes long to find out."""
+    if sys.platform == "linux":
+        with contextlib.suppress(OSError):
+            return time.clock_gettime(_processor_clock(pid))
+    return 0.0
+
+
+def _processor_clock(pid: int) -> int:
+    """Return the clock of the processor time of a process, as Linux numbers it (``clock_getcpuclockid``)."""
+    return ~pid << 3 | 2
+
+
+def _thread_times(pid: int) -> dict[int, ThreadTimes] | None:
+    """Return what the kernel counted for each thread; None if it does not count."""
+    times = {}
+    for thread in os.listdir(f"/proc/{pid}/task"):  # noqa: PTH208 - a match waits
+        with contextlib.suppress(FileNotFoundError, ProcessLookupError):
+            path = f"/proc/{pid}/task/{thread}/schedstat"
+            with open(path, "rb", buffering=0) as file:  # noqa: PTH123 - a match waits
+                running_ns, ready_ns, runs = map(int, file.read().split())
+            times[int(thread)] = ThreadTimes(running_ns / 1e9, ready_ns / 1e9, runs)
+    return times if any(thread.runs for thread in times.values()) else None  # else all numbers are 0
+
+
+def is_runnable(pid: int, thread: int) -> bool:
+    """Return whether a thread runs or waits for a processor at this moment (Linux)."""
+    with contextlib.suppress(OSError, IndexError), open(f"/proc/{pid}/task/{thread}/stat", "rb", buffering=0) as file:  # noqa: PTH123
+        return file.read().rpartition(b")")[2].split()[0] == b"R"
+    return False
+
+
+def held_up_here_s() -> float:
+    """Return for how long this thread was ready to compute and had no processor, in s; 0 if that is unknown."""
+    if sys.platform == "linux":
+        with contextlib.suppress(OSError, ValueError, IndexError), open("/proc/thread-self/schedstat", "rb") as file:  # noqa: PTH123
+            return int(file.read().split()[1]) / 1e9
+    return 0.0
+
+
+def running() -> int:
+    """Return how many threads of the whole system have a processor, or wait for one; 0 if that is unknown."""
+    if sys.platform == "linux":
+        with contextlib.suppress(OSError, ValueError, IndexError), open("/proc/loadavg", "rb", buffering=0) as file:  # noqa: PTH123
+            return int(file.read().split()[3].partition(b"/")[0])
+    return 0
+
+
+def all_processors() -> int:
+    """Return how many processors the computer has, usable or not; 0 if that is unknown."""
+    return os.cpu_count() or 0
+
+
+def processors() -> int:
+    """Return how many processors this process may keep busy; 0 if that is unknown.
+
+    A container sees all processors of its computer, and may have been granted the time of fewer: a process that uses
+    more is stopped for the rest of each tenth of a second.
+    """
+    if sys.platform != "linux":
+        return 0
+    granted = len(os.sched_getaffinity(0))
+    with contextlib.suppress(OSError, ValueError):  # the word "max" stands for as much as there is
+        time_us, of_us = map(int, _GRANT.read_text(encoding="ascii").split())
+        granted = min(granted, time_us // of_us)
+    return granted
+
+
+def seconds_of(text: str) -> float:
+    """Parse a time as ``ps`` prints it, in s: ``2-03:04:05``, ``4:05.06``."""
+    days, _, clock = text.strip().rpartition("-")
+    seconds = 0.0
+    for part in clock.split(":"):
+        seconds = 60 * seconds + float(part)
+    return seconds + 86_400 * int(days or 0)

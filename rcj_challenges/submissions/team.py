@@ -1,0 +1,435 @@
+"""A team's programs, as the match uses them: files, name, entry points; and several teams that play as one."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path, PurePath, PurePosixPath
+from types import MappingProxyType
+from typing import Self
+
+from rcj_challenges.core.errors import format_error, is_of_the_host
+from rcj_challenges.core.likeness import MAX_COMPARED, nearest_name
+from rcj_challenges.core.temporary_folder import temporary_folder_error
+from rcj_challenges.scenario.models.robots import Entrant, EntryPoints
+from rcj_challenges.submissions.archive import Contents, Files, TeamError, read_contents, refusal
+from rcj_challenges.submissions.problems import MAX_PATH_SHOWN, safe_text
+from rcj_challenges.submissions.team_name import (
+    MAX_NAME_LETTERS,
+    NAME_FILE,
+    TeamName,
+    find_team_name,
+    may_be_name_file,
+    safe_name,
+)
+
+__all__ = [
+    "MAX_NAME_LETTERS", "Opening", "SuperTeam", "Team", "TeamError", "alternatives", "look_into", "open_team",
+    "safe_name",
+]  # fmt: skip
+
+LOGO_FILE = "logo.png"
+
+_MISSING = "layout.missing"
+"""The code of a team that lacks a program, as of the finding of ``check``."""
+
+_LOGO_STEMS = frozenset({"logo", "teamlogo", "logoteam"})
+_PICTURE_ENDINGS = frozenset({".png", ".jpg", ".jpeg", ".gif", ".bmp", ".webp", ""})
+_MAX_TOP_FOLDERS = 3
+_SHOWN_FILES = 12
+_LEAST_LIKENESS = 0.75
+
+
+class Team:
+    """The files of one team, held in memory: what happens to the folder afterwards does not change a match.
+
+    Attributes:
+        source: where it was opened.
+        name: its name, safe to show: one line of at most 32 printable characters.
+        digest: SHA-256 over names and contents of its files, the same for a folder and its ZIP.
+        notes: flaws of the submission that do not prevent play.
+    """
+
+    def __init__(
+        self,
+        source: Path,
+        files: Files,
+        name: str,
+        notes: tuple[str, ...],
+        single: str = "",
+        layout: Layout | None = None,
+    ) -> None:
+        self.source = source
+        self.name = name
+        self.notes = notes
+        self.digest = _digest(files)
+        self._files = files
+        self._single = single
+        self._layout = layout
+        self._entries: dict[str, str] = {}
+
+    @property
+    def files(self) -> Mapping[PurePosixPath, bytes]:
+        """Contents by path, below the folder in which its programs are looked for; empty after `close`."""
+        return MappingProxyType(self._files)
+
+    @property
+    def entries(self) -> Mapping[str, str]:
+        """The path of the program by robot, for the seats that it was opened for."""
+        return MappingProxyType(self._entries)
+
+    def entry_for(self, robot: str, entry_points: EntryPoints | None = None) -> str:
+        """Return the path of the program that drives a robot, inside the team's folder.
+
+        Args:
+            robot: its name.
+            entry_points: those of its seat; needed only for a seat that `open_team` was not given.
+
+        Raises:
+            TeamError: there is no such program.
+        """
+        if entry_points is not None:
+            found = self._first_of(entry_points)
+            if found is None:
+                looked_for = missing_programs(self._files, {robot: alternatives(entry_points)})
+                raise TeamError(f"{safe_text(self.source, MAX_PATH_SHOWN)}: {looked_for}", code=_MISSING)
+            return found
+        if robot not in self._entries:
+            raise TeamError(f"{self.source}: opened for {', '.join(self._entries)}, not for {robot}")
+        return self._entries[robot]
+
+    def driving(self, number: int) -> Team:
+        """Return the team that drives a robot of its side, as a `SuperTeam` does: this one drives all of them."""
+        return self
+
+    def unpack(self, folder: Path) -> None:
+        """Write a copy of the team's files into an existing empty folder.
+
+        Raises:
+            TeamError: this computer cannot hold them (names it does not allow).
+            HostError: it has no room for them.
+        """
+        try:
+            for name, content in self._files.items():
+                target = folder.joinpath(str(name))
+                target.parent.mkdir(parents=True, exist_ok=True)
+                target.write_bytes(content)
+        except (OSError, ValueError) as error:
+            if is_of_the_host(error):
+                raise temporary_folder_error(error, "cannot take the team's files") from error
+            message = f"{self.source}: {name} cannot be written on this computer: {format_error(error)}"
+            raise TeamError(message, code="cannot-write") from error
+
+    def ignores_neighbour(self, name: str) -> bool:
+        """Return whether a file or folder of this name lies, unread, beside a program that was given alone."""
+        if not self._single or name in ("", ".", "..") or PurePath(name).name != name:
+            return False
+        try:
+            return self.source.with_name(name).exists()
+        except (OSError, ValueError):
+            return False
+
+    def place_on_disk(self, entry: str) -> tuple[Path, Path] | None:
+        """Return the folder in which the team has its files, and its program there; None if they are in an archive."""
+        source = self.source.absolute()
+        if self._single:
+            return source.parent, source
+        if self._layout is None or not source.is_dir():
+            return None
+        folder, within = source / self._layout.top, self._layout.within
+        program = folder / str(PurePosixPath(entry).relative_to(within) if within else entry)
+        return (folder, program) if program.is_file() else None
+
+    def size_bytes(self) -> int:
+        """Return the size of all files together."""
+        return sum(map(len, self._files.values()))
+
+    def close(self) -> None:
+        """Forget the files."""
+        self._files = {}
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def _first_of(self, entry_points: EntryPoints) -> str | None:
+        wanted = alternatives(entry_points)
+        if self._single:
+            return self._single  # a single file drives all robots
+        return next((entry for entry in wanted if PurePosixPath(entry) in self._files), None)
+
+    def _find_entries(self, seats: Iterable[Entrant]) -> None:
+        for seat in seats:
+            for robot, entry_points in seat.robots.items():
+                found = self._first_of(entry_points)
+                if found is not None:
+                    self._entries[robot] = found
+
+
+@dataclass(frozen=True)
+class SuperTeam:
+    """Teams that play as one: the first robot of the side is driven by the first team's program, and so on.
+
+    It takes the place of a `Team` in a match. Each robot has the files, the private folder and the log of its own team.
+
+    Attributes:
+        members: a team for each robot of the side, in the order of the scenario.
+    """
+
+    members: tuple[Team, ...]
+
+    @property
+    def name(self) -> str:
+        """The members' names."""
+        return " + ".join(member.name for member in self.members)
+
+    @property
+    def digest(self) -> str:
+        """SHA-256 over the digests of the members, in their order."""
+        return hashlib.sha256("\n".join(member.digest for member in self.members).encode("ascii")).hexdigest()
+
+    @property
+    def files(self) -> Mapping[PurePosixPath, bytes]:
+        """Files that all members share: none, so a SuperTeam has no logo."""
+        return {}
+
+    def driving(self, number: int) -> Team:
+        """Return the team that drives a robot, by its number on its side, from 0."""
+        return self.members[number]
+
+    def close(self) -> None:
+        """Forget the files of all members."""
+        for member in self.members:
+            member.close()
+
+
+@dataclass(frozen=True)
+class Opening:
+    """What came of opening a submission: a team, or why there is none.
+
+    Attributes:
+        contents: what was read.
+        files: the files as the programs will see them, extra top folders removed.
+        team: the team; None if it cannot play.
+        name: its name.
+        top: the extra folders around everything that were looked through; ``.`` for none.
+        within: the folder that the files were taken to be the content of; None if they have their own folders.
+        missing: by robot the programs that were looked for in vain.
+    """
+
+    contents: Contents
+    files: Files
+    team: Team | None
+    name: TeamName
+    top: PurePosixPath
+    within: PurePosixPath | None
+    missing: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+
+
+def open_team(path: str | Path, *seats: Entrant) -> Team:
+    """Open a team's folder, ZIP or single ``.py`` file.
+
+    An extra top folder is looked through, and the folder of the program itself will do as well.
+
+    Args:
+        path: where it is.
+        seats: the entrants whose robots it will drive; all of them, if teams change sides.
+
+    Raises:
+        TeamError: it cannot be read, or lacks a program.
+    """
+    source = Path(path)
+    opening = look_into(source, *seats)
+    if opening.team is not None:
+        return opening.team
+    if opening.contents.refused:
+        raise refusal(source, opening.contents.refused)
+    message = f"{safe_text(source, MAX_PATH_SHOWN)}: {missing_programs(opening.contents.files, opening.missing)}"
+    raise TeamError(message, code=_MISSING)
+
+
+def look_into(path: Path, *seats: Entrant) -> Opening:
+    """Open a submission as `open_team` does, but report everything instead of stopping at the first problem.
+
+    Raises:
+        TeamError: there is nothing at this path that can be opened.
+    """
+    return opening_of(path, read_contents(path), *seats)
+
+
+def called_after(name: str) -> str:
+    """Return the default name of a team, from the name of its file or folder."""
+    for suffix in (".zip", ".py"):  # as .ZIP just as well
+        if name.casefold().endswith(suffix):
+            name = name[: -len(suffix)]
+    return name
+
+
+def opening_of(path: Path, contents: Contents, *seats: Entrant) -> Opening:
+    """Return what comes of opening contents that have been read from a path; a team may be named after it."""
+    fallback = called_after(path.resolve().name)
+    layouts = [*without_top_folders(contents.files), *_inside_entry_folder(contents.files, seats)]
+    single = str(next(iter(contents.files), "")) if contents.kind == "program" else ""
+    for layout in layouts:
+        files = layout.files
+        if not files or _lacking(files, seats, single):
+            continue
+        name = find_team_name(files, fallback)
+        team = None
+        if not contents.refused:
+            team = Team(path, files, name.text, tuple(map(str, name.warnings)), single, layout)
+            team._find_entries(seats)  # noqa: SLF001 - the module's own class
+        return Opening(contents, files, team, name, layout.top, layout.within)
+    whole = without_top_folders(contents.files)
+    best = next((layout for layout in whole if PurePosixPath(NAME_FILE) in layout.files), whole[0])
+    missing = _lacking(contents.files, seats, single)
+    return Opening(contents, best.files, None, find_team_name(best.files, fallback), best.top, None, missing)
+
+
+def _lacking(files: Files, seats: Iterable[Entrant], single: str) -> dict[str, tuple[str, ...]]:
+    return {
+        robot: alternatives(wanted)
+        for seat in seats
+        for robot, wanted in seat.robots.items()
+        if not single and all(PurePosixPath(entry) not in files for entry in alternatives(wanted))
+    }
+
+
+def alternatives(entry_points: EntryPoints) -> tuple[str, ...]:
+    """Return the paths of which the first that exists is the program."""
+    return (entry_points,) if isinstance(entry_points, str) else tuple(entry_points)
+
+
+@dataclass(frozen=True)
+class Layout:
+    """One way to see a submission's files.
+
+    Attributes:
+        top: the folders around them that are looked through; ``.`` for none.
+        within: the folder that the programs are taken to be the content of; None if they have their own folders.
+        below: what is in ``top``.
+        beside: what lies beside one of its folders and is kept.
+    """
+
+    top: PurePosixPath
+    within: PurePosixPath | None
+    below: Files
+    beside: Files
+
+    @property
+    def files(self) -> Files:
+        """The files as the programs will see them."""
+        below = self.below
+        if self.within is not None:
+            below = {path if _belongs_to_team(path) else self.within / path: data for path, data in below.items()}
+        return dict(sorted((below | self.beside).items()))
+
+
+def without_top_folders(files: Files) -> list[Layout]:
+    """Return the files as they are, then without the folder that holds all programs, if one does, and so on."""
+    found = [Layout(PurePosixPath(), None, files, {})]
+    for _ in range(_MAX_TOP_FOLDERS):
+        last = found[-1]
+        folders = {path.parts[0] for path in last.below if len(path.parts) > 1}
+        programs_beside = any(len(path.parts) == 1 and path.suffix == ".py" for path in last.below)
+        if len(folders) != 1 or programs_beside:
+            break
+        folder = folders.pop()
+        below = {path.relative_to(folder): data for path, data in last.below.items() if len(path.parts) > 1}
+        beside = {path: data for path, data in last.below.items() if len(path.parts) == 1} | last.beside
+        if not below.keys().isdisjoint(beside):
+            beside = {path: data for path, data in beside.items() if path not in below}
+        if any(path.parts[0] in {str(other) for other in beside} for path in below):
+            break  # a file and a folder of one name
+        found.append(Layout(last.top / folder, None, below, beside))
+    return found
+
+
+def _inside_entry_folder(files: Files, seats: Sequence[Entrant]) -> list[Layout]:
+    """Return the files under the name of each folder that could be asked for: they may be what belongs in it."""
+    asked = dict.fromkeys(
+        PurePosixPath(entry)
+        for seat in seats
+        for entry_points in seat.robots.values()
+        for entry in alternatives(entry_points)
+    )
+    return [
+        Layout(layout.top, entry.parent, layout.below, layout.beside)
+        for layout in without_top_folders(files)
+        for entry in asked
+        if len(entry.parts) > 1
+        and PurePosixPath(entry.name) in layout.below
+        and PurePosixPath(entry.parts[0]) not in layout.beside
+    ]
+
+
+def _belongs_to_team(path: PurePosixPath) -> bool:
+    """Whether a file belongs beside the folder of the programs: the team's name and logo."""
+    return len(path.parts) == 1 and (may_be_name_file(path) or may_be_logo(path))
+
+
+def may_be_logo(path: PurePosixPath) -> bool:
+    """Whether a file is the logo, or probably intended as the logo."""
+    stem = "".join(letter for letter in path.stem.casefold() if letter.isalnum())
+    return stem in _LOGO_STEMS and path.suffix.casefold() in _PICTURE_ENDINGS
+
+
+def missing_programs(
+    files: Files,
+    missing: Mapping[str, tuple[str, ...]],
+    *,
+    hint: bool = True,
+    others: Collection[PurePosixPath] = (),
+) -> str:
+    """Return a message: missing programs, what was looked for, what is there and, as a hint, the nearest name.
+
+    Args:
+        files: of the submission.
+        missing: by robot, what was looked for in vain.
+        hint: whether to say what comes nearest.
+        others: files that are none of those that are missing: others import them, or robots have them.
+    """
+    wanted = list(dict.fromkeys(missing.values()))
+    looked_for = "; ".join(
+        f"{', '.join(robot for robot, paths in missing.items() if paths == entries)}: looked for {' or '.join(entries)}"
+        for entries in wanted
+    )
+    present = [str(path) for path in files]
+    python = ([name for name in present if name.endswith(".py")] or present)[:MAX_COMPARED]
+    found = ", ".join(map(safe_text, python[:_SHOWN_FILES])) + (", …" if len(python) > _SHOWN_FILES else "")
+    message = f"no program for {looked_for}; found: {found or 'nothing'}"
+    candidates = [name for name in python if PurePosixPath(name) not in others]
+    nearest = ((near, entry) for entries in wanted for entry in entries if (near := _nearest(entry, candidates)))
+    for near, entry in nearest if hint else ():
+        return f"{message}; did you mean {safe_text(near)} to be {entry}?"
+    return message
+
+
+def _nearest(entry: str, names: list[str]) -> str | None:
+    """Return the name that comes nearest; of robot1, robot2 and robot3 none is another one misspelled."""
+    wanted = PurePosixPath(entry).name
+    names = [name for name in names if _numbers(PurePosixPath(name).stem) == _numbers(PurePosixPath(entry).stem)]
+    by_file_name = {PurePosixPath(name).name: name for name in reversed(names)}
+    found = nearest_name(entry, names, _LEAST_LIKENESS)
+    if found is not None:
+        return found
+    close = nearest_name(wanted, by_file_name, _LEAST_LIKENESS)
+    return None if close is None else by_file_name[close]
+
+
+def _numbers(name: str) -> list[str]:
+    return re.findall(r"[0-9]+", name)
+
+
+def _digest(files: Files) -> str:
+    digest = hashlib.sha256()
+    for path, content in sorted(files.items()):
+        name = str(path).encode("utf-8", "surrogateescape")
+        digest.update(f"{len(name)} {len(content)}\n".encode())
+        digest.update(name)
+        digest.update(content)
+    return digest.hexdigest()

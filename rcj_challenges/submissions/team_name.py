@@ -1,0 +1,172 @@
+"""Finds the team's name and makes it one line that can be shown anywhere."""
+
+from __future__ import annotations
+
+import codecs
+import unicodedata
+from dataclasses import dataclass, replace
+from pathlib import PurePosixPath
+
+from rcj_challenges.core.likeness import likeness_of
+from rcj_challenges.submissions.archive import Files
+from rcj_challenges.submissions.problems import Problem, safe_text
+
+MAX_NAME_LETTERS = 32
+"""A team's name has at most 32 characters (reference, section 7)."""
+NAME_FILE = "team_name.txt"
+
+_MAX_NAME_FILE_BYTES = 65_536
+_NEAR_STEMS = frozenset({"teamname", "teamsname", "teamnames", "teamnametxt", "team", "name"})
+_NEAR_ENDINGS = frozenset({"", ".txt", ".text", ".md"})
+_DOCUMENT_ENDINGS = frozenset({".rtf", ".doc", ".docx", ".odt", ".pdf", ".pages"})
+_LEAST_LIKENESS = 0.85
+_JOINER = "\u200d"  # holds some emoji together
+# Letters that show nothing: fillers of Hangul and the empty Braille pattern.
+_BLANKS = dict.fromkeys((0x115F, 0x1160, 0x2800, 0x3164, 0xFFA0), " ")
+_QUOTES = "\"'`\u201c\u201d\u2018\u2019\u00ab\u00bb\u201e"
+
+
+@dataclass(frozen=True)
+class TeamName:
+    """A team's name.
+
+    Attributes:
+        text: safe to show: one line of at most 32 printable characters.
+        path: the file it was read from; None if there is none.
+        given: whether it comes from that file, not from the archive's own name.
+        troubles: what is odd about it.
+    """
+
+    text: str
+    path: PurePosixPath | None
+    given: bool
+    troubles: tuple[Problem, ...]
+
+    @property
+    def warnings(self) -> list[Problem]:
+        """The troubles that change what is shown, or that should be put right."""
+        return [trouble for trouble in self.troubles if trouble.level != "passed"]
+
+
+def find_team_name(files: Files, fallback: str) -> TeamName:
+    """Return the name that a team gave itself, or else ``fallback``, the name of its folder or archive."""
+    instead = safe_name(fallback) or "team"
+    path, troubles = _name_file(files)
+    if path is None:
+        return TeamName(instead, None, given=False, troubles=troubles)
+    text, more = _decoded(files[path])
+    lines = [line.strip() for line in unicodedata.normalize("NFC", text).splitlines() if line.strip()]
+    name = safe_name(lines[0]) if lines else ""
+    if not name:
+        message = f"{NAME_FILE} is empty: the name is taken from the file's ({instead})"
+        more = (*more, _warning("name_empty", message, "write the team's name into it", repair=False))
+        return TeamName(instead, path, given=False, troubles=(*troubles, *more))
+    about = _line_problems(lines, name)
+    if any(trouble.code == "identity.name_encoding" for trouble in more):
+        about = [replace(trouble, repair=False) for trouble in about]  # only the team knows what it says
+    return TeamName(name, path, given=True, troubles=(*troubles, *more, *about))
+
+
+def safe_name(text: str) -> str:
+    """Return text as a name: printable characters of one line, no direction marks, at most 32 of them.
+
+    Letters with accents are composed (ö, not o and ¨), so that they count as one.
+    """
+    printable = "".join(
+        letter if letter == _JOINER or unicodedata.category(letter)[0] != "C" else " "
+        for letter in unicodedata.normalize("NFC", text).translate(_BLANKS)
+    )
+    name = " ".join(printable.split())[:MAX_NAME_LETTERS].rstrip()
+    return name if any(letter != _JOINER and unicodedata.category(letter)[0] != "M" for letter in name) else ""
+
+
+def _warning(code: str, message: str, help_: str, *, repair: bool = True) -> Problem:
+    return Problem(f"identity.{code}", "warning", message, help_, NAME_FILE, repair)
+
+
+def _note(code: str, message: str, *, repair: bool = False) -> Problem:
+    return Problem(f"identity.{code}", "passed", message, "", NAME_FILE, repair)
+
+
+def _name_file(files: Files) -> tuple[PurePosixPath | None, tuple[Problem, ...]]:
+    """Find the file with the name, or one that was probably intended for it."""
+    exact = [path for path in files if path.name.casefold() == NAME_FILE]
+    near = [path for path in files if len(path.parts) == 1 and may_be_name_file(path)]
+    for path in sorted(exact, key=lambda path: (len(path.parts), path.name != NAME_FILE)) + sorted(near):
+        if path == PurePosixPath(NAME_FILE):
+            return path, ()
+        shown = safe_text(path)
+        if path.name == NAME_FILE:
+            message, help_ = f"{NAME_FILE} is in a folder: {shown}", "put it beside the folders of the programs"
+        else:
+            message, help_ = f"the file with the team's name is called {shown}", f"call it {NAME_FILE}"
+        return path, (Problem("identity.name_file", "warning", message, help_, shown, repair=True),)
+    document = next((path for path in files if path.suffix.casefold() in _DOCUMENT_ENDINGS and _near_stem(path)), None)
+    if document is not None:
+        message = f"{safe_text(document)} is not plain text: the name is taken from the file's"
+        return None, (_warning("name_document", message, f"save the name as plain text in {NAME_FILE}", repair=False),)
+    message = f"there is no {NAME_FILE}: the name is taken from the file's"
+    return None, (_warning("name_missing", message, "add it, with the team's name in one line", repair=False),)
+
+
+def may_be_name_file(path: PurePosixPath) -> bool:
+    """Whether a file holds the team's name, or was probably intended to."""
+    return path.suffix.casefold() in _NEAR_ENDINGS and _near_stem(path)
+
+
+def _near_stem(path: PurePosixPath) -> bool:
+    stem = "".join(letter for letter in path.stem.casefold() if letter.isalnum())
+    return stem in _NEAR_STEMS or likeness_of(stem, "teamname") >= _LEAST_LIKENESS
+
+
+def _decoded(content: bytes) -> tuple[str, tuple[Problem, ...]]:
+    """Return the text of the file, and what is odd about how it is written.
+
+    UTF-8, with or without a mark, and UTF-16 with one are recognized. Any other encoding is guessed.
+    """
+    content = content[:_MAX_NAME_FILE_BYTES]
+    marked = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
+    encoding = "utf-16" if marked else "utf-8-sig"
+    # What was cut off here, or ends in the middle of a letter of UTF-16, is not held against it.
+    cut = len(content) == _MAX_NAME_FILE_BYTES or marked
+    text = codecs.getincrementaldecoder(encoding)("replace").decode(content, final=not cut)
+    troubles = []
+    if marked:
+        message = f"{NAME_FILE} is in UTF-16; the name was read all the same"
+        troubles.append(_note("name_utf16", message, repair=True))
+    elif "\ufffd" in text and "\ufffd".encode() not in content:
+        # Letters beyond ASCII that are whole are those of a text in UTF-8, of which a part is damaged.
+        if any(letter > "\x7f" for letter in text.replace("\ufffd", "")):
+            message = f"{NAME_FILE} is not in UTF-8: letters that cannot be read are shown as \ufffd"
+            troubles.append(_warning("name_encoding", message, "save it in UTF-8", repair=False))
+        else:
+            text = content.decode("cp1252", "replace")
+            message = f"{NAME_FILE} is not in UTF-8: it was read as Windows-1252, the letters of Western Europe"
+            help_ = 'open it in an editor and save it in UTF-8 (in Windows\' Notepad: "Save as", Encoding "UTF-8")'
+            troubles.append(_warning("name_encoding", f"{message}, which may be wrong", help_, repair=False))
+    elif content.startswith(codecs.BOM_UTF8):
+        message = f"{NAME_FILE} begins with a byte order mark, which is not part of the name"
+        troubles.append(_note("name_bom", message, repair=True))
+    if "\r" in text:
+        message = f"{NAME_FILE} has the line ends of Windows, which are not part of the name"
+        troubles.append(_note("name_line_ends", message, repair=True))
+    return text, tuple(troubles)
+
+
+def _line_problems(lines: list[str], name: str) -> list[Problem]:
+    line = " ".join(lines[0].split())
+    found = []
+    if len(lines) > 1:
+        message = f"{NAME_FILE} has several lines: the first is the name ({name})"
+        found.append(_warning("name_lines", message, "leave one line"))
+    if len(line) > MAX_NAME_LETTERS:
+        message = f"the name is longer than {MAX_NAME_LETTERS} letters and is shown as '{name}'"
+        found.append(_warning("name_long", message, "choose a shorter one"))
+    if safe_name(line[:MAX_NAME_LETTERS]) != line[:MAX_NAME_LETTERS].rstrip():
+        message = f"the name in {NAME_FILE} has letters that cannot be seen; it is shown as '{name}'"
+        found.append(_warning("name_unsafe", message, f"write it with at most {MAX_NAME_LETTERS} printable letters"))
+    if name[0] in _QUOTES or name[-1] in _QUOTES:
+        found.append(_note("name_quotes", f"the quotation marks are part of the name: {name}"))
+    elif any(letter in "./\\<>&!;:|" for letter in name):
+        found.append(_note("name_signs", f"the name is shown as it is, and no file is named after it: {name}"))
+    return found
