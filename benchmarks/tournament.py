@@ -25,7 +25,8 @@ from rich.console import Console
 from sqlalchemy import insert
 
 from benchmarks.rows import Row, as_users_have_it, parser, show
-from rcj_challenges.cli.tournament_run import RunLines, RunOptions, prepare
+from rcj_challenges.cli.tournament.run import prepare
+from rcj_challenges.cli.tournament.run_lines import RunLines
 from rcj_challenges.match.batch import Job, play_many
 from rcj_challenges.tournament.admission import take_submissions
 from rcj_challenges.tournament.engine import Season
@@ -78,9 +79,8 @@ def match_rows(folder: Path, *, is_quick: bool) -> list[Row]:
     with Store(folder / "data", writing=True) as store:
         tournament = OpenTournament(load_tournament(path), store)
         lines = RunLines(Console(quiet=True), tournament, quiet=True)
-        options = RunOptions(LANES, "auto", frozenset(), cascade=False, quiet=True)
         began = time.perf_counter()
-        jobs = prepare(tournament, options, LANES, lines)
+        jobs = prepare(tournament, (), "auto", LANES, lines)
         check_s = time.perf_counter() - began
         fixtures = tournament.state().open_fixtures()
         runs = [_run_job(tournament, fixture, jobs, half_s, folder / "runs") for fixture in fixtures]

@@ -78,7 +78,7 @@ def _exit_code(handled: list[int]) -> int:
             detect_closed_pipes()
         replace_unencodable()
         _speed_up_start()
-        from rcj_challenges.cli.app import app
+        from rcj_challenges.cli.commands import app
 
         code = _with_one_command(app, sys.argv[1:3], begun)(standalone_mode=False)
         sys.stdout.flush()

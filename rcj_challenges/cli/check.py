@@ -6,15 +6,14 @@ import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, NamedTuple
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rcj_challenges.cli.completion import complete_scenarios
+from rcj_challenges.cli.app import app
 from rcj_challenges.cli.help import SUBMIT, Command
-from rcj_challenges.cli.options import Json, Overrides, Sandbox
-from rcj_challenges.cli.sandbox import require_layers
-from rcj_challenges.cli.stdio import print_json, print_lines, print_progress
+from rcj_challenges.cli.options import Json, Overrides, Sandbox, complete_scenarios
+from rcj_challenges.cli.stdio import print_json, print_lines, print_progress, require_layers
 from rcj_challenges.core.errors import RcjError, format_error, room_help
 from rcj_challenges.core.sanitize import sanitize
 
@@ -33,33 +32,12 @@ class CheckUsageError(RcjError):
     CODE = "bad-option"
 
 
-class CheckCommand(NamedTuple):
-    """The options of ``check``, as given."""
-
-    paths: list[Path]
-    scenario: str
-    overrides: list[str]
-    sandbox: str
-    jobs: int | None
-    fix: Path | None
-    html: Path | None
-    json: bool
-    replays: Path | None
-    show_output: bool
-    play: bool
-
-
-def register(app: typer.Typer) -> None:
-    """Add the command."""
-    app.command(
-        "check",
-        cls=Command,
-        rich_help_panel=SUBMIT,
-        epilog="rcj-challenge check my_team.zip\nrcj-challenge check my_team --fix my_team.zip",
-    )(_check)
-
-
-def _check(
+@app.command(
+    cls=Command,
+    rich_help_panel=SUBMIT,
+    epilog="rcj-challenge check my_team.zip\nrcj-challenge check my_team --fix my_team.zip",
+)
+def check(
     paths: Annotated[
         list[Path],
         typer.Argument(metavar="FILE|FOLDER...", help="Submissions: ZIPs or folders; or a folder full of ZIPs."),
@@ -93,52 +71,46 @@ def _check(
         typer.Option("--jobs", "-j", metavar="N", min=1, help="How many at a time; default: as many as cores."),
     ] = None,
     sandbox: Sandbox = "auto",
-) -> None:
+) -> int:
     """Check whether submissions will play in the tournament, by playing a short match, and explain what to do if not.
 
     Exit status 0: all will play; 1: some will not; 2: wrong usage, a path that cannot be opened or written, or
     some could not be checked on this computer; 3: some could not be checked because of a bug in this project.
     """
-    command = CheckCommand(
-        paths, scenario, set_ or [], sandbox, jobs, fix, html, json_, replay, show_output=show_output, play=play
-    )
-    raise typer.Exit(check_submissions(command))
-
-
-def check_submissions(command: CheckCommand) -> int:
-    """Check them; returns 0 if all will play, 1 if some will not, 2 or 3 if some could not be checked.
-
-    Raises:
-        RcjError: wrong usage.
-        KeyboardInterrupt: it was interrupted; what was checked before has been reported.
-    """
+    from rcj_challenges.checker.report_files import ensure_folder, ensure_page
     from rcj_challenges.cli.output_paths import refuse_devices
-    from rcj_challenges.cli.teams import path_or_sample_team
+    from rcj_challenges.cli.team_args import path_or_sample_team
     from rcj_challenges.scenario.load import load
 
-    refuse_devices(html=command.html, fix=command.fix, replay=command.replays)
-    loaded = load(command.scenario, command.overrides)
-    require_layers(command.sandbox)
-    given = submissions([path_or_sample_team(path) for path in command.paths])
-    if command.fix is not None and len(given.paths) != 1:
+    refuse_devices(html=html, fix=fix, replay=replay)
+    loaded = load(scenario, set_ or [])
+    require_layers(sandbox)
+    given = _submissions([path_or_sample_team(path) for path in paths])
+    if fix is not None and len(given.paths) != 1:
         raise CheckUsageError(f"--fix repairs one submission at a time, not {len(given.paths)}", "give one of them")
-    if command.fix is not None and str(command.fix).startswith("-"):
-        raise CheckUsageError(f"--fix {command.fix}: the name of the ZIP to write is missing", "--fix repaired.zip")
-    _ensure_outputs(command)
+    if fix is not None and str(fix).startswith("-"):
+        raise CheckUsageError(f"--fix {fix}: the name of the ZIP to write is missing", "--fix repaired.zip")
+    # Before anything takes time.
+    if html is not None:
+        with _or_usage_error(html, "written"):
+            ensure_page(html)
+    if replay is not None and play:
+        with _or_usage_error(replay, "written"):
+            ensure_folder(replay)
 
     from rcj_challenges.checker.check import CheckOptions
     from rcj_challenges.checker.discovery import name_submissions
     from rcj_challenges.checker.report import LeftOut, check_report
     from rcj_challenges.views.console import console_for
 
-    options = CheckOptions(command.sandbox, command.play, replays=command.replays, show_output=command.show_output)
+    options = CheckOptions(sandbox, play, replays=replay, show_output=show_output)
     done: list[FileReport] = []
     interrupted = False
     try:
         if len(given.paths) == 1:
-            done.append(_check_one(given.paths[0], loaded, options, command.fix))
+            done.append(_check_one(given.paths[0], loaded, options, fix))
         else:
-            _check_many(given.paths, loaded, options, command, done)
+            _check_many(given.paths, loaded, options, jobs or os.cpu_count() or 1, done, quiet=json_)
     except KeyboardInterrupt:
         interrupted = True
     order = {one.name: number for number, one in enumerate(name_submissions(given.paths))} if interrupted else {}
@@ -147,19 +119,19 @@ def check_submissions(command: CheckCommand) -> int:
     report = check_report(
         loaded.scenario.id,
         loaded.scenario.title,
-        command.sandbox,
+        sandbox,
         sorted(done, key=lambda file: order.get(file.file, 0)),
         [*given.left_out, *(LeftOut(file=name, reason=reason) for name in order if name not in names)],
         interrupted=interrupted,
     )
-    _publish(report, command, console_for(to_stderr=command.json))
+    _publish(report, html, console_for(to_stderr=json_), as_json=json_)
     if interrupted:
         raise KeyboardInterrupt
     return report.exit_code
 
 
-def submissions(given: list[Path]) -> Submissions:
-    """Return the submissions: of a folder full of archives each of them, everything else as it is.
+def _submissions(given: list[Path]) -> Submissions:
+    """The submissions: of a folder full of archives each of them, everything else as it is.
 
     Raises:
         CheckUsageError: one cannot be opened.
@@ -177,22 +149,6 @@ def submissions(given: list[Path]) -> Submissions:
             else:
                 find_submissions([path])
     return find_submissions(given)
-
-
-def _ensure_outputs(command: CheckCommand) -> None:
-    """Find out whether the files that are asked for can be written, before anything takes time.
-
-    Raises:
-        CheckUsageError: one cannot.
-    """
-    from rcj_challenges.checker.report_files import ensure_folder, ensure_page
-
-    if command.html is not None:
-        with _or_usage_error(command.html, "written"):
-            ensure_page(command.html)
-    if command.replays is not None and command.play:
-        with _or_usage_error(command.replays, "written"):
-            ensure_folder(command.replays)
 
 
 @contextmanager
@@ -222,16 +178,11 @@ def _check_one(path: Path, loaded: Loaded, options: CheckOptions, fix: Path | No
 
 
 def _check_many(
-    paths: list[Path], loaded: Loaded, options: CheckOptions, command: CheckCommand, done: list[FileReport]
+    paths: list[Path], loaded: Loaded, options: CheckOptions, jobs: int, done: list[FileReport], *, quiet: bool
 ) -> None:
     """Check several, and print a line for each when it is done.
 
-    Args:
-        paths: of the submissions.
-        loaded: the scenario.
-        options: what to do.
-        command: the options as given.
-        done: takes the reports: as they come, so that they survive an interruption, at the end in order.
+    ``done`` takes the reports: as they come, so that they survive an interruption, at the end in order.
     """
     from rcj_challenges.checker.many import check_many
     from rcj_challenges.checker.report_text import progress_line
@@ -241,32 +192,32 @@ def _check_many(
 
     def on_done(file: FileReport) -> None:
         done.append(file)
-        if not command.json:
+        if not quiet:
             print_progress(console, progress_line(len(done), len(paths), file))
 
-    done[:] = check_many(paths, loaded, options, command.jobs or os.cpu_count() or 1, on_done)
+    done[:] = check_many(paths, loaded, options, jobs, on_done)
 
 
-def _publish(report: CheckReport, command: CheckCommand, console: Console) -> None:
+def _publish(report: CheckReport, html: Path | None, console: Console, *, as_json: bool) -> None:
     """Print the report, and write the page if one is asked for: also if the report cannot be printed.
 
     Raises:
         CheckUsageError: the page cannot be written.
     """
     try:
-        if command.json:
+        if as_json:
             print_json(report.model_dump(mode="json"))
         else:
             from rcj_challenges.checker.report_text import print_report
 
             print_report(console, report)
     finally:
-        if command.html is not None:
+        if html is not None:
             from rcj_challenges.checker.report_files import write_page
             from rcj_challenges.checker.report_html import html_page
 
-            page = html_page(report, command.html.parent)
-            with _or_usage_error(command.html, "written"):
-                write_page(command.html, page)
-    if command.html is not None and not command.json:
-        print_lines(console, f"report: {sanitize(command.html)}")
+            page = html_page(report, html.parent)
+            with _or_usage_error(html, "written"):
+                write_page(html, page)
+    if html is not None and not as_json:
+        print_lines(console, f"report: {sanitize(html)}")

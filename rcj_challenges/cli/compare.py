@@ -4,47 +4,82 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Annotated, Any
 
-from rich.table import Table
+import typer
 
 from rcj_challenges.cli import OK, OUR_FAULT
-from rcj_challenges.cli.run_match import score_lines
-from rcj_challenges.cli.simulate import Progress, SimulateOptions, prepared
+from rcj_challenges.cli.app import app
+from rcj_challenges.cli.help import PLAY, Command
+from rcj_challenges.cli.options import (
+    AtOnce,
+    Duration,
+    Halves,
+    Json,
+    OutFolder,
+    Overrides,
+    Quiet,
+    Sandbox,
+    Seeds,
+    all_overrides,
+    complete_scenarios,
+    complete_teams,
+)
+from rcj_challenges.cli.simulate import Progress, prepared
 from rcj_challenges.cli.stdio import print_json, print_lines
 from rcj_challenges.cli.team_args import UsageError
 from rcj_challenges.core.amounts import counted, number_words
 from rcj_challenges.core.errors import RcjError
-from rcj_challenges.match import batch
-from rcj_challenges.match.batch import Job, Outcome
-from rcj_challenges.records.result import has_time_fault
-from rcj_challenges.scenario.load import load
-from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.views.console import console_for
+
+if TYPE_CHECKING:
+    from rcj_challenges.match.batch import Job, Outcome
+    from rcj_challenges.scenario.models.scenario import Scenario
 
 _VERSIONS = ("new", "old")
 _REPLAYS = 3
 
 
-def compare(new: str, old: str, against: str | None, options: SimulateOptions) -> int:
-    """Play both versions with all seeds and print the comparison; returns 0, or 3 if a match could not be played.
+@app.command(cls=Command, rich_help_panel=PLAY, epilog="rcj-challenge compare my_team old_team --against ball_chaser")
+def compare(
+    new: Annotated[str, typer.Argument(metavar="NEW", help="The changed team.", autocompletion=complete_teams)],
+    old: Annotated[str, typer.Argument(metavar="OLD", help="The team before.", autocompletion=complete_teams)],
+    against: Annotated[
+        str | None, typer.Option("--against", metavar="TEAM", help="The opponent.", autocompletion=complete_teams)
+    ] = None,
+    scenario: Annotated[
+        str, typer.Option("--scenario", metavar="SCENARIO", help="What is played.", autocompletion=complete_scenarios)
+    ] = "match",
+    seeds: Seeds = "1..20",
+    duration: Duration = None,
+    halves: Halves = None,
+    set_: Overrides = None,
+    out: OutFolder = Path("runs"),
+    at_once: AtOnce = None,
+    json_: Json = False,
+    quiet: Quiet = False,
+    sandbox: Sandbox = "auto",
+) -> int:
+    """Compare two versions of a team: same seeds, opponent and seat. Is the difference more than chance?"""
+    from rcj_challenges.scenario.load import load
 
-    Both have the seat of the scenario's last entrant. Matches that have a record in ``--out`` are not played again.
-
-    Raises:
-        RcjError: wrong input, or there is nothing to compare.
-    """
-    loaded = load(options.scenario, options.overrides)
+    overrides = all_overrides(set_, duration, halves)
+    loaded = load(scenario, overrides)
     *others, team = loaded.scenario.entrants
     if bool(others) != (against is not None):
         help_ = "give --against TEAM" if others else "leave out --against"
         message = f"{loaded.scenario.id} has {counted(len(others), 'opponent')}"
         raise UsageError(message, help_, code="option-does-not-fit")
-    teams = [[f"{team}={version}", *(f"{other}={against}" for other in others)] for version in (new, old)]
-    (new_jobs, new_known), (old_jobs, old_known) = (prepared(loaded, replace(options, teams=given)) for given in teams)
-    outcomes = _played([*new_jobs, *old_jobs], [*new_known.values(), *old_known.values()], options)
+    # Both have the seat of the scenario's last entrant.
+    (new_jobs, new_known), (old_jobs, old_known) = (
+        prepared(
+            loaded, scenario, seeds, [f"{team}={version}", *(f"{other}={against}" for other in others)], overrides, out,
+            sandbox,
+        )
+        for version in (new, old)
+    )  # fmt: skip
+    known = [*new_known.values(), *old_known.values()]
+    outcomes = _played([*new_jobs, *old_jobs], known, at_once or os.cpu_count() or 1, quiet=quiet or json_)
     failed = [outcome for outcome in outcomes.values() if outcome.result is None]
     played = [
         {"seed": one.seed, "new": outcomes[one].result, "old": outcomes[other].result}
@@ -55,24 +90,29 @@ def compare(new: str, old: str, against: str | None, options: SimulateOptions) -
         raise RcjError(failed[0].complaint)
     report = _report(played, team, loaded.scenario)
     report["failed"] = [{"seed": outcome.job.seed, "message": outcome.complaint[-2000:]} for outcome in failed]
-    print_json(report) if options.json else _print(report, {"new": new, "old": old})
+    print_json(report) if json_ else _print(report, {"new": new, "old": old})
     return OUR_FAULT if failed else OK
 
 
-def _played(jobs: Iterable[Job], known: Sequence[Outcome], options: SimulateOptions) -> dict[Job, Outcome]:
+def _played(jobs: Iterable[Job], known: Sequence[Outcome], at_once: int, *, quiet: bool) -> dict[Job, Outcome]:
     """Play what is not known; then, one at a time, what a busy computer may have spoilt."""
+    from rcj_challenges.match import batch
+    from rcj_challenges.records.result import has_time_fault
+    from rcj_challenges.views.console import console_for
+
     outcomes = {outcome.job: outcome for outcome in known}
     todo = [job for job in dict.fromkeys(jobs) if job not in outcomes]
     total = len(outcomes) + len(todo)
-    progress = Progress(console_for(to_stderr=True), total, known, quiet=options.quiet or options.json)
-    played = batch.play_many(todo, options.at_once or os.cpu_count() or 1, progress.done)
+    progress = Progress(console_for(to_stderr=True), total, known, quiet=quiet)
+    played = batch.play_many(todo, at_once, progress.done)
     again = [outcome.job for outcome in played if outcome.result is None or has_time_fault(outcome.result)]
     played += batch.play_many(again, 1, lambda _: None)
     return outcomes | {outcome.job: outcome for outcome in played}
 
 
 def _report(played: Sequence[dict[str, Any]], team: str, scenario: Scenario) -> dict[str, Any]:
-    """Return what is printed as JSON, after writing the replays of the seeds that differ most."""
+    """Write the replays of the seeds that differ most; return what is printed as JSON."""
+    from rcj_challenges.cli.run_report import score_lines
     from rcj_challenges.match.comparison import gains, sign_test, tally
     from rcj_challenges.views.replay import write_replay
 
@@ -96,6 +136,10 @@ def _report(played: Sequence[dict[str, Any]], team: str, scenario: Scenario) -> 
 
 
 def _print(report: dict[str, Any], paths: dict[str, str]) -> None:
+    from rich.table import Table
+
+    from rcj_challenges.views.console import console_for
+
     console = console_for()
     table = Table("", *report["new"])
     for version, path in paths.items():

@@ -13,24 +13,30 @@ from difflib import get_close_matches
 from importlib import import_module
 from importlib.util import find_spec
 from pkgutil import iter_modules
+from typing import Annotated
+
+import typer
 
 import rcj_challenges
+from rcj_challenges.cli.app import app
+from rcj_challenges.cli.help import WRITE, Command
 from rcj_challenges.cli.stdio import say
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 
 
-def explain(code: str | None) -> int:
-    """Print the page of a code, or all codes with their first sentence; returns 0.
-
-    Raises:
-        DiagnosticError: there is no such code.
-    """
-    pages = error_pages()
+@app.command(cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge explain each-never-named")
+def explain(
+    code: Annotated[
+        str | None, typer.Argument(metavar="CODE", help="A code, as in warning[each-never-named]; default: all.")
+    ] = None,
+) -> None:
+    """Explain the code of an error or a warning."""
+    pages = {name: page for of_room in pages_by_room().values() for name, page in of_room.items()}
     if code is None:
         width = max(map(len, pages))
         for name, page in sorted(pages.items()):
             say(f"{name:{width}}  {page.splitlines()[0]}", sys.stdout)
-        return 0
+        return
     if code not in pages:
         near = get_close_matches(code, pages, 1)
         hint = f"did you mean '{near[0]}'? " if near else ""
@@ -38,16 +44,10 @@ def explain(code: str | None) -> int:
             Diagnostic("unknown-code", f"unknown code '{code}'", f"{hint}rcj-challenge explain lists all codes")
         )
     say(f"{code}\n\n{pages[code]}", sys.stdout)
-    return 0
-
-
-def error_pages() -> dict[str, str]:
-    """Return the page of each code."""
-    return {code: page for pages in pages_by_room().values() for code, page in pages.items()}
 
 
 def pages_by_room() -> dict[str, Mapping[str, str]]:
-    """Return the pages of each room that has some."""
+    """Pages of each room that has some."""
     names = sorted(module.name for module in iter_modules(rcj_challenges.__path__) if module.ispkg)
     modules = {name: f"{rcj_challenges.__name__}.{name}.error_pages" for name in names}
     return {name: import_module(module).PAGES for name, module in modules.items() if find_spec(module) is not None}

@@ -36,6 +36,10 @@ class Command(TyperCommand):
         parsed: list[str] = super().parse_args(ctx, args)
         return parsed
 
+    def invoke(self, ctx: Any) -> Any:
+        """Run it; what it returns is the exit code."""
+        ctx.exit(super().invoke(ctx) or 0)
+
     def format_options(self, ctx: Any, formatter: Any) -> None:
         """Write arguments and options; of arguments only the names, whose types say no more than these."""
         arguments, options = [], []

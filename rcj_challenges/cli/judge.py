@@ -6,13 +6,13 @@ import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from rcj_challenges.cli.completion import complete_scenarios
+from rcj_challenges.cli.app import app
 from rcj_challenges.cli.help import ORGANIZE, Command
-from rcj_challenges.cli.options import Json, Overrides, Runs, RunsFolder
+from rcj_challenges.cli.options import Json, Overrides, Runs, RunsFolder, complete_scenarios
 from rcj_challenges.cli.stdio import print_json, print_lines
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.diagnostics import render_error
@@ -27,29 +27,6 @@ if TYPE_CHECKING:
 
 _MAX_SHOWN = 40
 """Lines about events that differ: a rule that changes the score changes the payloads of all later goals."""
-
-
-class JudgeOptions(NamedTuple):
-    """The options of the command line.
-
-    Attributes:
-        runs: records' folders, or how their names begin; None for the newest.
-        out: where records are.
-        scenario: by which to judge; None: that of the record.
-        overrides: ``PATH=VALUE`` each.
-        as_json: print one JSON object and nothing else.
-    """
-
-    runs: Sequence[Path | None]
-    out: Path
-    scenario: str | None
-    overrides: Sequence[str]
-    as_json: bool
-
-    @property
-    def other_rules(self) -> bool:
-        """Whether it is judged by other rules than its own."""
-        return self.scenario is not None or bool(self.overrides)
 
 
 @dataclass(frozen=True)
@@ -71,17 +48,10 @@ class _Judged:
         return (self.score, ranking) == (self.judgement.scores, self.judgement.ranking)
 
 
-def register(app: typer.Typer) -> None:
-    """Add the command."""
-    app.command(
-        "judge",
-        cls=Command,
-        rich_help_panel=ORGANIZE,
-        epilog="rcj-challenge judge\nrcj-challenge judge --set ball_progress_s=15",
-    )(_judge)
-
-
-def _judge(
+@app.command(
+    cls=Command, rich_help_panel=ORGANIZE, epilog="rcj-challenge judge\nrcj-challenge judge --set ball_progress_s=15"
+)
+def judge(
     runs: Runs = None,
     scenario: Annotated[
         str | None,
@@ -95,63 +65,56 @@ def _judge(
     set_: Overrides = None,
     out: RunsFolder = Path("runs"),
     json_: Json = False,
-) -> None:
+) -> int:
     """Judge recorded matches again, by their own rules or by changed ones, and report differences.
 
     The poses stay those of the record; no program runs. Exit status 0: judged; 1: a record's own rules give a different
     verdict than recorded; 2: a record or a scenario cannot be used.
     """
-    raise typer.Exit(judge(JudgeOptions(runs or [None], out, scenario, set_ or [], json_)))
-
-
-def judge(options: JudgeOptions) -> int:
-    """Judge records again and print what comes out; returns the exit code.
-
-    Raises:
-        RcjError: the scenario that is to judge them cannot be used.
-    """
     from rcj_challenges.scenario.load import load
     from rcj_challenges.views.console import console_for
     from rcj_challenges.views.replay.browse import find_run
 
-    scenario = load(options.scenario, options.overrides).scenario if options.scenario is not None else None
+    overrides = set_ or []
+    rules = None if scenario is None else load(scenario, overrides).scenario
+    has_other_rules = scenario is not None or bool(overrides)
     console, code = console_for(), 0
     records: list[dict[str, Any]] = []
-    for run in options.runs:
+    for run in runs or (None,):
         name = None if run is None else run.name
         try:
-            folder = find_run(run, options.out)
+            folder = find_run(run, out)
             name = folder.name
-            judged = _judge_one(folder, options, scenario)
+            judged = _judge_one(folder, rules, overrides)
         except RcjError as error:
             code = RcjError.exit_code
             records.append({"record": name, "problem": str(error), "code": error.code, "help": error.help})
             sys.stderr.write(f"{render_error(error)}\n")
             continue
-        if not (judged.is_as_recorded or options.other_rules):
+        if not (judged.is_as_recorded or has_other_rules):
             code = max(code, 1)
         records.append(_as_json(judged))
-        if not options.as_json:
-            print_lines(console, *_lines(judged, options))
-    if options.as_json:
-        print_json({"other_rules": options.other_rules, "records": records})
+        if not json_:
+            print_lines(console, *_lines(judged, has_other_rules=has_other_rules))
+    if json_:
+        print_json({"other_rules": has_other_rules, "records": records})
     else:
-        print_lines(console, *_closing(records, options))
+        print_lines(console, *_closing(records, has_other_rules=has_other_rules))
     return code
 
 
-def _closing(records: Sequence[dict[str, Any]], options: JudgeOptions) -> Iterator[str]:
+def _closing(records: Sequence[dict[str, Any]], *, has_other_rules: bool) -> Iterator[str]:
     """Yield the last lines: how many scores differ, and that poses stay."""
     judged = [one for one in records if one["problem"] is None]
     if len(records) > 1:
         other = sum(one["recorded"]["score"] != one["judged"]["score"] for one in judged)
         left = f"; {len(records) - len(judged)} could not be judged" if len(judged) < len(records) else ""
         yield f"{counted(len(judged), 'record')} judged, {other} of them with another score{left}"
-    if judged and options.other_rules:
+    if judged and has_other_rules:
         yield "Poses remain those of the record: things that these rules would move stay where they were."
 
 
-def _judge_one(folder: Path, options: JudgeOptions, scenario: Scenario | None) -> _Judged:
+def _judge_one(folder: Path, scenario: Scenario | None, overrides: Sequence[str]) -> _Judged:
     from rcj_challenges.match.rejudge import differences, recorded, rejudge
     from rcj_challenges.records.recorded_scenario import read_scenario, read_unresolved
     from rcj_challenges.records.referee_log import log_of_result, read_referee_log
@@ -163,8 +126,8 @@ def _judge_one(folder: Path, options: JudgeOptions, scenario: Scenario | None) -
     result = read_result(folder)
     if scenario is None:
         scenario = read_scenario(folder)
-        if options.overrides:
-            scenario = load_recorded(dumped(scenario), read_unresolved(folder), options.overrides).scenario
+        if overrides:
+            scenario = load_recorded(dumped(scenario), read_unresolved(folder), overrides).scenario
     trajectory = Trajectory.open(folder)
     judgement = rejudge(trajectory, scenario)
     log = read_referee_log(folder)
@@ -197,7 +160,7 @@ def _as_json(judged: _Judged) -> dict[str, Any]:
     }
 
 
-def _lines(judged: _Judged, options: JudgeOptions) -> Iterator[str]:
+def _lines(judged: _Judged, *, has_other_rules: bool) -> Iterator[str]:
     """Yield the lines about a judgement: scores, then each event that differs."""
     from rcj_challenges.views.naming import changes_sides
     from rcj_challenges.views.score_lines import score_line
@@ -223,7 +186,7 @@ def _lines(judged: _Judged, options: JudgeOptions) -> Iterator[str]:
     changed = len(found) - missing - new
     otherwise = f", {missing} only in the record, {new} only now, {changed} changed" if found else ""
     yield f"  {'' if found else 'all '}{counted(judged.alike, 'event')} as recorded{otherwise}"
-    if not (judged.is_as_recorded or options.other_rules):
+    if not (judged.is_as_recorded or has_other_rules):
         yield "  By its own rules the same should come out: were its files changed, or did another version play it?"
 
 

@@ -1,4 +1,7 @@
-"""``rcj-challenge new``: a commented starter, and a program that plays it. Nothing is ever overwritten."""
+"""``rcj-challenge new``: a commented challenge with a program that plays it, or a team that plays.
+
+Nothing is ever overwritten.
+"""
 
 from __future__ import annotations
 
@@ -7,20 +10,31 @@ import os
 import re
 import sys
 from pathlib import Path
+from typing import Annotated
 
+import typer
+
+from rcj_challenges.cli.app import app
+from rcj_challenges.cli.help import WRITE, Command
 from rcj_challenges.cli.stdio import shell_quoted
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.errors import RcjError, format_error, room_help
 from rcj_challenges.core.files import is_device_of_windows
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.scenario.errors import choice_of
-from rcj_challenges.scenario.json_schema import FILE
 from rcj_challenges.scenario.resources import names_in, starters_folder
 
 _CHOOSE = "choose another name, such as relay_race"
-_LONGEST_ID = 64
-_LONGEST_TITLE = 120
+_MAX_ID_LENGTH = 64
+_MAX_TITLE_LENGTH = 120
 _NO_LETTER = re.compile("[\x00-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff\ufeff\ufffe\uffff]")
 """What cannot stand in a line of YAML, where the file names itself: line breaks, control characters, lone bytes."""
+_TEAM_FILES = {
+    "robot.py": "robot.txt",
+    "README.md": "README.md",
+    ".vscode/launch.json": "vscode/launch.json",
+    ".vscode/tasks.json": "vscode/tasks.json",
+}
 
 
 class StarterError(RcjError):
@@ -29,15 +43,74 @@ class StarterError(RcjError):
     CODE = "bad-name"
 
 
-def new_scenario(name: str, preset: str) -> int:
+@app.command(
+    cls=Command,
+    rich_help_panel=WRITE,
+    epilog="rcj-challenge new team my_team\nrcj-challenge new challenge relay_race",
+)
+def new(
+    words: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="[team|challenge] NAME", help="What, and its name or path; one name alone: a challenge."
+        ),
+    ],
+    preset: Annotated[
+        str | None,
+        typer.Option(
+            "--from",
+            metavar="PRESET",
+            help="Field and robots of a challenge: soccersim_v2 (default), soccersim_2021 or empty_field.",
+        ),
+    ] = None,
+) -> None:
+    """Write a new team, or a challenge with a first program for it; nothing is overwritten."""
+    kind, name = ("challenge", words[0]) if len(words) == 1 else (words[0], words[-1])
+    if kind not in ("team", "challenge") or len(words) > 2 or words in (["team"], ["challenge"]):
+        asked = "rcj-challenge new team NAME, or rcj-challenge new challenge NAME"
+        raise DiagnosticError(Diagnostic("bad-arguments", "new takes one name, and before it what it is", asked))
+    if kind == "team" and preset is not None:
+        raise DiagnosticError(Diagnostic("option-does-not-fit", "--from is for challenges", "leave it out"))
+    if kind == "team":
+        _write_team(name)
+    else:
+        _write_challenge(name, preset or "soccersim_v2")
+
+
+def _write_team(name: str) -> None:
+    """Write a team's folder with what VS Code needs to run and debug it; print what to do with it.
+
+    Raises:
+        StarterError: the name is none, or there is something of that name.
+    """
+    folder = Path(name)
+    _refuse_name(folder.name, name)
+    _refuse_existing(folder)
+    title = " ".join(folder.name.replace("_", " ").replace("-", " ").split()).capitalize()
+    words = {
+        "TEAM_NAME": title,
+        "TEAM_FOLDER": shell_quoted(folder.name),
+        "TEAM_ZIP": shell_quoted(f"{folder.name}.zip"),
+    }
+    for target, source in _TEAM_FILES.items():
+        text = (starters_folder() / "team" / source).read_text(encoding="utf-8")
+        for word, value in words.items() if target == "README.md" else ():
+            text = text.replace(word, value)
+        write_new(folder / target, text)
+    write_new(folder / "team_name.txt", f"{title}\n")
+    sys.stdout.write(f"""{folder}
+Now:
+  rcj-challenge run match --yellow {shell_quoted(folder)} --blue ball_chaser --duration 1:00 --open
+  rcj-challenge check {shell_quoted(folder)}
+""")
+
+
+def _write_challenge(name: str, preset: str) -> None:
     """Write a starter scenario and a folder with its first program; print what to do with them.
 
     Args:
         name: its name or path, with or without ``.yaml``.
         preset: on which preset it stands.
-
-    Returns:
-        0.
 
     Raises:
         StarterError: there is no such preset, the name is none, or a file of that name exists.
@@ -46,12 +119,12 @@ def new_scenario(name: str, preset: str) -> int:
     if preset not in known:
         raise StarterError(f"unknown preset '{preset}'", choice_of(preset, known), code="unknown-preset")
     file = Path(name if name.endswith((".yaml", ".yml")) else f"{name}.yaml")
-    refuse_name("" if file.name in (".yaml", ".yml") else file.name, name)
+    _refuse_name("" if file.name in (".yaml", ".yml") else file.name, name)
     short = _identifier(file.stem)
     program = file.with_name(f"{file.stem}_team") / "robot.py"
-    refuse_existing(file, program)
+    _refuse_existing(file, program)
     text = (starters_folder() / f"{preset}.yaml").read_text(encoding="utf-8")
-    title = " ".join(part for part in re.split(r"[-_\s]+", file.stem) if part).capitalize()[:_LONGEST_TITLE]
+    title = " ".join(part for part in re.split(r"[-_\s]+", file.stem) if part).capitalize()[:_MAX_TITLE_LENGTH]
     written = {
         "id: starter": f"id: {short}",
         "title: Starter": f"title: {json.dumps(title, ensure_ascii=False)}",
@@ -70,10 +143,9 @@ Now:
   rcj-challenge draw {shell_quoted(file)} --out {shell_quoted(file.with_suffix(".svg"))}
   rcj-challenge run {shell_quoted(file)} --yellow {shell_quoted(program.parent)}
 """)
-    return 0
 
 
-def refuse_name(file: str, given: str) -> None:
+def _refuse_name(file: str, given: str) -> None:
     """Refuse a name that a file cannot have everywhere, or that cannot stand in a line of YAML.
 
     Args:
@@ -92,7 +164,7 @@ def refuse_name(file: str, given: str) -> None:
         raise StarterError(f"'{sanitize(given)}' has a line break, a control character or stray bytes in it", _CHOOSE)
 
 
-def refuse_existing(*paths: Path) -> None:
+def _refuse_existing(*paths: Path) -> None:
     """Refuse to write where something is.
 
     Raises:
@@ -105,10 +177,12 @@ def refuse_existing(*paths: Path) -> None:
 
 
 def _schema_seen_from(file: Path) -> str:
-    """Return where ``schema``, typed in the current folder, writes its file, as seen from the scenario's folder.
+    """The place where ``schema``, typed in the current folder, writes its file, as seen from the scenario's folder.
 
     Of a scenario outside the current folder it is the place beside it.
     """
+    from rcj_challenges.scenario.json_schema import FILE
+
     try:
         depth = len(Path(os.path.abspath(file.parent)).relative_to(Path.cwd()).parts)  # noqa: PTH100 - links stay
     except ValueError:
@@ -117,11 +191,11 @@ def _schema_seen_from(file: Path) -> str:
 
 
 def _identifier(stem: str) -> str:
-    """Return a file's stem as a name: letters, digits and _, not beginning with a digit."""
-    found = re.sub(r"[^A-Za-z0-9_]+", "_", stem).strip("_")[:_LONGEST_ID]
+    """A file's stem as a name: letters, digits and _, not beginning with a digit."""
+    found = re.sub(r"[^A-Za-z0-9_]+", "_", stem).strip("_")[:_MAX_ID_LENGTH]
     if not found:
         raise StarterError(f"'{stem}' has no letter a to z and no digit in it", _CHOOSE)
-    return f"_{found}"[:_LONGEST_ID] if found[0].isdigit() else found
+    return f"_{found}"[:_MAX_ID_LENGTH] if found[0].isdigit() else found
 
 
 def write_new(path: Path, text: str) -> None:

@@ -1,13 +1,37 @@
-"""Options that several commands share."""
+"""Options that several commands share, their completion by the shell, and what their values mean."""
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from rcj_challenges.cli.completion import complete_scenarios, complete_seats, complete_teams
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+
+_DURATION = re.compile(r"(?:(?P<minutes>[0-9]+):(?=[0-5]?[0-9](?:\.|$)))?(?P<seconds>[0-9]+(?:\.[0-9]+)?|\.[0-9]+)s?")
+
+
+def complete_scenarios(incomplete: str) -> list[str]:
+    """Names of shipped scenarios; if none fits, the shell offers files."""
+    from rcj_challenges.scenario.resources import shipped_scenarios
+
+    return [name for name in shipped_scenarios() if name.startswith(incomplete)]
+
+
+def complete_teams(incomplete: str) -> list[str]:
+    """Names of sample teams."""
+    from rcj_challenges.scenario.resources import shipped_teams
+
+    return [name for name in shipped_teams() if name.startswith(incomplete)]
+
+
+def complete_seats(incomplete: str) -> list[str]:
+    """``ENTRANT=TEAM`` for the sample teams, once the entrant is typed."""
+    seat, equals, name = incomplete.partition("=")
+    return [f"{seat}={team}" for team in complete_teams(name)] if equals else []
+
 
 Overrides = Annotated[
     list[str] | None,
@@ -64,14 +88,29 @@ ScenarioName = Annotated[
 
 
 def all_teams(given: list[str] | None, blue: list[str] | None, yellow: list[str] | None) -> list[str]:
-    """Return the teams as ``ENTRANT=PATH``, the short options ``--blue`` and ``--yellow`` included."""
+    """Teams as ``ENTRANT=PATH``, the short options ``--blue`` and ``--yellow`` included."""
     short = (f"{seat}={path}" for seat, paths in (("blue", blue), ("yellow", yellow)) for path in paths or ())
     return [*(given or ()), *short]
 
 
 def all_overrides(given: list[str] | None, duration: str | None, halves: int | None) -> list[str]:
-    """Return the overrides of the scenario as ``PATH=VALUE``, the short options included."""
-    from rcj_challenges.cli.durations import parse_duration
+    """Overrides of the scenario as ``PATH=VALUE``, the short options included.
 
-    short = (("half_s", None if duration is None else parse_duration("--duration", duration)), ("halves", halves))
+    Raises:
+        DiagnosticError: ``duration`` is no time.
+    """
+    half_s = None if duration is None else parse_duration(duration)
+    short = (("half_s", half_s), ("halves", halves))
     return [*(given or ()), *(f"match.{name}={value}" for name, value in short if value is not None)]
+
+
+def parse_duration(text: str) -> float:
+    """Return the seconds of ``90``, ``90s`` or ``1:30``.
+
+    Raises:
+        DiagnosticError: it is no time.
+    """
+    found = _DURATION.fullmatch(text.strip())
+    if found is None:
+        raise DiagnosticError(Diagnostic("bad-duration", f"--duration {text}: not a time", "write 90, 90s or 1:30"))
+    return int(found["minutes"] or 0) * 60 + float(found["seconds"])

@@ -65,8 +65,8 @@ def file_for_terminal(name: str) -> Path | None:
     return Path(name)
 
 
-def deliver(content: str | bytes, out: Path | None, *, make_folder: bool = False) -> int:
-    """Write a document to a file, whose folder may be made, and print where; or to standard output. Returns 0.
+def deliver(content: str | bytes, out: Path | None, *, make_folder: bool = False) -> None:
+    """Write a document to a file, whose folder may be made, and print where; or to standard output.
 
     Raises:
         OutputError: it cannot be written.
@@ -78,7 +78,7 @@ def deliver(content: str | bytes, out: Path | None, *, make_folder: bool = False
         else:  # UTF-8, as in files
             sys.stdout.flush()
             sys.stdout.buffer.write(document.encode("utf-8"))
-        return 0
+        return
     try:
         if make_folder:
             out.parent.mkdir(parents=True, exist_ok=True)
@@ -87,4 +87,3 @@ def deliver(content: str | bytes, out: Path | None, *, make_folder: bool = False
     except OSError as error:
         raise OutputError(f"{out}: cannot be written: {format_error(error)}", room_help(error)) from error
     sys.stdout.write(f"{out}\n")
-    return 0

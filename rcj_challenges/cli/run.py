@@ -1,14 +1,18 @@
-"""``rcj-challenge run``: its options."""
+"""``rcj-challenge run``: plays a scenario."""
 
 from __future__ import annotations
 
+import os
+from importlib.util import find_spec
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
+from rcj_challenges.cli import INTERRUPTED, OK
+from rcj_challenges.cli.app import app
 from rcj_challenges.cli.help import PLAY
-from rcj_challenges.cli.live import LiveOptions, RunCommand
+from rcj_challenges.cli.live import RunCommand, live_speed, on_air, stay_on_air
 from rcj_challenges.cli.options import (
     Blue,
     Duration,
@@ -23,19 +27,25 @@ from rcj_challenges.cli.options import (
     all_overrides,
     all_teams,
 )
+from rcj_challenges.cli.stdio import print_lines, require_layers, shown_path
+from rcj_challenges.cli.team_args import UsageError, assignments, known, open_teams
+from rcj_challenges.core.errors import interruption_behind
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from rich.console import Console
+
+    from rcj_challenges.scenario.load import Loaded
 
 
-def register(app: typer.Typer) -> None:
-    """Add the command."""
-    app.command(
-        cls=RunCommand,
-        rich_help_panel=PLAY,
-        epilog="rcj-challenge run match --duration 1:00 --open\n"
-        "rcj-challenge run match --yellow my_team --blue ball_chaser\n"
-        "rcj-challenge run match --yellow my_team --debug Y1",
-    )(run)
-
-
+@app.command(
+    cls=RunCommand,
+    rich_help_panel=PLAY,
+    epilog="rcj-challenge run match --duration 1:00 --open\n"
+    "rcj-challenge run match --yellow my_team --blue ball_chaser\n"
+    "rcj-challenge run match --yellow my_team --debug Y1",
+)
 def run(
     scenario: ScenarioName,
     team: Teams = None,
@@ -93,30 +103,118 @@ def run(
     open_: Annotated[
         bool, typer.Option("--open", help="Open the page in the browser: after the match, with --live before it.")
     ] = False,
-) -> None:
+) -> int:
     """Play a scenario with the teams' programs."""
-    from rcj_challenges.cli.run_match import RunOptions, run_scenario
+    teams, overrides = all_teams(team, blue, yellow), all_overrides(set_, duration, halves)
+    factor = live_speed(live, speed, live_for)
+    _refuse_contradictions(debug or (), json_=json_, opens_no_page=open_ and live is None and not replay)
+    # MuJoCo would load a window system's library, 50 ms, and a match draws nothing.
+    os.environ.setdefault("MUJOCO_GL", "disable")
+    try:
+        from rcj_challenges.cli.output_paths import refuse_devices
+        from rcj_challenges.scenario.load import load
 
-    raise typer.Exit(
-        run_scenario(
-            RunOptions(
-                scenario=scenario,
-                teams=all_teams(team, blue, yellow),
-                team_names=team_name or [],
-                seed=seed,
-                match_id=match_id,
-                overrides=all_overrides(set_, duration, halves),
-                out=out,
-                json=json_,
-                quiet=quiet,
-                real_time=real_time,
-                show_output=frozenset(show_output or ()),
-                debug=frozenset(debug or ()),
-                sandbox=sandbox,
-                replay=replay,
-                record_sensors=record == "sensors",
-                open=open_,
-                live=LiveOptions.of(live, speed, live_for, open_=open_),
-            )
+        refuse_devices(out=out)
+        loaded = load(scenario, overrides)
+        if not quiet:
+            require_layers(sandbox)
+        _refuse_unknown_robots(loaded, *(show_output or ()), *(debug or ()))
+        # The physics is imported here, before the match begins: opening teams is quick, compiling is not.
+        from rcj_challenges.match.runner import MatchInterruptedError, MatchPlan, play_match
+        from rcj_challenges.views.console import console_for
+        from rcj_challenges.views.scoreboard import create_observer
+
+        console = console_for(to_stderr=json_)
+        plan = MatchPlan(
+            loaded=loaded,
+            teams=open_teams(loaded, teams),
+            team_names=_team_names(loaded, team_name or []),
+            seed=seed,
+            match_id=match_id,
+            out=out,
+            sandbox=sandbox,
+            real_time=real_time,
+            show_output=frozenset(() if json_ else show_output or ()),
+            debug=frozenset(debug or ()),
+            record_sensors=record == "sensors",
         )
-    )
+        observer = create_observer(console, loaded.scenario, quiet=quiet or json_, shared=bool(debug))
+        if debug and find_spec("debugpy") is None:
+            help_ = 'to stop in VS Code too: pip install "rcj-challenges[debug]"'
+            print_lines(console, f"debug: breakpoint() stops in this terminal; {help_}")
+    except KeyboardInterrupt as error:
+        raise KeyboardInterrupt("the match had not begun, and nothing is recorded") from error
+    from rcj_challenges.cli.run_report import MatchReport, has_ticks
+    from rcj_challenges.match.motionless import MotionlessObserver
+    from rcj_challenges.match.observers import ObserverGroup
+
+    report = MatchReport(plan, console, as_json=json_, with_page=replay)
+    try:
+        with on_air(live, factor, plan, console, open_=open_) as show:
+            motionless = MotionlessObserver(loaded.scenario)
+            outcome = play_match(plan, ObserverGroup(observer, motionless, *(() if show is None else (show.observer,))))
+            try:
+                report.played(outcome, motionless.robots(), getattr(observer, "trouble", None))
+            except BaseException as error:
+                if interruption_behind(error) is None:
+                    raise
+                raise MatchInterruptedError(outcome, "") from error
+            if open_ and live is None and has_ticks(outcome):
+                _open_page(outcome.folder, console)
+            if show is not None:
+                show.match_over(outcome.folder)
+                stay_on_air(show, live_for, console)
+    except MatchInterruptedError as error:
+        report.interrupted(error)
+        return INTERRUPTED
+    finally:
+        for opened in plan.teams.values():
+            opened.close()
+    return OK
+
+
+def _refuse_contradictions(debugged: Sequence[str], *, json_: bool, opens_no_page: bool) -> None:
+    """Refuse options that contradict each other.
+
+    Raises:
+        UsageError: says which, and why they do not go together.
+    """
+    one, code = "give one of them", "options-contradict"
+    if opens_no_page:
+        raise UsageError("--open opens the page of the match, and --no-replay leaves it out", one, code=code)
+    if debugged and json_:
+        message = "--debug gives a program the terminal, and --json prints the result there and nothing else"
+        raise UsageError(message, f"{one}; result.json in the record has the same", code=code)
+    if len(set(debugged)) > 1:
+        robots = ", ".join(sorted(set(debugged)))
+        raise UsageError("--debug is given more than once", f"give it for one of {robots}", code="option-given-twice")
+
+
+def _refuse_unknown_robots(loaded: Loaded, *given: str) -> None:
+    robots = frozenset(robot for entrant in loaded.scenario.entrants.values() for robot in entrant.robots)
+    for robot in given:
+        known(robot, robots, "robot")
+
+
+def _team_names(loaded: Loaded, given: list[str]) -> dict[str, str]:
+    """Names that override the teams' own, made safe to show as those are.
+
+    Raises:
+        UsageError: one names no entrant, or has nothing that can be shown.
+    """
+    from rcj_challenges.submissions.team import safe_name
+
+    assigned = assignments(given, loaded.scenario.entrants, "--team-name")
+    names = {seat: safe_name(name) for seat, name in assigned.items()}
+    for seat, name in names.items():
+        if not name:
+            raise UsageError(f"--team-name {seat}=…: nothing of this name can be shown", code="bad-team-name")
+    return names
+
+
+def _open_page(folder: Path, console: Console) -> None:
+    from rcj_challenges.views.replay.browse import open_replay
+
+    page, opened = open_replay(folder)
+    if not opened:
+        print_lines(console, f"no browser could be started here: open {shown_path(page)} in one")

@@ -4,38 +4,40 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
+from typing import Annotated
 
+import typer
+
+from rcj_challenges.cli.app import app
+from rcj_challenges.cli.help import WRITE, Command
 from rcj_challenges.cli.output_paths import deliver, refuse_devices
-from rcj_challenges.scenario import json_schema as of_scenarios
-from rcj_challenges.scenario.resources import schemas_folder
-from rcj_challenges.tournament import json_schema as of_tournaments
 
 
-def write_schema(out: Path | None, *, of_tournament: bool = False) -> int:
-    """Write a schema and print where; returns 0.
+@app.command(cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge schema --out scenario.schema.json")
+def schema(
+    out: Annotated[
+        Path | None,
+        typer.Option("--out", metavar="FILE", help="Where to write it; default: schemas/scenario.schema.json."),
+    ] = None,
+    tournament: Annotated[bool, typer.Option("--tournament", help="The schema of tournament files instead.")] = False,
+    check: Annotated[bool, typer.Option("--check", help="Write nothing; exit 1 if a shipped one is stale.")] = False,
+) -> int:
+    """Write the JSON schema of scenario files or of tournament files, for completion in editors."""
+    from rcj_challenges.scenario import json_schema as of_scenarios
+    from rcj_challenges.scenario.resources import schemas_folder
+    from rcj_challenges.tournament import json_schema as of_tournaments
 
-    Args:
-        out: the file; None: the one that is shipped, in ``schemas/`` below the current directory.
-        of_tournament: write that of tournament files, not of scenario files.
-
-    Raises:
-        OutputError: the file cannot be written.
-        OutputNameError: it is the name of a device.
-    """
-    refuse_devices(out=out)
-    schema = of_tournaments if of_tournament else of_scenarios
-    file = Path("schemas") / schema.FILE if out is None else out
-    return deliver(schema.schema_text(), file, make_folder=True)
-
-
-def check_schema() -> int:
-    """Print whether the shipped schemas are up to date: 0 if so, else 1."""
+    if not check:
+        refuse_devices(out=out)
+        chosen = of_tournaments if tournament else of_scenarios
+        deliver(chosen.schema_text(), Path("schemas") / chosen.FILE if out is None else out, make_folder=True)
+        return 0
     code = 0
-    for schema, command in ((of_scenarios, "schema"), (of_tournaments, "schema --tournament")):
-        if schema.schema_is_fresh():
-            sys.stdout.write(f"{schema.FILE} is fresh\n")
+    for one, command in ((of_scenarios, "schema"), (of_tournaments, "schema --tournament")):
+        if one.schema_is_fresh():
+            sys.stdout.write(f"{one.FILE} is fresh\n")
         else:
-            stale = f"{schemas_folder().name}/{schema.FILE} is stale: write it with `rcj-challenge {command}`\n"
+            stale = f"{schemas_folder().name}/{one.FILE} is stale: write it with `rcj-challenge {command}`\n"
             sys.stderr.write(stale)
             code = 1
     return code

@@ -3,37 +3,53 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Annotated
 
+import typer
+
+from rcj_challenges.cli.app import app
+from rcj_challenges.cli.help import WRITE, Command
+from rcj_challenges.cli.options import Overrides, ScenarioName
 from rcj_challenges.cli.output_paths import OutputError, check_ending, deliver, file_for_terminal
 
 _HTML = (".html", ".htm")
 
 
-def sheet(scenario: str, out: Path | None, overrides: list[str]) -> int:
-    """Write the rule sheet of a scenario: HTML if the file is called ``.html``, Markdown if ``.md``.
-
-    HTML has the drawing in it. Beside Markdown it is a file of its own: sites that show Markdown show no inline SVG.
-
-    Raises:
-        RcjError: wrong input; also a file that is called otherwise, or that cannot be written.
-    """
+@app.command(cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge sheet relay_race.yaml --out relay_race.html")
+def sheet(
+    scenario: ScenarioName,
+    out: Annotated[
+        Path | None,
+        typer.Option(
+            "--out",
+            "-o",
+            metavar="FILE",
+            help=".html, or .md with an .svg beside it; default: an .html on a terminal, else Markdown.",
+        ),
+    ] = None,
+    set_: Overrides = None,
+) -> None:
+    """Write the rule sheet for the teams."""
     from rcj_challenges.scenario.load import load
     from rcj_challenges.views.sheet import sheet_html, sheet_markdown
 
     check_ending(out, (".md", *_HTML), "its name must end in .md or .html")
-    loaded = load(scenario, overrides)
+    loaded = load(scenario, set_ or [])
     out = out or file_for_terminal(f"{loaded.scenario.id}.html")
     if out is None:
-        return deliver(sheet_markdown(loaded.scenario, loaded.roster), None)
+        deliver(sheet_markdown(loaded.scenario, loaded.roster), None)
+        return
     if out.suffix.lower() in _HTML:
-        return deliver(sheet_html(loaded.scenario, loaded.roster), out)
+        deliver(sheet_html(loaded.scenario, loaded.roster), out)
+        return
     from urllib.parse import quote
 
     from rcj_challenges.views.drawing import draw_scenario
 
+    # A file of its own: sites that show Markdown show no inline SVG.
     drawing = out.with_suffix(".svg")
     shown = f"![The field]({quote(drawing.name)})"
     if drawing.exists() and not (out.is_file() and shown.encode() in out.read_bytes()):  # of no earlier sheet
         raise OutputError(f"{drawing} exists already; nothing was written", "choose another --out", code="file-exists")
     deliver(draw_scenario(loaded.scenario, loaded.roster), drawing)
-    return deliver(sheet_markdown(loaded.scenario, loaded.roster, shown), out)
+    deliver(sheet_markdown(loaded.scenario, loaded.roster, shown), out)

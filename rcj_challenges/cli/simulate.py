@@ -8,13 +8,30 @@ import statistics
 import time
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.cli import OK, OUR_FAULT, WRONG_INPUT
-from rcj_challenges.cli.sandbox import require_layers
-from rcj_challenges.cli.stdio import print_json, print_progress
+from rcj_challenges.cli.app import app
+from rcj_challenges.cli.help import PLAY, Command
+from rcj_challenges.cli.options import (
+    AtOnce,
+    Blue,
+    Duration,
+    Halves,
+    Json,
+    OutFolder,
+    Overrides,
+    Quiet,
+    Sandbox,
+    ScenarioName,
+    Seeds,
+    Teams,
+    Yellow,
+    all_overrides,
+    all_teams,
+)
+from rcj_challenges.cli.stdio import print_json, print_progress, require_layers
 from rcj_challenges.cli.team_args import open_teams
 from rcj_challenges.core.amounts import counted, number_words, times
 from rcj_challenges.core.errors import RcjError
@@ -40,64 +57,64 @@ class SeedsError(RcjError):
     CODE = "bad-seeds"
 
 
-@dataclass(frozen=True)
-class SimulateOptions:
-    """The options of ``simulate``, as given."""
-
-    scenario: str
-    seeds: str
-    teams: list[str]
-    overrides: list[str]
-    out: Path
-    at_once: int | None
-    json: bool
-    quiet: bool
-    sandbox: str = "auto"
-
-
-def simulate(options: SimulateOptions) -> int:
-    """Play all seeds; returns 0, else 3 if one could not be played, or 2 if that is for the input or this computer.
-
-    What was played is printed in any case.
-
-    Raises:
-        RcjError: wrong input, so that none was played.
-    """
+@app.command(
+    cls=Command,
+    rich_help_panel=PLAY,
+    epilog="rcj-challenge simulate match --seeds 1..20 --yellow my_team --blue ball_chaser",
+)
+def simulate(
+    scenario: ScenarioName,
+    seeds: Seeds = "1..10",
+    team: Teams = None,
+    blue: Blue = None,
+    yellow: Yellow = None,
+    duration: Duration = None,
+    halves: Halves = None,
+    set_: Overrides = None,
+    out: OutFolder = Path("runs"),
+    at_once: AtOnce = None,
+    json_: Json = False,
+    quiet: Quiet = False,
+    sandbox: Sandbox = "auto",
+) -> int:
+    """Play a challenge with many seeds in parallel and report scores, events and faults."""
+    teams, overrides = all_teams(team, blue, yellow), all_overrides(set_, duration, halves)
     from rcj_challenges.scenario.load import load
 
     try:
-        loaded = load(options.scenario, options.overrides)
-        jobs, known = prepared(loaded, options)
+        loaded = load(scenario, overrides)
+        jobs, known = prepared(loaded, scenario, seeds, teams, overrides, out, sandbox)
     except KeyboardInterrupt as error:
         raise KeyboardInterrupt("no match had begun, and nothing is recorded") from error
     from rcj_challenges.match.batch import play_many
     from rcj_challenges.views.console import console_for
 
     rank = loaded.scenario.result.rank
-    quiet = options.quiet or options.json
-    progress = Progress(console_for(to_stderr=True), len(jobs), list(known.values()), quiet=quiet)
+    progress = Progress(console_for(to_stderr=True), len(jobs), list(known.values()), quiet=quiet or json_)
     todo = [job for job in jobs if job.seed not in known]
     try:
-        played = play_many(todo, options.at_once or os.cpu_count() or 1, progress.done)
+        played = play_many(todo, at_once or os.cpu_count() or 1, progress.done)
     except KeyboardInterrupt as error:
-        if progress.outcomes or options.json:
-            _report(progress.outcomes, rank, options)
+        if progress.outcomes or json_:
+            _report(progress.outcomes, rank, as_json=json_)
         count = sum(outcome.result is not None for outcome in progress.outcomes)
         raise KeyboardInterrupt(f"{count} of {len(jobs)} matches were played to their end") from error
     order = {job.seed: number for number, job in enumerate(jobs)}
     outcomes = sorted([*known.values(), *played], key=lambda outcome: order[outcome.job.seed])
     failed = [outcome for outcome in outcomes if outcome.result is None]
     wrong = [outcome for outcome in failed if outcome.wrong_input]
-    if wrong and len(failed) == len(outcomes):
-        if options.json:
-            _report(outcomes, rank, options)
+    is_hopeless = bool(wrong) and len(failed) == len(outcomes)
+    if json_ or not is_hopeless:
+        _report(outcomes, rank, as_json=json_)
+    if is_hopeless:
         raise RcjError(wrong[0].complaint)
-    _report(outcomes, rank, options)
     return (WRONG_INPUT if len(wrong) == len(failed) else OUR_FAULT) if failed else OK
 
 
-def prepared(loaded: Loaded, options: SimulateOptions) -> tuple[list[Job], dict[int, Outcome]]:
-    """Return what is to be played, and the outcomes that are known by their seeds.
+def prepared(
+    loaded: Loaded, scenario: str, seeds: str, teams: list[str], overrides: list[str], out: Path, sandbox: str
+) -> tuple[list[Job], dict[int, Outcome]]:
+    """What is to be played, and by seed the outcomes that have a record in ``out``.
 
     Raises:
         RcjError: wrong input.
@@ -106,24 +123,24 @@ def prepared(loaded: Loaded, options: SimulateOptions) -> tuple[list[Job], dict[
     from rcj_challenges.match.batch import Job
     from rcj_challenges.records.folder import make_out_folder
 
-    refuse_devices(out=options.out)
-    seeds = parse_seeds(options.seeds)
+    refuse_devices(out=out)
+    played_seeds = dict.fromkeys(parse_seeds(seeds))
     # Errors of teams are reported once here, not for each seed.
     programs = {}
-    for seat, team in open_teams(loaded, options.teams).items():
-        programs[seat] = team.digest
-        team.close()
-    require_layers(options.sandbox)
-    make_out_folder(options.out, "the records")
-    arguments = [options.scenario, "--out", str(options.out), "--no-replay", "--quiet", "--sandbox", options.sandbox]
-    arguments += [part for team in options.teams for part in ("--team", team)]
-    arguments += [part for entry in options.overrides for part in ("--set", entry)]
-    jobs = [Job(seed, tuple(arguments)) for seed in dict.fromkeys(seeds)]
-    return jobs, _known(jobs, loaded, programs, options.out)
+    for seat, opened in open_teams(loaded, teams).items():
+        programs[seat] = opened.digest
+        opened.close()
+    require_layers(sandbox)
+    make_out_folder(out, "the records")
+    arguments = [scenario, "--out", str(out), "--no-replay", "--quiet", "--sandbox", sandbox]
+    arguments += [part for team in teams for part in ("--team", team)]
+    arguments += [part for entry in overrides for part in ("--set", entry)]
+    jobs = [Job(seed, tuple(arguments)) for seed in played_seeds]
+    return jobs, _known(jobs, loaded, programs, out)
 
 
 def _known(jobs: Sequence[Job], loaded: Loaded, programs: Mapping[str, str], out: Path) -> dict[int, Outcome]:
-    """Return the outcomes of jobs that have a complete record, by seed.
+    """Outcomes of jobs that have a complete record, by seed.
 
     Matches that were played with other versions, or decided by a time limit, are played again.
     """
@@ -150,7 +167,7 @@ def _known(jobs: Sequence[Job], loaded: Loaded, programs: Mapping[str, str], out
 
 
 def parse_seeds(text: str) -> list[int]:
-    """Return the seeds of ``1..10``, ``3`` or ``1,4,7..9``.
+    """Seeds of ``1..10``, ``3`` or ``1,4,7..9``.
 
     Raises:
         SeedsError: it is none of these.
@@ -170,7 +187,7 @@ def parse_seeds(text: str) -> list[int]:
 
 
 def summary(outcomes: Sequence[Outcome]) -> dict[str, Any]:
-    """Return scores and records by seed, the scores' spread by entrant, and counts of events and faults."""
+    """Scores and records by seed, the scores' spread by entrant, and counts of events and faults."""
     played = [(outcome.job.seed, outcome.result) for outcome in outcomes if outcome.result is not None]
     results = [result for _, result in played]
     entrants = list(results[0]["score"]) if results else []
@@ -190,7 +207,7 @@ def summary(outcomes: Sequence[Outcome]) -> dict[str, Any]:
 
 
 def rank_summary(rank: Sequence[Criterion], outcomes: Sequence[Outcome]) -> dict[str, Any]:
-    """Return the ranking by seed, how often each entrant had which place, and the spread of what was compared.
+    """Ranking by seed, how often each entrant had which place, and the spread of what was compared.
 
     Where the shortest time is best, a match that no rule ended was not finished: its time is only the time played. In
     the spread such matches come last, as None, and ``unfinished`` counts them.
@@ -232,7 +249,7 @@ def _is_race(criterion: Criterion) -> bool:
 
 
 def _time_spread(times_s: Sequence[float], is_finished: Sequence[bool]) -> dict[str, float | None]:
-    """Return the spread of times in s; unfinished matches are longer than any time."""
+    """Spread of times in s; unfinished matches are longer than any time."""
     finished_s = [time_s for time_s, finished in zip(times_s, is_finished, strict=True) if finished]
     unfinished = len(times_s) - len(finished_s)
     spread = _spread([*finished_s, *[math.inf] * unfinished])
@@ -272,14 +289,14 @@ class Progress:
         print_progress(self._console, line)
 
 
-def _report(outcomes: Sequence[Outcome], rank: Sequence[Criterion], options: SimulateOptions) -> None:
+def _report(outcomes: Sequence[Outcome], rank: Sequence[Criterion], *, as_json: bool) -> None:
     from rcj_challenges.views.console import console_for
     from rcj_challenges.views.scoreboard import decided_by_score_alone
 
     report = summary(outcomes)
     if not decided_by_score_alone(rank):
         report["ranking"] = rank_summary(rank, outcomes)
-    if options.json:
+    if as_json:
         print_json(report)
         return
     console = console_for()
@@ -303,7 +320,7 @@ def _score_table(report: dict[str, Any]) -> Table:
 
 
 def _rank_table(ranking: dict[str, Any], rank: Sequence[Criterion]) -> Table:
-    """Return a row for each entrant, a column for each place and for each criterion beside the score."""
+    """A row for each entrant, a column for each place and for each criterion beside the score."""
     from rich.table import Column, Table
 
     from rcj_challenges.scenario.models.scenario import RankByScore

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from rcj_challenges.cli.app import app
 from rcj_challenges.cli.help import WATCH, Command
 from rcj_challenges.cli.options import Json, Runs, RunsFolder
 from rcj_challenges.cli.stdio import print_json, print_lines
@@ -40,37 +41,25 @@ _GAP = 2
 """Between two columns of the table."""
 
 
-def register(app: typer.Typer) -> None:
-    """Add the command."""
-    app.command("stats", cls=Command, rich_help_panel=WATCH, epilog="rcj-challenge stats --explain")(_stats)
-
-
-def _stats(
+@app.command(cls=Command, rich_help_panel=WATCH, epilog="rcj-challenge stats --explain")
+def stats(
     runs: Runs = None,
     out: RunsFolder = Path("runs"),
     json_: Json = False,
     explain: Annotated[
         bool, typer.Option("--explain", help="Explain below the table how each figure is defined.")
     ] = False,
-) -> None:
+) -> int:
     """Possession, distance, speeds, shots, faults and referee calls; several runs are added up by team."""
-    raise typer.Exit(show_stats(runs or [None], out, as_json=json_, explain=explain))
-
-
-def show_stats(runs: Sequence[Path | None], out: Path, *, as_json: bool, explain: bool) -> int:
-    """Print the figures; returns 0, or 1 if some of the runs could not be read.
-
-    Raises:
-        RecordError: none of the runs can be read.
-    """
     from rcj_challenges.records.errors import RecordError
     from rcj_challenges.views.console import console_for
     from rcj_challenges.views.replay.browse import find_run
     from rcj_challenges.views.stats import merge_stats, run_stats, stats_as_json
 
+    given = runs or (None,)
     found, errors = [], []
     folders: dict[Path, Path] = {}  # what is given twice counts once
-    for run in runs:
+    for run in given:
         try:
             folder = find_run(run, out)
             if folders.setdefault(folder.resolve(), folder) is folder:
@@ -79,15 +68,15 @@ def show_stats(runs: Sequence[Path | None], out: Path, *, as_json: bool, explain
             errors.append(error)
     if not found:
         raise errors[0]
-    stats = merge_stats(found)
-    stats.notes += map(str, errors)
-    if same := len(runs) - len(found) - len(errors):
-        stats.notes.append(f"{same} of the runs are the same as others: counted once")
-    if as_json:
-        print_json(stats_as_json(stats))
+    merged = merge_stats(found)
+    merged.notes += map(str, errors)
+    if same := len(given) - len(found) - len(errors):
+        merged.notes.append(f"{same} of the runs are the same as others: counted once")
+    if json_:
+        print_json(stats_as_json(merged))
         sys.stderr.writelines(f"{render_error(one)}\n" for one in errors)
     else:
-        _print(console_for(), stats, explain=explain)
+        _print(console_for(), merged, explain=explain)
     return 1 if errors else 0
 
 
@@ -133,7 +122,7 @@ def _print_table(console: Console, stats: Stats) -> None:
 
 
 def _blocks(stats: Stats, keys: Sequence[str]) -> list[list[tuple[str, dict[str, str], str]]]:
-    """Return the rows of each team and those of the balls: name, figures by key, style."""
+    """Rows of each team and those of the balls: name, figures by key, style."""
     from rcj_challenges.views.stats.figures import figures
 
     blocks = []
@@ -153,7 +142,7 @@ def _blocks(stats: Stats, keys: Sequence[str]) -> list[list[tuple[str, dict[str,
 
 
 def _parts(widths: Sequence[int], room: int) -> list[list[int]]:
-    """Return which columns stand in one table: as many as have room beside the names, all of them on 80 columns."""
+    """Columns that stand in one table: as many as have room beside the names, all of them on 80 columns."""
     parts: list[list[int]] = [[]]
     left = room - _NAMES - 1
     for place, width in enumerate(widths):

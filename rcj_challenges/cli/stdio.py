@@ -65,6 +65,20 @@ def print_lines(console: Console, *lines: str) -> None:
         console.print(line, markup=False, highlight=False, soft_wrap=True)
 
 
+def require_layers(sandbox: str) -> None:
+    """Print, on standard error, each layer of isolation that programs should get and do not get here.
+
+    Raises:
+        IsolationError: ``strict``, and layers are missing; or no such sandbox.
+    """
+    from rcj_challenges.programs.isolation import active_layers, dropped_layers
+    from rcj_challenges.views.console import console_for
+
+    active_layers(sandbox)
+    for layer, why in dropped_layers(sandbox).items():
+        print_lines(console_for(to_stderr=True), f"isolation: programs run without the layer {layer}: {why}")
+
+
 def print_progress(console: Console, line: str) -> None:
     """Print progress of a long command. Errors while printing are ignored."""
     with contextlib.suppress(OSError):

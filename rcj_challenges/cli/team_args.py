@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from rcj_challenges.cli.teams import locate_team
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.core.likeness import nearest_name
+from rcj_challenges.core.sanitize import sanitize
+from rcj_challenges.scenario.resources import shipped_teams
 
 if TYPE_CHECKING:
     from rcj_challenges.scenario.load import Loaded
@@ -139,3 +142,30 @@ def known(name: str, names: Mapping[str, Any] | frozenset[str], kind: str) -> No
         near = "" if nearest is None else f"did you mean {nearest!r}? "
         there = f"{near}this scenario has {', '.join(sorted(names))}"
         raise UsageError(f"unknown {kind} {name!r}", there, code=f"unknown-{kind}")
+
+
+def locate_team(given: str) -> Path:
+    """The folder of a team: the path that was typed if it exists, else that of the sample team of that name.
+
+    Raises:
+        DiagnosticError: it looks like a name, and there is no such file, folder or sample team.
+    """
+    path = path_or_sample_team(Path(given))
+    if os.path.exists(path) or path.name != given or path.suffix:  # noqa: PTH110 - pathlib's raises for long names
+        return path
+    near = nearest_name(given.casefold(), shipped_teams())
+    suggestion = f"did you mean {near}? " if near else ""
+    raise DiagnosticError(
+        Diagnostic(
+            "unknown-team",
+            f"no file, folder or sample team '{sanitize(given)}'",
+            f"{suggestion}'rcj-challenge teams' lists the sample teams",
+        )
+    )
+
+
+def path_or_sample_team(given: Path) -> Path:
+    """The folder of the sample team of that name if nothing else is there, else what was given."""
+    if os.path.exists(given):  # noqa: PTH110 - pathlib's raises for long names
+        return given
+    return shipped_teams().get(str(given), given)

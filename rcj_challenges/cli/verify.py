@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from rcj_challenges.cli import OK, OUR_FAULT
+from rcj_challenges.cli.app import app
 from rcj_challenges.cli.help import ORGANIZE, Command
 from rcj_challenges.cli.options import AtOnce, Json, Runs, RunsFolder, Sandbox
-from rcj_challenges.cli.sandbox import require_layers
-from rcj_challenges.cli.stdio import print_json, print_progress
+from rcj_challenges.cli.stdio import print_json, print_progress, require_layers
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 
 if TYPE_CHECKING:
@@ -26,14 +26,8 @@ _DIFFERS = 1
 _WORDS = {"not_comparable": "not comparable", "not_played": "could not be played"}
 
 
-def register(app: typer.Typer) -> None:
-    """Add the command."""
-    app.command("verify", cls=Command, rich_help_panel=ORGANIZE, epilog="rcj-challenge verify --team submissions")(
-        _verify
-    )
-
-
-def _verify(
+@app.command(cls=Command, rich_help_panel=ORGANIZE, epilog="rcj-challenge verify --team submissions")
+def verify(
     runs: Runs = None,
     team: Annotated[
         list[str] | None,
@@ -47,28 +41,11 @@ def _verify(
     at_once: AtOnce = None,
     sandbox: Sandbox = "auto",
     json_: Json = False,
-) -> None:
+) -> int:
     """Play recorded matches again and compare their digests; sample teams need not be given.
 
     Exit status 0: none differs; 1: one differs; 2: a record or its programs cannot be used; 3: one could not be
     played.
-    """
-    raise typer.Exit(verify_runs(runs or [None], team or [], out, at_once=at_once, sandbox=sandbox, as_json=json_))
-
-
-def verify_runs(
-    runs: Sequence[Path | None],
-    teams: Sequence[str],
-    out: Path,
-    *,
-    at_once: int | None,
-    sandbox: str,
-    as_json: bool,
-) -> int:
-    """Play records again and print the verdicts; returns the exit code.
-
-    Raises:
-        RcjError: a record cannot be used, or its programs cannot be found.
     """
     import tempfile
 
@@ -78,24 +55,24 @@ def verify_runs(
     from rcj_challenges.views.replay.browse import find_run
 
     require_layers(sandbox)
-    paths = _located(teams)
-    folders = [find_run(run, out) for run in runs]
+    paths = _located(team or [])
+    folders = [find_run(run, out) for run in runs or (None,)]
     with tempfile.TemporaryDirectory(prefix="rcj-verify-") as temporary:
         place = Workplace(Path(temporary))
         place.submissions.mkdir(parents=True)
         found = {one.job.id: one for one in (_recorded(folder, paths, place, sandbox) for folder in folders)}
-        lines = VerifyLines(len(found), as_json=as_json)
+        lines = VerifyLines(len(found), as_json=json_)
         verify_all(list(found.values()), LocalExecutor(place, at_once or os.cpu_count() or 1), lines.done)
     return lines.finish()
 
 
 def _located(teams: Sequence[str]) -> list[Path]:
-    """Return where submissions are, given by their paths or as the names of sample teams.
+    """Where submissions are, given by their paths or as the names of sample teams.
 
     Raises:
         DiagnosticError: one does not exist.
     """
-    from rcj_challenges.cli.teams import locate_team
+    from rcj_challenges.cli.team_args import locate_team
 
     paths = [locate_team(team) for team in teams]
     help_ = "give a submission, a folder of ZIPs, or the name of a sample team"
@@ -106,7 +83,7 @@ def _located(teams: Sequence[str]) -> list[Path]:
 
 
 def _recorded(folder: Path, teams: Sequence[Path], place: Workplace, sandbox: str) -> Recorded:
-    """Return a record as a match to be played again, with its programs and its scenario copied for the job.
+    """A record as a match to be played again, with its programs and its scenario copied for the job.
 
     Raises:
         RcjError: it is not complete, or a program cannot be found.
@@ -158,7 +135,7 @@ def _candidates(folder: Path, teams: Sequence[Path]) -> Iterable[Path]:
 def _programs(
     wanted: Mapping[str, str], candidates: Iterable[Path], entrants: Sequence[Entrant], place: Workplace
 ) -> dict[str, Program]:
-    """Return the programs that are wanted, by digest, as far as they are among some submissions."""
+    """Programs that are wanted, by digest, as far as they are among some submissions."""
     from rcj_challenges.submissions.team import TeamError, open_team
     from rcj_challenges.tournament.admission import keep_submission
     from rcj_challenges.tournament.jobs import Program

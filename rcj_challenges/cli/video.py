@@ -1,4 +1,4 @@
-"""``rcj-challenge video`` and ``snapshot``: a recorded run as an MP4, a moment of it as a picture."""
+"""``rcj-challenge video``: a recorded run as an MP4."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from rcj_challenges.cli.app import app
 from rcj_challenges.cli.help import WATCH, Command
 from rcj_challenges.cli.options import Quiet, Run
 from rcj_challenges.cli.stdio import print_lines
@@ -23,22 +24,17 @@ if TYPE_CHECKING:
 MIN_SPEED, MAX_SPEED = 0.05, 100.0
 MAX_FPS = 240
 
-_Half = Annotated[
+Half = Annotated[
     int | None, typer.Option("--half", metavar="N", help="Only this half; times count from its beginning.")
 ]
-_Size = Annotated[str, typer.Option("--size", metavar="WxH", help="Pixels: 1280x720, or 480p, 720p, 1080p, 2160p.")]
-_Camera = Annotated[
+Size = Annotated[str, typer.Option("--size", metavar="WxH", help="Pixels: 1280x720, or 480p, 720p, 1080p, 2160p.")]
+Camera = Annotated[
     str, typer.Option("--camera", metavar="NAME", help="field, top, side, follow-ball or behind:ROBOT, as behind:Y1.")
 ]
-_Runs = Annotated[Path, typer.Option("--runs", metavar="DIR", help="Where the records are.")]
+Records = Annotated[Path, typer.Option("--runs", metavar="DIR", help="Where the records are.")]
 
 
-def register(app: typer.Typer) -> None:
-    """Add both commands to the command line."""
-    app.command(cls=Command, rich_help_panel=WATCH, epilog="rcj-challenge video --highlights")(video)
-    app.command(cls=Command, rich_help_panel=WATCH, epilog="rcj-challenge snapshot --at 1:53.9")(snapshot)
-
-
+@app.command(cls=Command, rich_help_panel=WATCH, epilog="rcj-challenge video --highlights")
 def video(
     run: Run = None,
     out: Annotated[
@@ -48,17 +44,17 @@ def video(
         str | None, typer.Option("--from", metavar="TIME", help="Where it begins: 113.9 or 1:53.9.")
     ] = None,
     to: Annotated[str | None, typer.Option("--to", metavar="TIME", help="Where it ends.")] = None,
-    half: _Half = None,
-    size: _Size = "1280x720",
+    half: Half = None,
+    size: Size = "1280x720",
     fps: Annotated[float, typer.Option("--fps", metavar="N", help="Pictures per second of video.")] = 30.0,
-    camera: _Camera = "field",
+    camera: Camera = "field",
     speed: Annotated[
         float, typer.Option("--speed", metavar="X", help="4: four times as fast; 0.25: slow motion.")
     ] = 1.0,
     highlights: Annotated[
         bool, typer.Option("--highlights", help="Only the 6 s before each change of the score, and 1 s after.")
     ] = False,
-    runs: _Runs = Path("runs"),
+    runs: Records = Path("runs"),
     quiet: Quiet = False,
 ) -> None:
     """Make an MP4 of a record, with scoreboard and captions."""
@@ -79,11 +75,11 @@ def video(
     if not MIN_SPEED <= speed <= MAX_SPEED:
         raise VideoError("bad-speed", f"--speed {speed:g}: it must be {MIN_SPEED:g} (slow motion) to {MAX_SPEED:g}")
     start_s, stop_s = (None if text is None else clips.parse_seconds(text) for text in (from_, to))
-    folder, footage = _footage(run, runs)
+    folder, footage = open_footage(run, runs)
     shown = clips.clips_between(footage, start_s, stop_s, half)
     if highlights:
         shown = clips.highlights(footage, shown)
-    path = _out(out, folder / ("highlights.mp4" if highlights else "video.mp4"))
+    path = output_file(out, folder / ("highlights.mp4" if highlights else "video.mp4"))
     console = console_for(to_stderr=True)
     with make.opened_renderer(footage, size_px, camera) as draw:
         if not quiet:
@@ -97,41 +93,14 @@ def video(
         speed_note = f"{total / took_s:.0f} a second"
         print_lines(console, f"{total / float(rate):.1f} s of video, {total} pictures, {speed_note}")
     sys.stdout.write(f"{path}\n")
-    raise typer.Exit
 
 
-def snapshot(
-    at: Annotated[str, typer.Option("--at", metavar="TIME", help="Which moment: 113.9 or 1:53.9.")],
-    run: Run = None,
-    out: Annotated[
-        Path | None, typer.Option("--out", "-o", metavar="FILE", help=".png; default: in the record.")
-    ] = None,
-    half: _Half = None,
-    size: _Size = "1280x720",
-    camera: _Camera = "field",
-    runs: _Runs = Path("runs"),
-) -> None:
-    """Make a picture of one moment of a record."""
-    from rcj_challenges.cli.output_paths import refuse_devices
-    from rcj_challenges.views.video.errors import require_packages
+def open_footage(run: Path | None, runs: Path) -> tuple[Path, Footage]:
+    """The folder of a record, and what is in it to be drawn.
 
-    refuse_devices(out=out)
-    require_packages("PIL")
-    from rcj_challenges.views.console import console_for
-    from rcj_challenges.views.video import clips, make
-
-    size_px, at_s = make.parse_size(size, even=False), clips.parse_seconds(at)
-    folder, footage = _footage(run, runs)
-    moment = clips.moment_at(footage, at_s, half)
-    path = _out(out, folder / f"snapshot-half{moment.half.info.half}-{moment.t_s:.3f}s.png")
-    print_lines(console_for(to_stderr=True), *footage.warnings)
-    with make.opened_renderer(footage, size_px, camera, fine=True) as draw:
-        make.write_snapshot(draw, moment, path)
-    sys.stdout.write(f"{path}\n")
-    raise typer.Exit
-
-
-def _footage(run: Path | None, runs: Path) -> tuple[Path, Footage]:
+    Raises:
+        RcjError: there is no such record, or it cannot be drawn.
+    """
     from rcj_challenges.views.replay.browse import find_run
     from rcj_challenges.views.video.footage import Footage
 
@@ -139,8 +108,8 @@ def _footage(run: Path | None, runs: Path) -> tuple[Path, Footage]:
     return folder, Footage.open(folder)
 
 
-def _out(wanted: Path | None, default: Path) -> Path:
-    """Return where the file goes.
+def output_file(wanted: Path | None, default: Path) -> Path:
+    """Where the file goes: as wanted, else to the default.
 
     Raises:
         VideoError: it is a folder, its folder is missing, or its name has another ending.

@@ -1,10 +1,16 @@
-"""``rcj-challenge view`` and ``replay``: the pages of records."""
+"""``rcj-challenge view``: opens the page of a record, or lists records."""
 
 from __future__ import annotations
 
 import sys
 from pathlib import Path
+from typing import Annotated
 
+import typer
+
+from rcj_challenges.cli.app import app
+from rcj_challenges.cli.help import WATCH, Command
+from rcj_challenges.cli.options import Run, RunsFolder
 from rcj_challenges.cli.stdio import print_lines, shown_path
 from rcj_challenges.core.sanitize import sanitize
 
@@ -12,40 +18,28 @@ _NARROW = 70
 """Narrower terminals get lines instead of a table."""
 
 
-def view_record(run: Path | None, out: Path) -> int:
-    """Open a record's page, and print where it is; returns the exit code.
-
-    Raises:
-        RecordError: there is no such record, or nothing in it can be shown.
-    """
+@app.command(cls=Command, rich_help_panel=WATCH, epilog="rcj-challenge view\nrcj-challenge view --list")
+def view(
+    run: Run = None,
+    list_: Annotated[
+        bool, typer.Option("--list", "-l", help="List the records instead, of DIR or of a folder given as RUN.")
+    ] = False,
+    out: RunsFolder = Path("runs"),
+) -> None:
+    """Open the replay page of a record in the browser."""
     from rcj_challenges.views.replay.browse import find_run, open_replay
 
+    if list_:
+        _list_records(run or out)
+        return
     page, opened = open_replay(find_run(run, out))
     sys.stdout.write(f"{shown_path(page)}\n")
     if not opened:
         sys.stdout.write("no browser could be started here: open this file in one\n")
-    return 0
 
 
-def rebuild_replay(run: Path | None, out: Path) -> int:
-    """Write a record's page again and print where it is; returns the exit code.
-
-    Raises:
-        RecordError: there is no such record, or nothing in it can be shown.
-    """
-    from rcj_challenges.records.run_record import read_run
-    from rcj_challenges.views.replay import write_replay
-    from rcj_challenges.views.replay.browse import find_run
-
-    folder = find_run(run, out)
-    sys.stdout.write(f"{shown_path(write_replay(folder))}\n")
-    for problem in read_run(folder).problems:
-        sys.stderr.write(f"{sanitize(problem, 500)}\n")
-    return 0
-
-
-def list_records(out: Path) -> int:
-    """Print the records with date, score and teams, the newest first; returns the exit code.
+def _list_records(out: Path) -> None:
+    """Print the records with date, score and teams, the newest first.
 
     Raises:
         RecordError: there is no such folder, or no record in it.
@@ -70,8 +64,7 @@ def list_records(out: Path) -> int:
     console = console_for()
     if console.width < _NARROW:  # a table would cut off its cells
         print_lines(console, *("  ".join(filter(None, cells)) for cells in rows))
-        return 0
+        return
     for cells in rows:
         table.add_row(*cells)
     console.print(table)
-    return 0

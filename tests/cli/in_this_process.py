@@ -14,7 +14,7 @@ from rcj_challenges import cli
 from rcj_challenges.checker.check import CheckOptions, check_file
 from rcj_challenges.checker.discovery import name_submissions
 from rcj_challenges.checker.report import FileReport
-from rcj_challenges.cli.app import app
+from rcj_challenges.cli.commands import app
 from rcj_challenges.match.batch import Job, Outcome
 from rcj_challenges.scenario.load import Loaded
 

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from rcj_challenges.cli.app import app
+from rcj_challenges.cli.commands import app
 from rcj_challenges.cli.draw import draw
 from rcj_challenges.cli.new import StarterError
 from rcj_challenges.cli.sheet import sheet as write_sheet
@@ -326,11 +326,11 @@ class TestSheet:
     ):
         monkeypatch.chdir(tmp_path)
         monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
-        assert write("match", None, []) == 0
+        write("match")
         assert capsys.readouterr().out == f"{name}\n"
         assert "<svg" in (tmp_path / name).read_text(encoding="utf-8")
         with pytest.raises(RcjError) as caught:
-            write("match", None, [])
+            write("match")
         assert (caught.value.code, caught.value.help) == ("file-exists", f"--out {name}")
 
     @pytest.mark.parametrize(
@@ -382,7 +382,7 @@ def test_the_tools_of_authors_load_no_physics(tmp_path):
     program = """
 import sys
 from typer.testing import CliRunner
-from rcj_challenges.cli.app import app
+from rcj_challenges.cli.commands import app
 for arguments in (["new", "it"], ["validate", "it.yaml"], ["test", "it.yaml"], ["draw", "it.yaml"], ["sheet", "it.yaml"]):
     done = CliRunner().invoke(app, arguments)
     assert done.exit_code == 0, (arguments, done.exception)

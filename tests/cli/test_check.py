@@ -16,7 +16,8 @@ from hypothesis import strategies as st
 
 from rcj_challenges.checker import many
 from rcj_challenges.checker.report import schema_text
-from rcj_challenges.cli.check import CheckCommand, CheckUsageError, check_submissions
+from rcj_challenges.cli import check as check_command
+from rcj_challenges.cli.check import CheckUsageError
 from rcj_challenges.core.errors import RcjError
 from tests.cli.in_this_process import one_after_the_other
 
@@ -61,11 +62,7 @@ def command(*arguments, cwd):
 
 def check(*paths, **options):
     """Check in this process; by default without running programs."""
-    given = {
-        "scenario": "match", "overrides": [], "sandbox": "auto", "jobs": None, "fix": None, "html": None, "json": False,
-        "replays": None, "show_output": False, "play": False,
-    }  # fmt: skip
-    return check_submissions(CheckCommand(paths=list(paths), **{**given, **options}))
+    return check_command.check(list(paths), **{"play": False, **options})
 
 
 def test_a_good_submission_is_played_and_ends_with_0(tmp_path, good):
@@ -86,7 +83,7 @@ def test_a_bad_submission_exits_with_1_and_prints_help(bad, capsys):
 
 def test_json_prints_the_report_and_nothing_else(good, bad, capsys, monkeypatch):
     monkeypatch.setattr(many, "check_many", one_after_the_other)
-    assert check(good, bad, json=True) == 1
+    assert check(good, bad, json_=True) == 1
     out, err = capsys.readouterr()
     assert err == ""
     report = json.loads(out)
@@ -119,7 +116,7 @@ def test_what_is_no_file_is_not_read(path):
 
 WRONG = {
     "no such scenario": {"scenario": "matsch"},
-    "no such value": {"overrides": ["half_z=3"]},
+    "no such value": {"set_": ["half_z=3"]},
     "no such sandbox": {"sandbox": "maybe"},
 }
 

@@ -52,7 +52,7 @@ def test_the_page_is_written_also_if_there_is_no_room_for_what_is_printed(team, 
 
     monkeypatch.setattr(sys, "stdout", Full())
     with pytest.raises((OSError, HostError), match=os.strerror(errno.ENOSPC)):
-        check(team("a.zip"), html=tmp_path / "report.html", json=as_json, play=False)
+        check(team("a.zip"), html=tmp_path / "report.html", json_=as_json, play=False)
     assert "a.zip" in (tmp_path / "report.html").read_text("utf-8")
 
 
@@ -74,14 +74,14 @@ def test_replays_that_cannot_be_kept_are_refused_before_anything_is_played(team,
     good = team("a.zip")
     (tmp_path / "taken").write_text("a file", encoding="utf-8")
     with pytest.raises(CheckUsageError, match=r"taken: cannot be written: .* file"):
-        check(good, replays=tmp_path / "taken", play=True)
+        check(good, replay=tmp_path / "taken", play=True)
 
     def full(*_, **__):
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(tempfile, "TemporaryFile", full)
     with pytest.raises(CheckUsageError, match="No space left on device") as printed:
-        check(good, replays=tmp_path / "replays", play=True)
+        check(good, replay=tmp_path / "replays", play=True)
     assert printed.value.exit_code == 2
 
 
@@ -104,7 +104,7 @@ def test_interruption_reports_what_was_checked_so_far(team, tmp_path, monkeypatc
 
     monkeypatch.setattr(many, "check_many", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        check(*paths, html=tmp_path / "report.html", json=as_json)
+        check(*paths, html=tmp_path / "report.html", json_=as_json)
     assert "interrupted, 1 submission: 1 ok" in (tmp_path / "report.html").read_text("utf-8")
     out = capsys.readouterr().out
     if not as_json:
@@ -122,7 +122,7 @@ def test_interruption_of_the_only_check_names_no_folder_that_is_gone(team, tmp_p
 
     monkeypatch.setattr("rcj_challenges.checker.check.check_file", interrupted)
     with pytest.raises(KeyboardInterrupt) as ended:
-        check(team("slow.zip"), json=True)
+        check(team("slow.zip"), json_=True)
     assert str(ended.value) == ""
     report = json.loads(capsys.readouterr().out)
     assert (report["interrupted"], report["files"]) == (True, [])

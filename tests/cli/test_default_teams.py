@@ -1,10 +1,9 @@
 """The team that plays in a seat without a named one: the team made for the challenge, also in its variants, if it can drive their robots."""
 
-from pathlib import Path
-
 import pytest
 
-from rcj_challenges.cli.run_match import RunOptions, UsageError, run_scenario
+from rcj_challenges.cli.run import run
+from rcj_challenges.cli.team_args import UsageError
 from rcj_challenges.match.samples import sample_team
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.resources import scenarios_folder
@@ -30,13 +29,6 @@ def variant(tmp_path):
 def chosen(loaded, seat: str = "yellow") -> str | None:
     found = sample_team(loaded.scenario, seat, [load(path).scenario for path in loaded.bases])
     return found.name if found else None
-
-
-def options(path: Path, out: Path) -> RunOptions:
-    return RunOptions(
-        scenario=str(path), teams=[], team_names=[], seed=1, match_id=0, overrides=[], out=out, json=False, quiet=True,
-        real_time=False, show_output=frozenset(), debug=frozenset(), sandbox="auto", replay=False,
-    )  # fmt: skip
 
 
 def test_the_team_made_for_a_challenge_plays_it(variant):
@@ -88,7 +80,7 @@ def test_a_team_without_the_programs_that_are_asked_for_does_not_play(variant):
 )
 def test_a_seat_without_a_sample_team_is_refused_with_the_programs_that_it_needs(name, programs, tmp_path):
     with pytest.raises(UsageError) as refused:
-        run_scenario(options(VARIANTS / f"{name}.yaml", tmp_path))
+        run(str(VARIANTS / f"{name}.yaml"), out=tmp_path, quiet=True, replay=False)
     assert (refused.value.code, refused.value.exit_code) == ("no-sample-team", 2)
     assert "--team yellow=PATH" in refused.value.help
     assert [one for one in programs if one not in refused.value.help] == []

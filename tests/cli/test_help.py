@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 from typer.main import get_command
 
-from rcj_challenges.cli.app import app
-from rcj_challenges.cli.durations import DurationError, parse_duration
+from rcj_challenges.cli.commands import app
 from rcj_challenges.cli.help import ORGANIZE, PLAY, SUBMIT, WATCH, WRITE
-from rcj_challenges.cli.teams import UnknownTeamError, locate_team, path_or_sample_team
+from rcj_challenges.cli.options import parse_duration
+from rcj_challenges.cli.team_args import locate_team, path_or_sample_team
 from rcj_challenges.core.diagnostics import DiagnosticError
 from rcj_challenges.scenario.resources import shipped_teams
 
@@ -102,13 +102,13 @@ def test_the_shell_completes_commands_options_scenarios_and_teams(typed, offered
     ("text", "seconds"), [("90", 90), ("90s", 90), ("1:30", 90), ("0.5", 0.5), ("1:02.5", 62.5), ("0:05", 5)]
 )
 def test_a_duration_is_seconds_or_minutes_and_seconds(text, seconds):
-    assert parse_duration("--duration", text) == seconds
+    assert parse_duration(text) == seconds
 
 
 @pytest.mark.parametrize("text", ["", "1:90", "90m", "-5", "nan", "1:2:3", "x"])
 def test_what_is_no_duration_is_refused_with_the_forms_that_there_are(text):
-    with pytest.raises(DurationError, match=r"error\[bad-duration\]"):
-        parse_duration("--duration", text)
+    with pytest.raises(DiagnosticError, match=r"error\[bad-duration\]"):
+        parse_duration(text)
 
 
 def test_a_sample_team_is_found_by_its_name_and_an_existing_path_wins(tmp_path, monkeypatch):
@@ -121,7 +121,7 @@ def test_a_sample_team_is_found_by_its_name_and_an_existing_path_wins(tmp_path, 
 
 def test_a_misspelt_team_is_met_with_the_nearest_name(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    with pytest.raises(UnknownTeamError) as refused:
+    with pytest.raises(DiagnosticError) as refused:
         locate_team("bal_chaser")
     assert str(refused.value).startswith("error[unknown-team]: ")
     assert "did you mean ball_chaser?" in str(refused.value)

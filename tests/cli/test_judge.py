@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from rcj_challenges.cli.app import app
+from rcj_challenges.cli.commands import app
 from rcj_challenges.records.chunks import ChunkWriter, read_chunks
 from tests.cli.conftest import ONE_ROBOT, STAND
 

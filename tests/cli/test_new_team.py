@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from rcj_challenges.cli.app import app
+from rcj_challenges.cli.commands import app
 from rcj_challenges.cli.new import StarterError
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.programs.debugging import PORT

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from rcj_challenges.cli.app import app
+from rcj_challenges.cli.commands import app
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.match import batch
 from rcj_challenges.match.batch import Job, Outcome

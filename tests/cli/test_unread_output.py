@@ -6,8 +6,8 @@ from contextlib import contextmanager
 
 import pytest
 
-from rcj_challenges.cli.expect import run_tests
-from rcj_challenges.cli.validate import validate_files
+from rcj_challenges.cli.test import play_tests
+from rcj_challenges.cli.validate import validate
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="a pipe without a reader is reported differently")
 
@@ -41,11 +41,11 @@ def unread(name: str):
 @pytest.mark.parametrize("stream", ["stdout", "stderr"])
 def test_failed_test_gives_its_exit_code_when_output_is_not_read(files, stream):
     with unread(stream):
-        assert run_tests(files("fails"), []) == 1
-        assert run_tests(files("wrong", "fails"), []) == 2
+        assert play_tests(files("fails")) == 1
+        assert play_tests(files("wrong", "fails")) == 2
 
 
 @pytest.mark.parametrize("stream", ["stdout", "stderr"])
 def test_invalid_file_gives_its_exit_code_when_output_is_not_read(files, stream):
     with unread(stream):
-        assert validate_files(files("sound", "wrong"), [], strict=False, as_json=False) == 2
+        assert validate(files("sound", "wrong")) == 2

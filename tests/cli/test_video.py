@@ -6,7 +6,7 @@ import av
 import pytest
 from PIL import Image
 
-from rcj_challenges.cli.app import app
+from rcj_challenges.cli.commands import app
 from rcj_challenges.core.diagnostics import DiagnosticError
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.views.video import errors, make

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from rcj_challenges.cli.app import app
+from rcj_challenges.cli.commands import app
 from rcj_challenges.cli.simulate import rank_summary
 from rcj_challenges.match import batch
 from rcj_challenges.match.batch import Job, Outcome

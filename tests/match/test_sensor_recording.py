@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from rcj_challenges.cli.app import app
+from rcj_challenges.cli.commands import app
 from rcj_challenges.match.sensor_recording import LogTail
 from rcj_challenges.records.sensors import read_sensors
 from tests.match.playing import alone

@@ -10,7 +10,7 @@ import pytest
 import typer.main
 import yaml
 
-from rcj_challenges.cli.app import app
+from rcj_challenges.cli.commands import app
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCUMENTS = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md"), *(ROOT / "examples").rglob("*.md")])

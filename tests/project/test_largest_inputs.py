@@ -3,7 +3,7 @@
 import pytest
 
 from benchmarks.inputs import MAX_S, archives, checked, processor_s, scenarios, validated
-from rcj_challenges.cli.validate import validate_files
+from rcj_challenges.cli.validate import validate
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import load_resolved, load_text
 from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES
@@ -62,8 +62,8 @@ def test_bounds_hold_for_a_scenario_with_its_bases_together(tmp_path, capsys) ->
     (tmp_path / "base.yaml").write_text(HEAD + counters(MAX_KEYS), encoding="utf-8")
     more = "schema_version: 1\nid: more\ntitle: More\nextends: base.yaml\ncounters: {one_more: {}}\n"
     (tmp_path / "more.yaml").write_text(more, encoding="utf-8")
-    assert validate_files([str(tmp_path / "base.yaml")], []) == 0
-    assert validate_files([str(tmp_path / "more.yaml")], []) == 2
+    assert validate([str(tmp_path / "base.yaml")]) == 0
+    assert validate([str(tmp_path / "more.yaml")]) == 2
     assert "error[scenario-too-large]" in capsys.readouterr().err
 
 

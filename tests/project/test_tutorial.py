@@ -6,8 +6,8 @@ import shlex
 import pytest
 import typer.main
 
-from rcj_challenges.cli.app import app
-from rcj_challenges.cli.new_team import new_team
+from rcj_challenges.cli.commands import app
+from rcj_challenges.cli.new import new
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import load_text
 from scripts import try_site
@@ -32,10 +32,10 @@ def test_command_of_the_tutorial_has_options_that_exist(command):
 def followed(tmp_path, monkeypatch):
     """Return the folder with the files that the tutorial makes, and the team as it was made first."""
     monkeypatch.chdir(tmp_path)
-    new_team("starter")
+    new(["team", "starter"])
     for step in STEPS:
         if step.command == "rcj-challenge new team my_team":
-            new_team("my_team")
+            new(["team", "my_team"])
         elif step.file:
             write(step, tmp_path)
     return tmp_path

@@ -6,7 +6,7 @@ import json
 
 import pytest
 
-from rcj_challenges.cli.expect import run_tests
+from rcj_challenges.cli.test import play_tests
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.lint.registry import lint
 from rcj_challenges.scenario.load import load
@@ -78,11 +78,11 @@ def test_all_inherited_tests_are_removed_at_once_and_own_ones_stay(mine, text):
 
 def test_left_out_tests_are_listed_when_tests_are_run(mine, capsys):
     path = mine("match: {half_s: 60}\n")
-    assert run_tests([path], [], as_json=False) == 0
+    assert play_tests([path]) == 0
     reported = capsys.readouterr().out
     assert f"left out: {REASON}" in reported
     assert "100 s is longer than a half, 60 s" in reported
-    assert run_tests([path], [], as_json=True) == 0
+    assert play_tests([path], json_=True) == 0
     assert list(json.loads(capsys.readouterr().out)["files"][0]["left_out"]) == [REASON]
 
 
@@ -90,12 +90,12 @@ def test_a_failing_inherited_test_names_its_origin_and_an_own_one_does_not(mine,
     stricter = "rules: {scored: {actions: [{action: score, entrant: yellow, points: 2}]}}\n"
     own = "expect: {mine: {keyframes: [{at_s: 0.5}], lasts_s: 1, score: {yellow: 7}}}\n"
     path = mine(stricter + own)
-    assert run_tests([path], [], as_json=True) == 1
+    assert play_tests([path], json_=True) == 1
     tests = {test["name"]: test for test in json.loads(capsys.readouterr().out)["files"][0]["tests"]}
     assert not tests["a_ball_in_the_corner_counts"]["passed"]
     assert tests["a_ball_in_the_corner_counts"]["inherited_from"].endswith("base.yaml")
     assert (tests["mine"]["passed"], tests["mine"]["inherited_from"]) == (False, None)
-    assert run_tests([path], [], as_json=False) == 1
+    assert play_tests([path]) == 1
     reported = capsys.readouterr().out
     assert reported.count("replace it, or remove it by 'a_ball_in_the_corner_counts: null' under expect") == 1
     assert reported.count("inherited from") == 1

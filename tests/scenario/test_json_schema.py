@@ -6,7 +6,7 @@ import json
 import jsonschema
 import pytest
 
-from rcj_challenges.cli.schema import check_schema, write_schema
+from rcj_challenges.cli.schema import schema
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.scenario.json_schema import FILE, scenario_schema, schema_is_fresh, schema_text
 from rcj_challenges.scenario.reading.yaml_strict import parse_bytes, parse_text
@@ -26,7 +26,7 @@ def accepts(data):
 
 def test_the_committed_schema_is_fresh():
     assert schema_is_fresh(), "run `rcj-challenge schema`"
-    assert check_schema() == 0
+    assert schema(check=True) == 0
 
 
 def test_it_is_a_valid_schema_and_the_same_every_time():
@@ -195,14 +195,14 @@ def test_every_value_of_the_match_that_is_spoilt_is_noticed():
 
 
 def test_the_schema_is_written_where_asked(tmp_path, monkeypatch, capsys):
-    assert write_schema(tmp_path / "deep" / "x.json") == 0
+    assert schema(tmp_path / "deep" / "x.json") == 0
     assert (tmp_path / "deep" / "x.json").read_bytes() == schema_text().encode()
     monkeypatch.chdir(tmp_path)
-    assert write_schema(None) == 0
+    assert schema(None) == 0
     assert (tmp_path / "schemas" / FILE).is_file()
     assert capsys.readouterr().out.splitlines()[1].replace("\\", "/") == f"schemas/{FILE}"
     with pytest.raises(RcjError, match="cannot be written"):
-        write_schema(tmp_path / "deep")
+        schema(tmp_path / "deep")
 
 
 REPEATED = {"triggers": [{"trigger": "half_started"}], "actions": [{"action": "end"}]}

@@ -5,7 +5,7 @@ import re
 import subprocess
 import sys
 
-from rcj_challenges.cli.validate import validate_files
+from rcj_challenges.cli.validate import validate
 from rcj_challenges.scenario.resources import names_in, scenarios_folder
 
 
@@ -19,7 +19,7 @@ GOOD = "schema_version: 1\nid: a\ntitle: Ätsch\nextends: soccersim_v2\n"
 
 def test_files_in_order_give_a_line_each_and_exit_0(capsys):
     names = names_in(scenarios_folder())
-    assert validate_files(names, []) == 0
+    assert validate(names) == 0
     out, err = capsys.readouterr()
     assert err == ""
     assert [line.split(":")[0] for line in out.splitlines()] == [f"ok  {name}" for name in names]
@@ -30,7 +30,7 @@ def test_files_in_order_give_a_line_each_and_exit_0(capsys):
 def test_problems_of_all_files_are_printed_and_exit_is_2(tmp_path, capsys):
     good = write(tmp_path, "good.yaml", GOOD)
     bad = write(tmp_path, "bad.yaml", GOOD + "match: {half_s: 0}\nzone: {}\n")
-    assert validate_files([bad, good, "nowhere.yaml"], []) == 2
+    assert validate([bad, good, "nowhere.yaml"]) == 2
     out, err = capsys.readouterr()
     assert out.startswith(f"ok  {good}: Ätsch (6 robots, 2 entrants, 0 rules, 0 tests; 600 s)")
     places = [line.strip() for line in err.splitlines() if line.startswith("  -->")]
@@ -44,7 +44,7 @@ def test_problems_of_all_files_are_printed_and_exit_is_2(tmp_path, capsys):
 
 def test_json_has_code_message_help_and_place_of_each_problem(tmp_path, capsys):
     bad = write(tmp_path, "bad.yaml", GOOD + "zone: {}\n")
-    assert validate_files([bad], [], as_json=True) == 2
+    assert validate([bad], json_=True) == 2
     ((problem,),) = (one["problems"] for one in json.loads(capsys.readouterr().out)["files"])
     assert problem.pop("message")
     assert problem.pop("help").startswith("did you mean 'zones'?")
@@ -52,16 +52,16 @@ def test_json_has_code_message_help_and_place_of_each_problem(tmp_path, capsys):
 
 
 def test_overrides_apply_to_every_file(tmp_path, capsys):
-    assert validate_files([write(tmp_path, "a.yaml", GOOD)], ["match.half_s=7"]) == 0
+    assert validate([write(tmp_path, "a.yaml", GOOD)], ["match.half_s=7"]) == 0
     assert "7 s)" in capsys.readouterr().out
-    assert validate_files([write(tmp_path, "a.yaml", GOOD)], ["match.half_s=0"]) == 2
+    assert validate([write(tmp_path, "a.yaml", GOOD)], ["match.half_s=0"]) == 2
     assert "--> --set match.half_s=0  match.half_s\n" in capsys.readouterr().err
 
 
 def test_nothing_heavy_is_imported_and_it_is_quick():
     """0.5 s on an idle machine. Measured as the processor's time, since this one may be busy with other tests."""
     code = (
-        "import sys\nfrom rcj_challenges.cli.validate import validate_files\nassert validate_files(['match'], []) == 0\n"
+        "import sys\nfrom rcj_challenges.cli.validate import validate\nassert validate(['match']) == 0\n"
         "import time\nprint(time.process_time())\nheavy = {'mujoco', 'numpy', 'scipy', 'jsonschema', 'rich', 'asyncio'} & set(sys.modules)\nassert not heavy, heavy\n"
     )
     times = []
@@ -76,7 +76,7 @@ def test_nothing_heavy_is_imported_and_it_is_quick():
 
 def test_a_terminal_without_unicode_still_gets_the_message(tmp_path):
     bad = write(tmp_path, "bad.yaml", GOOD + "zones: {'größe': {shape: rect}}\n")
-    code = f"from rcj_challenges.cli.validate import validate_files; raise SystemExit(validate_files([{bad!r}], []))"
+    code = f"from rcj_challenges.cli.validate import validate; raise SystemExit(validate([{bad!r}]))"
     done = subprocess.run(
         [sys.executable, "-X", "utf8=0", "-c", code],
         capture_output=True, check=False, env={**__import__("os").environ, "PYTHONIOENCODING": "ascii"},
@@ -91,7 +91,7 @@ TOURNAMENT = "tournament_version: 1\ntitle: Cup\nseed: 1\nteams: {a: {sample: ba
 
 def test_tournament_files_are_recognized_among_scenarios(tmp_path, capsys):
     good = write(tmp_path, "cup.yaml", TOURNAMENT + "stages: {final: {stage: knock_out}}\n")
-    assert validate_files([good, "cup", "match"], []) == 0
+    assert validate([good, "cup", "match"]) == 0
     out, err = capsys.readouterr()
     assert err == ""
     lines = out.splitlines()
@@ -101,7 +101,7 @@ def test_tournament_files_are_recognized_among_scenarios(tmp_path, capsys):
 
 def test_mistakes_of_tournament_files_have_a_code_a_place_and_help(tmp_path, capsys):
     bad = write(tmp_path, "bad.yaml", TOURNAMENT + "stages: {final: {stage: knockout}}\n")
-    assert validate_files([bad], []) == 2
+    assert validate([bad]) == 2
     out, err = capsys.readouterr()
     assert out == ""
     code, place, hint = err.splitlines()
@@ -111,13 +111,13 @@ def test_mistakes_of_tournament_files_have_a_code_a_place_and_help(tmp_path, cap
 
 
 def test_settings_from_the_command_line_are_refused_for_tournaments(capsys):
-    assert validate_files(["cup"], ["match.half_s=5"]) == 2
+    assert validate(["cup"], ["match.half_s=5"]) == 2
     assert "error[set-on-tournament]" in capsys.readouterr().err
 
 
 def test_validating_a_tournament_loads_neither_physics_nor_store(tmp_path):
     code = (
-        "import sys; from rcj_challenges.cli.validate import validate_files; validate_files(['cup'], []); "
+        "import sys; from rcj_challenges.cli.validate import validate; validate(['cup']); "
         "sys.exit(any(name in sys.modules for name in ('mujoco', 'numpy', 'sqlalchemy', 'jinja2')))"
     )
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, check=False).returncode == 0

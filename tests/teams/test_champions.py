@@ -11,7 +11,7 @@ import sys
 import pytest
 from typer.testing import CliRunner
 
-from rcj_challenges.cli.app import app
+from rcj_challenges.cli.commands import app
 from rcj_challenges.scenario.resources import teams_folder
 from scripts.copy_library import stale_copies
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from rcj_challenges.cli.app import app
+from rcj_challenges.cli.commands import app
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -8,9 +8,9 @@ import pytest
 
 from rcj_challenges.checker.findings import Finding
 from rcj_challenges.checker.report import FileReport, StageReport
-from rcj_challenges.cli import tournament_run, tournament_verify
-from rcj_challenges.cli.tournament_results import print_status
-from rcj_challenges.tournament import submissions
+from rcj_challenges.cli.tournament import plan
+from rcj_challenges.cli.tournament.status import status
+from rcj_challenges.tournament import admission, executor
 from rcj_challenges.tournament.fixtures import JobMaker
 from rcj_challenges.tournament.jobs import MatchJob
 from tests.cli.in_this_process import here
@@ -43,9 +43,8 @@ class Desk:
         self.checked = 0
         self.executors = []
         self._monkeypatch, self._capsys = monkeypatch, capsys
-        for module in (tournament_run, tournament_verify):
-            monkeypatch.setattr(module, "LocalExecutor", self._executor)
-        monkeypatch.setattr(submissions, "check_many", self._check)
+        monkeypatch.setattr(executor, "LocalExecutor", self._executor)
+        monkeypatch.setattr(admission, "check_many", self._check)
 
     def _executor(self, place, lanes):
         self.executors.append(FakeExecutor(place, self.ends, lanes))
@@ -142,10 +141,10 @@ def test_two_teams_with_files_of_one_name_both_get_their_report(tmp_path):
         (tmp_path / folder).mkdir()
         (tmp_path / folder / "robot.py").write_text(f"{program}# {folder}\n", encoding="utf-8")
     with home.opened() as tournament:
-        handed = submissions.take_submissions(tournament.loaded.entries.values(), tournament.store)
+        handed = admission.take_submissions(tournament.loaded.entries.values(), tournament.store)
         tasks = JobMaker(tournament, handed, "off").check_tasks(handed)
         seen = Checked()
-        failures = submissions.check_submissions(tasks, tournament.store, jobs=2, sandbox="off", observer=seen)
+        failures = admission.check_submissions(tasks, tournament.store, jobs=2, sandbox="off", observer=seen)
     assert sorted(seen.teams) == ["ada", "bee"]
     assert {one.team: one.report.is_file() for one in failures} == {"ada": True, "bee": True}
 
@@ -209,11 +208,11 @@ def test_a_name_that_a_spreadsheet_would_take_for_a_formula_stays_text(desk):
 
 
 def test_plan_lists_what_is_known_and_what_it_will_take(desk, monkeypatch):
-    monkeypatch.setattr("rcj_challenges.cli.tournament_plan._measured", lambda _: 4.0)
-    plan = desk.json("plan")
-    assert [(one["matches"], len(one["known"])) for one in plan["stages"]] == [(3, 3), (1, 0)]
-    assert plan["cost"]["matches"] == 4
-    assert plan["cost"]["simulated_s"] == 8
+    monkeypatch.setattr(plan, "_measured", lambda _: 4.0)
+    planned = desk.json("plan")
+    assert [(one["matches"], len(one["known"])) for one in planned["stages"]] == [(3, 3), (1, 0)]
+    assert planned["cost"]["matches"] == 4
+    assert planned["cost"]["simulated_s"] == 8
     desk("run")
     assert desk.json("plan")["cost"]["simulated_s"] == 0
 
@@ -333,8 +332,7 @@ def test_status_shows_from_a_second_terminal_what_is_in_play_and_how_long_the_re
 
     class Second(Silent):
         def played(self, fixture, outcome, progress, *, is_doubtful):
-            with desk.home.opened(writing=False) as tournament:
-                assert print_status(tournament, as_json=True) == 0
+            status(str(desk.home.file), desk.home.data, json_=True)
             seen.append((fixture.id, json.loads(capsys.readouterr().out)))
 
     desk.home.play(observer=Second())

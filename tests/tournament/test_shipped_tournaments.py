@@ -5,7 +5,7 @@ import json
 import jsonschema
 import pytest
 
-from rcj_challenges.cli.schema import check_schema
+from rcj_challenges.cli.schema import schema
 from rcj_challenges.scenario.reading.yaml_strict import parse_bytes
 from rcj_challenges.scenario.resources import names_in, schemas_folder, tournaments_folder
 from rcj_challenges.scenario.tree import plain
@@ -22,7 +22,7 @@ HEAD = {"tournament_version": 1, "title": "T", "seed": 1, "teams": {"a": {"sampl
 
 def test_the_committed_schema_is_fresh(capsys):
     assert schema_is_fresh(), "run `rcj-challenge schema --tournament`"
-    assert check_schema() == 0
+    assert schema(check=True) == 0
     assert json.loads(schema_text()) == tournament_schema()
     jsonschema.Draft202012Validator.check_schema(tournament_schema())
 

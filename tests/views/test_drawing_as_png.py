@@ -7,7 +7,7 @@ from io import BytesIO
 import pytest
 from typer.testing import CliRunner
 
-from rcj_challenges.cli.app import app
+from rcj_challenges.cli.commands import app
 from rcj_challenges.scenario.load import load
 from rcj_challenges.views.drawing import draw_scenario, png
 

@@ -16,7 +16,7 @@ from typing import Any
 import pytest
 from typer.testing import CliRunner
 
-from rcj_challenges.cli.app import app
+from rcj_challenges.cli.commands import app
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.match.observers import Observer, ObserverGroup
 from rcj_challenges.match.runner import MatchPlan, play_match

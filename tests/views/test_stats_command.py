@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from rcj_challenges.cli.app import app
+from rcj_challenges.cli.commands import app
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.views.stats import DEFINITIONS
 from tests.made_up_runs import write_made_up_run

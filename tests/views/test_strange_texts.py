@@ -8,7 +8,7 @@ import pytest
 from rich.table import Table
 from rich.text import Text
 
-from rcj_challenges.cli.validate import validate_files
+from rcj_challenges.cli.validate import validate
 from rcj_challenges.scenario.load import Loaded, load_text
 from rcj_challenges.views.console import console_for
 from rcj_challenges.views.drawing import draw_scenario
@@ -53,7 +53,7 @@ def test_validate_prints_no_hidden_characters(tmp_path: Path, capsys: pytest.Cap
     good, bad = tmp_path / "good.yaml", tmp_path / "bad.yaml"
     good.write_text(SCENARIO, encoding="utf-8")
     bad.write_text(SCENARIO + f'"{STRANGE}": 1\n', encoding="utf-8")
-    validate_files([str(good), str(bad)], [])
+    validate([str(good), str(bad)])
     out, err = capsys.readouterr()
     assert hidden_in(out + err) == set()
     assert "\\u202eturned" in out

@@ -7,29 +7,29 @@ from typing import TYPE_CHECKING
 
 from rcj_challenges.core.amounts import number_words
 from rcj_challenges.core.sanitize import sanitize
-from rcj_challenges.tournament.season import Fixture, Outcome, Row, SeasonState, StageState, Table, Team
 
 if TYPE_CHECKING:
     from rich.table import Table as RichTable
 
+    from rcj_challenges.tournament.season import Fixture, Outcome, Row, SeasonState, StageState, Table, Team
 
 _UNITS = (("h", 3600.0), ("min", 60.0))
 
 
 def duration_words(duration_s: float) -> str:
-    """Return ``12 min``: a duration in a unit of which there are at least two."""
+    """``12 min``: a duration in a unit of which there are at least two."""
     unit, unit_s = next((one for one in _UNITS if duration_s >= 2 * one[1]), ("s", 1.0))
     return f"{duration_s / unit_s:.0f} {unit}"
 
 
 def team_words(teams: Mapping[str, Team], ids: str | Sequence[str]) -> str:
-    """Return what a team is called, or a super team, given by its ids or by these joined with ``+``."""
+    """Name of a team, or of a super team, given by its ids or by these joined with ``+``."""
     members = ids.split("+") if isinstance(ids, str) else ids
     return " + ".join(teams[one].name if one in teams else one for one in members)
 
 
 def score_words(fixture: Fixture, outcome: Outcome, teams: Mapping[str, Team]) -> str:
-    """Return ``Ada 2 : 1 Bee``, or ``Ada 12`` of what is played alone, and what was decided by a referee."""
+    """``Ada 2 : 1 Bee``, or ``Ada 12`` of what is played alone, and what was decided by a referee."""
     names = [team_words(teams, side.teams) for side in fixture.sides]
     scores = [number_words(score) for score in outcome.scores] or ["-"] * len(names)
     if len(names) == 2:
@@ -40,7 +40,7 @@ def score_words(fixture: Fixture, outcome: Outcome, teams: Mapping[str, Team]) -
 
 
 def stage_tables(state: SeasonState, only: Collection[str] | None = None) -> list[RichTable]:
-    """Return the tables and brackets of all stages that have some.
+    """Tables and brackets of all stages that have some.
 
     Args:
         state: of the tournament.

@@ -4,64 +4,70 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Annotated, Any
 
+import typer
+
+from rcj_challenges.cli.app import app
+from rcj_challenges.cli.help import WRITE, Command
+from rcj_challenges.cli.options import Json, Overrides, complete_scenarios
 from rcj_challenges.cli.stdio import print_json, say, shown_path
 from rcj_challenges.cli.validate import flat
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.core.timing import s_from_ticks
-from rcj_challenges.expect.runner import run_test
-from rcj_challenges.scenario.errors import ScenarioError
-from rcj_challenges.scenario.load import Loaded, load
-from rcj_challenges.scenario.reading.inherited_tests import TESTS
-from rcj_challenges.scenario.tree import file_of
+
+if TYPE_CHECKING:
+    from rcj_challenges.scenario.load import Loaded
 
 _WALL_DIGITS = 4
 
 
-def run_tests(paths: Sequence[str], overrides: Sequence[str], *, as_json: bool = False) -> int:
-    """Play all ``expect`` blocks of scenario files and say what came out differently.
+@app.command("test", cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge test relay_race.yaml")
+def play_tests(
+    files: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="FILE...", autocompletion=complete_scenarios, help="Scenario files, or names of shipped ones."
+        ),
+    ],
+    set_: Overrides = None,
+    json_: Json = False,
+) -> int:
+    """Play the tests written in scenario files (expect:), without physics and without programs.
 
-    Args:
-        paths: files, or names of shipped scenarios.
-        overrides: ``PATH=VALUE`` each, applied to every file.
-        as_json: print one JSON object and nothing else.
-
-    Returns:
-        2 if a file cannot be used (the others are played all the same); else 1 if something is not as expected; else 0.
+    All files are played, even after one that cannot be used. Exit status 0: all as expected; 1: a test failed;
+    2: a file cannot be used, whatever the result of the others.
     """
+    from rcj_challenges.scenario.errors import ScenarioError
+    from rcj_challenges.scenario.load import load
+
     code = 0
     reports: list[dict[str, Any]] = []
-    for path in paths:
+    for path in files:
+        report: dict[str, Any] = {"file": path, "title": None, "passed": False, "problems": []}
         try:
-            loaded = load(path, overrides)
+            report |= _played(load(path, set_ or []))
         except ScenarioError as error:
-            reports.append(_unusable(path, error))
-            code = ScenarioError.exit_code
-            say("" if as_json else str(error), sys.stderr)
+            report["problems"] = [flat(problem) for problem in error.diagnostics]
+            report |= {"tests": [], "left_out": {}, "untested_rules": []}
+            say("" if json_ else str(error), sys.stderr)
         else:
-            reports.append(_report(path, loaded))
-            code = max(code, 0 if reports[-1]["passed"] else 1)
-            if not as_json:
-                _show(reports[-1])
-    if as_json:
-        passed = all(report["passed"] for report in reports)
-        print_json({"passed": passed, "files": reports})
+            if not json_:
+                _show(report)
+        code = max(code, ScenarioError.exit_code if report["problems"] else int(not report["passed"]))
+        reports.append(report)
+    if json_:
+        print_json({"passed": all(report["passed"] for report in reports), "files": reports})
     else:
         _show_sum(reports)
     return code
 
 
-def _unusable(path: str, error: ScenarioError) -> dict[str, Any]:
-    problems = [flat(problem) for problem in error.diagnostics]
-    nothing: dict[str, Any] = {"tests": [], "left_out": {}, "untested_rules": []}
-    return {"file": path, "title": None, "passed": False, "problems": problems, **nothing}
+def _played(loaded: Loaded) -> dict[str, Any]:
+    """Play all tests of a file; return its part of the report."""
+    from rcj_challenges.expect.runner import run_test
 
-
-def _report(path: str, loaded: Loaded) -> dict[str, Any]:
-    """Play all tests of a file; return what came out."""
     tests: list[dict[str, Any]] = []
     fired: set[str] = set()
     for name in loaded.scenario.expect:
@@ -80,10 +86,8 @@ def _report(path: str, loaded: Loaded) -> dict[str, Any]:
             }
         )
     return {
-        "file": path,
         "title": loaded.scenario.title,
         "passed": all(test["passed"] for test in tests),
-        "problems": [],
         "tests": tests,
         "left_out": {name: f"{one.where}: {one.message}" for name, one in loaded.left_out.items()},
         "untested_rules": [name for name in loaded.scenario.rules if name not in fired],
@@ -91,7 +95,10 @@ def _report(path: str, loaded: Loaded) -> dict[str, Any]:
 
 
 def _inherited_from(loaded: Loaded, name: str) -> str | None:
-    """Return the file from which a test is inherited, None for one of the scenario's own."""
+    """The file from which a test is inherited; None for one of the scenario's own."""
+    from rcj_challenges.scenario.reading.inherited_tests import TESTS
+    from rcj_challenges.scenario.tree import file_of
+
     written = loaded.written
     file = "" if written is None else file_of(written, TESTS, name)
     return None if written is None or file == written.mark.file else file

@@ -7,17 +7,19 @@ import sys
 import tempfile
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from rcj_challenges.cli import OK
+from rcj_challenges.cli.help import PLAY, Command
 from rcj_challenges.cli.stdio import print_json, say
-from rcj_challenges.cli.tournament_tables import team_words
+from rcj_challenges.cli.tournament.group import Data, File, Json, opened, tournament_app
+from rcj_challenges.cli.tournament.tables import team_words
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.core.sanitize import sanitize
-from rcj_challenges.match.batch import Job, play_many
-from rcj_challenges.tournament.opened import OpenTournament
-from rcj_challenges.tournament.season import SeasonState
-from rcj_challenges.tournament.workload import work_left
+
+if TYPE_CHECKING:
+    from rcj_challenges.tournament.opened import OpenTournament
+    from rcj_challenges.tournament.season import SeasonState
 
 _TRIAL_S = 10
 _BYTES_PER_S: dict[str, float] = {"full": 39_000.0, "replay": 600.0, "result": 60.0}
@@ -47,15 +49,17 @@ class Cost:
     disk_bytes: float
 
 
-def print_plan(tournament: OpenTournament, *, as_json: bool) -> int:
-    """Print all fixtures that are known, and what the matches that are left take; returns the exit code."""
-    state = tournament.state()
-    cost = estimate(tournament, state)
-    if as_json:
+@tournament_app.command(cls=Command, rich_help_panel=PLAY, epilog="rcj-challenge tournament plan cup")
+def plan(file: File, data: Data = None, json_: Json = False) -> None:
+    """List the known fixtures, the number of matches, and the time and disk space that they need here."""
+    with opened(file, data) as tournament:
+        state = tournament.state()
+        cost = estimate(tournament, state)
+    if json_:
         stages = [{"stage": one.name, "matches": one.expected_matches, "known": [asdict(f) for f in one.fixtures]}
                   for one in state.stages]  # fmt: skip
         print_json({"stages": stages, "cost": asdict(cost)})
-        return OK
+        return
     lines: list[str] = []
     for stage in state.stages:
         known, expected = len(stage.fixtures), stage.expected_matches
@@ -74,7 +78,6 @@ def print_plan(tournament: OpenTournament, *, as_json: bool) -> int:
         f"{_range(cost.simulated_s / 3600, cost.most_simulated_s / 3600, 1)} h simulated{took}, {disk}"
     )
     say("\n".join(lines), sys.stdout)
-    return OK
 
 
 def _range(least: float, most: float, digits: int = 0) -> str:
@@ -83,7 +86,9 @@ def _range(least: float, most: float, digits: int = 0) -> str:
 
 
 def estimate(tournament: OpenTournament, state: SeasonState) -> Cost:
-    """Return what the matches that have no outcome yet will take."""
+    """Cost of the matches that have no outcome yet."""
+    from rcj_challenges.tournament.workload import work_left
+
     simulated_s = more_s = disk_bytes = 0.0
     left = work_left(tournament.loaded, state)
     for one in left:
@@ -102,7 +107,7 @@ def estimate(tournament: OpenTournament, state: SeasonState) -> Cost:
 
 
 def _real_time_factor(tournament: OpenTournament) -> float | None:
-    """Return how many times faster than real time matches are played here; None if not even a short one can be."""
+    """How many times faster than real time matches are played here; None if not even a short one can be."""
     played = list(tournament.store.summaries().values())
     wall_s = sum(summary["wall_s"] for summary in played)
     if wall_s > 0:
@@ -113,6 +118,8 @@ def _real_time_factor(tournament: OpenTournament) -> float | None:
 
 def _measured(folder: Path) -> float | None:
     """Play a short match of the sample teams, as many times side by side as matches are played."""
+    from rcj_challenges.match.batch import Job, play_many
+
     arguments = ("match", "--duration", str(_TRIAL_S), "--halves", "1", "--no-replay", "--quiet", "--out", str(folder))
     jobs = [Job(seed, arguments) for seed in range(1, (os.cpu_count() or 1) + 1)]
     try:

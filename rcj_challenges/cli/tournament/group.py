@@ -1,0 +1,52 @@
+"""The group ``rcj-challenge tournament``, and what its commands share."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rcj_challenges.cli.help import Group
+
+if TYPE_CHECKING:
+    from rcj_challenges.tournament.opened import OpenTournament
+
+tournament_app = typer.Typer(
+    name="tournament",
+    cls=Group,
+    rich_markup_mode=None,
+    help="Plan, play and publish a tournament that is declared in YAML.",
+    epilog="rcj-challenge tournament plan cup\nrcj-challenge tournament run cup",
+    no_args_is_help=True,
+    add_completion=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+File = Annotated[str, typer.Argument(metavar="FILE", help="A tournament file, or the name of a shipped one: cup.")]
+Data = Annotated[
+    Path | None,
+    typer.Option("--data", metavar="DIR", help="Folder of its data; default: NAME_data in the current folder."),
+]
+Json = Annotated[bool, typer.Option("--json", help="Print it as JSON and nothing else.")]
+Cascade = Annotated[
+    bool, typer.Option("--cascade", help="Play again what depends on a change, also in stages that have begun.")
+]
+
+
+@contextmanager
+def opened(file: str, data: Path | None, *, writing: bool = False) -> Iterator[OpenTournament]:
+    """Open a tournament with its store.
+
+    Raises:
+        RcjError: the file or the store cannot be used.
+    """
+    from rcj_challenges.tournament.load import load_tournament
+    from rcj_challenges.tournament.opened import OpenTournament, data_folder
+    from rcj_challenges.tournament.store.store import Store
+
+    loaded = load_tournament(file)
+    with Store(data_folder(loaded, data), writing=writing) as store:
+        yield OpenTournament(loaded, store)
