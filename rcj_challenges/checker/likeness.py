@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from pathlib import PurePosixPath
 
-from rcj_challenges.core.likeness import likeness_of
+from rcj_challenges.core.similarity import similarity
 
 BLANK = b" \t\r\n\f\v\xef\xbb\xbf"
 """What an empty file may consist of."""
@@ -42,7 +42,7 @@ def alike(name: str, wanted: str) -> bool:
         return False
     if min(len(one), len(other)) >= _LEAST_LETTERS and (one in other or other in one):
         return True
-    return likeness_of(one, other) >= _LEAST_LIKENESS
+    return similarity(one, other) >= _LEAST_LIKENESS
 
 
 def same_number(name: str, wanted: str) -> bool:

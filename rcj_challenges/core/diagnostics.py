@@ -17,7 +17,7 @@ from rcj_challenges.core.errors import RcjError
 from rcj_challenges.core.sanitize import sanitize
 
 _CODE = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*|[a-z]+[.][a-z0-9_]+")
-_MAX_LETTERS = 1000
+_MAX_CHARACTERS = 1000
 _MAX_PRINTED = 100
 
 
@@ -94,11 +94,11 @@ class Diagnostic:
             raise ValueError(f"not a code: {self.code!r}")
 
     def __str__(self) -> str:
-        lines = [f"{self.severity}[{self.code}]: {sanitize(self.message, _MAX_LETTERS)}"]
+        lines = [f"{self.severity}[{self.code}]: {sanitize(self.message, _MAX_CHARACTERS)}"]
         if self.where is not None:
-            lines.append(f"  --> {sanitize(self.where, _MAX_LETTERS)}")
+            lines.append(f"  --> {sanitize(self.where, _MAX_CHARACTERS)}")
         if self.help:
-            lines.append(f"help: {sanitize(self.help, _MAX_LETTERS)}")
+            lines.append(f"help: {sanitize(self.help, _MAX_CHARACTERS)}")
         return "\n".join(lines)
 
     def to_json(self) -> dict[str, Any]:

@@ -7,7 +7,7 @@ import struct
 from collections.abc import Callable
 from math import isfinite
 
-MAX_LETTERS = 200
+MAX_CHARACTERS = 200
 """Of a message; the rest is ignored."""
 
 LARGEST_NUMBER = 1e9
@@ -42,7 +42,7 @@ def message_text(data: bytes) -> str:
     if not text:
         text = data.split(b"\0", 1)[0].decode("utf-8", "replace")
         text = "".join(letter if letter.isprintable() else " " for letter in text)
-    return text.strip()[:MAX_LETTERS].strip()
+    return text.strip()[:MAX_CHARACTERS].strip()
 
 
 def _readable(data: bytes) -> str | None:

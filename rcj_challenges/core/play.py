@@ -55,7 +55,7 @@ class Snapshot(NamedTuple):
         uprights: ``[entity] -> `` cosine of the tilt (the body's z axis on the world's); 1.0 is upright. 1.0 for balls.
         touches: ``[sub-step] -> `` pairs of thing indices, the smaller first, that touched in this sub-step.
         faults: programs that failed since the last snapshot.
-        heard: messages from robots to the referee since the last snapshot: (entity, text), in the order of robots, at
+        messages: radio messages to the referee since the last snapshot: (entity, text), in the order of robots, at
             most one of each. Empty if no rule uses them.
     """
 
@@ -65,7 +65,7 @@ class Snapshot(NamedTuple):
     uprights: list[float]
     touches: tuple[tuple[tuple[int, int], ...], ...]
     faults: tuple[Fault, ...] = ()
-    heard: tuple[tuple[int, str], ...] = ()
+    messages: tuple[tuple[int, str], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

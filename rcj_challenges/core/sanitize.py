@@ -8,19 +8,19 @@ from __future__ import annotations
 
 import unicodedata
 
-MAX_LETTERS = 200
+MAX_CHARACTERS = 200
 """File names and messages longer than this are cut: in a list more is useless."""
 
 MAX_BLOCK_LINES = 60
-MAX_BLOCK_LETTERS = 400
+MAX_BLOCK_CHARACTERS = 400
 
 _JOINER = "\u200d"  # holds some emoji together, and moves nothing
 _BREAKS = frozenset({"\u2028", "\u2029", "\x85"})
-_MAX_MARKS = 4  # combining marks on one letter; more of them cover the lines above
+_MAX_MARKS = 4  # combining marks on one character; more of them cover the lines above
 _MARKS = frozenset({"Mn", "Me"})
 
 
-def sanitize(text: object, longest: int = MAX_LETTERS) -> str:
+def sanitize(text: object, longest: int = MAX_CHARACTERS) -> str:
     r"""Return text as one harmless line of at most ``longest`` letters.
 
     Control characters, direction marks, line breaks, lone surrogates, private and unassigned characters become
@@ -31,7 +31,7 @@ def sanitize(text: object, longest: int = MAX_LETTERS) -> str:
         longest: what is longer is cut in the middle, where a path says least, and marked with ``…``.
     """
     said = text.decode("utf-8", "backslashreplace") if isinstance(text, bytes) else str(text)
-    return _cut(_spelled(_cut(said, 2 * longest + 2)), longest)
+    return _cut(_escaped(_cut(said, 2 * longest + 2)), longest)
 
 
 def sanitize_block(text: str, most_lines: int = MAX_BLOCK_LINES) -> str:
@@ -44,34 +44,34 @@ def sanitize_block(text: str, most_lines: int = MAX_BLOCK_LINES) -> str:
         head = most_lines // 4
         left_out = len(lines) - most_lines
         lines = [*lines[:head], f"… {left_out} lines left out …", *lines[len(lines) - (most_lines - head) :]]
-    return "\n".join(sanitize(line, MAX_BLOCK_LETTERS) for line in lines)
+    return "\n".join(sanitize(line, MAX_BLOCK_CHARACTERS) for line in lines)
 
 
 def sanitize_lines(text: str) -> str:
     """Return a whole text, each line of it harmless: what is printed or drawn of a scenario, or says what is wrong."""
-    return "\n".join(map(_spelled, text.split("\n")))
+    return "\n".join(map(_escaped, text.split("\n")))
 
 
-def _spelled(text: str) -> str:
+def _escaped(text: str) -> str:
     if text.isascii() and text.isprintable():
         return text
-    letters: list[str] = []
+    characters: list[str] = []
     marks = 0
-    for letter in text:
-        category = unicodedata.category(letter)
+    for character in text:
+        category = unicodedata.category(character)
         marks = marks + 1 if category in _MARKS else 0
         if marks > _MAX_MARKS:
             continue
-        hidden = (category[0] == "C" and letter != _JOINER) or letter in _BREAKS
-        letters.append(_escape(letter) if hidden else letter)
-    return "".join(letters)
+        hidden = (category[0] == "C" and character != _JOINER) or character in _BREAKS
+        characters.append(_escape(character) if hidden else character)
+    return "".join(characters)
 
 
-def _escape(letter: str) -> str:
+def _escape(character: str) -> str:
     """Return the escape of Python for a character that cannot be seen."""
-    code = ord(letter)
-    if letter in "\n\r\t":
-        return {"\n": "\\n", "\r": "\\r", "\t": "\\t"}[letter]
+    code = ord(character)
+    if character in "\n\r\t":
+        return {"\n": "\\n", "\r": "\\r", "\t": "\\t"}[character]
     return f"\\x{code:02x}" if code < 0x100 else f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
 
 

@@ -184,12 +184,12 @@ def _beside(found: Sequence[Event], expected: Sequence[ExpectedEvent]) -> list[_
     best = [[0.0] * (len(expected) + 1) for _ in range(len(found) + 1)]
     for i in reversed(range(len(found))):
         for j in reversed(range(len(expected))):
-            together = _likeness(found[i], expected[j]) + best[i + 1][j + 1]
+            together = _similarity(found[i], expected[j]) + best[i + 1][j + 1]
             best[i][j] = max(best[i + 1][j], best[i][j + 1], together if found[i].name == expected[j].event else 0)
     pairs: list[_Pair] = []
     i = j = 0
     while i < len(found) and j < len(expected):
-        together = _likeness(found[i], expected[j]) + best[i + 1][j + 1]
+        together = _similarity(found[i], expected[j]) + best[i + 1][j + 1]
         if found[i].name == expected[j].event and together == best[i][j]:
             pairs.append((found[i], j))
             i, j = i + 1, j + 1
@@ -221,7 +221,7 @@ _SAME_NAME = 1 << 20
 """More than all that makes events alike beside their name can add up to: pairs are at most 250 000."""
 
 
-def _likeness(event: Event, wanted: ExpectedEvent) -> float:
+def _similarity(event: Event, wanted: ExpectedEvent) -> float:
     """Return the similarity of an event to the expected one, apart from its name: its payload, then its time."""
     as_told = sum(equal(value, event.payload.get(key)) for key, value in wanted.payload.items())
     payload = as_told / len(wanted.payload) if wanted.payload else 1

@@ -11,7 +11,7 @@ from rcj_challenges.core.amounts import counted, number_words, round_score, time
 from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.expect.compare import difference, equal, event_differences, sent_difference
 from rcj_challenges.expect.denied import Wanted, denied_condition_notes
-from rcj_challenges.expect.put_inside import put_inside_notes
+from rcj_challenges.expect.placed_inside import placed_inside_notes
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.referee.ranking import Tally, ranking
@@ -90,7 +90,7 @@ def run_test(loaded: Loaded, name: str) -> TestResult:
             *_not_drawn(match, expected),
             *match.wrong_ways.notes(),
             *_already_true(match, fired),
-            *put_inside_notes(match.placements, scenario, loaded.roster, wanted.missing, fired),
+            *placed_inside_notes(match.placements, scenario, loaded.roster, wanted.missing, fired),
             *denied_condition_notes(match.referee.denied or {}, scenario, wanted, fired),
             *_early_end_notes(match, scenario, expected, wanted),
             *_course(match, differences),

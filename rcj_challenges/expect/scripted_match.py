@@ -179,8 +179,8 @@ class ScriptedMatch:
             touches = (tuple(sorted(self._touching)),) * SUBSTEPS_PER_TICK
             self._touching = {pair: left - 1 for pair, left in self._touching.items() if left > 1}
         faults, self._faults = tuple(self._faults), []
-        heard = tuple((robot, texts.pop(0)) for robot, texts in sorted(self._messages.items()) if texts)
-        return Snapshot(self.tick, substeps, self._heights, self._uprights, touches, faults, heard)
+        messages = tuple((robot, texts.pop(0)) for robot, texts in sorted(self._messages.items()) if texts)
+        return Snapshot(self.tick, substeps, self._heights, self._uprights, touches, faults, messages)
 
     def _glided(self) -> list[Pose2]:
         """Move what glides by one sub-step; each step is the rest of the way over the sub-steps that are left."""

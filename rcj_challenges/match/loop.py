@@ -149,9 +149,9 @@ class TickLoop:
             self._apply_what_was_late(tick)
         faults, self._faults = tuple(self._faults), []
         snapshot = stage.world.step(tick, faults)
-        heard = stage.devices.messages_to_referee(tick)
-        if heard:
-            snapshot = snapshot._replace(heard=heard)
+        messages = stage.devices.messages_to_referee(tick)
+        if messages:
+            snapshot = snapshot._replace(messages=messages)
         state = stage.world.state_bytes()
         output = stage.referee.judge(snapshot)
         if output.placements:

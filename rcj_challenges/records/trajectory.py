@@ -110,7 +110,7 @@ class TrajectoryWriter:
         tick = snapshot.tick
         if tick not in (0, self.ticks + 1):
             raise ValueError(f"tick {tick} after tick {self.ticks}: a record takes every tick once, in order")
-        if not tick or placements or snapshot.faults or snapshot.heard:
+        if not tick or placements or snapshot.faults or snapshot.messages:
             self._notes.append(_note(snapshot, placements))
         if tick:
             self._append_row(snapshot, poses)
@@ -152,13 +152,13 @@ def _note(snapshot: Snapshot, placements: Iterable[Placement]) -> dict[str, Any]
     faults = [asdict(fault) for fault in snapshot.faults]
     if not snapshot.tick:
         note["start"] = {**snapshot._asdict(), "faults": faults}
-        del note["start"]["heard"]  # nothing is sent before the half begins
+        del note["start"]["messages"]  # nothing is sent before the half begins
     elif faults:
         note["faults"] = faults
     if placements:
         note["placements"] = [[*asdict(placement).values()] for placement in placements]
-    if snapshot.heard:
-        note["told"] = snapshot.heard
+    if snapshot.messages:
+        note["told"] = snapshot.messages
     return note
 
 
@@ -179,7 +179,7 @@ class HalfTrack:
         touch_pairs: ``[N, 2]``, pairs of thing indices, one after the other.
         placements: what was put elsewhere after a tick, by tick.
         faults: programs that failed, by the tick in which the referee learned of it.
-        heard: what robots sent to the referee by radio, by the tick in which it arrived: (entity, text).
+        messages: what robots sent to the referee by radio, by the tick in which it arrived: (entity, text).
     """
 
     info: HalfInfo
@@ -191,7 +191,7 @@ class HalfTrack:
     touch_pairs: Array
     placements: Mapping[int, tuple[Placement, ...]]
     faults: Mapping[int, tuple[Fault, ...]]
-    heard: Mapping[int, tuple[tuple[int, str], ...]] = field(default_factory=dict)
+    messages: Mapping[int, tuple[tuple[int, str], ...]] = field(default_factory=dict)
 
     @property
     def ticks(self) -> int:
@@ -215,7 +215,7 @@ class HalfTrack:
                     uprights=uprights[offset],
                     touches=self._touches(counts[offset], stop),
                     faults=self.faults.get(tick, ()),
-                    heard=self.heard.get(tick, ()),
+                    messages=self.messages.get(tick, ()),
                 )
 
     def _touches(self, counts: list[int], stop: int) -> tuple[tuple[tuple[int, int], ...], ...]:
@@ -373,7 +373,7 @@ class _HalfReader:
             touch_pairs=np.concatenate(self._pairs),
             placements=self._notes["placements"],
             faults=self._notes["faults"],
-            heard=self._notes["told"],
+            messages=self._notes["told"],
         )
 
 

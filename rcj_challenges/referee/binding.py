@@ -107,8 +107,8 @@ class RuleBinder(NameScope):
     def ticks(self, lasts_s: Lasts) -> Callable[[], int]:
         return lambda: ticks_from_s(duration_s(lasts_s, self.state, self.each, least_s=0.0))
 
-    def wind_up(self, timer: str, clock: Clock, owner: str | None) -> None:
-        self.state.wind_up(clock, self.scenario.timers[timer].lasts_s, owner)
+    def set_length(self, timer: str, clock: Clock, owner: str | None) -> None:
+        self.state.set_length(clock, self.scenario.timers[timer].lasts_s, owner)
 
     def release(self, robots: tuple[int, ...]) -> None:
         self._context.trackers.release(self.state.held.release(robots))

@@ -172,7 +172,7 @@ class Referee:
         state = self._state
         state.poses = state.before = list(snapshot.substeps[-1])
         state.uprights = snapshot.uprights
-        state.put_at = [(x, y) for x, y, _ in state.poses]
+        state.placed_at = [(x, y) for x, y, _ in state.poses]
         self._pose_history.add(state.poses)
         self._set_phase(state.phase)
         self._trackers.enter(state.phase, None)
@@ -195,11 +195,11 @@ class Referee:
         if self._clock_ran:
             state.clock += 1
         self._take_in(snapshot)
-        heard = self._entered or self._emitted
+        has_news = self._entered or self._emitted
         if changed_phase:
             self._enter_phase(state.scenario.phases[state.phase].next)
         self._trackers.advance(substeps, changed_phase=changed_phase)
-        if heard or changed_phase or snapshot.faults or self._clock_events.times:
+        if has_news or changed_phase or snapshot.faults or self._clock_events.times:
             self._report_moments(snapshot.faults)
         if self._hits:
             self._rounds.fire()
@@ -219,8 +219,8 @@ class Referee:
             self._pose_history.add(judged)
         if self._contacts.used:
             self._contacts.advance(snapshot.touches)
-        if snapshot.heard:
-            self._receive_messages(snapshot.heard)
+        if snapshot.messages:
+            self._receive_messages(snapshot.messages)
 
     def finish(self) -> RefereeOutput:
         """Settle what the last tick set off, fire ``half_ended``, and settle again; a rule may still end the match."""
@@ -286,13 +286,13 @@ class Referee:
         for fault in faults:
             self._hits.report(self._clock_events.faults.get(fault.robot, []))
 
-    def _receive_messages(self, heard: tuple[tuple[int, str], ...]) -> None:
+    def _receive_messages(self, messages: tuple[tuple[int, str], ...]) -> None:
         """Store radio messages of robots to the referee; those of robots off the field are dropped."""
         state = self._state
-        for entity, text in heard:
+        for entity, text in messages:
             if state.present[entity]:
                 name = state.roster.entities[entity]
-                state.heard[name] = text
+                state.messages[name] = text
                 for says, binding in self._clock_events.messages.get(name, ()):
                     if says(text):
                         self._hits.report([binding], number_in(text))

@@ -66,7 +66,7 @@ def _reason(job: PlacementJob, spec: PlacementSpec, board: PlacementBoard, state
         return "a wall or a fixed obstacle is there"
     found = [
         other
-        for other, there in sorted(board.standing.items())
+        for other, there in sorted(board.on_field.items())
         if other != job.entity and not bodies.fits(job.entity, pose, {other: there}, spec.how.min_clearance_m)
     ]
     if not found:

@@ -241,7 +241,7 @@ def _try(jobs: list[PlacementJob], state: State, bodies: Bodies) -> tuple[list[_
         pose = job.spec.propose(board, state.stream(job.spec.stream), job.signs, job.max_attempts)
         if pose is None:
             return [], job
-        board.put(job.entity, pose)
+        board.place(job.entity, pose)
         velocity = job.spec.velocity(board, state, job.signs)
         if velocity is None:
             return [], replace(job, aimless=True)
@@ -259,7 +259,7 @@ def _turned(done: list[_Done], jobs: list[PlacementJob], board: PlacementBoard, 
         if pose is not None and job.spec is not None and isinstance(job.spec.how.facing, Towards):
             other = job.spec.pose_at(board, pose[:2], state.stream(job.spec.stream))
             if other != pose and board.fits(entity, other, job.spec.how.min_clearance_m):
-                board.put(entity, other)
+                board.place(entity, other)
                 pose = other  # noqa: PLW2901
         turned.append((entity, pose, velocity))
     return turned
@@ -274,7 +274,7 @@ def _apply(done: list[_Done], state: State) -> list[Placement]:
             placements.append(Placement(entity, *poses[entity], parked=True))
             continue
         state.present[entity] = True
-        state.put_at[entity] = (pose[0], pose[1])
+        state.placed_at[entity] = (pose[0], pose[1])
         poses[entity] = pose
         uprights[entity] = 1.0
         placements.append(Placement(entity, *pose, vx_mps=vx_mps, vy_mps=vy_mps))

@@ -96,9 +96,9 @@ class State(RefereeState):
                 self.draw_again(name, draw)
         for name, timer in self.scenario.timers.items():
             for whose, clock in self.timers[name].items():
-                self.wind_up(clock, timer.lasts_s, whose)
+                self.set_length(clock, timer.lasts_s, whose)
 
-    def wind_up(self, clock: Clock, lasts_s: Lasts, whose: str | None) -> None:
+    def set_length(self, clock: Clock, lasts_s: Lasts, whose: str | None) -> None:
         """Give a clock its length, as its draw has decided or its counter says by now."""
         clock.length_s = duration_s(lasts_s, self, whose)
         clock.length = ticks_from_s(clock.length_s)

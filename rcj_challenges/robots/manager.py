@@ -83,7 +83,7 @@ class DeviceManager:
         self._find_uneven()
 
     def messages_to_referee(self, tick: int) -> tuple[tuple[int, str], ...]:
-        """Return the messages that have reached the referee by ``tick``, as `Snapshot.heard`."""
+        """Return the messages that have reached the referee by ``tick``, as `Snapshot.messages`."""
         return self._radio.messages_to_referee(tick, self._poses)
 
     def sense(self, tick: int, output: RefereeOutput) -> None:

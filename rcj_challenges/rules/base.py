@@ -23,7 +23,7 @@ from rcj_challenges.tracking.state import Number
 
 # What the files of words import from here.
 __all__ = (
-    "ENTITY_DESCRIPTION", "Act", "Action", "Binder", "Condition", "Firing", "FormVocabulary", "FormWord", "Number",
+    "ENTITY_DESCRIPTION", "Act", "Action", "Binder", "Condition", "Firing", "KeyedVocabulary", "KeyedWord", "Number",
     "Phrases", "PlaceRequest", "PlaceResolver", "PlaceWord", "Reader", "Scope", "Test", "Trigger", "ValueWord",
     "Vocabulary", "Word",
 )  # fmt: skip
@@ -120,7 +120,7 @@ class Vocabulary:
         return {word.name(): core_schema.no_info_plain_validator_function(word.model_validate) for word in self.words()}
 
 
-class FormVocabulary(Vocabulary):
+class KeyedVocabulary(Vocabulary):
     """Words that are mappings with a key of their own, such as ``{spot: centre}``, beside plain values.
 
     Args:
@@ -302,7 +302,7 @@ class Action(Word):
         return None
 
 
-class FormWord(Word):
+class KeyedWord(Word):
     """A word that has a key of its own: its ``KEY`` is its name."""
 
     @classmethod
@@ -311,7 +311,7 @@ class FormWord(Word):
         return cls.KEY
 
 
-class PlaceWord(FormWord):
+class PlaceWord(KeyedWord):
     """A place where something is put, ``at: {spot: centre}``, or that a kick is aimed at.
 
     Attributes:
@@ -337,7 +337,7 @@ class PlaceWord(FormWord):
         """Return the place as what a kick is aimed at: ``a random point of the blue goal``."""
         return self.describe(phrases).removeprefix("on ")
 
-    def put(self, phrases: Phrases, _entity: Names, *, plural: bool) -> str:
+    def describe_placement(self, phrases: Phrases, _entity: Names, *, plural: bool) -> str:
         """Return the placement in words: ``put on the spot “centre”``, ``each put on the spot “centre”``."""
         return f"{'each ' if plural else ''}put {self.describe(phrases)}"
 
@@ -354,7 +354,7 @@ class PlaceWord(FormWord):
         return ""
 
 
-class ValueWord(FormWord):
+class ValueWord(KeyedWord):
     """A value that rules name, ``{counter: laps}``."""
 
     UNIT: ClassVar = ""

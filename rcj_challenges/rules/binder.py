@@ -154,7 +154,7 @@ class Binder(Scope, Protocol):
     def ticks(self, lasts_s: Any) -> Callable[[], int]:
         """Return a function that reads a duration in ticks."""
 
-    def wind_up(self, timer: str, clock: Clock, owner: str | None) -> None:
+    def set_length(self, timer: str, clock: Clock, owner: str | None) -> None:
         """Give a clock of a timer its length, as its draw has decided or its counter says by now."""
 
     def timers_changed(self) -> None:

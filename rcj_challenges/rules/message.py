@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, StringConstraints
 
-from rcj_challenges.core.messages import MAX_LETTERS, READS, matches_text
+from rcj_challenges.core.messages import MAX_CHARACTERS, READS, matches_text
 from rcj_challenges.rules.fields import Scalar, Strict, described
 from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import listed, number
@@ -13,7 +13,7 @@ from rcj_challenges.rules.values.draw import DrawValue
 
 SaidText = Annotated[
     str,
-    StringConstraints(min_length=1, max_length=MAX_LETTERS, pattern=r"^[^\s]+( [^\s]+)*$"),
+    StringConstraints(min_length=1, max_length=MAX_CHARACTERS, pattern=r"^[^\s]+( [^\s]+)*$"),
     Field(description="text as a robot says it, with single blanks between its words"),
 ]
 Said = SaidText | int | float

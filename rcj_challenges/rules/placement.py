@@ -92,7 +92,7 @@ def placement_words(phrases: Phrases, entity: Names, at: At, placement: _Placeme
 
 def put_words(phrases: Phrases, entity: Names, at: At) -> str:
     """Return the placement in words: ``put at their starts``, ``each put on the spot “centre”``."""
-    return place_of(at).put(phrases, entity, plural=phrases.all_of(entity).plural)
+    return place_of(at).describe_placement(phrases, entity, plural=phrases.all_of(entity).plural)
 
 
 def looks_words(phrases: Phrases, entity: Names, at: At, facing: Facing) -> str:

@@ -6,12 +6,12 @@ from collections.abc import Iterable
 from itertools import islice
 
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError, InFile
-from rcj_challenges.core.likeness import MAX_COMPARED, nearest_name
+from rcj_challenges.core.similarity import MAX_COMPARED, nearest_name
 
 MAX_FOUND = 300
 """How many mistakes a search collects before it stops: more would not help, and cost time."""
 
-_MAX_LETTERS = 64
+_MAX_CHARACTERS = 64
 """How much of a name is shown: as long as one may be."""
 
 
@@ -74,7 +74,7 @@ def cut(text: str) -> str:
     """Return a name or text as long as a name may be; one without a letter as quotes."""
     if not text.strip():
         return "''"
-    return text if len(text) <= _MAX_LETTERS else f"{text[: _MAX_LETTERS - 4]}…"
+    return text if len(text) <= _MAX_CHARACTERS else f"{text[: _MAX_CHARACTERS - 4]}…"
 
 
 def listing(names: Iterable[str], most: int = 12) -> str:

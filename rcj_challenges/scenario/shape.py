@@ -187,7 +187,7 @@ def chosen(shape: Shape, node: Node) -> Shape:
         return tags(shape).get(tag_of(shape, node) or usual_tag(shape) or "")
     fitting = [member for member in members(kind) if _fits(bare(member).kind, node)]
     if isinstance(node, Entries) and len(fitting) > 1:
-        return max(fitting, key=lambda member: _likeness(bare(member).kind, node))
+        return max(fitting, key=lambda member: _similarity(bare(member).kind, node))
     return fitting[0] if fitting else None
 
 
@@ -198,7 +198,7 @@ def usual_tag(shape: Shape) -> str | None:
     return next((tag for tag, model in models.items() if model.model_fields[key].default == tag), None)
 
 
-def _likeness(model: type[BaseModel], node: Entries) -> float:
+def _similarity(model: type[BaseModel], node: Entries) -> float:
     """Return the number of a mapping's keys that a model knows; a misspelt one counts for half."""
     known = fields(model)
     return sum(1.0 if key in known else 0.5 * bool(nearest(key, known)) for key in node.entries)

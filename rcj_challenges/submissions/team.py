@@ -11,7 +11,7 @@ from types import MappingProxyType
 from typing import Self
 
 from rcj_challenges.core.errors import format_error, is_of_the_host
-from rcj_challenges.core.likeness import MAX_COMPARED, nearest_name
+from rcj_challenges.core.similarity import MAX_COMPARED, nearest_name
 from rcj_challenges.core.temporary_folder import temporary_folder_error
 from rcj_challenges.scenario.models.robots import Entrant, EntryPoints
 from rcj_challenges.submissions.archive import Contents, Files, TeamError, read_contents, refusal

@@ -7,7 +7,7 @@ import unicodedata
 from dataclasses import dataclass, replace
 from pathlib import PurePosixPath
 
-from rcj_challenges.core.likeness import likeness_of
+from rcj_challenges.core.similarity import similarity
 from rcj_challenges.submissions.archive import Files
 from rcj_challenges.submissions.problems import Problem, safe_text
 
@@ -116,7 +116,7 @@ def may_be_name_file(path: PurePosixPath) -> bool:
 
 def _near_stem(path: PurePosixPath) -> bool:
     stem = "".join(letter for letter in path.stem.casefold() if letter.isalnum())
-    return stem in _NEAR_STEMS or likeness_of(stem, "teamname") >= _LEAST_LIKENESS
+    return stem in _NEAR_STEMS or similarity(stem, "teamname") >= _LEAST_LIKENESS
 
 
 def _decoded(content: bytes) -> tuple[str, tuple[Problem, ...]]:

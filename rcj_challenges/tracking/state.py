@@ -51,11 +51,11 @@ class RefereeState:
         uprights: by entity, cosine of the tilt.
         present: by entity, whether it is on the field.
         held: which robots are held, by the phase or by rules, on the field or off it.
-        put_at: by entity, [x, y] where it was last put, or started.
+        placed_at: by entity, [x, y] where it was last put, or started.
         ways: by entity, how far it has driven or rolled in the half, in m; only entities that a rule asks about.
         spots: by name, [x, y] where it is now: where the scenario says, until a rule sets it.
         scores: by entrant, as seated in this half.
-        heard: by robot, its last radio message to the referee in this half.
+        messages: by robot, its last radio message to the referee in this half.
         counters, flags: by name; a mapping by entity for those kept per entity.
         timers: by name, then entity (None for one that is not kept per entity).
         entrant_of: by robot, the entrant it plays for.
@@ -76,8 +76,8 @@ class RefereeState:
         self.uprights: list[float] = []
         self.present = [True] * entities
         self.held = Held()
-        self.put_at: list[tuple[float, float]] = []
-        self.heard: dict[str, str] = {}
+        self.placed_at: list[tuple[float, float]] = []
+        self.messages: dict[str, str] = {}
         self.scores: dict[str, Number] = {}
         self.counters: dict[str, Number | dict[str, Number]] = {}
         self.flags: dict[str, bool | dict[str, bool]] = {}

@@ -7,7 +7,7 @@ import unicodedata
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.core.sanitize import MAX_LETTERS, sanitize, sanitize_block
+from rcj_challenges.core.sanitize import MAX_CHARACTERS, sanitize, sanitize_block
 
 ANYTHING = st.text(st.characters(codec=None, categories=None))
 
@@ -29,7 +29,7 @@ def test_ordinary_names_in_any_script_and_emoji_stay_as_they_are():
 
 def test_what_is_too_long_is_cut_in_the_middle():
     cut = sanitize("a" * 1000 + "the_end.py")
-    assert len(cut) == MAX_LETTERS
+    assert len(cut) == MAX_CHARACTERS
     assert cut.startswith("aaa")
     assert cut.endswith("the_end.py")
     assert "…" in cut

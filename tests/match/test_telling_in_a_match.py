@@ -61,7 +61,7 @@ def test_the_program_may_use_the_referees_channel(run):
 
 def test_the_record_keeps_the_messages(run):
     entities, (half,) = run.trajectory.entities, run.trajectory.halves
-    received = {tick: [(entities[robot], text) for robot, text in texts] for tick, texts in half.heard.items()}
+    received = {tick: [(entities[robot], text) for robot, text in texts] for tick, texts in half.messages.items()}
     assert received == {11: [("Y1", "0.3 0.1"), ("Y2", "DONE")], 12: [("Y1", "0.3, 0.2")]}
 
 

@@ -55,7 +55,7 @@ def _played(draw: st.DrawFn) -> list[tuple[Snapshot, tuple[Placement, ...]]]:
             uprights=[1.0] * _ENTITIES,
             touches=draw(st.tuples(*[st.lists(_pair, max_size=3).map(tuple)] * 4)) if odd else ((),) * 4,
             faults=tuple(draw(st.lists(_fault, max_size=2))) if odd else (),
-            heard=((1, draw(st.text())),) if odd and tick else (),
+            messages=((1, draw(st.text())),) if odd and tick else (),
         )
         played.append((snapshot, tuple(draw(st.lists(_placement, max_size=2))) if odd else ()))
     return played

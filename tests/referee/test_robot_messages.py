@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rcj_challenges.core.messages import MAX_LETTERS, matches_text, message_text, number_in, position_in
+from rcj_challenges.core.messages import MAX_CHARACTERS, matches_text, message_text, number_in, position_in
 from tests.referee.building import ASKING, TAKEN_OFF, emitting, paid, payload, scoring
 
 AS_TEXT = str.maketrans("\t\r\n\ufffd", "   \0")
@@ -171,7 +171,7 @@ class TestMessages:
             (struct.pack("<9d", *range(9)), ""),
             (b"\xff\xfe!", "\ufffd\ufffd!"),
             (b"a\x07b", "a b"),
-            (b"x" * 500, "x" * MAX_LETTERS),
+            (b"x" * 500, "x" * MAX_CHARACTERS),
         ],
     )
     def test_bytes_are_read_as_text_or_as_one_or_two_doubles(self, data, text):
@@ -180,7 +180,7 @@ class TestMessages:
     @given(st.binary(max_size=600))
     def test_whatever_is_sent_is_one_printable_line(self, data):
         text = message_text(data)
-        assert len(text) <= MAX_LETTERS
+        assert len(text) <= MAX_CHARACTERS
         assert text.isprintable()
         assert text == text.strip()
 

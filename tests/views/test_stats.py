@@ -160,14 +160,14 @@ def test_ball_touched_by_two_teams_at_once_stays_with_its_owner() -> None:
 
 @given(
     touched=st.lists(st.tuples(st.integers(1, 40), st.integers(0, 2)), max_size=12).map(sorted),
-    put_at=st.lists(st.integers(0, 40), max_size=4),
+    placed_at=st.lists(st.integers(0, 40), max_size=4),
 )
-def test_the_owner_is_always_the_last_to_touch_the_ball(touched: list, put_at: list) -> None:
+def test_the_owner_is_always_the_last_to_touch_the_ball(touched: list, placed_at: list) -> None:
     made = contacts(*touched)
     seats = ["blue", "blue", "yellow"]
-    found = owners(made, seats, 40, put_at)
+    found = owners(made, seats, 40, placed_at)
     for row in range(40):
-        since = max([tick for tick in put_at if tick <= row], default=0)
+        since = max([tick for tick in placed_at if tick <= row], default=0)
         before = [(tick, robot) for tick, robot in touched if since < tick <= row + 1]
         if not before:
             assert found[row] == -1

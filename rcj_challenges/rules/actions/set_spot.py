@@ -100,7 +100,7 @@ expect:
         """Return a function that finds the place that the spot is set to; None if there is none at present."""
         match self.to:
             case ReportedValue():
-                messages, robot = to.state.heard, to.members(self.to.told)[0]
+                messages, robot = to.state.messages, to.members(self.to.told)[0]
                 return lambda: position_in(messages.get(robot, ""))
             case UniformIn() | OnLine():
                 sample, state, stream = self.to.sampler(to), to.state, f"spot/{self.spot}"

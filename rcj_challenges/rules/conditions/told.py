@@ -46,9 +46,9 @@ expect:
     SENTENCE = "it does not have what was drawn as “number” as its last message to the referee"
 
     def test(self, to: Binder) -> Test:
-        heard, of, fits = to.state.heard, self.of, self.matcher(to.state.draws)
+        messages, of, fits = to.state.messages, self.of, self.matcher(to.state.draws)
         robots = to.members(self.entity)
-        return lambda: quantified(of, (robot in heard and fits(heard[robot]) for robot in robots))
+        return lambda: quantified(of, (robot in messages and fits(messages[robot]) for robot in robots))
 
     def describe(self, phrases: Phrases) -> str:
         subject, said = phrases.quantified(self.of, self.entity, negate=self.negate), self.said(phrases)

@@ -2,7 +2,7 @@
 
 from typing import Annotated, Literal
 
-from rcj_challenges.rules.base import FormVocabulary, PlaceWord
+from rcj_challenges.rules.base import KeyedVocabulary, PlaceWord
 from rcj_challenges.rules.places.choice import Choice
 from rcj_challenges.rules.places.furthest_free import FurthestFree
 from rcj_challenges.rules.places.nearest_free import NearestFree
@@ -13,7 +13,7 @@ from rcj_challenges.rules.places.spot import AtSpot
 from rcj_challenges.rules.places.start import Start
 from rcj_challenges.rules.places.uniform_in import UniformIn
 
-PLACES = FormVocabulary({"word": Literal["start"]}, lambda value: "word" if isinstance(value, str) else None)
+PLACES = KeyedVocabulary({"word": Literal["start"]}, lambda value: "word" if isinstance(value, str) else None)
 PLACES.add(
     Start,
     AtPoint,

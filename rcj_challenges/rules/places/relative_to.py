@@ -63,10 +63,10 @@ expect:
     def aim(self, phrases: Phrases) -> str:
         return f"the point {self.describe(phrases)}" if any(self.offset_m) else phrases.thing(self.relative_to)
 
-    def put(self, phrases: Phrases, entity: Names, *, plural: bool) -> str:
+    def describe_placement(self, phrases: Phrases, entity: Names, *, plural: bool) -> str:
         """Return the placement in words; of a thing beside itself: ``put 5 cm towards +x of where it is``."""
         if entity != self.relative_to:
-            return super().put(phrases, entity, plural=plural)
+            return super().describe_placement(phrases, entity, plural=plural)
         return f"{'each ' if plural else ''}put {self._beside('where it is', 'where it is', 'it')}"
 
     def _beside(self, at: str, of: str, turned: str) -> str:

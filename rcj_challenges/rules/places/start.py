@@ -37,5 +37,5 @@ expect:
     def options(self) -> tuple[()]:
         return ()
 
-    def put(self, phrases: Phrases, entity: Names, *, plural: bool) -> str:
-        return "put at their starts" if plural else super().put(phrases, entity, plural=plural)
+    def describe_placement(self, phrases: Phrases, entity: Names, *, plural: bool) -> str:
+        return "put at their starts" if plural else super().describe_placement(phrases, entity, plural=plural)

@@ -80,7 +80,7 @@ class DisplacedTracker(PositionTracker):
 
     def reset(self) -> None:
         """Measure from where it was put, or from the fixed point; what is beyond now was beyond before."""
-        self._region.anchor = self._state.put_at[self.entity] if self._fixed is None else self._fixed
+        self._region.anchor = self._state.placed_at[self.entity] if self._fixed is None else self._fixed
         x, y, _ = self._state.poses[self.entity]
         self._beyond = self._region.contains(x, y)
 

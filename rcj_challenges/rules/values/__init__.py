@@ -11,7 +11,7 @@ from pydantic import Field
 
 from rcj_challenges.core.amounts import clamp_to_max, plain, round_score
 from rcj_challenges.core.timing import TICK_S
-from rcj_challenges.rules.base import Firing, FormVocabulary, Number, Phrases, Reader, Scope, ValueWord
+from rcj_challenges.rules.base import Firing, KeyedVocabulary, Number, Phrases, Reader, Scope, ValueWord
 from rcj_challenges.rules.fields import LONGEST_S, DurationS, Scalar
 from rcj_challenges.rules.phrasing import number, seconds
 from rcj_challenges.rules.values.counter import CounterValue
@@ -30,7 +30,7 @@ from rcj_challenges.rules.values.way import WayValue
 from rcj_challenges.rules.values.word import NumberWord, WordValue
 from rcj_challenges.tracking.state import RefereeState
 
-VALUES = FormVocabulary({"literal": Scalar}, lambda _value: "literal")
+VALUES = KeyedVocabulary({"literal": Scalar}, lambda _value: "literal")
 VALUES.add(
     CounterValue,
     FlagValue,
@@ -50,7 +50,7 @@ Value = Annotated[Scalar | ValueWord, VALUES]
 TERMS = Terms(lambda: NUMBERS.words())  # noqa: PLW0108 - it is defined below
 Part = Annotated[int | float | Term, TERMS]
 """A part of a sum."""
-NUMBERS: FormVocabulary = FormVocabulary(
+NUMBERS: KeyedVocabulary = KeyedVocabulary(
     {"number": int | float},
     lambda value: "parts" if isinstance(value, list | tuple) else "number",
     rest={"parts": Annotated[tuple[Part, ...], Field(strict=False)]},
@@ -68,12 +68,12 @@ NUMBERS.add(
 Points = Annotated[int | float | ValueWord | tuple[Part, ...], NUMBERS]
 """How many points are given, and how much is counted: a number, or a sum."""
 
-BOUNDS = FormVocabulary({"number": int | float}, lambda _value: "number", otherwise="counter")
+BOUNDS = KeyedVocabulary({"number": int | float}, lambda _value: "number", otherwise="counter")
 BOUNDS.add(CounterValue, LowestOfOthers, HighestOfOthers)
 Bound = Annotated[int | float | ValueWord, BOUNDS]
 """What a condition compares with."""
 
-DURATIONS = FormVocabulary({"number": DurationS}, lambda _value: "number", otherwise="draw")
+DURATIONS = KeyedVocabulary({"number": DurationS}, lambda _value: "number", otherwise="draw")
 DURATIONS.add(DrawnDuration, CounterValue)
 Lasts = Annotated[float | DrawnDuration | CounterValue, DURATIONS]
 """How long something lasts: a timer, a phase, or what a rule does for a time."""

@@ -44,7 +44,7 @@ expect:
     SENTENCE = "what Y1 has told the referee last"
 
     def now(self, to: Scope) -> Callable[[], str | None]:
-        messages, robot = to.state.heard, to.members(self.told)[0]
+        messages, robot = to.state.messages, to.members(self.told)[0]
         return lambda: messages.get(robot)
 
     def number(self, to: Scope) -> Reader:

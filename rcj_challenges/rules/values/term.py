@@ -6,7 +6,7 @@ from typing import Any, cast
 
 from pydantic import create_model
 
-from rcj_challenges.rules.base import FormVocabulary, ValueWord, Word
+from rcj_challenges.rules.base import KeyedVocabulary, ValueWord, Word
 from rcj_challenges.rules.fields import described
 
 
@@ -29,7 +29,7 @@ def term_of(value: type[ValueWord]) -> type[Term]:
     return cast("type[Term]", model)
 
 
-class Terms(FormVocabulary):
+class Terms(KeyedVocabulary):
     """The values of another vocabulary, each with a weight, and plain numbers."""
 
     def __init__(self, values: Callable[[], tuple[type[Word], ...]]) -> None:

@@ -157,7 +157,7 @@ class _Walker:
             self._drawn(reference, name, path)
             return None
         if name in roster.groups and not reference.groups:
-            message = f"'{name}' is a group; expected {_a(reference.noun)}"
+            message = f"'{name}' is a group; expected {_with_a(reference.noun)}"
             return "wrong-kind", message, f"name one of {listing(roster.groups[name])}"
         return self._wrong_kind(reference, name, roster.groups.get(name, (name,)))
 
@@ -171,7 +171,7 @@ class _Walker:
         help_ = reference.instead if kinds[wrong] in reference.instead_of else ""
         if kinds[wrong] == "fixed obstacle" and "obstacle" in reference.kinds:
             help_ = help_ or "with movable: true it is an entity"
-        return "wrong-kind", f"{what} {_a(kinds[wrong])}; expected {_a(reference.noun)}", help_
+        return "wrong-kind", f"{what} {_with_a(kinds[wrong])}; expected {_with_a(reference.noun)}", help_
 
     @staticmethod
     def _unbound(reference: Ref, name: str, path: Path, members: tuple[str, ...] | None) -> str:
@@ -202,7 +202,7 @@ class _Walker:
         if not all(isinstance(self.root.entries.get(section, self.root), Entries) for section in sections):
             return None  # that the section is none is reported; what might stand in it is unknown
         kind = self.roster.kind_of(name)
-        which = f", which is {_a(kind)}" if kind else ""
+        which = f", which is {_with_a(kind)}" if kind else ""
         help_ = removal_help(name, sections, self.removed) or choice_of(name, self._known(reference), reference.noun)
         if kind == "param":
             help_ = f"what a param holds is written {{param: {name}}}"
@@ -225,7 +225,7 @@ class _Walker:
         needed_by = f"(needed by {format_path(self.root, user)})"
         for at, value in self._values_of(Leaf(draw, self.root.mark)):
             if not isinstance(value.value, str):
-                message = f"expected {_a(reference.noun)}, found {format_node(value)} {needed_by}"
+                message = f"expected {_with_a(reference.noun)}, found {format_node(value)} {needed_by}"
                 self.add("wrong-value", at, message)
             elif wrong := self._wrong(plain, value.value, at, Scope()):
                 self.add(wrong[0], at, f"{wrong[1]} {needed_by}", wrong[2])
@@ -296,7 +296,7 @@ class _Walker:
         kinds = self.roster.kinds
         names = self._members(node.entries.get("entity"), scope)
         if name := next((one for one in names if kinds.get(one, "ball") != "ball"), None):
-            self.add("wrong-kind", (*path, "kick"), f"only balls roll: '{name}' is {_a(kinds[name])}")
+            self.add("wrong-kind", (*path, "kick"), f"only balls roll: '{name}' is {_with_a(kinds[name])}")
 
     def _owner(self, key: str, model: Any, node: Entries, path: Path, scope: Scope) -> None:
         """Check ``entity`` beside something that may be kept for each member of a group, or its absence."""
@@ -353,7 +353,11 @@ class _Walker:
         idle = next((one for one in members if one in self.roster.kinds and one not in driven), None)
         if idle is None:
             return None
-        return "wrong-kind", f"'{name}' stands for '{idle}', {_a(self.roster.kinds[idle])} that no entrant drives", ""
+        return (
+            "wrong-kind",
+            f"'{name}' stands for '{idle}', {_with_a(self.roster.kinds[idle])} that no entrant drives",
+            "",
+        )
 
     def _among_steps(self, node: Entries, path: Path, scope: Scope) -> None:
         sequence, step = texts(node.entries.get("sequence")), texts(node.entries.get("step"))
@@ -388,7 +392,7 @@ def _entries(node: Node | None) -> Iterable[tuple[str, Node]]:
     return node.entries.items() if isinstance(node, Entries) else ()
 
 
-def _a(noun: str) -> str:
+def _with_a(noun: str) -> str:
     if noun == "walls":
         return "the walls"
     return f"an {noun}" if noun[0] in "aeiou" else f"a {noun}"

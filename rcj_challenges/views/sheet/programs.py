@@ -6,7 +6,7 @@ import json
 import struct
 from collections.abc import Iterator, Mapping
 
-from rcj_challenges.core.messages import MAX_LETTERS
+from rcj_challenges.core.messages import MAX_CHARACTERS
 from rcj_challenges.core.timing import TICK_MS
 from rcj_challenges.devices.supervisor_receiver import SupervisorReceiverDevice
 from rcj_challenges.robots.channels import entrant_of, listening_channels
@@ -141,8 +141,8 @@ def _sent(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
         senders, where = phrases.all_of(tuple(names)).text, listed([str(channel) for channel in channels], "or")
         yield (
             f"The referee receives what {senders} {'sends' if len(names) == 1 else 'send'} with the team emitter on "
-            f"channel {where}: text of up to {MAX_LETTERS} letters, or one or two numbers. In a tick it receives one "
-            "message of each robot, the tick after it is sent at the earliest; other robots do not receive it. In "
+            f"channel {where}: text of up to {MAX_CHARACTERS} letters, or one or two numbers. In a tick it receives "
+            "one message of each robot, the tick after it is sent at the earliest; other robots do not receive it. In "
             "Python: "
             f'emitter.setChannel({channels[0]}), emitter.send("…"), then back to the own channel.'
         )

@@ -116,9 +116,9 @@ class _RunCounter:
         ends = {robot: self._ends.get(seat, frozenset()) for robot, seat in enumerate(seats) if seat is not None}
         for ball in range(roster.robots, roster.robots + roster.balls):
             contacts = contacts_of(half, roster.robots, ball)
-            put_at = [tick for tick, placed in half.placements.items() if any(p.entity == ball for p in placed)]
-            owner = owners(contacts, seats, half.ticks, put_at)
-            shots = shots_of(contacts, motion.places[:, ball], put_at, ends, self._goals)
+            placed_at = [tick for tick, placed in half.placements.items() if any(p.entity == ball for p in placed)]
+            owner = owners(contacts, seats, half.ticks, placed_at)
+            shots = shots_of(contacts, motion.places[:, ball], placed_at, ends, self._goals)
             for robot in ends:
                 tally = self.robot(number, roster.entities[robot])
                 tally.owned_ticks += int((play & (owner == robot)).sum())

@@ -49,13 +49,13 @@ def contacts_of(half: HalfTrack, robots: int, ball: int) -> Contacts:
     return Contacts(substeps[chosen], pairs[chosen, 0].astype(np.int64))
 
 
-def owners(contacts: Contacts, seats: Sequence[str | None], ticks: int, put_at: Sequence[int]) -> Array:
+def owners(contacts: Contacts, seats: Sequence[str | None], ticks: int, placed_at: Sequence[int]) -> Array:
     """Return ``[T]``: the robot that was the last to have touched the ball when a tick was over, -1: none.
 
     If robots of two seats touch it in one sub-step, it keeps its owner. It loses it when it is put elsewhere.
     """
     found = np.full(ticks, -1)
-    lost = sorted(put_at)
+    lost = sorted(placed_at)
     substeps, robots = contacts.substeps, contacts.robots
     edges = np.flatnonzero(np.diff(substeps, prepend=-1))
     owner, filled = -1, 0
@@ -114,14 +114,14 @@ class Shot:
 
 
 def shots_of(
-    contacts: Contacts, places: Array, put_at: Sequence[int], ends: Mapping[int, frozenset[int]], goals: Goals
+    contacts: Contacts, places: Array, placed_at: Sequence[int], ends: Mapping[int, frozenset[int]], goals: Goals
 ) -> list[Shot]:
     """Return the shots of a half with one ball.
 
     Args:
         contacts: of the ball.
         places: ``[T, 2]``, its judged positions in m.
-        put_at: ticks after which it was put elsewhere.
+        placed_at: ticks after which it was put elsewhere.
         ends: by robot, the ends that it attacks.
         goals: what there is to shoot at.
     """
@@ -129,7 +129,7 @@ def shots_of(
     touched = np.zeros(len(places) + FREE_TICKS + 2, bool)
     touched[every_tick] = True
     put = np.zeros_like(touched)
-    put[[tick for tick in put_at if tick < len(put)]] = True
+    put[[tick for tick in placed_at if tick < len(put)]] = True
     shots = []
     for robot, attacked in ends.items():
         for tick in touch_ends(contacts, robot):
@@ -140,7 +140,7 @@ def shots_of(
                 on_goal = _aim(places[tick + FREE_TICKS - 2], places[tick + FREE_TICKS - 1], attacked, goals)
                 if on_goal is not None:
                     shots.append(Shot(tick, robot, on_goal))
-    for goal in _went_in(contacts, places, put_at, ends, goals):
+    for goal in _went_in(contacts, places, placed_at, ends, goals):
         shots = [shot for shot in shots if (shot.tick, shot.robot) != (goal.tick, goal.robot)]
         shots.append(goal)
     return sorted(shots, key=lambda shot: (shot.tick, shot.robot))
@@ -168,7 +168,7 @@ def _aim(before: Array, now: Array, attacked: frozenset[int], goals: Goals) -> b
 
 
 def _went_in(
-    contacts: Contacts, places: Array, put_at: Sequence[int], ends: Mapping[int, frozenset[int]], goals: Goals
+    contacts: Contacts, places: Array, placed_at: Sequence[int], ends: Mapping[int, frozenset[int]], goals: Goals
 ) -> list[Shot]:
     """Return the last touch before each time that the ball came into a goal which that robot attacks."""
     found = []
@@ -181,7 +181,7 @@ def _went_in(
             if last < 0:
                 continue
             robot, touched_at = int(contacts.robots[last]), int(contacts.ticks[last])
-            put = any(touched_at <= placed < tick for placed in put_at)
+            put = any(touched_at <= placed < tick for placed in placed_at)
             if end in ends.get(robot, ()) and not put:
                 found.append(Shot(touched_at, robot, on_goal=True))
     return found

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from rcj_challenges.core.likeness import nearest_name
+from rcj_challenges.core.similarity import nearest_name
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.views.video.clips import Moment
 from rcj_challenges.views.video.errors import VideoError

@@ -12,7 +12,7 @@ from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.roster import Roster, with_each
 
 
-def put_inside_notes(
+def placed_inside_notes(
     placements: Collection[tuple[int, Placement]],
     scenario: Scenario,
     roster: Roster,

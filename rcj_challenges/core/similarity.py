@@ -12,22 +12,22 @@ from itertools import islice
 MAX_COMPARED = 150
 """How many known names a misspelt one is compared with; among more the intended one would be a guess."""
 
-MAX_LETTERS = 32
-"""How many letters of a name are compared; a difference only after them is not a typing mistake."""
+MAX_CHARACTERS = 32
+"""How many characters of a name are compared; a difference only after them is not a typing mistake."""
 
 
-def nearest_name(word: str, known: Iterable[str], likeness: float = 0.6) -> str | None:
+def nearest_name(word: str, known: Iterable[str], least: float = 0.6) -> str | None:
     """Return the known name that is most similar to a misspelt one; None if none is similar.
 
     The first `MAX_COMPARED` known names count; the required similarity is from 0 to 1.
     """
     by_beginning: dict[str, str] = {}
     for name in islice(known, MAX_COMPARED):
-        by_beginning.setdefault(name[:MAX_LETTERS], name)
-    found = get_close_matches(word[:MAX_LETTERS], by_beginning, 1, likeness)
+        by_beginning.setdefault(name[:MAX_CHARACTERS], name)
+    found = get_close_matches(word[:MAX_CHARACTERS], by_beginning, 1, least)
     return by_beginning[found[0]] if found else None
 
 
-def likeness_of(one: str, other: str) -> float:
+def similarity(one: str, other: str) -> float:
     """Return the similarity of two names, from 0 to 1."""
-    return SequenceMatcher(None, one[:MAX_LETTERS], other[:MAX_LETTERS]).ratio()
+    return SequenceMatcher(None, one[:MAX_CHARACTERS], other[:MAX_CHARACTERS]).ratio()
