@@ -74,12 +74,7 @@ class RuleBinder(NameScope):
     def locate(self, what: Name | Point) -> Callable[[], Point | None]:
         if isinstance(what, tuple):
             return lambda: what
-        name = self.members(what)[0]
-        among = self.drawn.get(name)
-        if among is None:
-            return self._locate_one(name)
-        finders, draws = {one: self._locate_one(one) for one in among}, self.state.draws
-        return lambda: finders[str(draws[name])]()  # noqa: PLW0108 - which one is known when it is called
+        return self._read(self.members(what)[0], self._locate_one)
 
     def _locate_one(self, name: str) -> Callable[[], Point | None]:
         zone = self.scenario.zones.get(name)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from random import Random
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from rcj_challenges.geometry.regions import AnyOf, Drawn, Outlined, Region
 from rcj_challenges.referee.random_points import point_sampler
@@ -17,6 +17,8 @@ from rcj_challenges.tracking.gates import GateLine
 from rcj_challenges.tracking.places import Anchor, StartPose
 from rcj_challenges.tracking.state import Number
 from rcj_challenges.tracking.target import Target
+
+_T = TypeVar("_T")
 
 if TYPE_CHECKING:
     from rcj_challenges.referee.compiling import CompileContext
@@ -72,15 +74,14 @@ class NameScope:
         return self.each if value == EACH and self.each is not None else value
 
     def region(self, names: Names) -> Region:
-        regions = tuple(self._zone_or_drawn(name) for name in self.members(names))
+        drawn, members = self.roster.drawn, self.members(names)
+        regions = tuple(Drawn(self._decided(one, self.zone)) if one in drawn else self.zone(one) for one in members)
         return regions[0] if len(regions) == 1 else AnyOf(regions)
 
-    def _zone_or_drawn(self, name: str) -> Region:
-        among = self.roster.drawn.get(name)
-        if among is None:
-            return self.zone(name)
-        draws, regions = self.state.draws, {zone: self.zone(zone) for zone in among}
-        return Drawn(lambda: regions[str(draws[name])])
+    def _decided(self, draw: str, resolve: Callable[[str], _T]) -> Callable[[], _T]:
+        """Return a function that finds among what a draw may decide, each resolved once, what it has decided."""
+        draws, found = self.state.draws, {one: resolve(one) for one in self.roster.drawn[draw]}
+        return lambda: found[str(draws[draw])]
 
     def zone(self, name: str) -> Outlined:
         """Return the region of one zone.
@@ -133,12 +134,10 @@ class NameScope:
             point = Anchor(lambda _board: what)
             return lambda: point
         member = self.members(what)[0]
-        among = self.roster.drawn.get(member)
-        if among is None:
-            anchor = self._one_anchor(member)
-            return lambda: anchor
-        anchors, draws = {one: self._one_anchor(one) for one in among}, self.state.draws
-        return lambda: anchors[str(draws[member])]
+        if member in self.roster.drawn:
+            return self._decided(member, self._one_anchor)
+        anchor = self._one_anchor(member)
+        return lambda: anchor
 
     def _one_anchor(self, name: str) -> Anchor:
         roster = self.roster
@@ -162,12 +161,14 @@ class NameScope:
         return index >= len(self.state.present) or self.state.present[index]
 
     def pose(self, name: str) -> Callable[[], tuple[float, ...] | None]:
-        member, state = self.members(name)[0], self.state
-        among = self.roster.drawn.get(member)
-        if among is None:
-            return self._one_pose(member)
-        poses = {one: self._one_pose(one) for one in among}
-        return lambda: poses[str(state.draws[member])]()  # noqa: PLW0108 - which one is known when it is called
+        return self._read(self.members(name)[0], self._one_pose)
+
+    def _read(self, name: str, resolve: Callable[[str], Callable[[], _T]]) -> Callable[[], _T]:
+        """Return a function that reads something of a name; of a draw's name, of what it has decided."""
+        if name not in self.roster.drawn:
+            return resolve(name)
+        decided = self._decided(name, resolve)
+        return lambda: decided()()
 
     def _one_pose(self, name: str) -> Callable[[], tuple[float, ...] | None]:
         state, roster = self.state, self.roster

@@ -30,13 +30,11 @@ class Scope(Protocol):
     def state(self) -> RefereeState:
         """The referee's memory; read it when a rule fires or something is placed, not when a word is compiled."""
 
-    @property
-    def each(self) -> str | None:
-        """The name that ``each`` stands for; None: it is not known there."""
+    each: str | None
+    """The name that ``each`` stands for; None: it is not known there."""
 
-    @property
-    def contacts(self) -> Contacts:
-        """What touches what."""
+    contacts: Contacts
+    """What touches what."""
 
     def members(self, names: Names) -> tuple[str, ...]:
         """Return the members that names stand for: groups expanded, ``each`` replaced, without repeats, in order."""
@@ -87,25 +85,20 @@ class Scope(Protocol):
 class Binder(Scope, Protocol):
     """What a trigger, a condition or an action needs to be compiled for one rule."""
 
-    @property
-    def rule(self) -> BoundRule:
-        """The rule for which it is compiled."""
+    rule: BoundRule
+    """The rule for which it is compiled."""
 
-    @property
-    def hits(self) -> HitBuffer:
-        """Where trackers report."""
+    hits: HitBuffer
+    """Where trackers report."""
 
-    @property
-    def pose_history(self) -> PoseHistory:
-        """Judged poses of the past."""
+    pose_history: PoseHistory
+    """Judged poses of the past."""
 
-    @property
-    def clock_events(self) -> ClockEvents:
-        """Triggers that no tracker follows."""
+    clock_events: ClockEvents
+    """Triggers that no tracker follows."""
 
-    @property
-    def drawn(self) -> Mapping[str, tuple[str, ...]]:
-        """For each draw that decides on a place: the places."""
+    drawn: Mapping[str, tuple[str, ...]]
+    """For each draw that decides on a place: the places."""
 
     def entities(self, names: Names) -> tuple[int, ...]:
         """Return the indices of entities."""

@@ -1,27 +1,18 @@
 """Floors and ceilings: how much an action pays or counts, and how far it takes a score or a counter."""
 
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.core.amounts import plain
 from rcj_challenges.rules.phrasing import number
 from rcj_challenges.tracking.state import Number
 
-
-class _Bounded(Protocol):
-    """An action with floors and ceilings: of the amount, and of what becomes of the total."""
-
-    @property
-    def at_least(self) -> float | None: ...
-    @property
-    def at_most(self) -> float | None: ...
-    @property
-    def keeps_at_least(self) -> float | None: ...
-    @property
-    def keeps_at_most(self) -> float | None: ...
+if TYPE_CHECKING:
+    from rcj_challenges.rules.actions.count import Count
+    from rcj_challenges.rules.actions.score import Score
 
 
-def amount_bound(model: _Bounded) -> Callable[[Number], Number]:
+def amount_bound(model: "Count | Score") -> Callable[[Number], Number]:
     """Return a function that brings an amount between ``at_least`` and ``at_most``."""
     least, most = model.at_least, model.at_most
 
@@ -33,7 +24,7 @@ def amount_bound(model: _Bounded) -> Callable[[Number], Number]:
     return within
 
 
-def change_bound(model: _Bounded) -> Callable[[Number, Number], Number]:
+def change_bound(model: "Count | Score") -> Callable[[Number, Number], Number]:
     """Return a function from an amount and the total before it to the amount that is added.
 
     It goes as far as ``keeps_at_least`` or ``keeps_at_most`` and no further. What lies beyond already stays where it
@@ -53,7 +44,7 @@ def change_bound(model: _Bounded) -> Callable[[Number, Number], Number]:
     return change
 
 
-def bounds_words(action: _Bounded, total: str) -> str:
+def bounds_words(action: "Count | Score", total: str) -> str:
     """Return the bounds of an action's amount, and of the total, in words."""
     least, most = action.at_least, action.at_most
     amounts = [f"at {how} {number(one)}" for how, one in (("least", least), ("most", most)) if one is not None]
@@ -63,7 +54,7 @@ def bounds_words(action: _Bounded, total: str) -> str:
     return f" ({'; '.join(filter(None, said))})" if any(said) else ""
 
 
-def subtracted_parts(action: _Bounded, parts: Any) -> tuple[Any, ...]:
+def subtracted_parts(action: "Count | Score", parts: Any) -> tuple[Any, ...]:
     """Return the parts of a sum that takes away only, without their signs; else, or with bounds, none."""
     is_bounded = action.at_least is not None or action.at_most is not None
     if is_bounded or not isinstance(parts, tuple):

@@ -1,11 +1,16 @@
 """What the places ``nearest_free`` and ``furthest_free`` share."""
 
 from math import sqrt
-from typing import Protocol
+from typing import TYPE_CHECKING
 
 from rcj_challenges.rules.base import Phrases, PlaceRequest, PlaceResolver, Scope
 from rcj_challenges.rules.fields import Name, Names, Point
 from rcj_challenges.rules.phrasing import within_words
+
+if TYPE_CHECKING:
+    from rcj_challenges.rules.places.furthest_free import FurthestFree
+    from rcj_challenges.rules.places.nearest_free import NearestFree
+
 
 # Distances are compared to the nanometre, so that spots at equal distances stand in the order of the file.
 _EQUAL_DIGITS = 9
@@ -15,15 +20,8 @@ CLEARANCE_DESCRIPTION = (
 )
 
 
-class _FreeSpot(Protocol):
-    @property
-    def choose_among(self) -> int: ...
-    @property
-    def clearance_m(self) -> float: ...
-
-
 def compile_free_spot(
-    place: _FreeSpot, to: Scope, names: Names, reference: Name | Point | None, *, sign: float
+    place: "FurthestFree | NearestFree", to: Scope, names: Names, reference: Name | Point | None, *, sign: float
 ) -> PlaceResolver:
     """Return a function that draws one of the first free spots, the nearest (``sign`` 1) or the furthest (-1) first.
 
@@ -47,7 +45,7 @@ def compile_free_spot(
 
 
 def describe_free_spot(
-    place: _FreeSpot, phrases: Phrases, how: str, names: Names, reference: Name | Point | None
+    place: "FurthestFree | NearestFree", phrases: Phrases, how: str, names: Names, reference: Name | Point | None
 ) -> str:
     """Return the place, ``how`` being ``nearest to`` or ``furthest from``."""
     clearance = within_words(place.clearance_m)
