@@ -168,7 +168,7 @@ class NameScope:
         if name not in self.roster.drawn:
             return resolve(name)
         decided = self._decided(name, resolve)
-        return lambda: decided()()
+        return lambda: decided()()  # noqa: PLW0108 - which one is known when it is called
 
     def _one_pose(self, name: str) -> Callable[[], tuple[float, ...] | None]:
         state, roster = self.state, self.roster
