@@ -23,8 +23,8 @@ from rcj_challenges.checker.modules import (
 from rcj_challenges.checker.reading import Import, Risk, Source, read_sources
 from rcj_challenges.checker.unreadable import PYTHON, describe_error
 from rcj_challenges.core.amounts import counted
-from rcj_challenges.core.similarity import nearest_name
 from rcj_challenges.core.sanitize import sanitize
+from rcj_challenges.core.similarity import nearest_name
 from rcj_challenges.submissions.team import Team
 
 Unit = tuple[PurePosixPath, int]

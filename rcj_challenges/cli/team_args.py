@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.errors import RcjError
-from rcj_challenges.core.similarity import nearest_name
 from rcj_challenges.core.sanitize import sanitize
+from rcj_challenges.core.similarity import nearest_name
 from rcj_challenges.scenario.resources import shipped_teams
 
 if TYPE_CHECKING:
