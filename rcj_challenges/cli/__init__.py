@@ -17,11 +17,7 @@ from types import ModuleType
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
-    from typing import Any
-
     from typer import Typer
-    from typer.models import CommandInfo
 
 OK = 0
 WRONG_INPUT = 2
@@ -56,12 +52,8 @@ def main() -> None:
 
 
 def _exit_code(handled: list[int]) -> int:
-    """Run the command line; return its exit code.
-
-    Args:
-        handled: receives the signals that are handled from now on.
-    """
-    begun: list[str] = []
+    """Run the command line; return its exit code. ``handled`` receives the signals that are handled from now on."""
+    begun: list[object] = []
     interrupted_at_s: list[float] = []
     code: object = OK
     try:
@@ -80,7 +72,7 @@ def _exit_code(handled: list[int]) -> int:
         _speed_up_start()
         from rcj_challenges.cli.commands import app
 
-        code = _with_one_command(app, sys.argv[1:3], begun)(standalone_mode=False)
+        code = _with_one_command(app, sys.argv[1:2])(standalone_mode=False, obj=begun)
         sys.stdout.flush()
     except BrokenPipeError:
         discard_output(sys.stdout)  # the reader of our output has closed it
@@ -100,13 +92,10 @@ def _status(code: object) -> int:
 
 
 def _report_error(error: BaseException, *, begun: bool, interrupted: bool = False) -> int:
-    """Print what ended a command; return its exit code. Unexpected errors become a report.
+    """Print what ended a command that had ``begun`` to work, or not; return its exit code.
 
-    Args:
-        error: what ended it.
-        begun: whether it had begun to work.
-        interrupted: whether a signal came just before. Libraries that are not written in Python may make an error of
-            their own of it, behind which nothing else can be seen.
+    Unexpected errors become a report, unless a signal ``interrupted`` the command just before: libraries that are not
+    written in Python may make an error of their own of it, behind which nothing else can be seen.
     """
     from rcj_challenges.cli.crash_report import write_crash_report
     from rcj_challenges.cli.stdio import as_host_error, discard_output, is_output_error
@@ -135,7 +124,7 @@ def _report_error(error: BaseException, *, begun: bool, interrupted: bool = Fals
 
 
 def _as_missing_package(error: BaseException) -> BaseException:
-    """Return an error unchanged, or with help if a package is missing."""
+    """The error unchanged, or with help if a package is missing."""
     package = (error.name or "").partition(".")[0] if isinstance(error, ModuleNotFoundError) else ""
     if package in ("", __name__.partition(".")[0], *sys.stdlib_module_names):
         return error
@@ -152,9 +141,7 @@ def _install_signal_handlers(interrupted_at_s: list[float]) -> list[int]:
     """Handle the signals that end a service or a closed terminal like Ctrl-C: the record is closed.
 
     Such signals often come twice: from a closed terminal and from its shell. A second one within a second is ignored.
-
-    Args:
-        interrupted_at_s: takes the times of the interruptions.
+    ``interrupted_at_s`` takes the times of the others.
 
     Returns:
         The signals that are handled from now on.
@@ -194,7 +181,7 @@ class _NoPlugins(ModuleType):
     get_plugins = staticmethod(tuple)
 
     def __getattr__(self, name: str) -> object:
-        """Return what another version of pydantic has there, from the module itself."""
+        """What another version of pydantic has there, from the module itself."""
         if name.startswith("__"):
             raise AttributeError(name)
         del sys.modules[self.__name__]
@@ -212,68 +199,14 @@ def _speed_up_start() -> None:
     gc.set_threshold(_OBJECTS_BETWEEN_COLLECTIONS, *gc.get_threshold()[1:])
 
 
-def _with_one_command(app: Typer, asked: list[str], begun: list[str]) -> Typer:
-    """Return the app with the requested command alone: to read the options of all of them takes 20 ms.
-
-    If there is no such command, the app is returned unchanged.
-
-    Args:
-        app: with all commands, some of them in groups.
-        asked: the names of the command, or of a group and of a command in it, as far as they are given.
-        begun: takes the name when the command begins to work.
-    """
+def _with_one_command(app: Typer, asked: list[str]) -> Typer:
+    """The app with the requested command alone, if it has it: to read the options of all of them takes 30 ms."""
     import copy
 
+    named = [one for one in app.registered_commands if [one.name or getattr(one.callback, "__name__", "")] == asked]
     quick = copy.copy(app)
-    if asked in (["--help"], ["-h"]):  # which lists no options of commands
-        quick.registered_commands = [copy.copy(one) for one in app.registered_commands]
-        for command in quick.registered_commands:
-            command.callback = _without_options(command.callback) if command.callback is not None else None
-        return quick
-    commands = [one for one in app.registered_commands if [_name_of(one)] == asked[:1]]
-    if commands:
-        command = copy.copy(commands[0])
-        if command.callback is not None:
-            command.callback = _interruptible(command.callback, lambda: begun.extend(asked[:1]))
-        quick.registered_commands, quick.registered_groups = [command], []
-        return quick
-    groups = [
-        one for one in app.registered_groups if one.typer_instance and [one.typer_instance.info.name] == asked[:1]
-    ]
-    if groups and groups[0].typer_instance:
-        group = copy.copy(groups[0])
-        group.typer_instance = _with_one_command(groups[0].typer_instance, asked[1:2], begun)
-        quick.registered_commands, quick.registered_groups = [], [group]
-        return quick
-    return app
-
-
-def _without_options(work: Callable[..., Any]) -> Callable[[], None]:
-    """Return a function with the name and description of a command, and nothing to do."""
-
-    def described() -> None: ...
-
-    described.__name__, described.__doc__ = work.__name__, work.__doc__
-    return described
-
-
-def _interruptible(work: Callable[..., Any], begin: Callable[[], object]) -> Callable[..., Any]:
-    """Wrap a command so that an interruption passes the library of the command line unchanged."""
-    import functools
-
-    @functools.wraps(work)
-    def working(*arguments: Any, **options: Any) -> Any:
-        begin()
-        try:
-            return work(*arguments, **options)
-        except KeyboardInterrupt as error:
-            raise CommandInterruptedError from error
-
-    return working
-
-
-def _name_of(command: CommandInfo) -> str:
-    return command.name or (command.callback.__name__.replace("_", "-") if command.callback else "")
+    quick.registered_commands, quick.registered_groups = named, []
+    return quick if named else app
 
 
 def _usage_error(error: BaseException) -> int | None:

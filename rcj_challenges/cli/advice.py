@@ -22,19 +22,13 @@ def advice_on(
     scenario: Scenario,
     teams: Mapping[str, Team | SuperTeam],
     faults: Sequence[Mapping[str, Any]],
-    standing: Sequence[str],
+    motionless: Sequence[str],
     logs: Path,
 ) -> list[dict[str, Any]]:
-    """Return what to do about faults, robots that never moved and warnings in logs, as in `HintResult`.
+    """Hints about faults, robots that never moved and warnings in logs, as in `HintResult`.
 
-    Each log gets the hints for its robot as its last lines.
-
-    Args:
-        scenario: what was played.
-        teams: by seat of the first half.
-        faults: as in the result.
-        standing: robots that did not fail and never moved.
-        logs: folder with the robots' logs.
+    Each log in the folder ``logs`` gets the hints for its robot as its last lines. The teams are by seat of the first
+    half, the faults as in the result; the ``motionless`` robots did not fail and never moved.
     """
     faults = [fault for fault in faults if fault["team"] in teams]
     from rcj_challenges.checker.advice.hints import HELP_BY_FAULT, hint_for, read_log, standing_help, whereabouts_in
@@ -49,7 +43,7 @@ def advice_on(
         general = "" if fault["kind"] in _ONLY_SPECIAL else HELP_BY_FAULT.get(fault["kind"], "")
         if help_ := hint.help if hint is not None else general:
             robots.setdefault(help_, {})[fault["robot"]] = None
-    for robot in standing:
+    for robot in motionless:
         team = teams[seats[robot]].driving(numbers[robot])
         help_ = f"it did not move: {standing_help(scenario, team, robot, read_log(logs, robot))}"
         robots.setdefault(help_, {})[robot] = None
@@ -65,7 +59,7 @@ def advice_on(
 
 
 def _warnings(scenario: Scenario, team: Team, log: str, known: str) -> list[str]:
-    """Return the warnings in a robot's log with what to do, as `check` has them; ``known``: hints that it has."""
+    """Warnings in a robot's log with what to do, as `check` has them; ``known``: hints that it has."""
     from rcj_challenges.checker.advice.complaints import MAX_COMPLAINTS, complaints_in
     from rcj_challenges.checker.advice.devices import device_help, missing_devices, missing_sentence
 

@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rcj_challenges.cli.app import app
-from rcj_challenges.cli.help import SUBMIT, Command
+from rcj_challenges.cli.app import SUBMIT, app
 from rcj_challenges.cli.options import Json, Overrides, Sandbox, complete_scenarios
 from rcj_challenges.cli.stdio import print_json, print_lines, print_progress, require_layers
 from rcj_challenges.core.errors import RcjError, format_error, room_help
@@ -32,11 +31,7 @@ class CheckUsageError(RcjError):
     CODE = "bad-option"
 
 
-@app.command(
-    cls=Command,
-    rich_help_panel=SUBMIT,
-    epilog="rcj-challenge check my_team.zip\nrcj-challenge check my_team --fix my_team.zip",
-)
+@app.register(SUBMIT, "rcj-challenge check my_team.zip", "rcj-challenge check my_team --fix my_team.zip")
 def check(
     paths: Annotated[
         list[Path],
@@ -54,8 +49,7 @@ def check(
     ] = "match",
     set_: Overrides = None,
     fix: Annotated[
-        Path | None,
-        typer.Option("--fix", metavar="OUT.zip", help="Write a repaired archive, and check that one."),
+        Path | None, typer.Option("--fix", metavar="OUT.zip", help="Write a repaired archive, and check that one.")
     ] = None,
     html: Annotated[
         Path | None, typer.Option("--html", metavar="OUT", help="Write the report as an HTML page.")

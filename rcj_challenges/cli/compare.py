@@ -9,23 +9,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from rcj_challenges.cli import OK, OUR_FAULT
-from rcj_challenges.cli.app import app
-from rcj_challenges.cli.help import PLAY, Command
-from rcj_challenges.cli.options import (
-    AtOnce,
-    Duration,
-    Halves,
-    Json,
-    OutFolder,
-    Overrides,
-    Quiet,
-    Sandbox,
-    Seeds,
-    all_overrides,
-    complete_scenarios,
-    complete_teams,
-)
+from rcj_challenges.cli import OK, OUR_FAULT, options
+from rcj_challenges.cli.app import PLAY, app
 from rcj_challenges.cli.simulate import Progress, prepared
 from rcj_challenges.cli.stdio import print_json, print_lines
 from rcj_challenges.cli.team_args import UsageError
@@ -40,30 +25,34 @@ _VERSIONS = ("new", "old")
 _REPLAYS = 3
 
 
-@app.command(cls=Command, rich_help_panel=PLAY, epilog="rcj-challenge compare my_team old_team --against ball_chaser")
+@app.register(PLAY, "rcj-challenge compare my_team old_team --against ball_chaser")
 def compare(
-    new: Annotated[str, typer.Argument(metavar="NEW", help="The changed team.", autocompletion=complete_teams)],
-    old: Annotated[str, typer.Argument(metavar="OLD", help="The team before.", autocompletion=complete_teams)],
+    new: Annotated[str, typer.Argument(metavar="NEW", help="The changed team.", autocompletion=options.complete_teams)],
+    old: Annotated[str, typer.Argument(metavar="OLD", help="The team before.", autocompletion=options.complete_teams)],
     against: Annotated[
-        str | None, typer.Option("--against", metavar="TEAM", help="The opponent.", autocompletion=complete_teams)
+        str | None,
+        typer.Option("--against", metavar="TEAM", help="The opponent.", autocompletion=options.complete_teams),
     ] = None,
     scenario: Annotated[
-        str, typer.Option("--scenario", metavar="SCENARIO", help="What is played.", autocompletion=complete_scenarios)
+        str,
+        typer.Option(
+            "--scenario", metavar="SCENARIO", help="What is played.", autocompletion=options.complete_scenarios
+        ),
     ] = "match",
-    seeds: Seeds = "1..20",
-    duration: Duration = None,
-    halves: Halves = None,
-    set_: Overrides = None,
-    out: OutFolder = Path("runs"),
-    at_once: AtOnce = None,
-    json_: Json = False,
-    quiet: Quiet = False,
-    sandbox: Sandbox = "auto",
+    seeds: options.Seeds = "1..20",
+    duration: options.Duration = None,
+    halves: options.Halves = None,
+    set_: options.Overrides = None,
+    out: options.OutFolder = Path("runs"),
+    at_once: options.AtOnce = None,
+    json_: options.Json = False,
+    quiet: options.Quiet = False,
+    sandbox: options.Sandbox = "auto",
 ) -> int:
     """Compare two versions of a team: same seeds, opponent and seat. Is the difference more than chance?"""
     from rcj_challenges.scenario.load import load
 
-    overrides = all_overrides(set_, duration, halves)
+    overrides = options.all_overrides(set_, duration, halves)
     loaded = load(scenario, overrides)
     *others, team = loaded.scenario.entrants
     if bool(others) != (against is not None):
@@ -74,7 +63,7 @@ def compare(
     (new_jobs, new_known), (old_jobs, old_known) = (
         prepared(
             loaded, scenario, seeds, [f"{team}={version}", *(f"{other}={against}" for other in others)], overrides, out,
-            sandbox,
+            sandbox
         )
         for version in (new, old)
     )  # fmt: skip

@@ -39,7 +39,7 @@ def write_crash_report(error: BaseException) -> int:
 def _written(text: str, folder: Path) -> Path:
     with tempfile.NamedTemporaryFile(
         "w", prefix="rcj-challenge-report-", suffix=".txt", dir=folder, delete=False, encoding="utf-8",
-        errors="backslashreplace",
+        errors="backslashreplace"
     ) as file:  # fmt: skip
         file.write(text)
     return Path(file.name)

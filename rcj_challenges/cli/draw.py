@@ -8,13 +8,12 @@ from typing import Annotated
 
 import typer
 
-from rcj_challenges.cli.app import app
-from rcj_challenges.cli.help import WRITE, Command
+from rcj_challenges.cli.app import WRITE, app
 from rcj_challenges.cli.options import Overrides, ScenarioName
 from rcj_challenges.cli.output_paths import check_ending, deliver, file_for_terminal
 
 
-@app.command(cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge draw relay_race.yaml --out relay_race.svg")
+@app.register(WRITE, "rcj-challenge draw relay_race.yaml --out relay_race.svg")
 def draw(
     scenario: ScenarioName,
     out: Annotated[

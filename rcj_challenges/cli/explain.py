@@ -7,7 +7,6 @@ code of several rooms has its page in the lowest of them.
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Mapping
 from difflib import get_close_matches
 from importlib import import_module
@@ -18,13 +17,12 @@ from typing import Annotated
 import typer
 
 import rcj_challenges
-from rcj_challenges.cli.app import app
-from rcj_challenges.cli.help import WRITE, Command
-from rcj_challenges.cli.stdio import say
+from rcj_challenges.cli.app import WRITE, app
+from rcj_challenges.cli.stdio import print_safely
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 
 
-@app.command(cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge explain each-never-named")
+@app.register(WRITE, "rcj-challenge explain each-never-named")
 def explain(
     code: Annotated[
         str | None, typer.Argument(metavar="CODE", help="A code, as in warning[each-never-named]; default: all.")
@@ -35,7 +33,7 @@ def explain(
     if code is None:
         width = max(map(len, pages))
         for name, page in sorted(pages.items()):
-            say(f"{name:{width}}  {page.splitlines()[0]}", sys.stdout)
+            print_safely(f"{name:{width}}  {page.splitlines()[0]}")
         return
     if code not in pages:
         near = get_close_matches(code, pages, 1)
@@ -43,7 +41,7 @@ def explain(
         raise DiagnosticError(
             Diagnostic("unknown-code", f"unknown code '{code}'", f"{hint}rcj-challenge explain lists all codes")
         )
-    say(f"{code}\n\n{pages[code]}", sys.stdout)
+    print_safely(f"{code}\n\n{pages[code]}")
 
 
 def pages_by_room() -> dict[str, Mapping[str, str]]:

@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from rcj_challenges.cli.app import app
-from rcj_challenges.cli.help import ORGANIZE, Command
+from rcj_challenges.cli.app import ORGANIZE, app
 from rcj_challenges.cli.options import Json, Overrides, Runs, RunsFolder, complete_scenarios
 from rcj_challenges.cli.stdio import print_json, print_lines
 from rcj_challenges.core.amounts import counted
@@ -48,9 +47,7 @@ class _Judged:
         return (self.score, ranking) == (self.judgement.scores, self.judgement.ranking)
 
 
-@app.command(
-    cls=Command, rich_help_panel=ORGANIZE, epilog="rcj-challenge judge\nrcj-challenge judge --set ball_progress_s=15"
-)
+@app.register(ORGANIZE, "rcj-challenge judge", "rcj-challenge judge --set ball_progress_s=15")
 def judge(
     runs: Runs = None,
     scenario: Annotated[

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING, Any
 
-from rcj_challenges.cli.help import Command
+from rcj_challenges.cli.app import Command
 from rcj_challenges.cli.stdio import print_lines
 from rcj_challenges.core.errors import RcjError
 
@@ -68,17 +68,12 @@ def live_speed(port: int | None, speed: str | None, for_s: float | None) -> floa
 
 
 @contextmanager
-def on_air(
+def shown_live(
     port: int | None, speed: float, plan: MatchPlan, console: Console, *, open_: bool
 ) -> Iterator[LiveShow | None]:
     """Show the match that is played in this context, and print its addresses.
 
-    Args:
-        port: on loopback; 0 takes a free one; None: the match is not shown.
-        speed: simulated over wall time.
-        plan: of the match.
-        console: for the addresses.
-        open_: whether to open the page in the browser.
+    The port is one of loopback: 0 takes a free one, None shows nothing. The speed is simulated over wall time.
 
     Raises:
         PortTakenError: the port is in use.
@@ -98,7 +93,7 @@ def on_air(
         yield show
 
 
-def stay_on_air(show: LiveShow, for_s: float | None, console: Console) -> None:
+def serve_after_match(show: LiveShow, for_s: float | None, console: Console) -> None:
     """Go on serving after the match, for ``for_s``; None: until Ctrl-C."""
     with suppress(KeyboardInterrupt):
         if for_s is None:

@@ -14,8 +14,7 @@ from typing import Annotated
 
 import typer
 
-from rcj_challenges.cli.app import app
-from rcj_challenges.cli.help import WRITE, Command
+from rcj_challenges.cli.app import WRITE, app
 from rcj_challenges.cli.stdio import shell_quoted
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.errors import RcjError, format_error, room_help
@@ -43,11 +42,7 @@ class StarterError(RcjError):
     CODE = "bad-name"
 
 
-@app.command(
-    cls=Command,
-    rich_help_panel=WRITE,
-    epilog="rcj-challenge new team my_team\nrcj-challenge new challenge relay_race",
-)
+@app.register(WRITE, "rcj-challenge new team my_team", "rcj-challenge new challenge relay_race")
 def new(
     words: Annotated[
         list[str],
@@ -153,7 +148,7 @@ def _refuse_name(file: str, given: str) -> None:
         given: as typed.
 
     Raises:
-        StarterError: says why.
+        StarterError: the name is such a one.
     """
     if not file.strip("."):
         raise StarterError(f"'{sanitize(given)}' cannot be the name of a file", _CHOOSE)

@@ -38,8 +38,7 @@ Overrides = Annotated[
     typer.Option("--set", metavar="PATH=VALUE", help="Change a param or any value: --set match.half_s=60. Repeatable."),
 ]
 Sandbox = Annotated[
-    str,
-    typer.Option("--sandbox", metavar="auto|strict|off", help="How programs are isolated (docs/isolation.md)."),
+    str, typer.Option("--sandbox", metavar="auto|strict|off", help="How programs are isolated (docs/isolation.md).")
 ]
 
 Json = Annotated[bool, typer.Option("--json", help="Print JSON and nothing else.")]
@@ -105,7 +104,7 @@ def all_overrides(given: list[str] | None, duration: str | None, halves: int | N
 
 
 def parse_duration(text: str) -> float:
-    """Return the seconds of ``90``, ``90s`` or ``1:30``.
+    """The seconds of ``90``, ``90s`` or ``1:30``.
 
     Raises:
         DiagnosticError: it is no time.

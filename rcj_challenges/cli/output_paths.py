@@ -24,10 +24,7 @@ class OutputNameError(RcjError):
 def refuse_devices(**outputs: Path | None) -> None:
     """Refuse names of Windows devices on every system: files are handed on.
 
-    Only the last name of a path counts: a folder of such a name exists where it can.
-
-    Args:
-        outputs: the paths by the option's name without its dashes; None: not given.
+    Only the last name of a path counts: a folder of such a name exists where it can. ``outputs`` are by option.
 
     Raises:
         OutputNameError: one of them is the name of a device.
@@ -53,7 +50,7 @@ def check_ending(out: Path | None, endings: tuple[str, ...], complaint: str) -> 
 
 
 def file_for_terminal(name: str) -> Path | None:
-    """Return the file for a document without ``--out`` on a terminal, which cannot show it; None elsewhere.
+    """The file for a document without ``--out`` on a terminal, which cannot show it; None elsewhere.
 
     Raises:
         OutputError: there is one of that name.

@@ -5,14 +5,13 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from rcj_challenges.cli.app import app
-from rcj_challenges.cli.help import WATCH, Command
+from rcj_challenges.cli.app import WATCH, app
 from rcj_challenges.cli.options import Run, RunsFolder
 from rcj_challenges.cli.stdio import shown_path
 from rcj_challenges.core.sanitize import sanitize
 
 
-@app.command(cls=Command, rich_help_panel=WATCH, epilog="rcj-challenge replay")
+@app.register(WATCH, "rcj-challenge replay")
 def replay(run: Run = None, out: RunsFolder = Path("runs")) -> None:
     """Write the replay page of a record again."""
     from rcj_challenges.records.run_record import read_run

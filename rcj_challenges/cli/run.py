@@ -9,26 +9,11 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from rcj_challenges.cli import INTERRUPTED, OK
-from rcj_challenges.cli.app import app
-from rcj_challenges.cli.help import PLAY
-from rcj_challenges.cli.live import RunCommand, live_speed, on_air, stay_on_air
-from rcj_challenges.cli.options import (
-    Blue,
-    Duration,
-    Halves,
-    Json,
-    OutFolder,
-    Overrides,
-    Sandbox,
-    ScenarioName,
-    Teams,
-    Yellow,
-    all_overrides,
-    all_teams,
-)
+from rcj_challenges.cli import INTERRUPTED, OK, options
+from rcj_challenges.cli.app import PLAY, app
+from rcj_challenges.cli.live import RunCommand, live_speed, serve_after_match, shown_live
 from rcj_challenges.cli.stdio import print_lines, require_layers, shown_path
-from rcj_challenges.cli.team_args import UsageError, assignments, known, open_teams
+from rcj_challenges.cli.team_args import UsageError, assignments, open_teams, refuse_unknown
 from rcj_challenges.core.errors import interruption_behind
 
 if TYPE_CHECKING:
@@ -39,30 +24,30 @@ if TYPE_CHECKING:
     from rcj_challenges.scenario.load import Loaded
 
 
-@app.command(
-    cls=RunCommand,
-    rich_help_panel=PLAY,
-    epilog="rcj-challenge run match --duration 1:00 --open\n"
-    "rcj-challenge run match --yellow my_team --blue ball_chaser\n"
+@app.register(
+    PLAY,
+    "rcj-challenge run match --duration 1:00 --open",
+    "rcj-challenge run match --yellow my_team --blue ball_chaser",
     "rcj-challenge run match --yellow my_team --debug Y1",
+    cls=RunCommand,
 )
 def run(
-    scenario: ScenarioName,
-    team: Teams = None,
-    blue: Blue = None,
-    yellow: Yellow = None,
+    scenario: options.ScenarioName,
+    team: options.Teams = None,
+    blue: options.Blue = None,
+    yellow: options.Yellow = None,
     team_name: Annotated[
         list[str] | None, typer.Option("--team-name", metavar="ENTRANT=NAME", help="Overrides team_name.txt.")
     ] = None,
     seed: Annotated[int, typer.Option("--seed", metavar="N", min=0, help="Seed of all random choices.")] = 1,
-    duration: Duration = None,
-    halves: Halves = None,
-    set_: Overrides = None,
+    duration: options.Duration = None,
+    halves: options.Halves = None,
+    set_: options.Overrides = None,
     match_id: Annotated[
         int, typer.Option("--match-id", metavar="N", min=0, help="Number of the match in its log.")
     ] = 0,
-    out: OutFolder = Path("runs"),
-    json_: Json = False,
+    out: options.OutFolder = Path("runs"),
+    json_: options.Json = False,
     quiet: Annotated[
         bool, typer.Option("--quiet", "-q", help="Print only the last lines, and what --show-output shows.")
     ] = False,
@@ -79,7 +64,7 @@ def run(
             "here.",
         ),
     ] = None,
-    sandbox: Sandbox = "auto",
+    sandbox: options.Sandbox = "auto",
     replay: Annotated[bool, typer.Option("--replay/--no-replay", help="Write the replay page.")] = True,
     record: Annotated[
         Literal["sensors"] | None,
@@ -105,7 +90,7 @@ def run(
     ] = False,
 ) -> int:
     """Play a scenario with the teams' programs."""
-    teams, overrides = all_teams(team, blue, yellow), all_overrides(set_, duration, halves)
+    teams, overrides = options.all_teams(team, blue, yellow), options.all_overrides(set_, duration, halves)
     factor = live_speed(live, speed, live_for)
     _refuse_contradictions(debug or (), json_=json_, opens_no_page=open_ and live is None and not replay)
     # MuJoCo would load a window system's library, 50 ms, and a match draws nothing.
@@ -150,7 +135,7 @@ def run(
 
     report = MatchReport(plan, console, as_json=json_, with_page=replay)
     try:
-        with on_air(live, factor, plan, console, open_=open_) as show:
+        with shown_live(live, factor, plan, console, open_=open_) as show:
             motionless = MotionlessObserver(loaded.scenario)
             outcome = play_match(plan, ObserverGroup(observer, motionless, *(() if show is None else (show.observer,))))
             try:
@@ -163,7 +148,7 @@ def run(
                 _open_page(outcome.folder, console)
             if show is not None:
                 show.match_over(outcome.folder)
-                stay_on_air(show, live_for, console)
+                serve_after_match(show, live_for, console)
     except MatchInterruptedError as error:
         report.interrupted(error)
         return INTERRUPTED
@@ -177,7 +162,7 @@ def _refuse_contradictions(debugged: Sequence[str], *, json_: bool, opens_no_pag
     """Refuse options that contradict each other.
 
     Raises:
-        UsageError: says which, and why they do not go together.
+        UsageError: some do.
     """
     one, code = "give one of them", "options-contradict"
     if opens_no_page:
@@ -193,7 +178,7 @@ def _refuse_contradictions(debugged: Sequence[str], *, json_: bool, opens_no_pag
 def _refuse_unknown_robots(loaded: Loaded, *given: str) -> None:
     robots = frozenset(robot for entrant in loaded.scenario.entrants.values() for robot in entrant.robots)
     for robot in given:
-        known(robot, robots, "robot")
+        refuse_unknown(robot, robots, "robot")
 
 
 def _team_names(loaded: Loaded, given: list[str]) -> dict[str, str]:

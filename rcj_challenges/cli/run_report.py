@@ -35,10 +35,10 @@ class MatchReport:
         self._as_json = as_json
         self._with_page = with_page
 
-    def played(self, outcome: PlayedMatch, motionless: Sequence[str], trouble: OSError | None) -> None:
+    def played(self, outcome: PlayedMatch, motionless: Sequence[str], display_error: OSError | None) -> None:
         """Write hints and the replay page, and print how the match ended: whatever happens to hints and page.
 
-        ``trouble`` is why the match could not be shown while it was played.
+        ``display_error`` is why the match could not be shown while it was played.
 
         Raises:
             HostError: something cannot be written; the match counts all the same.
@@ -65,10 +65,10 @@ class MatchReport:
                     self._print(outcome, hints, replay=False)
                 raise
             self._print(outcome, hints, replay=replay)
-            if trouble is not None:
-                raise output_error(trouble)
+            if display_error is not None:
+                raise output_error(display_error)
         except (OSError, HostError) as error:
-            if trouble is not None and isinstance(error, OSError) and error.filename is None:
+            if display_error is not None and isinstance(error, OSError) and error.filename is None:
                 found: HostError | None = output_error(error)
             else:
                 found = as_host_error(error)

@@ -8,12 +8,11 @@ from typing import Annotated
 
 import typer
 
-from rcj_challenges.cli.app import app
-from rcj_challenges.cli.help import WRITE, Command
+from rcj_challenges.cli.app import WRITE, app
 from rcj_challenges.cli.output_paths import deliver, refuse_devices
 
 
-@app.command(cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge schema --out scenario.schema.json")
+@app.register(WRITE, "rcj-challenge schema --out scenario.schema.json")
 def schema(
     out: Annotated[
         Path | None,

@@ -7,15 +7,14 @@ from typing import Annotated
 
 import typer
 
-from rcj_challenges.cli.app import app
-from rcj_challenges.cli.help import WRITE, Command
+from rcj_challenges.cli.app import WRITE, app
 from rcj_challenges.cli.options import Overrides, ScenarioName
 from rcj_challenges.cli.output_paths import OutputError, check_ending, deliver, file_for_terminal
 
 _HTML = (".html", ".htm")
 
 
-@app.command(cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge sheet relay_race.yaml --out relay_race.html")
+@app.register(WRITE, "rcj-challenge sheet relay_race.yaml --out relay_race.html")
 def sheet(
     scenario: ScenarioName,
     out: Annotated[

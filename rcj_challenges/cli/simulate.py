@@ -11,26 +11,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from rcj_challenges.cli import OK, OUR_FAULT, WRONG_INPUT
-from rcj_challenges.cli.app import app
-from rcj_challenges.cli.help import PLAY, Command
-from rcj_challenges.cli.options import (
-    AtOnce,
-    Blue,
-    Duration,
-    Halves,
-    Json,
-    OutFolder,
-    Overrides,
-    Quiet,
-    Sandbox,
-    ScenarioName,
-    Seeds,
-    Teams,
-    Yellow,
-    all_overrides,
-    all_teams,
-)
+from rcj_challenges.cli import OK, OUR_FAULT, WRONG_INPUT, options
+from rcj_challenges.cli.app import PLAY, app
 from rcj_challenges.cli.stdio import print_json, print_progress, require_layers
 from rcj_challenges.cli.team_args import open_teams
 from rcj_challenges.core.amounts import counted, number_words, times
@@ -57,28 +39,24 @@ class SeedsError(RcjError):
     CODE = "bad-seeds"
 
 
-@app.command(
-    cls=Command,
-    rich_help_panel=PLAY,
-    epilog="rcj-challenge simulate match --seeds 1..20 --yellow my_team --blue ball_chaser",
-)
+@app.register(PLAY, "rcj-challenge simulate match --seeds 1..20 --yellow my_team --blue ball_chaser")
 def simulate(
-    scenario: ScenarioName,
-    seeds: Seeds = "1..10",
-    team: Teams = None,
-    blue: Blue = None,
-    yellow: Yellow = None,
-    duration: Duration = None,
-    halves: Halves = None,
-    set_: Overrides = None,
-    out: OutFolder = Path("runs"),
-    at_once: AtOnce = None,
-    json_: Json = False,
-    quiet: Quiet = False,
-    sandbox: Sandbox = "auto",
+    scenario: options.ScenarioName,
+    seeds: options.Seeds = "1..10",
+    team: options.Teams = None,
+    blue: options.Blue = None,
+    yellow: options.Yellow = None,
+    duration: options.Duration = None,
+    halves: options.Halves = None,
+    set_: options.Overrides = None,
+    out: options.OutFolder = Path("runs"),
+    at_once: options.AtOnce = None,
+    json_: options.Json = False,
+    quiet: options.Quiet = False,
+    sandbox: options.Sandbox = "auto",
 ) -> int:
     """Play a challenge with many seeds in parallel and report scores, events and faults."""
-    teams, overrides = all_teams(team, blue, yellow), all_overrides(set_, duration, halves)
+    teams, overrides = options.all_teams(team, blue, yellow), options.all_overrides(set_, duration, halves)
     from rcj_challenges.scenario.load import load
 
     try:

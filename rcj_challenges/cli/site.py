@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rcj_challenges.cli.help import ORGANIZE, Command, Group
+from rcj_challenges.cli.app import ORGANIZE, Command, Group
 from rcj_challenges.core.errors import RcjError
 
 if TYPE_CHECKING:

@@ -8,14 +8,13 @@ from typing import Annotated
 
 import typer
 
-from rcj_challenges.cli.app import app
-from rcj_challenges.cli.help import WATCH, Command
+from rcj_challenges.cli.app import WATCH, app
 from rcj_challenges.cli.options import Run
 from rcj_challenges.cli.stdio import print_lines
 from rcj_challenges.cli.video import Camera, Half, Records, Size, open_footage, output_file
 
 
-@app.command(cls=Command, rich_help_panel=WATCH, epilog="rcj-challenge snapshot --at 1:53.9")
+@app.register(WATCH, "rcj-challenge snapshot --at 1:53.9")
 def snapshot(
     at: Annotated[str, typer.Option("--at", metavar="TIME", help="Which moment: 113.9 or 1:53.9.")],
     run: Run = None,

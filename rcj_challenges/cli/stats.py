@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from rcj_challenges.cli.app import app
-from rcj_challenges.cli.help import WATCH, Command
+from rcj_challenges.cli.app import WATCH, app
 from rcj_challenges.cli.options import Json, Runs, RunsFolder
 from rcj_challenges.cli.stdio import print_json, print_lines
 from rcj_challenges.core.amounts import counted, number_words
@@ -41,7 +40,7 @@ _GAP = 2
 """Between two columns of the table."""
 
 
-@app.command(cls=Command, rich_help_panel=WATCH, epilog="rcj-challenge stats --explain")
+@app.register(WATCH, "rcj-challenge stats --explain")
 def stats(
     runs: Runs = None,
     out: RunsFolder = Path("runs"),
@@ -108,7 +107,7 @@ def _print_table(console: Console, stats: Stats) -> None:
     for part in _parts(widths, console.width):
         table = Table(
             title=title, box=SIMPLE_HEAD, pad_edge=False, padding=(0, 0, 0, 1), collapse_padding=True,
-            title_justify="left",
+            title_justify="left"
         )  # fmt: skip
         table.add_column("robot", min_width=_NAMES, overflow="fold")
         for place in part:

@@ -26,14 +26,14 @@ from rcj_challenges.core.sanitize import sanitize, sanitize_lines
 def print_json(value: Any) -> None:
     """Print a value as JSON and nothing else. A reader that goes away does not change the exit code.
 
-    Letters are printed as they are if the output is UTF-8, else as JSON's escapes.
+    Characters are printed as they are if the output is UTF-8, else as JSON's escapes.
 
     Raises:
         HostError: it cannot be written, as to a file on a full disk.
     """
     wide = codecs.lookup(getattr(sys.stdout, "encoding", None) or "utf-8").name == "utf-8"
     text = json.dumps(value, ensure_ascii=not wide, indent=2)
-    if any("\ud800" <= letter <= "\udfff" for letter in text):
+    if any("\ud800" <= character <= "\udfff" for character in text):
         text = json.dumps(value, indent=2)
     try:
         sys.stdout.write(text + "\n")
@@ -41,20 +41,20 @@ def print_json(value: Any) -> None:
     except BrokenPipeError:
         discard_output(sys.stdout)
     except OSError as error:
-        trouble = output_error(error)
+        unwritable = output_error(error)
         discard_output(sys.stdout)
-        raise trouble from error
+        raise unwritable from error
 
 
-def say(text: str, stream: object) -> None:
+def print_safely(text: str, *, to_stderr: bool = False) -> None:
     """Print harmless lines; nothing if there are none. A closed output does not change the exit code."""
     if not text:
         return
     # A terminal that cannot show a character must not hide the whole message.
-    write = getattr(stream, "write")  # noqa: B009 - sys.stdout may be replaced by anything that writes
+    stream: Any = sys.stderr if to_stderr else sys.stdout  # may be replaced by anything that writes
     encoding = getattr(stream, "encoding", None) or "utf-8"
     try:
-        write(sanitize_lines(text).encode(encoding, READABLE).decode(encoding) + "\n")
+        stream.write(sanitize_lines(text).encode(encoding, READABLE).decode(encoding) + "\n")
     except BrokenPipeError:
         discard_output(stream)
 
@@ -86,7 +86,7 @@ def print_progress(console: Console, line: str) -> None:
 
 
 def as_host_error(error: BaseException) -> HostError | None:
-    """Return an error about this computer with its file and what to do; None if it is about something else."""
+    """An error about this computer with its file and what to do; None if it is about something else."""
     if isinstance(error, HostError):
         return error
     if is_output_error(error):
@@ -100,7 +100,7 @@ def as_host_error(error: BaseException) -> HostError | None:
 
 
 def output_error(error: OSError) -> HostError:
-    """Return an error of our output with the name of the file that it goes to (on Linux)."""
+    """An error of our output with the name of the file that it goes to (on Linux)."""
     where = ""
     with contextlib.suppress(OSError, ValueError):
         if _is_file(sys.stdout):
@@ -110,7 +110,7 @@ def output_error(error: OSError) -> HostError:
 
 
 def is_output_error(error: BaseException) -> TypeGuard[OSError]:
-    """Return whether an error without a file's name comes from our output, a file on a disk that is full."""
+    """Whether an error without a file's name comes from our output, a file on a disk that is full."""
     if not isinstance(error, OSError) or error.filename is not None or not is_no_room(error):
         return False
     with contextlib.suppress(OSError, ValueError, AttributeError):  # Windows has no such call
@@ -123,7 +123,7 @@ def _is_file(stream: Any) -> bool:
 
 
 def shell_quoted(path: object) -> str:
-    """Return a path as it is typed into a shell: in double quotes, which every shell knows, if it needs quotes."""
+    """A path as it is typed into a shell: in double quotes, which every shell knows, if it needs quotes."""
     text = str(path)
     if os.sep == "/" and not text.isprintable():  # a console prints escapes for what cannot be seen or is no UTF-8
         return "$'" + "".join(_shell_escaped(byte) for byte in os.fsencode(text)) + "'"
@@ -133,13 +133,13 @@ def shell_quoted(path: object) -> str:
 
 
 def shown_path(path: object) -> str:
-    """Return a path for a terminal: as it is, or where it would be printed with escapes as it is typed into a shell."""
+    """A path for a terminal: as it is, or where it would be printed with escapes as it is typed into a shell."""
     return str(path) if str(path).isprintable() else shell_quoted(path)
 
 
 def _shell_escaped(byte: int) -> str:
-    letter = chr(byte)
-    return letter if letter.isascii() and letter.isprintable() and letter not in "\\'" else f"\\x{byte:02x}"
+    char = chr(byte)
+    return char if char.isascii() and char.isprintable() and char not in "\\'" else f"\\x{byte:02x}"
 
 
 def discard_output(stream: Any) -> None:
@@ -151,7 +151,7 @@ def discard_output(stream: Any) -> None:
 
 
 def replace_unencodable() -> None:
-    """Print replacements for letters that the encoding of our output lacks: on Windows a path or title may have them.
+    """Print replacements for characters that our output cannot encode: on Windows a path or title may have them.
 
     There Python's own choice is ``surrogateescape``. Where that keeps the bytes of names (``LC_ALL=C``), it stays.
     """

@@ -14,7 +14,7 @@ from urllib.parse import urlsplit
 
 import typer
 
-from rcj_challenges.cli.help import SUBMIT, Command
+from rcj_challenges.cli.app import SUBMIT, Command
 from rcj_challenges.cli.options import Json
 from rcj_challenges.cli.stdio import print_json
 from rcj_challenges.core.errors import RcjError, format_error

@@ -25,11 +25,7 @@ class UsageError(RcjError):
 
 
 def open_teams(loaded: Loaded, given_teams: list[str]) -> dict[str, Team]:
-    """Open each seat's team: the one given, else a sample team.
-
-    Args:
-        loaded: the scenario.
-        given_teams: ``ENTRANT=PATH``, or the name of a sample team in the place of the path.
+    """Open each seat's team: the one given as ``ENTRANT=PATH`` or ``ENTRANT=NAME``, else a sample team.
 
     Raises:
         RcjError: a seat that is none, a team that cannot be opened, or a seat for which there is no sample team.
@@ -75,10 +71,10 @@ def _opened(path: Path, seats: tuple[Entrant, ...], scenario: Scenario) -> Team:
 
 
 def _sample_team(loaded: Loaded, seat: str) -> Path:
-    """Return the sample team for a seat; see `rcj_challenges.match.samples.sample_team`.
+    """The sample team for a seat; see `rcj_challenges.match.samples.sample_team`.
 
     Raises:
-        UsageError: there is none; says what to give.
+        UsageError: there is none.
     """
     from rcj_challenges.match.samples import sample_team
     from rcj_challenges.scenario.load import load
@@ -106,7 +102,7 @@ def _why_no_sample_team(scenario: Scenario, seat: str, bases: Sequence[Scenario]
 
 
 def _programs_of(scenario: Scenario, seat: str) -> str:
-    """Return what a team must bring: each program, its robots, and their kits."""
+    """Programs that a team must have, each with its robots and their kits."""
     driven: dict[str, list[str]] = {}
     for robot, entry in scenario.entrants[seat].robots.items():
         driven.setdefault(entry if isinstance(entry, str) else entry[0], []).append(robot)
@@ -117,7 +113,7 @@ def _programs_of(scenario: Scenario, seat: str) -> str:
 
 
 def assignments(given: list[str], seats: Mapping[str, Any], option: str) -> dict[str, str]:
-    """Return ``ENTRANT=VALUE`` options by entrant.
+    """``ENTRANT=VALUE`` options by entrant.
 
     Raises:
         UsageError: no such form, no such entrant, or one that is given twice.
@@ -128,14 +124,14 @@ def assignments(given: list[str], seats: Mapping[str, Any], option: str) -> dict
         if not equals or not value:
             example = f"write ENTRANT=VALUE, such as {option} {next(iter(seats))}=…"
             raise UsageError(f"{option} {entry}: no entrant or no value", example, code="bad-option")
-        known(seat, seats, "entrant")
+        refuse_unknown(seat, seats, "entrant")
         if seat in found:
             raise UsageError(f"{option}: {seat!r} is given twice", "leave one out", code="option-given-twice")
         found[seat] = value
     return found
 
 
-def known(name: str, names: Mapping[str, Any] | frozenset[str], kind: str) -> None:
+def refuse_unknown(name: str, names: Mapping[str, Any] | frozenset[str], kind: str) -> None:
     """Raise a `UsageError` with the names that there are, if this is none of them."""
     if name not in names:
         nearest = nearest_name(name, names)

@@ -8,12 +8,11 @@ import sys
 import textwrap
 from pathlib import Path
 
-from rcj_challenges.cli.app import app
-from rcj_challenges.cli.help import PLAY, Command
+from rcj_challenges.cli.app import PLAY, app
 from rcj_challenges.scenario.resources import shipped_teams
 
 
-@app.command(cls=Command, rich_help_panel=PLAY, epilog="rcj-challenge teams")
+@app.register(PLAY, "rcj-challenge teams")
 def teams() -> None:
     """List the sample teams, which can be used by name: --blue ball_chaser."""
     shipped = shipped_teams()

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import sys
 import time
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from rcj_challenges.cli.app import app
-from rcj_challenges.cli.help import WRITE, Command
+from rcj_challenges.cli.app import WRITE, app
 from rcj_challenges.cli.options import Json, Overrides, complete_scenarios
-from rcj_challenges.cli.stdio import print_json, say, shown_path
+from rcj_challenges.cli.stdio import print_json, print_safely, shown_path
 from rcj_challenges.cli.validate import flat
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.sanitize import sanitize
@@ -23,7 +21,7 @@ if TYPE_CHECKING:
 _WALL_DIGITS = 4
 
 
-@app.command("test", cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge test relay_race.yaml")
+@app.register(WRITE, "rcj-challenge test relay_race.yaml", name="test")
 def play_tests(
     files: Annotated[
         list[str],
@@ -51,7 +49,7 @@ def play_tests(
         except ScenarioError as error:
             report["problems"] = [flat(problem) for problem in error.diagnostics]
             report |= {"tests": [], "left_out": {}, "untested_rules": []}
-            say("" if json_ else str(error), sys.stderr)
+            print_safely("" if json_ else str(error), to_stderr=True)
         else:
             if not json_:
                 _show(report)
@@ -105,20 +103,20 @@ def _inherited_from(loaded: Loaded, name: str) -> str | None:
 
 
 def _show(report: dict[str, Any]) -> None:
-    say(f"{shown_path(report['file'])}: {sanitize(report['title'])}", sys.stdout)
+    print_safely(f"{shown_path(report['file'])}: {sanitize(report['title'])}")
     if not report["tests"]:
-        say("  no tests: add expect: (docs/authoring.md says how)", sys.stdout)
+        print_safely("  no tests: add expect: (docs/authoring.md says how)")
     for test in report["tests"]:
-        say(f"  {'ok  ' if test['passed'] else 'FAIL'}  {test['name']} ({test['simulated_s']:g} s)", sys.stdout)
+        print_safely(f"  {'ok  ' if test['passed'] else 'FAIL'}  {test['name']} ({test['simulated_s']:g} s)")
         if test["inherited_from"] and not test["passed"]:
             origin = f"inherited from {test['inherited_from']}"
-            say(f"          {origin}: replace it, or remove it by '{test['name']}: null' under expect", sys.stdout)
+            print_safely(f"          {origin}: replace it, or remove it by '{test['name']}: null' under expect")
         for difference in test["differences"]:
-            say(f"          {difference}", sys.stdout)
+            print_safely(f"          {difference}")
     for name, reason in report["left_out"].items():
-        say(f"  left out: {name}, an inherited test that does not fit any more ({reason})", sys.stdout)
+        print_safely(f"  left out: {name}, an inherited test that does not fit any more ({reason})")
     if report["tests"] and report["untested_rules"]:
-        say(f"  no test sets off: {', '.join(report['untested_rules'])}", sys.stdout)
+        print_safely(f"  no test sets off: {', '.join(report['untested_rules'])}")
 
 
 def _show_sum(reports: list[dict[str, Any]]) -> None:
@@ -130,6 +128,6 @@ def _show_sum(reports: list[dict[str, Any]]) -> None:
     verdict = f"{failed} of {len(tests)} failed" if failed else f"all {len(tests)} passed" if tests else "no tests"
     unusable = sum(bool(report["problems"]) for report in reports)
     if unusable < len(reports):
-        say(f"{verdict}; {simulated:.0f} s played{speed}", sys.stdout)
+        print_safely(f"{verdict}; {simulated:.0f} s played{speed}")
     if unusable:
-        say(f"{unusable} of {counted(len(reports), 'file')} cannot be used", sys.stdout)
+        print_safely(f"{unusable} of {counted(len(reports), 'file')} cannot be used")

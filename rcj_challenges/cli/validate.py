@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Sequence
 from typing import Annotated, Any
 
 import typer
 
-from rcj_challenges.cli.app import app
-from rcj_challenges.cli.help import WRITE, Command
+from rcj_challenges.cli.app import WRITE, app
 from rcj_challenges.cli.options import Json, Overrides, complete_scenarios
-from rcj_challenges.cli.stdio import print_json, say, shown_path
+from rcj_challenges.cli.stdio import print_json, print_safely, shown_path
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError, InFile
 from rcj_challenges.core.sanitize import sanitize
 
 
-@app.command(cls=Command, rich_help_panel=WRITE, epilog="rcj-challenge validate relay_race.yaml")
+@app.register(WRITE, "rcj-challenge validate relay_race.yaml")
 def validate(
     files: Annotated[
         list[str],
@@ -42,7 +40,7 @@ def validate(
         try:
             summary, findings = (_tournament if is_tournament(path) else _scenario)(path, set_ or [])
         except DiagnosticError as error:
-            say("" if json_ else str(error), sys.stderr)
+            print_safely("" if json_ else str(error), to_stderr=True)
             report |= {"ok": False, "problems": [flat(problem) for problem in error.diagnostics]}
             code = max(code, error.exit_code)
             continue
@@ -52,9 +50,9 @@ def validate(
         if not json_:
             warned = f"; {counted(len(findings), 'warning')}" if findings else ""
             verdict = "no" if is_refused else "ok"
-            say(f"{verdict}  {shown_path(path)}: {sanitize(summary, 500)}{warned}", sys.stdout)
+            print_safely(f"{verdict}  {shown_path(path)}: {sanitize(summary, 500)}{warned}")
             for finding in findings:
-                say(str(finding), sys.stderr)
+                print_safely(str(finding), to_stderr=True)
     if json_:
         print_json({"files": reports})
     return code

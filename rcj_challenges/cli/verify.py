@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from rcj_challenges.cli import OK, OUR_FAULT
-from rcj_challenges.cli.app import app
-from rcj_challenges.cli.help import ORGANIZE, Command
+from rcj_challenges.cli.app import ORGANIZE, app
 from rcj_challenges.cli.options import AtOnce, Json, Runs, RunsFolder, Sandbox
 from rcj_challenges.cli.stdio import print_json, print_progress, require_layers
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
@@ -26,7 +25,7 @@ _DIFFERS = 1
 _WORDS = {"not_comparable": "not comparable", "not_played": "could not be played"}
 
 
-@app.command(cls=Command, rich_help_panel=ORGANIZE, epilog="rcj-challenge verify --team submissions")
+@app.register(ORGANIZE, "rcj-challenge verify --team submissions")
 def verify(
     runs: Runs = None,
     team: Annotated[
@@ -156,12 +155,7 @@ def _programs(
 
 
 class VerifyLines:
-    """Prints the verdicts as they come.
-
-    Args:
-        total: how many matches are played again.
-        as_json: whether all of them are printed as JSON at the end instead.
-    """
+    """Prints the verdicts on ``total`` matches as they come, or with ``as_json`` all of them at the end."""
 
     def __init__(self, total: int, *, as_json: bool) -> None:
         from rcj_challenges.views.console import console_for

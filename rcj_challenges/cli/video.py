@@ -4,21 +4,16 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rcj_challenges.cli.app import app
-from rcj_challenges.cli.help import WATCH, Command
+from rcj_challenges.cli.app import WATCH, app
 from rcj_challenges.cli.options import Quiet, Run
 from rcj_challenges.cli.stdio import print_lines
 
 if TYPE_CHECKING:
-    from rich.console import Console
-
     from rcj_challenges.views.video.footage import Footage
 
 MIN_SPEED, MAX_SPEED = 0.05, 100.0
@@ -34,7 +29,7 @@ Camera = Annotated[
 Records = Annotated[Path, typer.Option("--runs", metavar="DIR", help="Where the records are.")]
 
 
-@app.command(cls=Command, rich_help_panel=WATCH, epilog="rcj-challenge video --highlights")
+@app.register(WATCH, "rcj-challenge video --highlights")
 def video(
     run: Run = None,
     out: Annotated[
@@ -65,6 +60,8 @@ def video(
 
     refuse_devices(out=out)
     require_packages("av", "PIL")
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
+
     from rcj_challenges.views.console import console_for
     from rcj_challenges.views.video import clips, make
 
@@ -86,8 +83,15 @@ def video(
             print_lines(console, *footage.warnings)
         total = clips.frame_count(shown, float(rate), speed)
         begin = time.perf_counter()
-        with _progress(console, total, shown=not quiet) as progress:
-            make.write_video(draw, footage, shown, path, size=size_px, fps=rate, speed=speed, progress=progress)
+        with Progress(
+            "video", BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(), "left",
+            console=console, transient=True, disable=quiet or not console.is_terminal,
+        ) as bars:  # fmt: skip
+            task = bars.add_task("", total=total)
+            make.write_video(
+                draw, footage, shown, path, size=size_px, fps=rate, speed=speed,
+                progress=lambda done, _: bars.update(task, completed=done),
+            )  # fmt: skip
         took_s = time.perf_counter() - begin
     if not quiet:
         speed_note = f"{total / took_s:.0f} a second"
@@ -124,29 +128,3 @@ def output_file(wanted: Path | None, default: Path) -> Path:
     if not out.parent.is_dir():
         raise VideoError("bad-out", f"--out {out}: there is no folder {out.parent}", "make it first, or leave it out")
     return out
-
-
-@contextmanager
-def _progress(console: Console, total: int, *, shown: bool) -> Iterator[Callable[[int, int], None] | None]:
-    """Show a bar with pictures a second and remaining time while the video is made; nothing without a terminal."""
-    if not shown or not console.is_terminal:
-        yield None
-        return
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-
-    columns = (
-        TextColumn("video"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TextColumn("{task.fields[rate]}"),
-        TimeRemainingColumn(),
-        TextColumn("left"),
-    )
-    with Progress(*columns, console=console, transient=True) as bars:
-        task = bars.add_task("video", total=total, rate="")
-
-        def show(done: int, _: int) -> None:
-            speed = bars.tasks[0].speed
-            bars.update(task, completed=done, rate=f"{speed:.0f} a second" if speed else "")
-
-        yield show

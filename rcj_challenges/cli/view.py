@@ -8,8 +8,7 @@ from typing import Annotated
 
 import typer
 
-from rcj_challenges.cli.app import app
-from rcj_challenges.cli.help import WATCH, Command
+from rcj_challenges.cli.app import WATCH, app
 from rcj_challenges.cli.options import Run, RunsFolder
 from rcj_challenges.cli.stdio import print_lines, shown_path
 from rcj_challenges.core.sanitize import sanitize
@@ -18,7 +17,7 @@ _NARROW = 70
 """Narrower terminals get lines instead of a table."""
 
 
-@app.command(cls=Command, rich_help_panel=WATCH, epilog="rcj-challenge view\nrcj-challenge view --list")
+@app.register(WATCH, "rcj-challenge view", "rcj-challenge view --list")
 def view(
     run: Run = None,
     list_: Annotated[

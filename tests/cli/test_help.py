@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from typer.main import get_command
 
+from rcj_challenges.cli.app import ORGANIZE, PLAY, SUBMIT, WATCH, WRITE
 from rcj_challenges.cli.commands import app
-from rcj_challenges.cli.help import ORGANIZE, PLAY, SUBMIT, WATCH, WRITE
 from rcj_challenges.cli.options import parse_duration
 from rcj_challenges.cli.team_args import locate_team, path_or_sample_team
 from rcj_challenges.core.diagnostics import DiagnosticError

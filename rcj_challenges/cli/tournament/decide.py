@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rcj_challenges.cli.help import ORGANIZE, Command
+from rcj_challenges.cli.app import ORGANIZE
 from rcj_challenges.cli.stdio import print_lines
 from rcj_challenges.cli.tournament.group import Cascade, Data, File, opened, tournament_app
 from rcj_challenges.cli.tournament.tables import score_words, team_words
@@ -16,11 +16,7 @@ if TYPE_CHECKING:
     from rcj_challenges.tournament.season import SeasonState, Tie
 
 
-@tournament_app.command(
-    cls=Command,
-    rich_help_panel=ORGANIZE,
-    epilog='rcj-challenge tournament decide cup MATCH --replay --reason "a robot broke"',
-)
+@tournament_app.register(ORGANIZE, 'rcj-challenge tournament decide cup MATCH --replay --reason "a robot broke"')
 def decide(
     file: File,
     match: Annotated[

@@ -9,20 +9,16 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rcj_challenges.cli.help import Group
+from rcj_challenges.cli.app import App
 
 if TYPE_CHECKING:
     from rcj_challenges.tournament.opened import OpenTournament
 
-tournament_app = typer.Typer(
-    name="tournament",
-    cls=Group,
-    rich_markup_mode=None,
-    help="Plan, play and publish a tournament that is declared in YAML.",
-    epilog="rcj-challenge tournament plan cup\nrcj-challenge tournament run cup",
-    no_args_is_help=True,
-    add_completion=False,
-    context_settings={"help_option_names": ["-h", "--help"]},
+tournament_app = App(
+    "tournament",
+    "Plan, play and publish a tournament that is declared in YAML.",
+    "rcj-challenge tournament plan cup",
+    "rcj-challenge tournament run cup",
 )
 
 File = Annotated[str, typer.Argument(metavar="FILE", help="A tournament file, or the name of a shipped one: cup.")]

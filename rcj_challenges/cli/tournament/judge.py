@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rcj_challenges.cli.help import ORGANIZE, Command
+from rcj_challenges.cli.app import ORGANIZE
 from rcj_challenges.cli.stdio import print_json, print_lines
 from rcj_challenges.cli.tournament.group import Data, File, Json, opened, tournament_app
 from rcj_challenges.cli.tournament.tables import score_words, stage_tables
@@ -21,14 +21,11 @@ if TYPE_CHECKING:
     from rcj_challenges.tournament.store.tables import JobRow
 
 
-@tournament_app.command(
-    cls=Command, rich_help_panel=ORGANIZE, epilog="rcj-challenge tournament judge cup --set ball_progress_s=15"
-)
+@tournament_app.register(ORGANIZE, "rcj-challenge tournament judge cup --set ball_progress_s=15")
 def judge(
     file: File,
     set_: Annotated[
-        list[str] | None,
-        typer.Option("--set", metavar="PATH=VALUE", help="Change a value of the rules. Repeatable."),
+        list[str] | None, typer.Option("--set", metavar="PATH=VALUE", help="Change a value of the rules. Repeatable.")
     ] = None,
     data: Data = None,
     json_: Json = False,

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import os
-import sys
 import tempfile
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rcj_challenges.cli.help import PLAY, Command
-from rcj_challenges.cli.stdio import print_json, say
+from rcj_challenges.cli.app import PLAY
+from rcj_challenges.cli.stdio import print_json, print_safely
 from rcj_challenges.cli.tournament.group import Data, File, Json, opened, tournament_app
 from rcj_challenges.cli.tournament.tables import team_words
 from rcj_challenges.core.amounts import counted
@@ -49,7 +48,7 @@ class Cost:
     disk_bytes: float
 
 
-@tournament_app.command(cls=Command, rich_help_panel=PLAY, epilog="rcj-challenge tournament plan cup")
+@tournament_app.register(PLAY, "rcj-challenge tournament plan cup")
 def plan(file: File, data: Data = None, json_: Json = False) -> None:
     """List the known fixtures, the number of matches, and the time and disk space that they need here."""
     with opened(file, data) as tournament:
@@ -77,7 +76,7 @@ def plan(file: File, data: Data = None, json_: Json = False) -> None:
         f"{count} in all; what is left: "
         f"{_range(cost.simulated_s / 3600, cost.most_simulated_s / 3600, 1)} h simulated{took}, {disk}"
     )
-    say("\n".join(lines), sys.stdout)
+    print_safely("\n".join(lines))
 
 
 def _range(least: float, most: float, digits: int = 0) -> str:

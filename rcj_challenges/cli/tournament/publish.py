@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from rcj_challenges.cli.help import WATCH, Command
+from rcj_challenges.cli.app import WATCH
 from rcj_challenges.cli.stdio import print_lines
 from rcj_challenges.cli.tournament.group import Data, File, opened, tournament_app
 from rcj_challenges.core.amounts import counted
@@ -21,7 +21,7 @@ _MIN_SEED_LENGTH = 16
 """A shorter seed can be found by trial: its hash does not hide it."""
 
 
-@tournament_app.command(cls=Command, rich_help_panel=WATCH, epilog="rcj-challenge tournament publish cup")
+@tournament_app.register(WATCH, "rcj-challenge tournament publish cup")
 def publish(
     file: File,
     data: Data = None,

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from rcj_challenges.cli.help import ORGANIZE, Command
+from rcj_challenges.cli.app import ORGANIZE
 from rcj_challenges.cli.options import AtOnce
 from rcj_challenges.cli.tournament.group import Data, File, opened, tournament_app
 from rcj_challenges.cli.tournament.verify import recorded_matches
@@ -18,12 +18,11 @@ if TYPE_CHECKING:
     from rcj_challenges.tournament.verify import Recorded, Verified
 
 
-@tournament_app.command(cls=Command, rich_help_panel=ORGANIZE, epilog="rcj-challenge tournament rerun cup")
+@tournament_app.register(ORGANIZE, "rcj-challenge tournament rerun cup")
 def rerun(
     file: File,
     matches: Annotated[
-        list[str] | None,
-        typer.Argument(metavar="[MATCH...]", help="Which matches, as plan prints them; default: all."),
+        list[str] | None, typer.Argument(metavar="[MATCH...]", help="Which matches, as plan prints them; default: all.")
     ] = None,
     records: Annotated[
         Literal["full", "replay", "result"], typer.Option("--records", help="What to keep of the records now.")

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
-from rcj_challenges.cli.help import WATCH, Command
-from rcj_challenges.cli.stdio import print_json, say
+from rcj_challenges.cli.app import WATCH
+from rcj_challenges.cli.stdio import print_json, print_safely
 from rcj_challenges.cli.tournament.group import Data, File, Json, opened, tournament_app
 from rcj_challenges.cli.tournament.tables import score_words, stage_tables, team_words
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from rcj_challenges.tournament.season import SeasonState
 
 
-@tournament_app.command(cls=Command, rich_help_panel=WATCH, epilog="rcj-challenge tournament results cup")
+@tournament_app.register(WATCH, "rcj-challenge tournament results cup")
 def results(
     file: File,
     data: Data = None,
@@ -41,7 +41,7 @@ def results(
     from rcj_challenges.views.console import console_for
 
     played = (fixture for fixture in state.fixtures if fixture.id in state.outcomes)
-    say("\n".join(f"{one.id}  {score_words(one, state.outcomes[one.id], state.teams)}" for one in played), sys.stdout)
+    print_safely("\n".join(f"{one.id}  {score_words(one, state.outcomes[one.id], state.teams)}" for one in played))
     console = console_for()
     for table in stage_tables(state):
         console.print(table)

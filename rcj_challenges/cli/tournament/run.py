@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from rcj_challenges.cli import OK, OUR_FAULT
-from rcj_challenges.cli.help import PLAY, Command
+from rcj_challenges.cli.app import PLAY
 from rcj_challenges.cli.options import AtOnce, Sandbox
 from rcj_challenges.cli.stdio import print_lines, require_layers
 from rcj_challenges.cli.tournament.group import Cascade, Data, File, opened, tournament_app
@@ -32,7 +32,7 @@ class SubmissionsFailError(DiagnosticError):
     exit_code = 1
 
 
-@tournament_app.command(cls=Command, rich_help_panel=PLAY, epilog="rcj-challenge tournament run cup")
+@tournament_app.register(PLAY, "rcj-challenge tournament run cup")
 def run(
     file: File,
     data: Data = None,
@@ -121,14 +121,9 @@ def _executor(place: Workplace, cluster: str | None, lanes: int, observer: RunLi
 def prepare(
     tournament: OpenTournament, accepted: Collection[str], sandbox: str, lanes: int, observer: RunLines
 ) -> JobMaker:
-    """Take the submissions and check them; returns what makes jobs of them.
+    """Take the submissions and check ``lanes`` of them at a time; returns what makes jobs of them.
 
-    Args:
-        tournament: to be played.
-        accepted: ids of the teams that play although they fail the check.
-        sandbox: how programs are isolated.
-        lanes: checks at a time.
-        observer: shows the verdicts.
+    Teams whose ids are ``accepted`` play although they fail the check.
 
     Raises:
         RcjError: one cannot be read, or fails the check and is not accepted.

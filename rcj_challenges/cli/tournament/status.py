@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
-from rcj_challenges.cli.help import PLAY, Command
-from rcj_challenges.cli.stdio import print_json, say
+from rcj_challenges.cli.app import PLAY
+from rcj_challenges.cli.stdio import print_json, print_safely
 from rcj_challenges.cli.tournament.group import Data, File, Json, opened, tournament_app
 from rcj_challenges.cli.tournament.tables import duration_words, score_words
 from rcj_challenges.core.sanitize import sanitize
@@ -18,7 +17,7 @@ if TYPE_CHECKING:
 _NEWEST_SHOWN = 5
 
 
-@tournament_app.command(cls=Command, rich_help_panel=PLAY, epilog="rcj-challenge tournament status cup")
+@tournament_app.register(PLAY, "rcj-challenge tournament status cup")
 def status(file: File, data: Data = None, json_: Json = False) -> None:
     """Show the progress: matches by stage, doubtful ones, and those that could not be played."""
     from rcj_challenges.tournament.store.lock import is_locked
@@ -64,7 +63,7 @@ def status(file: File, data: Data = None, json_: Json = False) -> None:
     lines += [f"doubtful, a time limit decided something: {fixture}" for fixture in found["doubtful"]]
     lines += [f"withdrawn: {team}" for team in found["withdrawn"]]
     lines += [f"could not be played: {sanitize(complaint.strip())}" for complaint in found["failed"]]
-    say("\n".join(lines), sys.stdout)
+    print_safely("\n".join(lines))
 
 
 def _progress(place: Workplace) -> dict[str, Any]:

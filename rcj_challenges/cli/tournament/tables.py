@@ -40,12 +40,7 @@ def score_words(fixture: Fixture, outcome: Outcome, teams: Mapping[str, Team]) -
 
 
 def stage_tables(state: SeasonState, only: Collection[str] | None = None) -> list[RichTable]:
-    """Tables and brackets of all stages that have some.
-
-    Args:
-        state: of the tournament.
-        only: names of the stages; None: all.
-    """
+    """Tables and brackets of all stages that have some, or of those named in ``only``."""
     found: list[RichTable] = []
     for stage in state.stages:
         if only is None or stage.name in only:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rcj_challenges.cli.help import ORGANIZE, Command
+from rcj_challenges.cli.app import ORGANIZE
 from rcj_challenges.cli.options import AtOnce
 from rcj_challenges.cli.tournament.group import Data, File, Json, opened, tournament_app
 from rcj_challenges.cli.verify import VerifyLines
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from rcj_challenges.tournament.verify import Recorded
 
 
-@tournament_app.command(cls=Command, rich_help_panel=ORGANIZE, epilog="rcj-challenge tournament verify cup --sample 5")
+@tournament_app.register(ORGANIZE, "rcj-challenge tournament verify cup --sample 5")
 def verify(
     file: File,
     matches: Annotated[
