@@ -71,6 +71,14 @@ def test_the_new_program_does_better_than_the_first_in_the_match_that_is_shown(c
     assert report["better"] == 1
 
 
+@pytest.mark.nightly
+@pytest.mark.timeout(3600)
+def test_the_new_program_does_better_with_most_seeds(compare):
+    report = compare(*shlex.split(COMPARE)[-4:])
+    assert len(report["seeds"]) == 20
+    assert report["better"] >= 15
+
+
 def test_rules_of_the_tutorial_give_no_warning():
     (rules,) = (step for step in STEPS if step.file == "my_rules.yaml")
     assert [str(finding) for finding in lint(load_text(rules.new, file=rules.file))] == []
