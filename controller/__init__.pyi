@@ -289,9 +289,6 @@ class Altimeter:
 class Brake:
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
-class Camera:
-    def __init__(self, *args: object, **kwargs: object) -> None: ...
-
 class CameraRecognitionObject:
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
@@ -698,6 +695,68 @@ class TouchSensor:
 
 class VacuumGripper:
     def __init__(self, *args: object, **kwargs: object) -> None: ...
+
+class Camera(Sensor):
+    """Pictures of what is ahead: bytes in the order blue, green, red, alpha, row by row from the top left."""
+    def getImage(self) -> Any:
+        """Return the latest picture as bytes, 4 a pixel: blue, green, red, 255; None before the first one.
+
+        Example:
+            ``red = camera.imageGetRed(camera.getImage(), camera.getWidth(), x, y)``
+        """
+    def getImageArray(self) -> Any:
+        """Return the latest picture as lists: ``[x][y]`` is ``[red, green, blue]``; None before the first one."""
+    @staticmethod
+    def imageGetRed(image: Any, width: int, x: int, y: int) -> int:
+        """Return the red of a pixel, 0 to 255; x grows to the right, y downwards."""
+    @staticmethod
+    def imageGetGreen(image: Any, width: int, x: int, y: int) -> int:
+        """Return the green of a pixel, 0 to 255."""
+    @staticmethod
+    def imageGetBlue(image: Any, width: int, x: int, y: int) -> int:
+        """Return the blue of a pixel, 0 to 255."""
+    @staticmethod
+    def imageGetGray(image: Any, width: int, x: int, y: int) -> int:
+        """Return the mean of red, green and blue of a pixel."""
+    @staticmethod
+    def imageGetGrey(image: Any, width: int, x: int, y: int) -> int:
+        """Return the mean of red, green and blue of a pixel."""
+    def getWidth(self) -> int:
+        """Return how many columns a picture has."""
+    def getHeight(self) -> int:
+        """Return how many rows a picture has."""
+    def getFov(self) -> float:
+        """Return the angle from the left to the right edge of a picture in rad."""
+    def getMinFov(self) -> float:
+        """Return the same as ``getFov``."""
+    getMaxFov = getMinFov
+    def setFov(self, fov: float) -> None:
+        """Do nothing but print a warning: this camera has no zoom."""
+    def getNear(self) -> float:
+        """Return how near something may be to be seen, in m."""
+    def getExposure(self) -> float:
+        """Return what ``setExposure`` has set, 1 at first."""
+    def setExposure(self, exposure: float) -> None:
+        """Remember an exposure; pictures stay as they are."""
+    def getFocalLength(self) -> float:
+        """Return 0: the camera has no focus."""
+    def getFocalDistance(self) -> float:
+        """Return 0: the camera has no focus."""
+    getMinFocalDistance = getFocalDistance
+    getMaxFocalDistance = getFocalDistance
+    def saveImage(self, filename: str, quality: int = 100) -> int:
+        """Write the latest picture as a PNG file; return 0, or -1 if there is none or the file cannot be written."""
+    def hasRecognition(self) -> bool:
+        """Return False: it recognizes nothing by itself."""
+    image: Any
+    width: int
+    height: int
+    fov: float
+    min_fov: float
+    max_fov: float
+    near: float
+    exposure: float
+    focal_length: float
 
 class Compass(Sensor):
     """Where north is, seen from the robot."""

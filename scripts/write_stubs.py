@@ -42,6 +42,7 @@ CLASSES = {
     "compass": "Compass",
     "sonar": "DistanceSensor",
     "lidar": "Lidar",
+    "camera": "Camera",
     "ball_receiver": "Receiver",
     "supervisor_receiver": "Receiver",
     "team_receiver": "Receiver",

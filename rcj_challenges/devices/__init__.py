@@ -12,6 +12,7 @@ from typing import Annotated
 
 from rcj_challenges.devices.ball_receiver import BallReceiverDevice
 from rcj_challenges.devices.base import DEVICES, Device
+from rcj_challenges.devices.camera import CameraDevice
 from rcj_challenges.devices.compass import CompassDevice
 from rcj_challenges.devices.gps import GpsDevice
 from rcj_challenges.devices.lidar import LidarDevice
@@ -33,6 +34,7 @@ DEVICES.add(
     TeamReceiverDevice,
     TeamEmitterDevice,
     LidarDevice,
+    CameraDevice,
 )
 
 AnyDevice = Annotated[Device, DEVICES]

@@ -110,6 +110,28 @@ class RayFan(Protocol):
         """Return how far the first ``count`` rays go, in m; negative where they meet nothing. Overwritten next time."""
 
 
+@dataclass(frozen=True)
+class Eye:
+    """Where a camera sits and what it takes in; it looks level.
+
+    Attributes:
+        bearing_rad: where it looks, counter-clockwise from the front.
+        ahead_m: how far it sits from the robot's centre, along the bearing.
+        height_m: above the floor.
+        width, height: of its pictures, in pixels.
+        fov_rad: what a picture shows from left to right; from pi on it is a panorama of equal angles.
+        down: share of the rows that lie below the horizon.
+    """
+
+    bearing_rad: float
+    ahead_m: float
+    height_m: float
+    width: int
+    height: int
+    fov_rad: float
+    down: float
+
+
 class Rays(Protocol):
     """What sensors see of the world."""
 
@@ -124,6 +146,20 @@ class Rays(Protocol):
 
     def reaches(self, robot: int, origin: Vector, along: Vector) -> bool:
         """Return whether a ray first meets this robot, or nothing; it passes through balls."""
+
+
+class Sight(Protocol):
+    """Takes the pictures of cameras."""
+
+    @property
+    def palette(self) -> "list[tuple[int, int, int]]":
+        """Red, green and blue of each number that stands in pictures."""
+
+    def take(self, eyes: "Sequence[tuple[int, Eye]]") -> list[bytes]:
+        """Return a picture from each eye, on the robot of this index: a number of the palette per pixel, row by row.
+
+        All eyes have lenses of the same shape.
+        """
 
 
 class Joints(Protocol):
@@ -236,7 +272,7 @@ class Device(Word):
     PAGE_FACTS: ClassVar[tuple[str, ...]] = ()
 
     @property
-    def width(self) -> int:
+    def numbers(self) -> int:
         """How many numbers a sample has."""
         return self.WIDTH
 

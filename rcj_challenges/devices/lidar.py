@@ -60,7 +60,7 @@ robots:
     )
 
     @property
-    def width(self) -> int:
+    def numbers(self) -> int:
         """How many numbers a sample has."""
         return self.points
 

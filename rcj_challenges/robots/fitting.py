@@ -45,11 +45,11 @@ def fit(scenario: Scenario, roster: Roster) -> list[Fitted]:
                 name=device_name,
                 kind=device.CLASS,
                 index=index,
-                slot=slot if device.width else -1,
-                width=device.width,
+                slot=slot if device.numbers else -1,
+                width=device.numbers,
                 facts=device.facts(carrier),
             )
-            slot += device.width
+            slot += device.numbers
             fitted.append(Fitted(robot, name, device, spec, carrier))
     return fitted
 

@@ -14,6 +14,7 @@ from rcj_challenges.core.traffic import Observation, Request, RobotSpec
 from rcj_challenges.devices.base import Device, Fitted, Sensor, SensorContext
 from rcj_challenges.devices.motor import Motors
 from rcj_challenges.devices.receivers import TRIM_EVERY_TICKS, Queue
+from rcj_challenges.robots.cameras import Cameras
 from rcj_challenges.robots.fitting import driven_robots, fit, robot_specs
 from rcj_challenges.robots.radio_hub import RadioHub
 from rcj_challenges.robots.sensors import RobotSensors
@@ -22,6 +23,7 @@ from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world.ground import Ground
 from rcj_challenges.world.poses import Poses
 from rcj_challenges.world.rays import WorldRays
+from rcj_challenges.world.sight import WorldSight
 
 
 class DeviceManager:
@@ -46,6 +48,7 @@ class DeviceManager:
         }
         self._uneven: list[RobotSensors] = []
         self._radio = RadioHub(scenario, roster, rays, half, fitted, self._queues)
+        self._cameras = Cameras(fitted, lambda: WorldSight(scenario, roster, world), half, self._queues)
         self._motors = {robot: Motors(robot, [one for one in fitted if one.robot == robot], world) for robot in robots}
         self._silent: set[int] = set()
         self._tick = 0
@@ -79,6 +82,7 @@ class DeviceManager:
         self._silent.add(robot)
         self._motors[robot].stop()
         self._radio.silence(robot)
+        self._cameras.silence(robot)
         self._sensors[robot].close(self._tick)
         self._find_uneven()
 
@@ -111,6 +115,7 @@ class DeviceManager:
             sensors.choose(tick)
         self._radio.carry(tick, poses)
         self._radio.speak(tick, output, poses)
+        self._cameras.expose(tick, poses)
 
     def finish_sensing(self, robot: int) -> None:
         """Read the sensors of one robot, and deliver the balls' infra-red.
@@ -126,6 +131,8 @@ class DeviceManager:
 
     def _set_period(self, robot: int, device: int, period_ticks: int) -> None:
         if self._radio.set_period(robot, device, period_ticks, self._tick):
+            return
+        if self._cameras.set_period(robot, device, period_ticks):
             return
         self._sensors[robot].set_period(device, period_ticks, self._tick)
         self._find_uneven()

@@ -152,7 +152,7 @@ def test_imports_work_by_name_and_only_what_robots_lack_is_refused_on_use(match:
     assert played.fault is None
     assert played.said == [
         "5.0 controllers 1",
-        "NotImplementedError there is no Camera on these robots",
+        "NotImplementedError there is no Radar on these robots",
         "Error: only one Robot can be made: this second Supervisor is the same robot.",
         "Error: only one Robot can be made: this second Robot is the same robot.",
         "? no keyboard",

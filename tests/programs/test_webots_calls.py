@@ -107,8 +107,8 @@ print({"AnsiCodes", "Motor"} <= set(dir(controller)))
         ["controller", "module 'controller' has no attribute 'Moter' Moter True", "True"],
     ),
     "devices that no robot has cannot be made": (
-        "class Eye(Camera): pass\nfor kind in (Camera, Eye, Node): caught(lambda: kind('x'))",
-        [f"NotImplementedError: there is no {kind} on these robots" for kind in ("Camera", "Camera", "Node")],
+        "class Eye(Radar): pass\nfor kind in (Radar, Eye, Node): caught(lambda: kind('x'))",
+        [f"NotImplementedError: there is no {kind} on these robots" for kind in ("Radar", "Radar", "Node")],
     ),
     "ANSI codes are texts": (
         """

@@ -8,8 +8,8 @@ from typing import NamedTuple
 from rcj_challenges.rules.base import Word
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.roster import Roster, with_each
+from rcj_challenges.scenario.shapes import Point, point_words
 from rcj_challenges.scenario.walk import walk
-from rcj_challenges.views.drawing.shapes import Point, point_words
 
 
 class MeasuredDistance(NamedTuple):

@@ -12,10 +12,7 @@ from rcj_challenges.scenario.outlines import extent, obstacle_outline
 from rcj_challenges.scenario.positions import start_noise_m, start_pose
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.rule_effects import spots_set_at_start, spots_set_by_rules
-from rcj_challenges.views.drawing.distances import measured_distances
-from rcj_challenges.views.drawing.paper import MARKER_PX, Entry, Paper, Section
-from rcj_challenges.views.drawing.placement_areas import Area, first_poses, flipped, placement_areas
-from rcj_challenges.views.drawing.shapes import (
+from rcj_challenges.scenario.shapes import (
     FORWARD_M,
     Point,
     box,
@@ -26,6 +23,9 @@ from rcj_challenges.views.drawing.shapes import (
     turned,
     zone_outline,
 )
+from rcj_challenges.views.drawing.distances import measured_distances
+from rcj_challenges.views.drawing.paper import MARKER_PX, Entry, Paper, Section
+from rcj_challenges.views.drawing.placement_areas import Area, first_poses, flipped, placement_areas
 from rcj_challenges.views.drawing.zones import BLACK, corner_inside, draw_zones
 from rcj_challenges.views.palette import PALETTE, hex_of, rgb, text_on
 

@@ -17,7 +17,7 @@ from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.positions import start_noise_m, start_pose
 from rcj_challenges.scenario.roster import EACH, OTHER, Roster, as_tuple
 from rcj_challenges.scenario.rule_effects import alternatives, fixed_spots, rules_at_start, written_others
-from rcj_challenges.views.drawing.shapes import Point, point_words
+from rcj_challenges.scenario.shapes import Point, point_words
 
 Flip = tuple[bool, bool]
 """Whether x becomes -x, and whether y becomes -y."""

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.shapes import Point, corners_of, floor_outline, middle, visible_outline, zone_words
 from rcj_challenges.views.drawing.paper import MARKER_PX, Entry, Paper, Section
-from rcj_challenges.views.drawing.shapes import Point, corners_of, floor_outline, middle, visible_outline, zone_words
 from rcj_challenges.views.palette import hex_of
 
 BLACK = "#161c24"

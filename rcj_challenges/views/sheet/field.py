@@ -9,7 +9,7 @@ from rcj_challenges.rules.phrasing import degrees, listed, metres, metres_alike,
 from rcj_challenges.scenario.models import field as models
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.rule_effects import spots_set_by_rules
-from rcj_challenges.views.drawing.shapes import point_words
+from rcj_challenges.scenario.shapes import point_words
 from rcj_challenges.views.sheet.document import Block, Items, Table
 from rcj_challenges.views.sheet.phrasebook import Phrasebook
 

@@ -12,7 +12,7 @@ from rcj_challenges.rules.phrasing import heading, listed, metres_alike, plain
 from rcj_challenges.scenario.kit_devices import devices_of
 from rcj_challenges.scenario.models import robots as models
 from rcj_challenges.scenario.models.scenario import Scenario
-from rcj_challenges.views.drawing.shapes import point_words
+from rcj_challenges.scenario.shapes import point_words
 from rcj_challenges.views.sheet.document import Block, Table
 from rcj_challenges.views.sheet.phrasebook import Phrasebook
 

@@ -9,7 +9,7 @@ from rcj_challenges.rules.fields import Names
 from rcj_challenges.scenario.models.field import FieldModel
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.roster import Roster, with_each
-from rcj_challenges.views.drawing.shapes import visible_outline
+from rcj_challenges.scenario.shapes import visible_outline
 
 _AT_THE_END = 0.9
 """A zone is at an end of the field if its middle is beyond this share of the way from the centre to the end line."""

@@ -62,11 +62,14 @@ def _class_of(module: str) -> str:
 sys.meta_path.append(_ClassModules)
 
 
+_FILES = {"Lidar": "lidar", "LidarPoint": "lidar", "Camera": "camera"}
+
+
 def __getattr__(name: str) -> Any:
     """Read what few programs import, also by ``import *``, when one does: each file costs every program."""
     if name not in __all__:
         raise AttributeError(f"module 'controller' has no attribute {name!r}", name=name, obj=sys.modules[__name__])
-    module = __import__("lidar" if name.startswith("Lidar") else "_placeholders", globals(), None, [name], 1)
+    module = __import__(_FILES.get(name, "_placeholders"), globals(), None, [name], 1)
     globals()[name] = there = getattr(module, name)
     return there
 

@@ -57,12 +57,12 @@ _MAX_DEPTH, _REHEARSALS = 150, 60  # `check` plays 10 s, the 60th part of a half
 
 
 class PacketQueue:
-    """The unread packets of one receiver, oldest first."""
+    """The unread packets of one receiver, oldest first; or the latest picture of a camera."""
 
     __slots__ = ("packets",)
 
-    def __init__(self) -> None:
-        self.packets: deque[Packet] = deque()
+    def __init__(self, most: int | None = None) -> None:
+        self.packets: deque[Packet] = deque((), most)
 
     def trim(self) -> None:
         """Forget the oldest packets beyond the bound; the newest always stays."""
@@ -129,7 +129,9 @@ class Connection:
         self.numbers: tuple[Any, ...] = self._form.unpack(bytes(self._form.size - len(nothing_yet)) + nothing_yet)
         self.previous, self.previous_tick = self.numbers, 0
         self.queues = {
-            device["index"]: PacketQueue() for device in self.spec["devices"] if device["kind"] == "receiver"
+            device["index"]: PacketQueue(1 if device["kind"] == "camera" else None)
+            for device in self.spec["devices"]
+            if device["kind"] in {"receiver", "camera"}
         }
         self.over = False
         self.robot_made = False

@@ -25,7 +25,7 @@ class Unsupported:
 
 
 for _name in (
-    *("Accelerometer", "Altimeter", "Brake", "Camera", "CameraRecognitionObject", "Connector", "Display"),
+    *("Accelerometer", "Altimeter", "Brake", "CameraRecognitionObject", "Connector", "Display"),
     *("ImageRef", "Gyro", "InertialUnit", "LED", "LightSensor", "Motion", "Pen"),
     *("Radar", "RadarTarget", "RangeFinder", "Skin", "Speaker", "TouchSensor", "VacuumGripper"),
 ):

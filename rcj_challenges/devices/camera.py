@@ -1,0 +1,107 @@
+"""The device ``camera``: pictures of what a robot sees (ADR 17).
+
+Pictures reach a program as packets of its camera: how many colours there are, red, green and blue of each, then a
+colour's number for each pixel, row by row.
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import Any, Literal
+
+from pydantic import Field
+
+from rcj_challenges.chassis.base import Chassis
+from rcj_challenges.core.play import HalfInfo
+from rcj_challenges.core.timing import TICK_S
+from rcj_challenges.devices.base import Carrier, Device, Eye, Fitted, Phrases
+from rcj_challenges.devices.noise import sensor_stream
+from rcj_challenges.rules.fields import NotNegative, Positive, described
+from rcj_challenges.rules.phrasing import degrees, metres
+
+Rgb = tuple[int, int, int]
+
+NEAR_M = 0.01
+"""What ``getNear`` returns: nothing nearer is ever seen, because bodies are larger."""
+
+_FULL = 255
+
+
+class CameraDevice(Device):
+    """A camera that looks level. What stands on the field is seen, wheels are not."""
+
+    # Their source: measured with prototypes (ADR 17): a ball is found up to 1.5 m away.
+
+    device: Literal["camera"]
+    width: int = described(64, "columns of a picture", ge=8, le=160)
+    height: int = described(48, "rows of a picture", ge=6, le=120)
+    hz: Positive = described(10.0, "pictures a second, rounded to whole ticks of 32 ms", le=31.25)
+    field_of_view_rad: Positive = described(
+        1.0472, "angle from the left to the right edge in rad; from 3.1416 on a panorama of equal angles", le=6.2832
+    )
+    bearing_rad: float = described(0.0, "direction in the robot's frame in rad; 0 front, 1.5708 left (+y)")
+    below_horizon: NotNegative = described(0.62, "share of the rows that show what is lower than the camera", le=1)
+    ahead_m: NotNegative = described(0.03, "distance from the robot's centre along the bearing in m")
+    height_m: Positive = described(0.06, "height above the floor in m", le=1)
+    light: tuple[Positive, Positive] = Field(
+        (1.0, 1.0), strict=False, description="smallest and largest brightness; drawn anew for each half"
+    )
+
+    CLASS = "camera"
+    ACCEPTS = frozenset({"sampling"})
+    EXAMPLE = """
+robots:
+  Y1: {devices: {front camera: {device: camera, light: [0.85, 1.15]}}}
+"""
+    SENTENCE = (
+        "camera, bearing 0°, 60° wide, 64 x 48 pixels (62 % of the rows below the horizon), a picture every 96 ms, "
+        "3 cm off the robot's centre and 6 cm above the floor; its brightness is drawn for each half, from 0.85 to 1.15"
+    )
+
+    @property
+    def every_ticks(self) -> int:
+        """How many ticks pass from picture to picture."""
+        return max(1, round(1 / (self.hz * TICK_S)))
+
+    @property
+    def eye(self) -> Eye:
+        """Where it sits and what it takes in."""
+        return Eye(
+            self.bearing_rad, self.ahead_m, self.height_m, self.width, self.height, self.field_of_view_rad,
+            self.below_horizon,
+        )  # fmt: skip
+
+    def facts(self, _carrier: Carrier) -> dict[str, Any]:
+        """Return what a program can ask without stepping."""
+        return {"width": self.width, "height": self.height, "fov": self.field_of_view_rad, "near": NEAR_M}
+
+    def contradictions(self, _chassis: Chassis) -> Iterator[tuple[str, str]]:
+        """Yield fields that contradict others, each with what is wrong."""
+        if self.light[0] > self.light[1]:
+            yield "light", "the smallest brightness stands first"
+
+    def describe(self, _phrases: Phrases) -> str:
+        """Return what it is."""
+        where = f"bearing {degrees(self.bearing_rad)}, {degrees(self.field_of_view_rad)} wide"
+        if self.field_of_view_rad >= math.pi:
+            where += " as a panorama"
+        rows = f"{self.width} x {self.height} pixels ({100 * self.below_horizon:g} % of the rows below the horizon)"
+        every_ms = round(self.every_ticks * TICK_S * 1000)
+        text = (
+            f"camera, {where}, {rows}, a picture every {every_ms} ms, {metres(self.ahead_m)} off the robot's centre "
+            f"and {metres(self.height_m)} above the floor"
+        )
+        low, high = self.light
+        if low == high == 1:
+            return text
+        return f"{text}; its brightness is drawn for each half, from {low:g} to {high:g}"
+
+    def lit(self, palette: Sequence[Rgb], half: HalfInfo, fitted: Fitted) -> bytes:
+        """Return the beginning of its pictures in a half: the colours in the light that is drawn for it."""
+        low, high = self.light
+        share = (
+            low
+            if low == high
+            else low + (high - low) * float(sensor_stream(half, fitted.robot_name, fitted.spec.name).random())
+        )
+        parts = bytes(min(_FULL, int(part * share)) for colour in palette for part in colour)
+        return bytes([len(palette)]) + parts

@@ -1,0 +1,79 @@
+"""The cameras of all robots: when each takes a picture, and where it goes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from rcj_challenges.core.play import HalfInfo
+from rcj_challenges.core.traffic import Packet
+from rcj_challenges.devices.base import Eye, Fitted, Sight
+from rcj_challenges.devices.camera import CameraDevice
+from rcj_challenges.devices.receivers import Queue
+from rcj_challenges.world.poses import Poses
+
+_NOWHERE = (0.0, 0.0, 0.0)
+
+
+class Cameras:
+    """All cameras of a half.
+
+    A camera has a clock of its own: it exposes at ticks that are multiples of its period, whenever it was enabled, so
+    that all that are due are taken together, which costs a third of taking them one by one (ADR 17).
+    """
+
+    def __init__(
+        self, fitted: Sequence[Fitted], make_sight: Callable[[], Sight], half: HalfInfo, queues: dict[int, Queue]
+    ) -> None:
+        self._all = [one for one in fitted if isinstance(one.device, CameraDevice)]
+        self._queues = queues
+        self._period: dict[tuple[int, int], int] = {}
+        self._on: list[tuple[Fitted, CameraDevice, int]] = []
+        if self._all:
+            self._sight = make_sight()
+            self._head = {
+                (one.robot, one.spec.index): one.device.lit(self._sight.palette, half, one)
+                for one in self._all
+                if isinstance(one.device, CameraDevice)
+            }
+
+    def set_period(self, robot: int, device: int, period_ticks: int) -> bool:
+        """Let a camera take pictures at its rate, or every so many ticks if that is less often; 0 switches it off.
+
+        Returns:
+            False if the device is no camera.
+        """
+        if not any((one.robot, one.spec.index) == (robot, device) for one in self._all):
+            return False
+        self._period[robot, device] = period_ticks
+        self._on = [
+            (one, one.device, max(one.device.every_ticks, period))
+            for one in self._all
+            if isinstance(one.device, CameraDevice) and (period := self._period.get((one.robot, one.spec.index), 0))
+        ]
+        return True
+
+    def silence(self, robot: int) -> None:
+        """Switch off the cameras of a robot."""
+        for one in self._all:
+            if one.robot == robot:
+                self.set_period(robot, one.spec.index, 0)
+
+    def expose(self, tick: int, poses: Poses) -> None:
+        """Take the pictures that are due at ``tick``; a robot off the field sees nothing: black."""
+        due: dict[tuple[float, ...], list[tuple[Fitted, Eye]]] = {}
+        for one, device, every_ticks in self._on:
+            if tick % every_ticks:
+                continue
+            if poses.robots[one.robot].parked:
+                self._deliver(one, bytes((1, 0, 0, 0)), bytes(device.width * device.height))
+            else:
+                eye = device.eye
+                lens = (eye.width, eye.height, eye.fov_rad, eye.down, eye.height_m)
+                due.setdefault(lens, []).append((one, eye))
+        for together in due.values():
+            pictures = self._sight.take([(one.robot, eye) for one, eye in together])
+            for (one, _), picture in zip(together, pictures, strict=True):
+                self._deliver(one, self._head[one.robot, one.spec.index], picture)
+
+    def _deliver(self, one: Fitted, head: bytes, picture: bytes) -> None:
+        self._queues[one.robot].put(Packet(one.spec.index, head + picture, 0.0, _NOWHERE))

@@ -1,0 +1,420 @@
+"""What cameras see: pictures by casting columns, without a graphics card (ADR 16).
+
+All that stands on the field is an upright prism or a sphere, and cameras look level, so each column of a picture is a
+vertical plane: a prism covers a range of its rows, given by where the plane enters and leaves it. The floor is looked
+up in a map. Only sums, products, quotients, square roots and comparisons of single numbers are used, which are the
+same on every processor; sines and cosines come from the poses.
+
+Wheels are not drawn: like sonar and lidar, cameras see the bodies that carry them.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from itertools import groupby, pairwise
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from rcj_challenges.core.colours import hex_colour
+from rcj_challenges.devices.base import Eye
+from rcj_challenges.scenario.kit_devices import chassis_of
+from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.shapes import floor_of, floor_outline, goal_floor
+from rcj_challenges.world.build_field import FIELD, OBSTACLE, WALL_THICKNESS_M
+from rcj_challenges.world.ground import Ground
+
+Point = tuple[float, float]
+
+BEYOND, FLOOR, LINE, WALL = range(4)
+_COLOURS = {BEYOND: "#101418", FLOOR: "#2e8054", LINE: "#ffffff", WALL: "#202428"}
+
+CELL_M = 0.004
+"""Edge of a cell of the floor's map."""
+LINE_M = 0.008
+"""Width of the lines on the floor, as in videos."""
+_COAT_M = 1e-7
+"""Thickness of the paint on a goal's inner sides."""
+_REACH_M = 100.0
+"""Things that are parked are farther away."""
+
+
+@dataclass(frozen=True)
+class _Prism:
+    """An upright prism: its corners counter-clockwise and its range of heights in m, in the frame of its body."""
+
+    corners: tuple[Point, ...]
+    low_m: float
+    high_m: float
+    colour: int
+    body: int
+    entity: int = -1
+
+
+class WorldSight:
+    """Takes the pictures of all cameras of a half."""
+
+    def __init__(self, scenario: Scenario, roster: Roster, ground: Ground) -> None:
+        self._ground = ground
+        self._colours: list[str] = [_COLOURS[number] for number in range(4)]
+        self._entities = roster.entities
+        prisms, self._discs = self._standing(scenario, roster)
+        self._prisms = _Prisms(prisms, ground)
+        self._balls = [
+            (int(ground.model.body(name).id), ball.radius_m, self.number_of(ball.colour))
+            for name, ball in scenario.balls.items()
+        ]
+        self._floor = _FloorMap(scenario, self.number_of)
+
+    @property
+    def palette(self) -> list[tuple[int, int, int]]:
+        """Red, green and blue of each number that stands in pictures."""
+        return [tuple(bytes.fromhex(colour[1:])) for colour in self._colours]  # type: ignore[misc]
+
+    def take(self, eyes: Sequence[tuple[int, Eye]]) -> list[bytes]:
+        """Return a picture from each eye, on the robot of this index: a number of the palette per pixel, row by row.
+
+        All eyes have lenses of the same shape.
+        """
+        lens = _lens_of(eyes[0][1])
+        views = _Views(lens, [self._place(robot, eye) for robot, eye in eyes], [robot for robot, _ in eyes])
+        picture = self._floor.picture(views)
+        _paint(picture, [self._prisms.spans(views), *self._disc_spans(views), *self._ball_spans(views)])
+        columns = len(lens.ahead)
+        return [picture[:, n * columns : (n + 1) * columns].tobytes() for n in range(len(eyes))]
+
+    def _place(self, robot: int, eye: Eye) -> tuple[float, float, float, float]:
+        """Return x, y, and the cosine and sine of where an eye looks."""
+        data = self._ground.data
+        body = self._prisms.body_of[robot]
+        x, y, _ = data.xpos[body].tolist()
+        cos, sin = float(data.xmat[body, 0]), float(data.xmat[body, 3])
+        c, s = math.cos(eye.bearing_rad), math.sin(eye.bearing_rad)
+        ahead, aside = cos * c - sin * s, sin * c + cos * s
+        return x + eye.ahead_m * ahead, y + eye.ahead_m * aside, ahead, aside
+
+    def number_of(self, colour: str) -> int:
+        """Return the number of a scenario's colour in pictures."""
+        digits = hex_colour(colour) or "#868e96"
+        if digits not in self._colours:
+            self._colours.append(digits)
+        return self._colours.index(digits)
+
+    def _standing(self, scenario: Scenario, roster: Roster) -> tuple[list[_Prism], list[tuple[int, float, float, int]]]:
+        """Return the prisms, and the upright cylinders: body, radius, height, colour."""
+        model = self._ground.model
+        box, cylinder = int(mujoco.mjtGeom.mjGEOM_BOX), int(mujoco.mjtGeom.mjGEOM_CYLINDER)
+        prisms: list[_Prism] = []
+        discs: list[tuple[int, float, float, int]] = []
+        goals = {goal.end: self.number_of(goal.colour) for goal in scenario.field.goals.values()}
+        for geom in range(model.ngeom):
+            name = model.geom(geom).name
+            if name.startswith(FIELD):
+                kind, _, end = name.removeprefix(FIELD).partition("_")
+                colour = next((goals[e] for e in goals if end.startswith(e)), WALL) if kind == "goal" else WALL
+            elif (of := name.removeprefix(OBSTACLE)) in scenario.obstacles:
+                colour = self.number_of(scenario.obstacles[of].colour)
+            else:
+                continue
+            half_m, body = float(model.geom_size[geom, 2]), int(model.geom_bodyid[geom])
+            x, y, z = model.geom_pos[geom].tolist()
+            if model.geom_type[geom] == box:
+                w, _, _, q = model.geom_quat[geom].tolist()
+                cos, sin = w * w - q * q, 2 * w * q
+                hx, hy = model.geom_size[geom, :2].tolist()
+                corners = tuple(
+                    (x + cos * px - sin * py, y + sin * px + cos * py)
+                    for px, py in ((hx, hy), (-hx, hy), (-hx, -hy), (hx, -hy))
+                )
+                base_m = float(model.body_pos[body, 2]) if body else 0.0
+                prisms.append(_Prism(corners, base_m + z - half_m, base_m + z + half_m, colour, body))
+            elif model.geom_type[geom] == cylinder:
+                discs.append((geom, float(model.geom_size[geom, 0]), 2 * float(model.geom_size[geom, 1]), colour))
+        for goal in scenario.field.goals.values():
+            prisms += _coats(scenario, goal.end, goals[goal.end])
+        for index, name in enumerate(roster.entities[: roster.robots]):
+            chassis = chassis_of(scenario, name)
+            body = int(model.body(name).id)
+            colour = self.number_of(scenario.robots[name].colour)
+            prisms.append(_Prism(chassis.body(), 0.0, chassis.height_m, colour, body, index))
+        return prisms, discs
+
+    def _disc_spans(self, views: _Views) -> Iterable[_Spans]:
+        for geom, radius_m, height_m, colour in self._discs:
+            x, y, _ = self._ground.data.geom_xpos[geom].tolist()
+            along, squared = views.towards(x, y)
+            inside = radius_m * radius_m * views.lens.squared_all(views.count) - squared
+            half = np.sqrt(np.maximum(inside, 0.0))
+            lengths = views.lens.squared_all(views.count)
+            enter = np.where(inside > 0.0, (along - half) / lengths, np.inf)
+            leave = np.where(inside > 0.0, (along + half) / lengths, -np.inf)
+            yield _Spans.of(views, enter[None], leave[None], [0.0], [height_m], [colour])
+
+    def _ball_spans(self, views: _Views) -> Iterable[_Spans]:
+        eye_m, lengths = views.lens.height_m, views.lens.squared_all(views.count)
+        for body, radius_m, colour in self._balls:
+            x, y, z = self._ground.data.xpos[body].tolist()
+            along, squared = views.towards(x, y)
+            # In the plane of a column the ball is a circle: its middle at (a, up), its radius squared rho2.
+            a = along / np.sqrt(lengths)
+            rho2 = radius_m * radius_m - squared / lengths
+            up = z - eye_m
+            far2 = a * a - rho2
+            visible = (rho2 > 0.0) & (a > 0.0) & (far2 > 0.0)
+            root = np.sqrt(np.maximum(rho2 * (a * a + up * up - rho2), 0.0))
+            scale = np.sqrt(lengths) / np.where(visible, far2, 1.0)
+            enter = np.where(visible, along / lengths, np.inf)
+            first, after = views.rows((a * up - root) * scale, (a * up + root) * scale)
+            yield _Spans(enter[None], first[None], after[None], np.array([colour], np.uint8))
+
+
+def _coats(scenario: Scenario, end: str, colour: int) -> list[_Prism]:
+    """Return the paint on the inner sides of the goal at an end; physically they are parts of the end wall."""
+    goal = next(goal for goal in scenario.field.goals.values() if goal.end == end)
+    sign = 1 if end == "positive_y" else -1
+    near, far = sign * scenario.field.length_m / 2, sign * (scenario.field.length_m / 2 + goal.depth_m)
+    y = (min(near, far), max(near, far))
+    coats = []
+    for way in (-1, 1):
+        x = sorted((way * goal.width_m / 2, way * (goal.width_m / 2 - _COAT_M)))
+        corners = ((x[1], y[1]), (x[0], y[1]), (x[0], y[0]), (x[1], y[0]))
+        coats.append(_Prism(corners, 0.0, goal.wall_height_m, colour, 0))
+    return coats
+
+
+@dataclass(frozen=True, eq=False)
+class _Lens:
+    """The rays of a picture, for an eye that looks along +x.
+
+    Attributes:
+        ahead, aside: [columns], the horizontal way of a column's rays per unit of depth.
+        slopes: [rows], how much the rays of a row rise per unit of depth; falling from row to row.
+        horizon_rows: rows above the horizon.
+        pitch: what a row is in `slopes`.
+        height_m: of the eye above the floor.
+    """
+
+    ahead: NDArray[np.float64]
+    aside: NDArray[np.float64]
+    slopes: NDArray[np.float64]
+    horizon_rows: float
+    pitch: float
+    height_m: float
+
+    def squared_all(self, count: int) -> NDArray[np.float64]:
+        """Return the squared lengths of the ways of all columns of so many pictures."""
+        return np.tile(self.ahead * self.ahead + self.aside * self.aside, count)
+
+
+_LENSES: dict[tuple[object, ...], _Lens] = {}
+
+
+def _lens_of(eye: Eye) -> _Lens:
+    key = (eye.width, eye.height, eye.fov_rad, eye.down, eye.height_m)
+    if key not in _LENSES:
+        if eye.fov_rad < math.pi:
+            edge = math.tan(eye.fov_rad / 2)
+            aside = [edge * (1 - 2 * (column + 0.5) / eye.width) for column in range(eye.width)]
+            ahead, pitch = [1.0] * eye.width, 2 * edge / eye.width
+        else:
+            angles = [eye.fov_rad * (0.5 - (column + 0.5) / eye.width) for column in range(eye.width)]
+            ahead, aside = [math.cos(angle) for angle in angles], [math.sin(angle) for angle in angles]
+            pitch = eye.fov_rad / eye.width
+        above = (1 - eye.down) * eye.height
+        slopes = [(above - (row + 0.5)) * pitch for row in range(eye.height)]
+        _LENSES[key] = _Lens(np.array(ahead), np.array(aside), np.array(slopes), above, pitch, eye.height_m)
+    return _LENSES[key]
+
+
+class _Views:
+    """The columns of several pictures side by side.
+
+    Attributes:
+        x, y: [pictures], of the eyes in m.
+        along_x, along_y: [pictures * columns], the ways of the rays in the frame of the field.
+        robots: whose eyes they are.
+    """
+
+    def __init__(self, lens: _Lens, places: Sequence[tuple[float, float, float, float]], robots: Sequence[int]) -> None:
+        self.lens, self.robots, self.count = lens, robots, len(places)
+        x, y, cos, sin = (np.array(numbers)[:, None] for numbers in zip(*places, strict=True))
+        self.x, self.y, self.cos, self.sin = x, y, cos, sin
+        self.along_x = (cos * lens.ahead - sin * lens.aside).ravel()
+        self.along_y = (sin * lens.ahead + cos * lens.aside).ravel()
+        self.columns = len(lens.ahead)
+
+    def towards(self, x_m: float, y_m: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Return how far along each way a point lies, times the way's squared length, and how far beside, squared."""
+        dx = np.repeat(x_m - self.x, self.columns)
+        dy = np.repeat(y_m - self.y, self.columns)
+        beside = dx * self.along_y - dy * self.along_x
+        return dx * self.along_x + dy * self.along_y, beside * beside
+
+    def rows(self, low: NDArray[np.float64], high: NDArray[np.float64]) -> tuple[NDArray[np.int16], NDArray[np.int16]]:
+        """Return the first row, and the one after the last, whose middles lie between two slopes."""
+        lens = self.lens
+        most = float(len(lens.slopes))
+        middle = lens.horizon_rows - 0.5
+        first = np.ceil(np.minimum(np.maximum(middle - high / lens.pitch, 0.0), most))
+        after = np.floor(np.minimum(np.maximum(middle - low / lens.pitch, -1.0), most)) + 1
+        return first.astype(np.int16), after.astype(np.int16)
+
+
+@dataclass(frozen=True)
+class _Spans:
+    """What things cover of each column: [things, columns] depth (``inf``: nothing), first row and the one after."""
+
+    depths: NDArray[np.float64]
+    first: NDArray[np.int16]
+    after: NDArray[np.int16]
+    colours: NDArray[np.uint8]
+
+    @classmethod
+    def of(
+        cls, views: _Views, enter: NDArray[np.float64], leave: NDArray[np.float64],
+        low_m: Sequence[float] | NDArray[np.float64], high_m: Sequence[float] | NDArray[np.float64],
+        colours: Sequence[int] | NDArray[np.uint8],
+    ) -> _Spans:  # fmt: skip
+        """Return the spans of prisms, by where the planes of the columns enter and leave them."""
+        hit = (enter < leave) & (enter > 0.0) & (enter < _REACH_M)
+        near, far = np.where(hit, enter, 1.0), np.where(hit, leave, 1.0)
+        low, high = (np.asarray(heights)[:, None] - views.lens.height_m for heights in (low_m, high_m))
+        first, after = views.rows(low / np.where(low <= 0.0, near, far), high / np.where(high >= 0.0, near, far))
+        return cls(np.where(hit, enter, np.inf), first, after, np.asarray(colours, np.uint8))
+
+
+class _Prisms:
+    """All prisms, their edges side by side."""
+
+    def __init__(self, prisms: Sequence[_Prism], ground: Ground) -> None:
+        self._ground = ground
+        prisms = sorted(prisms, key=lambda one: len(one.corners))
+        edges = [(one.body, *edge) for one in prisms for edge in _edges(one.corners)]
+        self._body = np.array([body for body, *_ in edges])
+        self._x, self._y, self._nx, self._ny = (np.array([edge[n] for edge in edges]) for n in (1, 2, 3, 4))
+        self._groups: list[tuple[int, int]] = []  # how many prisms with how many corners follow each other
+        for corners, group in groupby(prisms, key=lambda one: len(one.corners)):
+            self._groups.append((len(list(group)), corners))
+        self._low = np.array([one.low_m for one in prisms])
+        self._high = np.array([one.high_m for one in prisms])
+        self._colours = np.array([one.colour for one in prisms], np.uint8)
+        self.body_of = {one.entity: one.body for one in prisms if one.entity >= 0}
+        self._prism_of = {one.entity: number for number, one in enumerate(prisms) if one.entity >= 0}
+
+    def spans(self, views: _Views) -> _Spans:
+        """Return what they cover; an eye does not see its own robot."""
+        data = self._ground.data
+        body = self._body
+        x0, y0, cos, sin = data.xpos[body, 0], data.xpos[body, 1], data.xmat[body, 0], data.xmat[body, 3]
+        x, y = x0 + cos * self._x - sin * self._y, y0 + sin * self._x + cos * self._y
+        nx, ny = cos * self._nx - sin * self._ny, sin * self._nx + cos * self._ny
+        along = nx[:, None] * views.along_x + ny[:, None] * views.along_y
+        away = (nx * x + ny * y)[:, None] - (nx[:, None] * views.x[:, 0] + ny[:, None] * views.y[:, 0])
+        with np.errstate(divide="ignore", invalid="ignore"):
+            depth = np.repeat(away, views.columns, axis=1) / along
+        enters = along < 0.0
+        enter = self._each(np.maximum, np.where(enters, depth, -np.inf))
+        leave = self._each(np.minimum, np.where(enters, np.inf, depth))
+        for number, robot in enumerate(views.robots):
+            enter[self._prism_of[robot], number * views.columns : (number + 1) * views.columns] = np.inf
+        return _Spans.of(views, enter, leave, self._low, self._high, self._colours)
+
+    def _each(self, better: np.ufunc, depths: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the best depth of each prism from those of its edges."""
+        found, at = [], 0
+        for prisms, corners in self._groups:
+            edges = depths[at : at + prisms * corners].reshape(prisms, corners, -1)
+            found.append(better.reduce(edges, axis=1))
+            at += prisms * corners
+        return np.concatenate(found)
+
+
+def _edges(corners: Sequence[Point]) -> Iterable[tuple[float, float, float, float]]:
+    """Yield a point of each edge of a polygon and its normal, outwards; corners run counter-clockwise."""
+    for (ax, ay), (bx, by) in zip(corners, (*corners[1:], corners[0]), strict=True):
+        yield ax, ay, by - ay, ax - bx
+
+
+def _paint(picture: NDArray[np.uint8], parts: Sequence[_Spans]) -> None:
+    """Paint what stands on the floor, in each column the nearest first, each only over floor and background."""
+    depths = np.concatenate([part.depths for part in parts])
+    first = np.concatenate([part.first for part in parts])
+    after = np.concatenate([part.after for part in parts])
+    colours = np.concatenate([part.colours for part in parts])
+    rows = np.arange(len(picture), dtype=np.int16)[:, None]
+    columns = np.arange(picture.shape[1])
+    free = np.ones(picture.shape, np.bool_)
+    while True:
+        nearest = depths.argmin(axis=0)
+        seen = depths[nearest, columns] < np.inf
+        if not seen.any():
+            return
+        covers = (rows >= first[nearest, columns]) & (rows < after[nearest, columns]) & seen & free
+        np.copyto(picture, colours[nearest], where=covers)
+        free &= ~covers
+        depths[nearest, columns] = np.inf
+
+
+class _FloorMap:
+    """The colours of the floor, in cells."""
+
+    def __init__(self, scenario: Scenario, number_of: Callable[[str], int]) -> None:
+        field = scenario.field
+        depth_m = max([goal.depth_m for goal in field.goals.values()], default=0.0) + WALL_THICKNESS_M
+        self._x0, self._y0 = -field.width_m / 2 - WALL_THICKNESS_M, -field.length_m / 2 - depth_m
+        self._x, self._y = (self._x0 + _cells(-2 * self._x0))[:, None], self._y0 + _cells(-2 * self._y0)
+        self._cells = np.full((len(self._x), len(self._y)), FLOOR, np.uint8)
+        for goal in field.goals.values():
+            corners = goal_floor(goal, field)
+            west, east = sorted({x for x, _ in corners})
+            south, north = sorted({y for _, y in corners})
+            inside = (self._x > west) & (self._x < east) & (self._y > south) & (self._y < north)
+            self._cells[inside] = number_of(_darker(goal.colour))
+            self._draw(corners[:2], LINE)
+        if field.goals:
+            self._draw([(-field.width_m / 2, 0.0), (field.width_m / 2, 0.0)], LINE)
+        self._draw([*floor_of(field), floor_of(field)[0]], LINE)
+        for zone in scenario.zones.values():
+            if zone.drawn and (outline := floor_outline(zone, field)):
+                self._draw([*outline, outline[0]], LINE if zone.colour is None else number_of(zone.colour))
+        self._ways: dict[_Lens, tuple[NDArray[np.float64], NDArray[np.float64], int]] = {}
+
+    def _draw(self, points: Sequence[Point], colour: int) -> None:
+        for (ax, ay), (bx, by) in pairwise(points):
+            dx, dy = bx - ax, by - ay
+            length2 = dx * dx + dy * dy or 1.0
+            share = np.clip(((self._x - ax) * dx + (self._y - ay) * dy) / length2, 0.0, 1.0)
+            off_x, off_y = self._x - ax - share * dx, self._y - ay - share * dy
+            self._cells[off_x * off_x + off_y * off_y <= LINE_M * LINE_M / 4] = colour
+
+    def picture(self, views: _Views) -> NDArray[np.uint8]:
+        """Return pictures of an empty floor."""
+        lens = views.lens
+        if lens not in self._ways:
+            below = lens.slopes[lens.slopes < 0.0]
+            depths = (lens.height_m / -below)[:, None, None]
+            self._ways[lens] = depths * lens.ahead, depths * lens.aside, len(lens.slopes) - len(below)
+        ahead, aside, above = self._ways[lens]
+        # [rows, pictures, columns]
+        x = (views.x + views.cos * ahead - views.sin * aside - self._x0) / CELL_M
+        y = (views.y + views.sin * ahead + views.cos * aside - self._y0) / CELL_M
+        last_x, last_y = self._cells.shape[0] - 1, self._cells.shape[1] - 1
+        i = np.minimum(np.maximum(x, 0.0), last_x).astype(np.intp)
+        j = np.minimum(np.maximum(y, 0.0), last_y).astype(np.intp)
+        picture = np.full((len(lens.slopes), views.count * views.columns), BEYOND, np.uint8)
+        picture[above:] = self._cells[i, j].reshape(len(i), -1)
+        return picture
+
+
+def _cells(extent_m: float) -> NDArray[np.float64]:
+    """Return the middles of the cells along an extent."""
+    return np.array([(cell + 0.5) * CELL_M for cell in range(math.ceil(extent_m / CELL_M))])
+
+
+def _darker(colour: str) -> str:
+    parts = bytes.fromhex((hex_colour(colour) or "#868e96")[1:])
+    return "#" + bytes(part * 7 // 10 for part in parts).hex()
