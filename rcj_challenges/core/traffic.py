@@ -77,14 +77,12 @@ class Observation(NamedTuple):
         values: all numbers of all devices (NaN before the first sample), by slot. Lidar ranges stand here too.
         packets: those that arrived since the last observation, in order.
         over: True in the last one: ``step`` returns -1.
-        soon: True if the next one follows soon, so that its process should busy-wait.
     """
 
     tick: int
     values: list[float]
     packets: list[Packet]
     over: bool = False
-    soon: bool = False
 
 
 class MotorCommand(NamedTuple):

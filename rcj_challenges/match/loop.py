@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Protocol
 
 from rcj_challenges.core.play import Fault, HalfInfo, RefereeOutput, Snapshot
 from rcj_challenges.core.traffic import Observation, Request
-from rcj_challenges.programs.cpu_policy import DEFAULT_SHARE, CpuPolicy, CpuShare
 from rcj_challenges.scenario.halves import MAX_LENGTHS
 
 if TYPE_CHECKING:
@@ -19,20 +18,14 @@ if TYPE_CHECKING:
 class Driver(Protocol):
     """What drives one robot: a program in a process, or a stand-in in tests."""
 
-    def collect(self, if_long: Callable[[], None] | None = None) -> Request | Fault:
-        """Wait for its next request, or learn that it failed. A wait that turns out to be long calls ``if_long``."""
+    def collect(self) -> Request | Fault:
+        """Wait for its next request, or learn that it failed."""
 
     def collect_soon(self) -> Request | Fault | None:
         """Return the request if it is here or comes at once; None: `collect` has to wait for it."""
 
     def release(self, observation: Observation) -> None:
         """Let its ``step`` return."""
-
-    def share_cpus(self, share: CpuShare) -> None:
-        """Set how it shares the CPUs with the match from now on."""
-
-    def computed_s(self) -> float:
-        """Return its CPU time in s; 0 if that is not known at once."""
 
     def overstepped(self, tick: int) -> Fault | None:
         """Return a fault if its threads use more than they may during a long ``step``."""
@@ -106,8 +99,6 @@ class TickLoop:
         self._faults: list[Fault] = []
         self._all_held = False
         self._held: frozenset[int] = frozenset()
-        self._cpu_policy = CpuPolicy(self._computed_s)
-        self._cpu_share = DEFAULT_SHARE
         self.tick = 0
 
     def play(self) -> LoopResult:
@@ -120,7 +111,6 @@ class TickLoop:
         while should_continue(self._stage.referee, output, self.tick, self._half):
             self._before_tick(self.tick + 1)
             output = self._one_tick(self.tick + 1)
-        self._share_cpus(DEFAULT_SHARE)  # at the end all programs compute at once, and the match does not
         closing = self._stage.referee.finish()
         # A half that is over cannot be ended once more, the match can.
         ended = closing.ended if closing.ends_match else output.ended
@@ -184,30 +174,11 @@ class TickLoop:
         """Update each robot's sensors, and release its program if it is due; return those released."""
         devices, alive = self._stage.devices, self._alive
         due = [robot for robot in devices.specs if self._due.get(robot) == tick] if plays_on else []
-        # The first released program finds its CPU awake, and so do the others after it.
-        awake = due[0] if due and self._cpu_policy.should_busy_wait(due[0]) else None
-        self._share_cpus(self._cpu_policy.share)
         for robot in devices.specs:
             devices.finish_sensing(robot)
             if robot in due:
-                alive[robot].release(devices.observe(robot, tick, soon=robot == awake))
+                alive[robot].release(devices.observe(robot, tick))
         return due
-
-    def _share_cpus(self, share: CpuShare) -> None:
-        """Set how all programs share the CPUs from now on."""
-        if share is not self._cpu_share:
-            self._cpu_share = share
-            for driver in self._alive.values():
-                driver.share_cpus(share)
-
-    def _give_all_cpus(self) -> None:
-        """Let programs use all CPUs: one of them computes for long."""
-        self._cpu_policy.give_all_cpus()
-        self._share_cpus(self._cpu_policy.share)
-
-    def _computed_s(self) -> dict[int, float]:
-        """Return the CPU time of each program in s."""
-        return {robot: driver.computed_s() for robot, driver in self._alive.items()}
 
     def _collect(self, due: list[int]) -> None:
         """Carry out the requests of the programs that were released, in their order."""
@@ -221,7 +192,7 @@ class TickLoop:
             taken += 1
         waiting = due[taken:]
         # After a sleep until the last answer, the others are mostly ready: one sleep instead of six.
-        answers = [alive[robot].collect(self._give_all_cpus) for robot in reversed(waiting)]
+        answers = [alive[robot].collect() for robot in reversed(waiting)]
         for robot in waiting:
             self._take(robot, answers.pop())
 

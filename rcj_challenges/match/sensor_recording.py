@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import codecs
 import io
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Protocol, Self
 
@@ -75,8 +75,6 @@ class _RecordedDriver:
         self._writer = writer
         self._tail = tail
         self._log_bytes = 0
-        self.share_cpus = driver.share_cpus
-        self.computed_s = driver.computed_s
         self.overstepped = driver.overstepped
 
     def release(self, observation: Observation) -> None:
@@ -84,9 +82,9 @@ class _RecordedDriver:
         self._writer.record_observation(self._number, observation)
         self._driver.release(observation)
 
-    def collect(self, if_long: Callable[[], None] | None = None) -> Request | Fault:
+    def collect(self) -> Request | Fault:
         """Wait for its next request, or learn that it failed."""
-        return self._recorded(self._driver.collect(if_long))
+        return self._recorded(self._driver.collect())
 
     def collect_soon(self) -> Request | Fault | None:
         """Return its next request if it is here already."""

@@ -8,12 +8,8 @@ import os
 import subprocess
 import sys
 import time
-from pathlib import Path
 
 from rcj_challenges.programs.time_budget import ProcessTimes, ThreadTimes
-
-_GRANT = Path("/sys/fs/cgroup/cpu.max")
-"""Where Linux shows a container's share of processor time: µs, and of how many (cgroup version 2)."""
 
 _LINKS_OF_A_FOLDER = 2  # itself and its parent; each further one is a folder in it, here a thread
 
@@ -70,14 +66,6 @@ def process_times(pid: int) -> ProcessTimes | None:
     return None
 
 
-def computed_s(pid: int) -> float:
-    """Return for how long all threads of a process have computed, in s; 0 where that takes long to find out."""
-    if sys.platform == "linux":
-        with contextlib.suppress(OSError):
-            return time.clock_gettime(_processor_clock(pid))
-    return 0.0
-
-
 def _processor_clock(pid: int) -> int:
     """Return the clock of the processor time of a process, as Linux numbers it (``clock_getcpuclockid``)."""
     return ~pid << 3 | 2
@@ -108,34 +96,6 @@ def held_up_here_s() -> float:
         with contextlib.suppress(OSError, ValueError, IndexError), open("/proc/thread-self/schedstat", "rb") as file:  # noqa: PTH123
             return int(file.read().split()[1]) / 1e9
     return 0.0
-
-
-def running() -> int:
-    """Return how many threads of the whole system have a processor, or wait for one; 0 if that is unknown."""
-    if sys.platform == "linux":
-        with contextlib.suppress(OSError, ValueError, IndexError), open("/proc/loadavg", "rb", buffering=0) as file:  # noqa: PTH123
-            return int(file.read().split()[3].partition(b"/")[0])
-    return 0
-
-
-def all_processors() -> int:
-    """Return how many processors the computer has, usable or not; 0 if that is unknown."""
-    return os.cpu_count() or 0
-
-
-def processors() -> int:
-    """Return how many processors this process may keep busy; 0 if that is unknown.
-
-    A container sees all processors of its computer, and may have been granted the time of fewer: a process that uses
-    more is stopped for the rest of each tenth of a second.
-    """
-    if sys.platform != "linux":
-        return 0
-    granted = len(os.sched_getaffinity(0))
-    with contextlib.suppress(OSError, ValueError):  # the word "max" stands for as much as there is
-        time_us, of_us = map(int, _GRANT.read_text(encoding="ascii").split())
-        granted = min(granted, time_us // of_us)
-    return granted
 
 
 def seconds_of(text: str) -> float:

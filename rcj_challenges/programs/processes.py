@@ -19,8 +19,7 @@ from importlib.util import cache_from_source
 from pathlib import Path
 from typing import Any
 
-from rcj_challenges.programs import bubblewrap, cpu_policy, memory_addresses, process_stats, scratch
-from rcj_challenges.programs.cpu_policy import CpuShare
+from rcj_challenges.programs import bubblewrap, memory_addresses, process_stats, scratch
 from rcj_challenges.programs.time_budget import ProcessTimes
 
 if sys.platform == "win32":
@@ -138,15 +137,6 @@ class Process:
         if self.has_lost_main_thread():
             return math.inf
         return scratch.nameless_bytes(self._pid_to_look_at(), output_fd, folder, in_memory=in_memory)
-
-    def computed_s(self) -> float:
-        """Return the CPU time of all its threads; 0 if that is unknown, or only `usage` knows it."""
-        return process_stats.computed_s(self._pid_to_look_at())
-
-    def share_cpus(self, share: CpuShare) -> None:
-        """Let it share the CPUs with the match like that from now on (Linux)."""
-        if not self.has_ended():
-            cpu_policy.apply(self._pid_to_look_at(), share)
 
     def dump_traceback(self, lifeline_fd: int | None) -> None:
         """Let it write its present traceback to its log and end. It may refuse, so `kill` afterwards.

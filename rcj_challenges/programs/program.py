@@ -8,7 +8,6 @@ import os
 import re
 import tempfile
 import time
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +19,6 @@ from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.core.traffic import Observation, Request
 from rcj_challenges.programs import debugging, isolation, processes, scratch
 from rcj_challenges.programs.assignment import Assignment, Sharing
-from rcj_challenges.programs.cpu_policy import CpuShare
 from rcj_challenges.programs.log import ProgramLog
 from rcj_challenges.programs.pipes import ChannelClosedError, FrameTooLongError, open_channel
 from rcj_challenges.programs.protocol import Codec, Ended, ProtocolError, hello_frame, max_frame_bytes, one_line
@@ -129,20 +127,11 @@ class Program:
             if self._is_suspended and self._process is not None:
                 self._process.resume()
 
-    def share_cpus(self, share: CpuShare) -> None:
-        """Let its process share the CPUs with the match like that from now on."""
-        if self._process is not None:
-            self._process.share_cpus(share)
-
-    def computed_s(self) -> float:
-        """Return the CPU time of its process; 0 if that is not known at once."""
-        return 0.0 if self._process is None else self._process.computed_s()
-
-    def collect(self, if_long: Callable[[], None] | None = None) -> Request | Fault:
+    def collect(self) -> Request | Fault:
         """Wait until the program calls ``step``, or until it reaches a limit of time or fails.
 
         Until the first time it may be charged ``start_s``, then ``step_s`` for each step and ``half_s`` for all of them
-        (`TimeBudget`). ``if_long`` is called once if it has not called ``step`` after `MEASURED_AFTER_S`.
+        (`TimeBudget`).
 
         Raises:
             HostError: it failed because the temporary folder is full, and no program has filled it; or this computer is
@@ -154,8 +143,6 @@ class Program:
         try:
             body = channel.receive_before_measuring() if self._requests else None
             if body is None:
-                if if_long is not None:
-                    if_long()
                 body = self._wait(channel)
             return self._too_slow() if body is None else self._accepted(self._codec.decode(body, self._tick))
         except (ChannelClosedError, FrameTooLongError, ProtocolError) as error:

@@ -22,7 +22,7 @@ from rcj_challenges.devices import device_of_class
 
 PROTOCOL_VERSION = 1
 HELLO, OBSERVATION, REQUEST, FAULT = 0x48, 0x4F, 0x52, 0x46
-OVER, SOON = 1, 2  # flags of an observation
+OVER = 1  # flag of an observation
 FAULT_KINDS = ("crash", "exit", "memory", "output_flood", "start")
 
 MAX_EMISSIONS = 1_000
@@ -92,8 +92,8 @@ class Codec:
 
     def encode(self, observation: Observation) -> bytes:
         """Return an observation as a frame."""
-        tick, values, packets, over, soon = observation
-        flags = OVER if over else SOON if soon else 0
+        tick, values, packets, over = observation
+        flags = OVER if over else 0
         form = self._form
         if not packets:
             return form.pack(form.size - 4, OBSERVATION, tick, flags, self._values, 0, *values)

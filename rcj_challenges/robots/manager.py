@@ -125,9 +125,9 @@ class DeviceManager:
         self._sensors[robot].read(self._tick)
         self._radio.carry_infrared(robot, self._tick, self._poses)
 
-    def observe(self, robot: int, tick: int, over: bool = False, soon: bool = False) -> Observation:
+    def observe(self, robot: int, tick: int, over: bool = False) -> Observation:
         """Return what a program gets when its step ends at ``tick``; its queue is empty afterwards."""
-        return Observation(tick, self._sensors[robot].values.copy(), self._queues[robot].take(), over, soon)
+        return Observation(tick, self._sensors[robot].values.copy(), self._queues[robot].take(), over)
 
     def _set_period(self, robot: int, device: int, period_ticks: int) -> None:
         if self._radio.set_period(robot, device, period_ticks, self._tick):

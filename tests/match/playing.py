@@ -86,7 +86,7 @@ class StandIn:
     def __init__(self, ticks=1):
         self.ticks = ticks
 
-    def collect(self, if_long=None):
+    def collect(self):
         return Request(self.ticks)
 
     def collect_soon(self):
@@ -94,12 +94,6 @@ class StandIn:
 
     def release(self, observation):
         pass
-
-    def share_cpus(self, share):
-        pass
-
-    def computed_s(self):
-        return 0.0
 
     def overstepped(self, tick):
         return None

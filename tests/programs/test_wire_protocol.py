@@ -63,7 +63,6 @@ class LoopedWire:
 
     def __init__(self, answer: bytes) -> None:
         self.asked = b""
-        self.next_is_soon = False
         self._answer = answer
 
     def exchange(self, frame: bytes) -> bytes:
@@ -329,11 +328,11 @@ def test_the_document_of_the_protocol_names_every_form() -> None:
         assert form.lstrip("<").lstrip("I") in text.replace(" ", ""), form
 
 
-@pytest.mark.parametrize(("over", "soon"), [(False, False), (False, True), (True, True)])
-def test_observation_sets_whether_the_next_step_ends_soon(over: bool, soon: bool) -> None:
-    connection, wire = program_end(CODEC.encode(Observation(1, [0.0] * SPEC.values, [], over=over, soon=soon)))
+@pytest.mark.parametrize("over", [False, True])
+def test_observation_says_whether_the_half_is_over(over: bool) -> None:
+    connection, _ = program_end(CODEC.encode(Observation(1, [0.0] * SPEC.values, [], over=over)))
     connection.exchange(32)
-    assert (wire.next_is_soon, connection.over) == (soon and not over, over)
+    assert connection.over == over
 
 
 LEFT, RIGHT = INDEX["left wheel motor"], INDEX["right wheel motor"]

@@ -34,9 +34,8 @@ class Puppet:
         """Whose it is."""
         return self.spec.name
 
-    def collect(self, if_long: object = None) -> Request | Fault:
+    def collect(self) -> Request | Fault:
         """Return what it asks for next."""
-        del if_long
         self.requests += 1
         if self.requests > self.fails_at:
             self.fault = Fault(self.name, "crash", self.requests, 1, "made up")
@@ -60,13 +59,6 @@ class Puppet:
     def release(self, observation: Observation) -> None:
         """Hear what its devices say; there must be a packet or a number for each."""
         assert len(observation.values) == self.spec.values
-
-    def share_cpus(self, share: object) -> None:
-        """Interrupt no program."""
-
-    def computed_s(self) -> float:
-        """Say that it has computed nothing."""
-        return 0.0
 
     def overstepped(self, tick: int) -> Fault | None:
         """Say that it takes no more than it may."""

@@ -57,7 +57,6 @@ class Boot:
         """Run the program and tell the match how it ended, unless the match ended it."""
         _connection.connect(self._connection)
         sys.setswitchinterval(_SWITCH_S)
-        _freeze_affinity()
         debugger = self._hello.get("debugger")
         if debugger:
             _debugger.wait_for_editor(self._hello["robot"]["name"], **debugger)
@@ -154,14 +153,6 @@ class Boot:
         _flush_output()
         self._wire.send(fault_frame(kind, detail, trace))
         leave(1)
-
-
-def _freeze_affinity() -> None:
-    """Show a program the initial set of processors for ever: the actual one depends on what else runs."""
-    real = getattr(os, "sched_getaffinity", None)
-    if real is not None:
-        pid, ours = os.getpid(), frozenset(real(0))
-        os.sched_getaffinity = lambda of, /: set(ours) if of in (0, pid) else real(of)
 
 
 def _compiled(source: bytes, entry: str) -> types.CodeType:
@@ -269,5 +260,4 @@ def main() -> None:
     if lifeline >= 0:
         watched = hello["limits"]["memory_bytes"] if hello["limits"]["watch_memory"] else 0
         _confine.watch(_fd(lifeline, os.O_RDONLY | binary), watched, boot.out_of_memory)
-    wire.count_our_threads()
     boot.run()

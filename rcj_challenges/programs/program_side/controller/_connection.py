@@ -13,7 +13,6 @@ from ._wire import (
     OBSERVATION_HEAD,
     OVER,
     PACKET,
-    SOON,
     Emission,
     Wire,
     leave,
@@ -269,7 +268,6 @@ class Connection:
             for samples in self._followed.values():
                 samples.see(tick, numbers)
         self._clock.tick_began(tick)
-        self._wire.next_is_soon = flags & SOON != 0
         if flags & OVER:
             self.over = True
             self._warn_of_depth()

@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 import os
-import sys
-from _thread import _count, allocate_lock
+from _thread import allocate_lock
 from struct import Struct, error
-from time import perf_counter
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Sequence
+    from collections.abc import Iterable, Sequence
     from typing import NoReturn
 
     Motors = Iterable[tuple[int, float, float]]
     """Index, velocity in rad/s, position in rad."""
 
 HELLO, OBSERVATION, REQUEST, FAULT = 0x48, 0x4F, 0x52, 0x46
-OVER, SOON = 1, 2  # flags of an observation
+OVER = 1  # flag of an observation
 FAULT_KINDS = ("crash", "exit", "memory", "output_flood", "start")
 
 OBSERVATION_HEAD = "<IBIBII"  # length, type, tick, flags, how many values, how many packets; then the values
@@ -42,31 +40,15 @@ _USUAL_READ = 4096
 _LARGE_READ = 1 << 16
 _WHOLE_WRITE = 512  # POSIX writes that much to a pipe in one piece
 
-_AWAKE_S = 0.001  # ticks take a third of it if no program computes much
-_let_others_run = getattr(os, "sched_yield", lambda: None)
-
 
 class Wire:
-    """Reads and writes whole frames.
-
-    If the parent is gone, the process ends at once.
-
-    Attributes:
-        next_is_soon: whether the match has said that the next observation follows soon.
-    """
+    """Reads and writes whole frames. If the parent is gone, the process ends at once."""
 
     def __init__(self, read_fd: int, write_fd: int) -> None:
         self._read_fd = read_fd
         self._write_fd = write_fd
         self._rest = b""
-        self._is_here = _looking_at(read_fd)
-        self._our_threads = 0
-        self.next_is_soon = False
         self._writing = allocate_lock()
-
-    def count_our_threads(self) -> None:
-        """Record the existing threads: the program has started none of them."""
-        self._our_threads = _count()
 
     def receive(self) -> bytes:
         """Wait for the next frame and return it, its length included."""
@@ -96,8 +78,6 @@ class Wire:
             return self.receive()
         try:
             os.write(self._write_fd, frame)
-            if self.next_is_soon:
-                self._wait_awake()
             answer = os.read(self._read_fd, _USUAL_READ)
             whole = _LENGTH.unpack_from(answer)[0] == len(answer) - 4
         except error:  # not even a length
@@ -105,17 +85,6 @@ class Wire:
         except OSError:
             leave(1)
         return answer if whole else self._receive_in_pieces(answer)
-
-    def _wait_awake(self) -> None:
-        """Busy-wait for the next frame for a short time, yielding to all other threads.
-
-        Where the program has threads they would be held up by each look: then there is no waiting here.
-        """
-        is_here = self._is_here
-        if is_here is not None and _count() <= self._our_threads:
-            give_up = perf_counter() + _AWAKE_S
-            while not is_here(0) and perf_counter() < give_up:
-                _let_others_run()
 
     def _receive_in_pieces(self, held: bytes) -> bytes:
         parts, have, end = [held], len(held), 4
@@ -132,20 +101,6 @@ class Wire:
         held = b"".join(parts)
         self._rest = held[end:]
         return held[:end]
-
-
-def _looking_at(fd: int) -> Callable[[int], list[tuple[int, int]]] | None:
-    """Return an object that reports whether a pipe has data; None where pipes cannot be polled (Windows)."""
-    was_there = "select" in sys.modules
-    import select  # noqa: PLC0415 - see below
-
-    if not was_there:  # a team may have a file of this name, and gets its own
-        del sys.modules["select"]
-    if not hasattr(select, "poll"):
-        return None
-    poll = select.poll()
-    poll.register(fd, select.POLLIN)
-    return poll.poll
 
 
 def leave(status: int) -> NoReturn:
