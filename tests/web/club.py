@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import hashlib
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
-from rcj_challenges.web.config import SiteConfig
+from rcj_challenges.web.config import SiteConfig, current_site
 from tests.web.conftest import NOW, make_team
 
 if TYPE_CHECKING:
@@ -16,11 +17,23 @@ REPLAY = "replay-Y-1.html"
 ROLES = ("anonymous", "team", "other team", "mentor", "other mentor", "organizer")
 
 
-def new_client(**options: Any) -> Client:
+def new_client(*, enforce_csrf_checks: bool = False, **options: Any) -> Client:
     """Return a client of the site that this process works on."""
     from django.test import Client
 
-    return Client(SERVER_NAME="localhost", **options)
+    made = Client(SERVER_NAME="localhost", **options)
+    made.handler = _handler(current_site().https, enforce_csrf_checks=enforce_csrf_checks)
+    return made
+
+
+@cache
+def _handler(is_https: bool, *, enforce_csrf_checks: bool) -> Any:
+    """Return what answers all clients: to make one lists all static files. It reads only this setting when it is made."""
+    from django.test.client import ClientHandler
+
+    made = ClientHandler(enforce_csrf_checks=enforce_csrf_checks)
+    made.load_middleware()
+    return made
 
 
 @dataclass

@@ -223,6 +223,17 @@ def serve() -> Iterator[Callable[..., Served]]:
         served.stop()
 
 
+@pytest.fixture(scope="module")
+def quiet(tmp_path_factory: pytest.TempPathFactory, migrated: Path) -> Iterator[Served]:
+    """A site for the tests of a module, which takes small archives and checks nothing."""
+    options = {"upload_bytes": 100_000, "uploads_per_hour": 1000, "uploads_per_day": 1000}
+    config = make_folder(tmp_path_factory.mktemp("quiet") / "club", **options)
+    shutil.copy(migrated, config.folder / "site.sqlite3")
+    served = Served(config, "--no-dispatch")
+    yield served
+    served.stop()
+
+
 def make_team(name: str = "Blue Foxes", group: str = "School 1") -> tuple[Any, str]:
     """Make a team of the site that this process works on, and a season if there is none; return its code, too."""
     from rcj_challenges.web.accounts import give_card

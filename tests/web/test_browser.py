@@ -16,13 +16,13 @@ import pytest
 
 from tests.checker.small_team import PLAYER
 from tests.web.conftest import Served, make_folder, use_site
+from tests.web.visitors import PHONE, Visitor, Visitors
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
 PASSWORD = "correct horse 7"
 CHECK_MS = 60_000
-PHONE = {"width": 360, "height": 740}
 BROKEN = {"robot.py": PLAYER.replace("Robot()", "Robot(")}
 MISNAMED = {"main.py": PLAYER}
 AXE_OPTIONS = "{resultTypes: ['violations']}"
@@ -51,27 +51,19 @@ def served(tmp_path_factory: pytest.TempPathFactory, migrated: Path) -> Iterator
     made.stop()
 
 
-class Visitor:
-    """Somebody with a browser of their own, whose every complaint is kept."""
+@pytest.fixture(scope="module")
+def tabs(served: Served, browser: Browser) -> Iterator[Visitors]:
+    """Visitors of the site, who come and leave."""
+    made = Visitors(browser, served.address)
+    yield made
+    made.close()
 
-    def __init__(self, browser: Browser, address: str, **options: Any) -> None:
-        self.context = browser.new_context(base_url=address, **options)
-        self.page: Page = self.context.new_page()
-        self.complaints: list[str] = []
-        self.page.on("pageerror", lambda error: self.complaints.append(str(error)))
-        self.page.on("dialog", lambda dialog: self.complaints.append(f"dialog {dialog.message}"))
-        self.page.on("console", lambda said: self.complaints.append(said.text) if said.type == "error" else None)
-        self.page.on("request", lambda one: None if one.url.startswith(address) else self.complaints.append(one.url))
 
-    def look(self) -> Page:
-        """Return the page that is open; it must not be wider than the screen."""
-        assert self.page.evaluate("document.documentElement.scrollWidth - innerWidth") <= 0, self.page.url
-        return self.page
-
-    def leave(self) -> None:
-        """Close it; it may not have complained."""
-        self.context.close()
-        assert self.complaints == []
+@pytest.fixture
+def visitors(tabs: Visitors, codes: dict[str, str]) -> Iterator[Visitors]:
+    """Visitors of a site with cards; when they leave, they may not have complained."""
+    yield tabs
+    assert tabs.leave() == []
 
 
 def barriers(page: Page) -> list[str]:
@@ -101,11 +93,11 @@ def hand_in(page: Page, contents: dict[str, str]) -> None:
 
 
 @pytest.fixture(scope="module")
-def codes(served: Served, browser: Browser) -> dict[str, str]:
+def codes(served: Served, tabs: Visitors) -> dict[str, str]:
     """Return the codes of cards, made as an organizer and a mentor make them."""
     assert served.process.stdout is not None
     first_link = served.process.stdout.readline().rsplit(": ", 1)[1].strip()
-    organizer, mentor = Visitor(browser, served.address), Visitor(browser, served.address, viewport=PHONE)
+    organizer, mentor = tabs.come(), tabs.come(PHONE)
     make_account(organizer.page, first_link, "chief")
     assert organizer.page.url.endswith("/desk")
     organizer.look().fill("#group", "School 3")
@@ -119,8 +111,7 @@ def codes(served: Served, browser: Browser) -> dict[str, str]:
     mentor.page.emulate_media(media="print")
     assert not mentor.page.locator(".top").is_visible()
     assert cards.locator(".qr svg").first.is_visible()
-    organizer.leave()
-    mentor.leave()
+    assert tabs.leave() == []
     return codes
 
 
@@ -135,9 +126,9 @@ def make_account(page: Page, link: str, name: str) -> None:
 @pytest.mark.nightly
 @pytest.mark.parametrize("theme", ["light", "dark"])
 @pytest.mark.parametrize("width", [360, 1280])
-def test_page_without_barriers(served: Served, browser: Browser, codes: dict[str, str], width: int, theme: Any):
-    made = {name: Visitor(browser, served.address, viewport={"width": width, "height": 740}, color_scheme=theme)
-            for name in ("anonymous", "team", "mentor", "chief")}  # fmt: skip
+def test_page_without_barriers(visitors: Visitors, codes: dict[str, str], width: int, theme: str):
+    screen = {"width": width, "height": 740}
+    made = {name: visitors.come(screen, theme) for name in ("anonymous", "team", "mentor", "chief")}
     made["team"].page.goto(f"/enter#{codes['Robo Rangers']}")
     made["team"].page.press("#code", "Enter")
     made["team"].page.wait_for_url("**/my")
@@ -154,19 +145,16 @@ def test_page_without_barriers(served: Served, browser: Browser, codes: dict[str
     made["mentor"].page.goto("/group")
     made["mentor"].page.get_by_role("link", name="A name that").click()
     assert barriers(made["mentor"].look()) == []
-    for visitor in made.values():
-        visitor.leave()
 
 
-def test_barriers_are_found(browser: Browser):
-    page = browser.new_page()
+def test_barriers_are_found(visitors: Visitors):
+    page = visitors.come().page
     page.set_content("<html lang=en><title>x</title><main><h1>x</h1><input></main>")
     assert [one.split(":")[0] for one in barriers(page)] == ["label"] * (find_spec("axe_playwright_python") is not None)
-    page.close()
 
 
-def test_team_hands_in_reads_the_report_repairs_and_plays(served: Served, browser: Browser, codes: dict[str, str]):
-    team = Visitor(browser, served.address, viewport=PHONE)
+def test_team_hands_in_reads_the_report_repairs_and_plays(visitors: Visitors, codes: dict[str, str]):
+    team = visitors.come(PHONE)
     team.page.goto("/enter")
     team.page.fill("#code", codes["Robo Rangers"].lower())
     team.page.get_by_role("button", name="Enter").click()
@@ -185,7 +173,6 @@ def test_team_hands_in_reads_the_report_repairs_and_plays(served: Served, browse
     team.page.wait_for_selector("body.ready", timeout=CHECK_MS)
     team.page.goto("/")
     assert "Robo Rangers" not in team.look().inner_text("main")  # no person has released the name
-    team.leave()
 
 
 @pytest.mark.nightly
@@ -203,11 +190,12 @@ def test_team_hands_in_with_scripts_switched_off(served: Served, browser: Browse
     team.page.get_by_role("button", name="Sign out").click()
     team.page.goto("/my")
     assert team.page.url.endswith("/enter")
-    team.leave()
+    team.context.close()
+    assert team.complaints == []
 
 
-def test_mentor_replaces_a_lost_card(served: Served, browser: Browser, codes: dict[str, str]):
-    mentor, team = Visitor(browser, served.address), Visitor(browser, served.address)
+def test_mentor_replaces_a_lost_card(visitors: Visitors, codes: dict[str, str]):
+    mentor, team = visitors.come(), visitors.come()
     sign_in(mentor.page, "mentor")
     mentor.look().get_by_role("link", name="A name that").click()
     mentor.look().get_by_role("button", name="Replace the card").click()
@@ -221,12 +209,10 @@ def test_mentor_replaces_a_lost_card(served: Served, browser: Browser, codes: di
     team.look().fill("#code", new)
     team.page.get_by_role("button", name="Enter").click()
     assert team.page.url.endswith("/my")
-    mentor.leave()
-    team.leave()
 
 
-def test_form_of_another_site_does_nothing(served: Served, browser: Browser, codes: dict[str, str]):
-    team = Visitor(browser, served.address)
+def test_form_of_another_site_does_nothing(served: Served, visitors: Visitors, codes: dict[str, str]):
+    team = visitors.come()
     team.page.goto(f"/enter#{codes['Robo Rangers']}")
     team.page.press("#code", "Enter")
     team.page.wait_for_url("**/my")
@@ -238,5 +224,5 @@ def test_form_of_another_site_does_nothing(served: Served, browser: Browser, cod
     assert answer.value.status == 403
     team.page.goto("/my")
     assert re.search("/my$", team.page.url)
-    team.complaints.clear()  # that of the refusal may come later than the answer
-    team.leave()
+    team.page.unroute("http://evil.example/")
+    team.complaints.clear()

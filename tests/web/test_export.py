@@ -14,7 +14,7 @@ import pytest
 from rcj_challenges.web.config import SiteConfig
 from tests.web.club import make_club
 from tests.web.conftest import COMMAND, NOW, make_team
-from tests.web.test_served import small_team
+from tests.web.handing_in import small_team
 
 CUP = """\
 tournament_version: 1

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
 from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,7 +17,7 @@ from tests.web.club import Club, make_club, make_submission, new_client
 from tests.web.conftest import NOW, Served, make_folder, use_site
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, BrowserContext
+    from playwright.sync_api import Browser, BrowserContext, Page
 
 RUN = "window.ran=1"
 _BEFORE = (
@@ -61,20 +63,24 @@ fetch("/my", {credentials: "include"}).then((answer) => answer.text(), (error) =
 </script>"""
 
 
-def watched(browser: Browser, address: str, client: Any) -> tuple[BrowserContext, list[str]]:
-    """Return a context that is signed in as a client is, and a list of what scripts do in it."""
+def sign_in(context: BrowserContext, address: str, client: Any) -> None:
+    """Sign a browser in as a client is."""
+    context.clear_cookies()
+    context.add_cookies([{"name": name, "value": one.value, "url": address} for name, one in client.cookies.items()])
+
+
+@contextmanager
+def watched(browser: Browser, address: str) -> Iterator[tuple[Page, list[str]]]:
+    """Open a page, and a list of what scripts do in it."""
     context, done = browser.new_context(base_url=address), list[str]()
-    host = address.removeprefix("http://").partition(":")[0]
-    context.add_cookies(
-        [{"name": name, "value": one.value, "domain": host, "path": "/"} for name, one in client.cookies.items()]
-    )
     context.expose_function("violated", lambda what: done.append(f"violation {what}"))
     context.add_init_script(
         "addEventListener('securitypolicyviolation', (event) => violated(event.violatedDirective + event.sample))"
     )
     context.on("request", lambda one: None if one.url.startswith(address) else done.append(one.url))
     context.on("dialog", lambda _: done.append("dialog"))
-    return context, done
+    yield context.new_page(), done
+    context.close()
 
 
 @pytest.fixture(scope="module")
@@ -82,7 +88,7 @@ def hostile_site(tmp_path_factory: pytest.TempPathFactory, migrated: Path) -> An
     """A served site with a club, on which this process works, too."""
     config = make_folder(tmp_path_factory.mktemp("hostile") / "club")
     shutil.copy(migrated, config.folder / "site.sqlite3")
-    served = Served(config)
+    served = Served(config, "--no-dispatch")
     with use_site(config):
         yield served, make_club(config)
     served.stop()
@@ -132,21 +138,15 @@ def spread(served: Served, club: Club, texts: list[str]) -> list[tuple[str, str]
 @pytest.mark.parametrize("texts", [DAILY, pytest.param(ALL, marks=pytest.mark.nightly)], ids=["daily", "all"])
 def test_no_script_in_a_text_runs(browser: Browser, hostile_site: Any, texts: list[str]):
     served, club = hostile_site
-    contexts = {
-        role: watched(browser, served.address, club.clients[role])
-        for role in ("anonymous", "team", "mentor", "organizer")
-    }
-    for start in range(0, len(texts), 100):
-        for role, address in spread(served, club, texts[start : start + 100]):
-            context, done = contexts[role]
-            page = context.new_page()
-            answer = page.goto(address)
-            assert answer.status == 200, address
-            assert page.evaluate("window.ran") is None, address
-            assert (page.url, done) == (served.address + address, []), address
-            page.close()
-    for context, _ in contexts.values():
-        context.close()
+    with watched(browser, served.address) as (page, done):
+        for start in range(0, len(texts), 100):
+            for role, address in spread(served, club, texts[start : start + 100]):
+                sign_in(page.context, served.address, club.clients[role])
+                answer = page.goto(address)
+                assert answer is not None
+                assert answer.status == 200, address
+                assert page.evaluate("window.ran") is None, address
+                assert (page.url, done) == (served.address + address, []), address
 
 
 def test_replay_reads_no_cookie_no_storage_and_no_page_of_the_team(browser: Browser, hostile_site: Any):
@@ -157,9 +157,8 @@ def test_replay_reads_no_cookie_no_storage_and_no_page_of_the_team(browser: Brow
     (report_folder(served.config.folder, own) / "replay-Y-1.html").write_text(PRYING, encoding="utf-8")
     client = new_client()
     assert client.post("/enter", {"code": club.codes["own"]}).status_code == 302
-    context, _ = watched(browser, served.address, client)
-    page = context.new_page()
-    page.goto(f"/my/submissions/{own.pk}/replay-Y-1.html")
-    page.wait_for_function("document.title !== '?'")
-    assert page.title() == "SecurityError SecurityError ? null TypeError"
-    context.close()
+    with watched(browser, served.address) as (page, _):
+        sign_in(page.context, served.address, client)
+        page.goto(f"/my/submissions/{own.pk}/replay-Y-1.html")
+        page.wait_for_function("document.title !== '?'")
+        assert page.title() == "SecurityError SecurityError ? null TypeError"

@@ -22,11 +22,8 @@ def begin(served: Served, path: str, headers: str) -> socket.socket:
 
 
 @pytest.mark.parametrize("path", ["/my/upload", "/api/v1/submissions"])
-def test_strangers_do_not_occupy_the_slots_and_a_team_one_at_a_time(
-    folder: Callable[..., SiteConfig], serve: Callable[..., Served], path: str
-) -> None:
-    config = folder()
-    with use_site(config):
+def test_strangers_do_not_occupy_the_slots_and_a_team_one_at_a_time(quiet: Served, path: str) -> None:
+    with use_site(quiet.config):
         from django.contrib.sessions.backends.db import SessionStore
 
         team, code = make_team()
@@ -34,14 +31,15 @@ def test_strangers_do_not_occupy_the_slots_and_a_team_one_at_a_time(
         session["team"], session["epoch"] = team.pk, team.epoch
         session.save()
     card = f"Authorization: Bearer {code}\r\nCookie: session={session.session_key}\r\n"
-    served = serve(config, "--no-dispatch")
     wrong = "Authorization: Bearer 0000\r\nCookie: session=0000\r\n"
     with contextlib.ExitStack() as stack:
-        strangers = [stack.enter_context(begin(served, path, wrong)) for _ in range(20)]
-        stack.enter_context(begin(served, path, card))
+        stack.enter_context(begin(quiet, path, card))
+        strangers = [
+            stack.enter_context(begin(quiet, path, wrong)) for _ in range(20)
+        ]  # its card is read before theirs
         assert [stranger.recv(12)[-3:] for stranger in strangers] == [b"401"] * 20
         headers = dict(line.split(": ") for line in card.splitlines())
-        assert served.send(path, b"x", headers)[0] == 429
+        assert quiet.send(path, b"x", headers)[0] == 429
 
 
 def test_upload_while_the_database_is_away_is_to_be_tried_again(
