@@ -4,31 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 from rcj_challenges.core.play import Fault, HalfInfo, RefereeOutput, Snapshot
-from rcj_challenges.core.traffic import Observation, Request
+from rcj_challenges.core.traffic import Request
 from rcj_challenges.scenario.halves import MAX_LENGTHS
 
 if TYPE_CHECKING:
     from rcj_challenges.match.stage import HalfStage
     from rcj_challenges.referee.engine import Referee
-
-
-class Driver(Protocol):
-    """What drives one robot: a program in a process, or a stand-in in tests."""
-
-    def collect(self) -> Request | Fault:
-        """Wait for its next request, or learn that it failed."""
-
-    def collect_soon(self) -> Request | Fault | None:
-        """Return the request if it is here or comes at once; None: `collect` has to wait for it."""
-
-    def release(self, observation: Observation) -> None:
-        """Let its ``step`` return."""
-
-    def overstepped(self, tick: int) -> Fault | None:
-        """Return a fault if its threads use more than they may during a long ``step``."""
 
 
 @dataclass(frozen=True)

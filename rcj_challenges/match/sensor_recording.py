@@ -11,7 +11,7 @@ from typing import Protocol, Self
 from rcj_challenges.core.play import Fault, HalfInfo
 from rcj_challenges.core.traffic import Observation, Request, RobotSpec
 from rcj_challenges.devices.ball_receiver import BallReceiverDevice
-from rcj_challenges.match.loop import Driver
+from rcj_challenges.match.driver import Driver
 from rcj_challenges.match.observers import Observer
 from rcj_challenges.records.sensors import SensedRobot, SensorWriter
 from rcj_challenges.records.writer import RecordWriter

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from rcj_challenges.core.play import HalfInfo
-from rcj_challenges.match.loop import Driver
+from rcj_challenges.match.driver import Driver
 from rcj_challenges.referee.engine import Referee
 from rcj_challenges.robots.fitting import fit, fixed_rays
 from rcj_challenges.robots.manager import DeviceManager

@@ -1,18 +1,13 @@
-"""Which program drives which robot, under what conditions, and what the programs of a half share."""
+"""Which program drives which robot, and under what conditions."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from rcj_challenges.core.traffic import RobotSpec
-from rcj_challenges.programs.timed_channel import WaitBudget
 from rcj_challenges.scenario.models.limits import Limits
 from rcj_challenges.submissions.team import Team
-
-if TYPE_CHECKING:
-    from rcj_challenges.programs.program import Program
 
 
 @dataclass(frozen=True)
@@ -58,20 +53,3 @@ class Assignment:
     def is_debugged(self) -> bool:
         """Whether it has the terminal and no limits."""
         return self.spec.name in self.plan.debug
-
-
-@dataclass(frozen=True)
-class Sharing:
-    """How the programs of a half share the temporary folder, and the time of the match.
-
-    Attributes:
-        place: in the temporary folder, where each has its private folder.
-        share_bytes: when it is full, programs that have written more than this have filled it.
-        programs: all of them.
-        wait_budget: of the match for all of them together.
-    """
-
-    place: Path
-    share_bytes: float
-    programs: tuple[Program, ...]
-    wait_budget: WaitBudget

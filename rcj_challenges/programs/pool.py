@@ -11,10 +11,10 @@ from typing import Self
 from rcj_challenges.core.temporary_folder import temporary_folder_error
 from rcj_challenges.core.traffic import Observation, RobotSpec
 from rcj_challenges.programs import scratch
-from rcj_challenges.programs.assignment import Assignment, PoolPlan, Sharing
+from rcj_challenges.programs.assignment import Assignment, PoolPlan
 from rcj_challenges.programs.isolation import active_layers
 from rcj_challenges.programs.private_folders import PrivateFolders, remove_left_overs_once
-from rcj_challenges.programs.program import CLEAN_UP_S, Program
+from rcj_challenges.programs.program import CLEAN_UP_S, Program, Sharing
 from rcj_challenges.programs.timed_channel import WaitBudget
 from rcj_challenges.submissions.team import Team
 

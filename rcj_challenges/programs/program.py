@@ -8,6 +8,7 @@ import os
 import re
 import tempfile
 import time
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +19,7 @@ from rcj_challenges.core.temporary_folder import DiskFullError
 from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.core.traffic import Observation, Request
 from rcj_challenges.programs import debugging, isolation, processes, scratch
-from rcj_challenges.programs.assignment import Assignment, Sharing
+from rcj_challenges.programs.assignment import Assignment
 from rcj_challenges.programs.log import ProgramLog
 from rcj_challenges.programs.pipes import ChannelClosedError, FrameTooLongError, open_channel
 from rcj_challenges.programs.protocol import Codec, Ended, ProtocolError, hello_frame, max_frame_bytes, one_line
@@ -48,6 +49,23 @@ _NO_ROOM = re.compile(rf"\[Errno ({errno.ENOSPC}|{getattr(errno, 'EDQUOT', errno
 
 _TEAM = "controllers"
 """The folder of the team's files, by its name in Webots, where ``getProjectPath() + "/controllers/…"`` is a file."""
+
+
+@dataclass(frozen=True)
+class Sharing:
+    """How the programs of a half share the temporary folder, and the time of the match.
+
+    Attributes:
+        place: in the temporary folder, where each has its private folder.
+        share_bytes: when it is full, programs that have written more than this have filled it.
+        programs: all of them.
+        wait_budget: of the match for all of them together.
+    """
+
+    place: Path
+    share_bytes: float
+    programs: tuple[Program, ...]
+    wait_budget: WaitBudget
 
 
 class Program:

@@ -30,7 +30,8 @@ class RuleBinder(NameScope):
     """Implements `Binder` for one rule."""
 
     def __init__(self, context: CompileContext, rule: BoundRule) -> None:
-        super().__init__(context, rule.each)
+        super().__init__(context.state, context.contacts, rule.each, context.names)
+        self._context = context
         self.rule = rule
         self.hits = context.hits
         self.pose_history = context.pose_history

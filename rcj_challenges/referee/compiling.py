@@ -10,12 +10,10 @@ from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.placement import PlacementQueue, PlacementSpec
 from rcj_challenges.referee.scope import NameScope
 from rcj_challenges.referee.state import State
-from rcj_challenges.rules.fields import Names
 from rcj_challenges.rules.mirror import Mirror
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.models.state import Sequence
 from rcj_challenges.scenario.positions import floor_parts
-from rcj_challenges.scenario.rule_effects import spots_set_by_rules
 from rcj_challenges.scenario.walk import walk
 from rcj_challenges.tracking.bound_rules import HitBuffer
 from rcj_challenges.tracking.clock_events import ClockEvents
@@ -35,8 +33,6 @@ class CompileContext:
         enter_phase: enters a phase; set by the engine.
         layouts: compiled layouts by name, what ``each`` stands for, and mirror.
         floor: what lies inside the walls.
-        remembered: the spots that rules set; they are read each time.
-        members: what names stand for, by names and what ``each`` stands for.
     """
 
     def __init__(self, state: State) -> None:
@@ -54,12 +50,10 @@ class CompileContext:
         self.enter_phase: Callable[[str], None] = lambda _phase: None
         self._by_draw: dict[str, list[Tracker]] = {}
         self.floor = floor_parts(state.scenario.field)
-        self.remembered = frozenset(spots_set_by_rules(state.scenario))
         self._sequences: dict[tuple[str, str], SequenceTracker] = {}
         self.layouts: dict[tuple[str, str | None, Mirror | None], list[PlacementSpec]] = {}
-        self.members: dict[tuple[Names, str | None], tuple[str, ...]] = {}
         self._shared: dict[tuple[object, ...], Tracker] = {}
-        self.names = NameScope(self, None)
+        self.names = NameScope(state, self.contacts)
 
     def reset_with_draws(self, tracker: Tracker, names: tuple[str, ...]) -> None:
         """Reset a tracker whenever one of the draws among these names decides otherwise."""

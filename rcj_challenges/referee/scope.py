@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import sqrt
 from random import Random
 from typing import TYPE_CHECKING, TypeVar
 
+from rcj_challenges.geometry.polygons import distance_to_segment_m
 from rcj_challenges.geometry.regions import AnyOf, Drawn, Outlined, Region
 from rcj_challenges.referee.random_points import point_sampler
-from rcj_challenges.referee.targets import targets_of
+from rcj_challenges.referee.state import State
 from rcj_challenges.referee.zones import region_of
 from rcj_challenges.rules.fields import Name, Names, Point, Scalar
+from rcj_challenges.scenario.models.field import Obstacle, Wall
 from rcj_challenges.scenario.positions import middle_of, start_noise_m, start_pose
 from rcj_challenges.scenario.roster import EACH, with_each
+from rcj_challenges.scenario.rule_effects import spots_set_by_rules
+from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.gates import GateLine
 from rcj_challenges.tracking.places import Anchor, StartPose
 from rcj_challenges.tracking.state import Number
@@ -21,7 +26,6 @@ from rcj_challenges.tracking.target import Target
 _T = TypeVar("_T")
 
 if TYPE_CHECKING:
-    from rcj_challenges.referee.compiling import CompileContext
     from rcj_challenges.rules.binder import Scope
 
 
@@ -29,21 +33,29 @@ class NameScope:
     """Implements `Scope`: what names stand for in a rule or a layout.
 
     Args:
+        state: the referee's memory.
+        contacts: what touches what.
         each: the name that ``each`` stands for; None: it is not known there.
+        same: another scope of this referee; what either finds out about names serves both.
     """
 
-    def __init__(self, context: CompileContext, each: str | None) -> None:
-        self.state = context.state
+    def __init__(
+        self, state: State, contacts: Contacts, each: str | None = None, same: NameScope | None = None
+    ) -> None:
+        self.state = state
         self.each = each
-        self.contacts = context.contacts
-        self.scenario = context.scenario
-        self.roster = context.roster
-        self._context = context
+        self.contacts = contacts
+        self.scenario = state.scenario
+        self.roster = state.roster
+        self._set_by_rules: frozenset[str] = (
+            frozenset(spots_set_by_rules(state.scenario)) if same is None else same._set_by_rules  # noqa: SLF001 - its own class
+        )
+        self._members: dict[tuple[Names, str | None], tuple[str, ...]] = {} if same is None else same._members  # noqa: SLF001 - its own class
 
     def members(self, names: Names) -> tuple[str, ...]:
-        known = self._context.members.get((names, self.each))
+        known = self._members.get((names, self.each))
         if known is None:
-            known = self._context.members[names, self.each] = self.roster.expand(with_each(names, self.each))
+            known = self._members[names, self.each] = self.roster.expand(with_each(names, self.each))
         return known
 
     def entities(self, names: Names) -> tuple[int, ...]:
@@ -125,7 +137,7 @@ class NameScope:
     def spots(self, names: Names) -> Callable[[], tuple[Point, ...]]:
         spots, members = self.state.spots, self.members(names)
         points = tuple(spots[self.spot_name(name)] for name in members)
-        if self._context.remembered.isdisjoint(members):
+        if self._set_by_rules.isdisjoint(members):
             return lambda: points
         return lambda: tuple(spots[name] for name in members)
 
@@ -181,10 +193,83 @@ class NameScope:
         return lambda: middle
 
     def targets(self, named: Name | Point) -> tuple[Target, ...]:
-        return targets_of(named, self)
+        return _targets_of(named, self)
 
     def half_length_s(self) -> Number:
         return self.state.half_length_s()
+
+
+def _targets_of(named: str | Point, scope: NameScope) -> tuple[Target, ...]:
+    """Return the target of a name, groups expanded, or of a point.
+
+    Raises:
+        ValueError: it is nothing on the field.
+    """
+    if isinstance(named, tuple):
+        return (_standing(lambda: named),)
+    found: list[Target] = []
+    for name in scope.members(named):
+        among = scope.roster.drawn.get(name)
+        found += [_target(name, scope)] if among is None else [_if_drawn(name, one, scope) for one in among]
+    return tuple(found)
+
+
+def _if_drawn(draw: str, name: str, scope: NameScope) -> Target:
+    """Return one of those among which a draw decides: it is nowhere while another one is drawn."""
+    draws, target = scope.state.draws, _target(name, scope)
+    place = target.place
+    return Target(
+        lambda x_m, y_m: target.away_m(x_m, y_m) if draws[draw] == name else None,
+        None if place is None else (lambda: place() if draws[draw] == name else None),
+        target.entity,
+    )
+
+
+def _target(name: str, scope: NameScope) -> Target:
+    scenario, state = scope.scenario, scope.state
+    if name in scope.roster.entities:
+        return _entity(scope.roster.index[name], scope)
+    if name in scenario.zones:
+        return Target(scope.zone(name).away_m, None)
+    if name in scenario.gates:
+        gate = scope.gate(name)
+        return Target(gate.distance_m, None, gate.anchor)
+    if name in scenario.obstacles:
+        return _fixed(scenario.obstacles[name])
+    spot = scope.spot_name(name)
+    return _standing(lambda: state.spots[spot])
+
+
+def _fixed(obstacle: Obstacle) -> Target:
+    """Return an obstacle that stands fast: its centre, as of one that can move; of a wall the line in its middle."""
+    if isinstance(obstacle, Wall):
+        ends = (*obstacle.from_m, *obstacle.to_m)
+        return Target(lambda x_m, y_m: distance_to_segment_m(x_m, y_m, *ends), None)
+    centre = obstacle.centre_m
+    return _standing(lambda: centre)
+
+
+def _entity(index: int, scope: NameScope) -> Target:
+    state = scope.state
+
+    def place() -> Point | None:
+        return state.poses[index][:2] if state.present[index] else None
+
+    def away_m(x_m: float, y_m: float) -> float | None:
+        if not state.present[index]:
+            return None
+        px, py, _ = state.poses[index]
+        return sqrt((x_m - px) ** 2 + (y_m - py) ** 2)
+
+    return Target(away_m, place, index)
+
+
+def _standing(place: Callable[[], Point]) -> Target:
+    def away_m(x_m: float, y_m: float) -> float:
+        px, py = place()
+        return sqrt((x_m - px) ** 2 + (y_m - py) ** 2)
+
+    return Target(away_m, place)
 
 
 if TYPE_CHECKING:
