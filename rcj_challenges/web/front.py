@@ -14,6 +14,8 @@ from collections.abc import Awaitable, Callable, MutableMapping
 from datetime import UTC, datetime
 from typing import Any
 
+from django.utils.translation import gettext, gettext_noop
+
 from rcj_challenges.web.blobs import Blobs
 from rcj_challenges.web.config import SiteConfig
 
@@ -29,7 +31,7 @@ _FORM_SLACK_BYTES = 20_000
 MAX_BODY_S = 120.0
 _FORMS, _RAW, _WAITING = 4, 16, 200
 _DRAIN_BYTES, _DRAIN_S = 64_000_000, 5.0
-_NO_ROOM = "The site has no room for more. The organizers can see this."
+_NO_ROOM = gettext_noop("The site has no room for more. The organizers can see this.")
 _POLICY = b"default-src 'none'; frame-ancestors 'none'"
 
 
@@ -74,7 +76,7 @@ class Front:
         except _Refused as refused:
             await _answer(send, refused.status, str(refused), receive)
         except OSError:  # of an upload or the spool of a form: the disk is full
-            await _answer(send, 507, _NO_ROOM, receive)
+            await _answer(send, 507, gettext(_NO_ROOM), receive)
 
     def _limit(self, path: str) -> int:
         return self._config.upload_bytes + (_FORM_SLACK_BYTES if path == FORM_PATH else 0)
@@ -91,21 +93,21 @@ class Front:
             and b"transfer-encoding" in headers
             and headers.get(b"content-type", b"").startswith(b"multi")
         ):
-            raise _Refused(411, "A form must be sent with its length.")
+            raise _Refused(411, gettext("A form must be sent with its length."))
         if length is not None and (not length.isdigit() or int(length) > limit):
-            raise _Refused(413, f"At most {limit} bytes are taken here.")
+            raise _Refused(413, gettext("At most {limit} bytes are taken here.").format(limit=limit))
         if is_upload and not self._blobs.has_room():
-            raise _Refused(507, _NO_ROOM)
+            raise _Refused(507, gettext(_NO_ROOM))
 
     async def _upload(self, scope: Message, receive: Receive, send: Send, limit: int) -> None:
         if self._waiting >= _WAITING:
-            raise _Refused(503, "Many are handing in at this moment. Try again.")
+            raise _Refused(503, gettext("Many are handing in at this moment. Try again."))
         slots = self._raw if scope["path"] == RAW_PATH else self._forms
         team = await asyncio.to_thread(_team_of, dict(scope["headers"]), is_raw=scope["path"] == RAW_PATH)
         if team is None:
-            raise _Refused(401, "Enter with the card of your team first.")
+            raise _Refused(401, gettext("Enter with the card of your team first."))
         if team in self._teams:
-            raise _Refused(429, "Another upload of this team is under way. Wait for its end.")
+            raise _Refused(429, gettext("Another upload of this team is under way. Wait for its end."))
         mine = {team}
         self._teams |= mine
 
@@ -152,7 +154,7 @@ class Front:
                     body = message.get("body", b"")
                     size += len(body)
                     if size > limit:
-                        raise _Refused(413, f"At most {limit} bytes are taken here.")
+                        raise _Refused(413, gettext("At most {limit} bytes are taken here.").format(limit=limit))
                     digest.update(body)
                     await asyncio.to_thread(file.write, body)
                     more = message.get("more_body", False)
@@ -178,7 +180,7 @@ class Front:
                 return {"type": "http.disconnect"}
             size += len(message.get("body", b""))
             if size > limit:
-                refused = _Refused(413, f"At most {limit} bytes are taken here.")
+                refused = _Refused(413, gettext("At most {limit} bytes are taken here.").format(limit=limit))
                 return {"type": "http.disconnect"}
             is_whole = not message.get("more_body", False)
             return message
@@ -212,7 +214,7 @@ def _team_of(headers: dict[bytes, bytes], *, is_raw: bool) -> int | None:
             team = team_of_session(SessionStore(cookies.get(settings.SESSION_COOKIE_NAME)))
         return None if team is None else team.pk
     except DatabaseError as error:
-        raise _Refused(503, "The database of the site is away. Try again.") from error
+        raise _Refused(503, gettext("The database of the site is away. Try again.")) from error
     finally:
         connection.close()  # that of this thread
 
@@ -221,7 +223,7 @@ async def _receive_until(receive: Receive, until: float) -> Message:
     try:
         return await asyncio.wait_for(receive(), max(0.0, until - time.monotonic()))
     except TimeoutError as error:
-        raise _Refused(408, f"The body must come within {MAX_BODY_S:.0f} s.") from error
+        raise _Refused(408, gettext("The body must come within {s:.0f} s.").format(s=MAX_BODY_S)) from error
 
 
 def _empty_body(receive: Receive) -> Receive:

@@ -11,6 +11,7 @@ from pathlib import Path
 from django.db import DatabaseError
 from django.db.models import Max, QuerySet, Sum
 from django.utils.timezone import localtime
+from django.utils.translation import gettext
 
 from rcj_challenges.web import jobs
 from rcj_challenges.web.blobs import Blobs, report_folder
@@ -43,12 +44,13 @@ def ensure_may_upload(team: Team, season: Season | None, begun_at: datetime) -> 
         RefusedError: the season takes no uploads yet, or the team has handed in too often, or there is no room.
     """
     if season is None:
-        raise RefusedError(409, "no-season", "nothing is open for uploads; the organizers announce the next season")
+        message = gettext("nothing is open for uploads; the organizers announce the next season")
+        raise RefusedError(409, "no-season", message)
     if season.opens_at is not None and begun_at < season.opens_at:
-        opens_at = localtime(season.opens_at)
-        raise RefusedError(409, "not-open", f"uploads open on {opens_at:%Y-%m-%d at %H:%M %Z}")
+        message = gettext("uploads open on {time:%Y-%m-%d at %H:%M %Z}").format(time=localtime(season.opens_at))
+        raise RefusedError(409, "not-open", message)
     if not Blobs(current_site().folder).has_room():
-        raise RefusedError(507, "disk-full", "the site has no room for more; the organizers can see this")
+        raise RefusedError(507, "disk-full", gettext("the site has no room for more; the organizers can see this"))
     _ensure_within_quotas(team, begun_at)
     return season
 
@@ -58,14 +60,15 @@ def _ensure_within_quotas(team: Team, begun_at: datetime) -> None:
     today = Submission.objects.filter(team=team, received_at__gt=begun_at - _DAY)
     counted = today.filter(is_counted=True)
     if counted.filter(received_at__gt=begun_at - _HOUR).count() >= config.uploads_per_hour:
-        raise RefusedError(429, "too-often", f"{config.uploads_per_hour} uploads an hour are taken; try again later")
+        message = gettext("{count} uploads an hour are taken; try again later").format(count=config.uploads_per_hour)
+        raise RefusedError(429, "too-often", message)
     limit = config.uploads_per_day
     if counted.count() >= limit or today.count() >= _UNCOUNTED_FACTOR * limit:
-        raise RefusedError(429, "too-often", f"{limit} uploads a day are taken; try again tomorrow")
+        message = gettext("{count} uploads a day are taken; try again tomorrow").format(count=limit)
+        raise RefusedError(429, "too-often", message)
     if (today.aggregate(total=Sum("size_bytes"))["total"] or 0) >= config.upload_bytes_per_day:
-        raise RefusedError(
-            429, "too-much", f"{config.upload_bytes_per_day} bytes a day are taken of a team; try again tomorrow"
-        )
+        message = gettext("{count} bytes a day are taken of a team; try again tomorrow")
+        raise RefusedError(429, "too-much", message.format(count=config.upload_bytes_per_day))
 
 
 def receive(
@@ -105,7 +108,7 @@ def receive(
             remove_unneeded(sha256)
         raise
     except (OSError, DatabaseError) as error:
-        message = "the site cannot store it at this moment; nothing was taken: try again"
+        message = gettext("the site cannot store it at this moment; nothing was taken: try again")
         raise RefusedError(507, "not-stored", message) from error
 
 
@@ -125,7 +128,7 @@ def _record(
     repaired_from: Submission | None = None,
 ) -> Submission:
     if Team.objects.select_for_update().filter(pk=team.pk, deleted_at=None).first() is None:
-        raise RefusedError(409, "no-team", "this team has been deleted")
+        raise RefusedError(409, "no-team", gettext("this team has been deleted"))
     if repaired_from is None:
         _ensure_within_quotas(team, begun_at)
     mine = Submission.objects.filter(team=team, season=season)
@@ -155,7 +158,7 @@ def _record(
     else:
         jobs.enqueue_check(submission, now)
     if not Blobs(current_site().folder).path(sha256).exists():  # a team with the same bytes was deleted just now
-        raise RefusedError(503, "not-stored", "the site could not store it; try again")
+        raise RefusedError(503, "not-stored", gettext("the site could not store it; try again"))
     return submission
 
 

@@ -46,6 +46,28 @@ def test_season_with_a_typo_is_refused_and_one_that_came_in_is_named_by_the_chec
         assert "mathc" in json.loads(process.stdout.readline())["error"]
 
 
+@pytest.mark.parametrize("time", ["2026-10-25 02:30:00", "2027-03-28 02:30:00"])  # it comes twice; it does not come
+def test_deadline_that_comes_twice_or_never_when_clocks_change_is_refused(
+    folder: Callable[..., SiteConfig], time: str
+) -> None:
+    from rcj_challenges.web.models import Season
+
+    config = folder(time_zone="Europe/Berlin")
+    with use_site(config):
+        make_team()
+        season, client = Season.objects.get(), organizer()
+        address = f"/admin/web/season/{season.pk}/change/"
+        day, hour = time.split()
+        form = {"title": "Season", "scenario": "match", "overrides": '["match.half_s=2"]', "is_current": "on",
+                "closes_at_0": day}  # fmt: skip
+        answer = client.post(address, {**form, "closes_at_1": hour})
+        assert answer.status_code == 200
+        assert b"errorlist" in answer.content
+        assert Season.objects.get().closes_at is None
+        assert client.post(address, {**form, "closes_at_1": "12:30:00"}).status_code == 302
+        assert Season.objects.get().closes_at is not None
+
+
 def test_error_of_the_check_process_is_that_of_the_job(site: SiteConfig, monkeypatch: pytest.MonkeyPatch) -> None:
     from rcj_challenges.web.models import Job
 

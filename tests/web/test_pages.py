@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+from datetime import timedelta
 from html.parser import HTMLParser
 from typing import Any
 
 import pytest
 
-from rcj_challenges.web.config import SiteConfig
+from rcj_challenges.web import receiving
+from rcj_challenges.web.config import SiteConfig, current_site
 from tests.web.club import Club, make_club, make_submission, new_client
 from tests.web.conftest import NOW, use_site
 
@@ -100,6 +102,36 @@ def test_every_text_passes_through_the_translation(club: Club, monkeypatch: pyte
     texts = {name: data.sub("", "\n".join(read(text).texts)) for name, text in shown.items()}
     left = {name: re.findall(r"[A-Za-z]{2,}[\w ]*", text) for name, text in texts.items()}
     assert {name: words for name, words in left.items() if words} == {}
+
+
+def test_every_refusal_of_an_upload_passes_through_the_translation(club: Club, monkeypatch: pytest.MonkeyPatch):
+    from django.utils import translation
+
+    from rcj_challenges.web import blobs
+    from rcj_challenges.web.models import Season, Team
+    from rcj_challenges.web.receiving import RefusedError, ensure_may_upload
+
+    monkeypatch.setattr(translation._trans, "gettext", lambda text: f"⟦{text}⟧", raising=False)
+    team, season = Team.objects.get(name="Secret own"), Season.objects.get()
+    refused = []
+
+    def refuse(season_or_none: Season | None) -> None:
+        with pytest.raises(RefusedError) as caught:
+            ensure_may_upload(team, season_or_none, NOW)
+        refused.append((caught.value.code, str(caught.value)))
+
+    refuse(None)
+    season.opens_at = NOW + timedelta(days=1)
+    refuse(season)
+    season.opens_at = None
+    for quota in ("uploads_per_hour", "uploads_per_day", "upload_bytes_per_day"):
+        with monkeypatch.context() as changed:
+            changed.setattr(receiving, "current_site", lambda quota=quota: current_site().model_copy(update={quota: 0}))
+            refuse(season)
+    monkeypatch.setattr(blobs.Blobs, "has_room", lambda _: False)
+    refuse(season)
+    assert [code for code, _ in refused] == ["no-season", "not-open", "too-often", "too-often", "too-much", "disk-full"]
+    assert all(text.startswith("⟦") and text.endswith("⟧") for _, text in refused)
 
 
 def test_every_time_has_the_zone_of_the_site(club: Club):

@@ -2,12 +2,22 @@
 
 from __future__ import annotations
 
+import contextlib
+import os
 import shutil
+import signal
+import time
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from django.core.files.uploadedfile import SimpleUploadedFile
 
+from rcj_challenges.web import dispatcher
+from rcj_challenges.web.models import Job, State, Submission
+from tests.checker.small_team import PLAYER
+from tests.hostile.archives.cases import ALL, built
+from tests.web.club import new_client
 from tests.web.conftest import Served, make_folder, make_team, use_site
 from tests.web.handing_in import HOSTILE, check_all, small_team, wait_for
 
@@ -30,6 +40,58 @@ def test_what_is_handed_in_is_checked_by_playing_and_then_plays(served: Served) 
     state = wait_for(served, code, receipt["id"])
     assert (state["state"], state["is_active"]) == ("accepted", True), state
     assert served.submit(code, small_team())[1]["number"] == 2
+
+
+def check_processes(served: Served) -> list[int]:
+    """Return the processes that check for the site."""
+    parents, checks = {}, []
+    for folder in Path("/proc").glob("[0-9]*"):
+        with contextlib.suppress(OSError):
+            pid = int(folder.name)
+            parents[pid] = int((folder / "stat").read_text(encoding="utf-8").rpartition(")")[2].split()[1])
+            if dispatcher._START.encode() in (folder / "cmdline").read_bytes():
+                checks.append(pid)
+
+    def is_of_site(pid: int) -> bool:
+        return pid == served.process.pid or (pid in parents and is_of_site(parents[pid]))
+
+    return [pid for pid in checks if is_of_site(pid)]
+
+
+def test_a_check_whose_process_is_killed_is_made_again_and_costs_the_team_nothing(served: Served) -> None:
+    with use_site(served.config):
+        _, code = make_team("Killed")
+    status, receipt = served.submit(code, small_team("# another\n" + PLAYER))
+    assert status == 201
+    until = time.monotonic() + 60
+    while not (found := check_processes(served)):
+        assert time.monotonic() < until
+        time.sleep(0.02)
+    for pid in found:
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(pid, signal.SIGKILL)
+    assert wait_for(served, code, receipt["id"])["state"] == "accepted"
+    with use_site(served.config):
+        assert Job.objects.get(submission=receipt["id"]).tries == 2
+
+
+@pytest.mark.parametrize("count", [3, pytest.param(1000, marks=pytest.mark.nightly)])
+def test_archives_that_deceive_come_by_the_form_and_get_their_verdict(served: Served, count: int) -> None:
+    names = sorted(name for name in ALL if not name.startswith(("bomb", "hundred", "six_", "eleven")))
+    chosen = names[:: max(1, len(names) // count)][:count]
+    with use_site(served.config):
+        for name in chosen:
+            team, code = make_team(name[:40], "School 2")
+            client = new_client()
+            assert client.post("/enter", {"code": code}).status_code == 302
+            sent = client.post("/my/upload", {"archive": SimpleUploadedFile("team.zip", built(name))})
+            assert sent.status_code == 302, (name, sent.content)
+            until = time.monotonic() + 300
+            while Submission.objects.get(team=team).state in {State.QUEUED, State.CHECKING}:
+                assert time.monotonic() < until, name
+                time.sleep(0.1)
+            assert Submission.objects.get(team=team).state in {State.ACCEPTED, State.REJECTED}, name
+    assert served.get("/healthz")[0] == 200
 
 
 def test_programs_that_attack_the_match_get_their_verdict(served: Served) -> None:
