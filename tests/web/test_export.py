@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import io
-import json
 import subprocess
 import zipfile
 from pathlib import Path
@@ -54,11 +53,11 @@ def test_export_is_a_folder_that_a_tournament_takes(site: SiteConfig, tmp_path: 
         assert hashlib.sha256((tmp_path / path).read_bytes()).hexdigest() == sha256
     (tmp_path / "cup.yaml").write_text(CUP, encoding="utf-8")
     done = subprocess.run(
-        [*COMMAND, "tournament", command, "cup.yaml", "--json"],
+        [*COMMAND, "tournament", command, "cup.yaml"],
         cwd=tmp_path,
         capture_output=True,
         text=True,
         check=False,
     )
     assert done.returncode == 0, done.stderr
-    assert all(name.removesuffix(".zip") in json.dumps(json.loads(done.stdout)) for name in names)
+    assert all(name.removesuffix(".zip") in done.stdout for name in names)

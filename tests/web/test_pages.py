@@ -104,6 +104,20 @@ def test_every_text_passes_through_the_translation(club: Club, monkeypatch: pyte
     assert {name: words for name, words in left.items() if words} == {}
 
 
+def test_output_of_a_robot_names_the_match_in_which_it_played(club: Club):
+    own = club.submissions["own"]
+    robots = [[{"robot": f"{side}{number}", "output": "seen"} for number in (1, 2)] for side in "BY"]
+    own.report = {**own.report, "matches": [{"robots": of_match} for of_match in robots]}
+    own.save()
+    text = club.clients["team"].get(f"/my/submissions/{own.pk}").content.decode()
+    assert re.findall(r"<summary>[^<]*?([BY]\d)[^<]*?(\d)</summary>", text) == [
+        ("B1", "1"),
+        ("B2", "1"),
+        ("Y1", "2"),
+        ("Y2", "2"),
+    ]
+
+
 def test_every_refusal_of_an_upload_passes_through_the_translation(club: Club, monkeypatch: pytest.MonkeyPatch):
     from django.utils import translation
 

@@ -8,6 +8,7 @@ import http.client
 import random
 import statistics
 import subprocess
+import tempfile
 import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -16,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from django.db import close_old_connections
 from django.utils import timezone
 
 from rcj_challenges.web import blobs, jobs
@@ -23,7 +25,7 @@ from rcj_challenges.web.config import SiteConfig
 from rcj_challenges.web.models import Job, Season, State, Submission
 from rcj_challenges.web.receiving import RefusedError, receive
 from tests.hostile.archives.cases import ALL, FINE, built
-from tests.web.conftest import Served, make_folder, make_team, use_site
+from tests.web.conftest import Postgres, Served, make_folder, make_team, postgres_programs, use_site
 from tests.web.handing_in import hand_in
 
 MANY = {"uploads_per_hour": 100_000, "uploads_per_day": 100_000, "upload_bytes_per_day": 10**12}
@@ -241,6 +243,50 @@ def test_an_upload_for_which_the_disk_has_no_room_is_refused_and_nothing_is_brok
         for one in Submission.objects.all():
             assert blobs.Blobs(config.folder).path(one.sha256).exists()
         assert not list((config.folder / "incoming").glob("upload-*"))
+
+
+@pytest.fixture
+def postgres_on_a_small_disk(tmp_path: Path) -> Iterator[Postgres]:
+    """Start a server of PostgreSQL whose file system has 150 MB."""
+    programs = postgres_programs()
+    place = Path(tempfile.mkdtemp(prefix="rcj-pg-"))
+    mounted = programs and subprocess.run(
+        ["mount", "-t", "tmpfs", "-o", "size=150m", "tmpfs", place], capture_output=True, check=False
+    )
+    if not mounted or mounted.returncode:
+        pytest.skip("PostgreSQL's server is not installed, or a small file system cannot be mounted without root")
+    try:
+        server = Postgres(place, programs)
+        yield server
+        server.stop("immediate", wait=True)
+    finally:
+        subprocess.run(["umount", "-l", place], check=True)
+        place.rmdir()
+
+
+@pytest.mark.nightly
+def test_uploads_while_the_disk_of_the_database_is_full_are_refused_and_nothing_is_lost(
+    postgres_on_a_small_disk: Postgres, tmp_path: Path
+) -> None:
+    config = make_folder(tmp_path / "club", postgres_on_a_small_disk.new_database(), **MANY)
+    with use_site(config):
+        team, _ = make_team()
+        taken = [hand_in(config, team, b"before", timezone.now())]
+        fill(postgres_on_a_small_disk.folder)
+        with pytest.raises(RefusedError) as refused:
+            taken.extend(hand_in(config, team, f"full {number}".encode(), timezone.now()) for number in range(20_000))
+        assert refused.value.status == 507
+        (postgres_on_a_small_disk.folder / "filling").unlink()
+        close_old_connections()
+        with contextlib.suppress(AssertionError):  # it may have ended, as it does where its log finds no room
+            postgres_on_a_small_disk.start()
+        after = hand_in(config, team, b"after", timezone.now())
+        assert set(Submission.objects.values_list("pk", flat=True)) >= {one.pk for one in (*taken, after)}
+        for one in Submission.objects.all():
+            assert blobs.Blobs(config.folder).path(one.sha256).exists()
+        job = jobs.claim("one", timezone.now() + timedelta(seconds=1))
+        assert job is not None
+        assert job.submission_id == after.pk
 
 
 def fill(disk: Path) -> None:
