@@ -21,6 +21,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
+from rcj_challenges.tournament.records import sizes
 from rich.console import Console
 from sqlalchemy import insert
 
@@ -34,7 +35,6 @@ from rcj_challenges.tournament.executor import LocalExecutor
 from rcj_challenges.tournament.fixtures import JobMaker, summary_of
 from rcj_challenges.tournament.load import load_tournament
 from rcj_challenges.tournament.opened import OpenTournament
-from rcj_challenges.tournament.records import sizes
 from rcj_challenges.tournament.runner import Runner
 from rcj_challenges.tournament.season import Fixture, Outcome
 from rcj_challenges.tournament.store.store import Store

@@ -46,44 +46,36 @@ def should_continue(referee: Referee, output: RefereeOutput, tick: int, half: Ha
     return tick < MAX_LENGTHS * half.ticks
 
 
+@dataclass
 class TickLoop:
     """Plays one half, tick by tick.
 
     Programs of all robots that are due are released first and collected afterwards, so that they overlap with each
     other and with the writing of the record. A program that fails has its wheels at 0 from the tick of its failure
     on; the referee learns of it with the next snapshot.
+
+    Attributes:
+        on_tick: called with every judged tick, while the programs compute the next.
+        on_fault: called for programs that fail.
+        before_tick: called before each simulated tick, when all programs that were due have answered. It may wait:
+            that does not count towards limits, and no program computes meanwhile.
+        tick: the last one that was judged.
     """
 
-    def __init__(
-        self,
-        stage: HalfStage,
-        half: HalfInfo,
-        on_tick: OnTick,
-        on_fault: Callable[[Fault], None],
-        before_tick: Callable[[int], None],
-    ) -> None:
-        """Prepare the half.
+    stage: HalfStage
+    half: HalfInfo
+    on_tick: OnTick
+    on_fault: Callable[[Fault], None]
+    before_tick: Callable[[int], None]
+    tick: int = 0
 
-        Args:
-            stage: all that takes part.
-            half: what is played.
-            on_tick: called with every judged tick, while the programs compute the next.
-            on_fault: called for programs that fail.
-            before_tick: called before each simulated tick, when all programs that were due have answered. It may wait:
-                that does not count towards limits, and no program computes meanwhile.
-        """
-        self._before_tick = before_tick
-        self._stage = stage
-        self._half = half
-        self._on_tick = on_tick
-        self._on_fault = on_fault
-        self._alive = dict(stage.drivers)
-        self._due = dict.fromkeys(stage.drivers, 0)
+    def __post_init__(self) -> None:
+        self._alive = dict(self.stage.drivers)
+        self._due = dict.fromkeys(self.stage.drivers, 0)
         self._later: list[tuple[int, int, Request]] = []
         self._faults: list[Fault] = []
         self._all_held = False
         self._held: frozenset[int] = frozenset()
-        self.tick = 0
 
     def play(self) -> LoopResult:
         """Play to the end. Programs still wait in their last ``step`` then: the caller ends them.
@@ -92,19 +84,19 @@ class TickLoop:
             PhysicsFault: the simulation became unstable.
         """
         output = self._begin()
-        while should_continue(self._stage.referee, output, self.tick, self._half):
-            self._before_tick(self.tick + 1)
+        while should_continue(self.stage.referee, output, self.tick, self.half):
+            self.before_tick(self.tick + 1)
             output = self._one_tick(self.tick + 1)
-        closing = self._stage.referee.finish()
+        closing = self.stage.referee.finish()
         # A half that is over cannot be ended once more, the match can.
         ended = closing.ended if closing.ends_match else output.ended
-        if ended is None and not self._stage.referee.time_is_up:
+        if ended is None and not self.stage.referee.time_is_up:
             ended = f"the clock of the half stood still for too long: {self.tick} ticks were played"
         return LoopResult(self.tick, ended, closing.ends_match, closing)
 
     def _begin(self) -> RefereeOutput:
         """Tick 0: draws, layouts, arming; no physics. Programs run to their first ``step``."""
-        stage = self._stage
+        stage = self.stage
         stage.world.reset()
         snapshot = stage.world.judged()
         output = stage.referee.start(snapshot)
@@ -112,13 +104,13 @@ class TickLoop:
         if output.robots_held or output.held:
             self._hold(output)
         stage.devices.begin(output)
-        self._on_tick(snapshot, output, stage.world.state_bytes(), stage.world.poses_bytes())
+        self.on_tick(snapshot, output, stage.world.state_bytes(), stage.world.poses_bytes())
         for robot in list(self._alive):
             self._take(robot, self._alive[robot].collect())
         return output
 
     def _one_tick(self, tick: int) -> RefereeOutput:
-        stage = self._stage
+        stage = self.stage
         if self._later:
             self._apply_what_was_late(tick)
         faults, self._faults = tuple(self._faults), []
@@ -135,8 +127,8 @@ class TickLoop:
         stage.devices.begin_sensing(tick, output)
         self.tick = tick
 
-        due = self._sense_and_release(tick, plays_on=should_continue(stage.referee, output, tick, self._half))
-        self._on_tick(snapshot, output, state, stage.world.poses_bytes())
+        due = self._sense_and_release(tick, plays_on=should_continue(stage.referee, output, tick, self.half))
+        self.on_tick(snapshot, output, state, stage.world.poses_bytes())
         self._collect(due)
         if tick % _LOOKED_AFTER_EVERY == 0:
             self._look_after_those_away(tick)
@@ -145,7 +137,7 @@ class TickLoop:
     def _hold(self, output: RefereeOutput) -> None:
         """Hold robots from the next tick on, all or some, and let the others go."""
         self._all_held, self._held = output.robots_held, output.held
-        world = self._stage.world
+        world = self.stage.world
         world.hold_robots(range(world.tables.robots) if output.robots_held else output.held)
 
     def _look_after_those_away(self, tick: int) -> None:
@@ -156,7 +148,7 @@ class TickLoop:
 
     def _sense_and_release(self, tick: int, *, plays_on: bool) -> list[int]:
         """Update each robot's sensors, and release its program if it is due; return those released."""
-        devices, alive = self._stage.devices, self._alive
+        devices, alive = self.stage.devices, self._alive
         due = [robot for robot in devices.specs if self._due.get(robot) == tick] if plays_on else []
         for robot in devices.specs:
             devices.finish_sensing(robot)
@@ -184,20 +176,20 @@ class TickLoop:
         """Carry out a request, now or after the ticks that its program slept through; or remove a failed program."""
         if isinstance(answer, Fault):
             del self._alive[robot], self._due[robot]
-            self._stage.devices.silence(robot)
+            self.stage.devices.silence(robot)
             self._faults.append(answer)
-            self._on_fault(answer)
+            self.on_fault(answer)
             return
         begins = self.tick + answer.missed_ticks
         self._due[robot] = begins + answer.advance_ticks
         if answer.missed_ticks:
             self._later.append((begins, robot, answer))
         else:
-            self._stage.devices.apply(robot, answer)
+            self.stage.devices.apply(robot, answer)
 
     def _apply_what_was_late(self, tick: int) -> None:
         """Requests of programs that slept take effect at the tick at which they woke up."""
         for begins, robot, request in self._later:
             if begins < tick:
-                self._stage.devices.apply(robot, request)
+                self.stage.devices.apply(robot, request)
         self._later = [entry for entry in self._later if entry[0] >= tick]

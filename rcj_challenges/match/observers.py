@@ -115,15 +115,12 @@ class ObserverGroup(Observer):
         self.observers = observers
         self.progress_every_ticks = observers[0].progress_every_ticks
 
-    half_started = _call_all("half_started")
-    progressed = _call_all("progressed")
-    event = _call_all("event")
-    fault = _call_all("fault")
-    printed = _call_all("printed")
-    after_tick = _call_all("after_tick")
-    after_last_tick = _call_all("after_last_tick")
-    half_ended = _call_all("half_ended")
-    finished = _call_all("finished")
+    half_started, progressed, event, fault, printed = map(
+        _call_all, ("half_started", "progressed", "event", "fault", "printed")
+    )
+    after_tick, after_last_tick, half_ended, finished = map(
+        _call_all, ("after_tick", "after_last_tick", "half_ended", "finished")
+    )
 
     def sensing(self, half: HalfInfo, robots: Sequence[SensedRobot]) -> Sequence[SensorListener]:
         """Return the listeners of all."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Collection
+from dataclasses import InitVar, dataclass
 from typing import TYPE_CHECKING
 
 from rcj_challenges.core.play import HalfInfo, RefereeOutput, Snapshot
@@ -18,78 +19,67 @@ if TYPE_CHECKING:
 _OUTPUT_EVERY_TICKS = 16
 
 
+@dataclass
 class TickEffects:
     """Writes the record of a half, calls observers, shows programs' output, and keeps the pace of the clock.
 
-    Args:
-        half: what is played.
+    Attributes:
         later_ticks: how long the halves after it are.
         referee: for the scores and the clock.
-        record: of the run.
-        observer: that is called.
-        pool: whose output is shown.
-        show_output: robots whose output is shown.
+        show_output: robots of the pool whose output is shown.
         real_time: True: no tick is judged before its time on a clock that starts with the first one.
     """
 
-    def __init__(
-        self,
-        half: HalfInfo,
-        later_ticks: int,
-        referee: Referee,
-        record: RecordWriter,
-        observer: Observer,
-        pool: ProgramPool,
-        show_output: Collection[str],
-        *,
-        real_time: bool,
-    ) -> None:
-        self._half = half
-        self._later_ticks = later_ticks
-        self._referee = referee
-        self._record = record
-        self._observer = observer
+    half: HalfInfo
+    later_ticks: int
+    referee: Referee
+    record: RecordWriter
+    observer: Observer
+    pool: InitVar[ProgramPool]
+    show_output: InitVar[Collection[str]]
+    real_time: bool
+
+    def __post_init__(self, pool: ProgramPool, show_output: Collection[str]) -> None:
         self._shown = [program for name, program in pool.programs.items() if name in show_output]
-        self._real_time = real_time
-        self._every_ticks = max(1, observer.progress_every_ticks)
+        self._every_ticks = max(1, self.observer.progress_every_ticks)
         self._began_s = time.perf_counter()
 
     def after_tick(self, snapshot: Snapshot, output: RefereeOutput, state: bytes, poses: bytes) -> None:
         """Take a judged tick, while the programs compute the next."""
-        self._record.tick(snapshot, output, state, poses)
+        self.record.tick(snapshot, output, state, poses)
         tick = snapshot.tick
         if tick <= 1:  # after tick 0 the match waits until all programs have started
             self._began_s = time.perf_counter()
-        self._observer.after_tick(snapshot, output)
+        self.observer.after_tick(snapshot, output)
         for event in output.events:
-            self._observer.event(event, self._half)
+            self.observer.event(event, self.half)
         if tick % self._every_ticks == 0 and tick:
-            self._observer.progressed(self._progress(tick, output))
+            self.observer.progressed(self._progress(tick, output))
         if self._shown and tick % _OUTPUT_EVERY_TICKS == 0:
             self._show_output()
-        if self._real_time:
+        if self.real_time:
             ahead_s = self._began_s + tick * TICK_S - time.perf_counter()
             if ahead_s > 0:
                 time.sleep(ahead_s)
 
     def closed(self, closing: RefereeOutput) -> None:
         """Pass on the output of the rules after the last tick, and show the programs' last output."""
-        self._observer.after_last_tick(closing, self._half)
+        self.observer.after_last_tick(closing, self.half)
         for event in closing.events:
-            self._observer.event(event, self._half)
+            self.observer.event(event, self.half)
         self._show_output()
 
     def _progress(self, tick: int, output: RefereeOutput) -> Progress:
-        half = self._half
+        half = self.half
         spent_s = max(time.perf_counter() - self._began_s, 1e-9)
-        clock_ticks = self._referee.clock_ticks
-        ticks_left = half.ticks - clock_ticks + self._later_ticks
+        clock_ticks = self.referee.clock_ticks
+        ticks_left = half.ticks - clock_ticks + self.later_ticks
         timed = max(tick - 1, 1)  # since the first one
         return Progress(
             half=half,
             tick=tick,
             clock_ticks=clock_ticks,
-            scores=dict(self._referee.scores),
+            scores=dict(self.referee.scores),
             phase=output.phase,
             factor=timed * TICK_S / spent_s if tick > 1 else 0.0,
             remaining_s=ticks_left * spent_s / timed,
@@ -99,4 +89,4 @@ class TickEffects:
         for program in self._shown:
             text = program.new_output()
             if text:
-                self._observer.printed(program.name, text)
+                self.observer.printed(program.name, text)

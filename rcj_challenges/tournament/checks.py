@@ -2,53 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from pathlib import Path
-from typing import Literal
 from zoneinfo import ZoneInfo
 
 from rcj_challenges.core.diagnostics import Diagnostic
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.scenario.tree import Entries, Step, in_names, mark_of
-from rcj_challenges.tournament.entries import TeamEntry
 from rcj_challenges.tournament.errors import did_you_mean, problem_at
 from rcj_challenges.tournament.formats import Stage
-from rcj_challenges.tournament.formats.stage import Intake, StageSize
-from rcj_challenges.tournament.models import FromModel, place_range
+from rcj_challenges.tournament.formats.stage import Intake, Severity, StageSize
+from rcj_challenges.tournament.models import FromModel
 from rcj_challenges.tournament.release import moments_of
 from rcj_challenges.tournament.scenarios import ScenarioInfo, ScenarioNames, ScenarioUse
 from rcj_challenges.tournament.season import Team
-from rcj_challenges.tournament.stage_sizes import cuts, stage_sizes
 from rcj_challenges.tournament.tournament_file import Tournament
 
 
-def check(
-    tournament: Tournament,
-    entries: Mapping[str, TeamEntry],
-    scenarios: Mapping[ScenarioUse, ScenarioInfo],
-    tree: Entries,
-    folder: Path,
-    *,
-    are_teams_known: bool,
-) -> list[Diagnostic]:
-    """Return what is wrong, and warnings.
+@dataclass
+class Checks:
+    """The checks of a tournament.
 
-    Args:
-        tournament: the file.
-        entries: its teams.
+    Attributes:
         scenarios: what is known of the scenarios that could be loaded.
         tree: the positions.
-        folder: where the file lies.
         are_teams_known: whether all teams could be read; if not, their number is not looked at.
     """
-    teams = {entry.id: Team(entry.id, entry.name or entry.id, entry.pot) for entry in entries.values()}
-    names = ScenarioNames(tournament, folder)
-    return list(_Checks(tournament, teams, scenarios, tree, names, are_teams_known).problems())
 
-
-@dataclass
-class _Checks:
     tournament: Tournament
     teams: Mapping[str, Team]
     scenarios: Mapping[ScenarioUse, ScenarioInfo]
@@ -57,6 +37,7 @@ class _Checks:
     are_teams_known: bool
 
     def problems(self) -> Iterator[Diagnostic]:
+        """Yield what is wrong, and warnings."""
         yield from self._tie_breaks()
         yield from self._same_names()
         yield from self._times()
@@ -65,17 +46,12 @@ class _Checks:
         yield from before
         if before or not self.are_teams_known:  # the numbers of teams mean nothing
             return
-        sizes = stage_sizes(self.tournament, self.teams, self.scenarios, self.names)
+        sizes = self.tournament.sizes(self.teams, self.scenarios, self.names)
         for name, stage in self.tournament.stages.items():
             yield from self._stage(name, stage, sizes)
 
     def _at(
-        self,
-        path: tuple[Step, ...],
-        code: str,
-        message: str,
-        help_: str,
-        severity: Literal["error", "warning"] = "error",
+        self, path: tuple[Step, ...], code: str, message: str, help_: str, severity: Severity = "error"
     ) -> Diagnostic:
         found = problem_at(mark_of(self.tree, path), code, message, help_, in_names(self.tree, path))
         return replace(found, severity=severity)
@@ -93,29 +69,23 @@ class _Checks:
     def _tie_breaks(self) -> Iterator[Diagnostic]:
         words = self.tournament.tie_breaks
         for index, word in enumerate(words):
+            where = ("tie_breaks", index)
             if word in words[:index]:
-                yield self._at(
-                    ("tie_breaks", index), "useless-tie-break", f"'{word}' is listed twice", "keep the first"
-                )
+                yield self._at(where, "useless-tie-break", f"'{word}' is listed twice", "keep the first")
             elif word == "lot" and index < len(words) - 1:
-                yield self._at(
-                    ("tie_breaks", index), "useless-tie-break", "after 'lot' nothing is level", "put 'lot' last"
-                )
+                yield self._at(where, "useless-tie-break", "after 'lot' nothing is level", "put 'lot' last")
 
     def _same_names(self) -> Iterator[Diagnostic]:
         """Refuse names of pages that are one file on Windows and macOS."""
         stages = self.tournament.stages
-        yield from self._names_by_case(("stages",), stages)
-        for name, stage in stages.items():
-            yield from self._names_by_case(("stages", name, "scenarios"), stage.challenges)
-
-    def _names_by_case(self, path: tuple[Step, ...], names: Iterable[str]) -> Iterator[Diagnostic]:
-        first: dict[str, str] = {}
-        for name in names:
-            twin = first.setdefault(name.casefold(), name)
-            if twin != name:
-                message = f"the names '{twin}' and '{name}' differ by case only"
-                yield self._at((*path, name), "same-name", message, "give one of them another name")
+        challenges = {("stages", name, "scenarios"): stage.challenges for name, stage in stages.items()}
+        for path, names in ({("stages",): stages} | challenges).items():
+            first: dict[str, str] = {}
+            for name in names:
+                twin = first.setdefault(name.casefold(), name)
+                if twin != name:
+                    message = f"the names '{twin}' and '{name}' differ by case only"
+                    yield self._at((*path, name), "same-name", message, "give one of them another name")
 
     def _times(self) -> Iterator[Diagnostic]:
         name = self.tournament.time_zone
@@ -175,10 +145,8 @@ class _Checks:
     # --- where teams come from ----------------------------------------------------------------------------------------
 
     def _sources(self) -> Iterator[Diagnostic]:
-        before: list[str] = []
-        for name, stage in self.tournament.stages.items():
-            yield from self._source(name, stage, before)
-            before.append(name)
+        for at, (name, stage) in enumerate(self.tournament.stages.items()):
+            yield from self._source(name, stage, list(self.tournament.stages)[:at])
 
     def _source(self, name: str, stage: FromModel, before: list[str]) -> Iterator[Diagnostic]:
         path = ("stages", name)
@@ -197,7 +165,7 @@ class _Checks:
         if not source.RANKS_TEAMS:
             message = f"'{stage.from_}' ranks super teams, not teams"
             yield self._at((*path, "from"), "unreachable-stage", message, "take the teams from another stage")
-        if isinstance(stage.places, str) and (numbers := place_range(stage.places, 0))[0] > numbers[1]:
+        if isinstance(stage.places, str) and (numbers := stage.place_range(0))[0] > numbers[1]:
             message = f"places {stage.places} begin after their end"
             yield self._at((*path, "places"), "wrong-places", message, f"write {numbers[1]}-{numbers[0]}")
 
@@ -215,35 +183,29 @@ class _Checks:
         intake = Intake(size.teams, self.teams, self.names, self.scenarios)
         for one in stage.problems(intake, size):
             yield self._at((*path, *one.path), one.code, one.message, one.help, one.severity)
-        yield from self._releases(path, stage, size)
+        if isinstance(stage.release, tuple) and len(stage.release) not in (1, size.rounds):
+            message = f"{len(stage.release)} times of release for {size.rounds} rounds"
+            yield self._at((*path, "release"), "wrong-release", message, "give one time, or one for each round")
         yield from self._undecided(name, stage, sizes)
 
     def _places(self, path: tuple[Step, ...], stage: FromModel, source: StageSize) -> Iterator[Diagnostic]:
         for group, count in source.tables.items():
-            _, last = place_range(stage.places, count)
-            if last > count:
+            if stage.place_range(count)[1] > count:
                 where = f"group {group} of '{stage.from_}'" if group else f"'{stage.from_}'"
                 message = f"places {stage.places} of '{stage.from_}': {where} has {count} teams only"
                 help_ = "take fewer places, or add teams"
                 yield self._at((*path, "places"), "too-few-teams", message, help_)
                 return
 
-    def _releases(self, path: tuple[Step, ...], stage: FromModel, size: StageSize) -> Iterator[Diagnostic]:
-        times = stage.release
-        if not isinstance(times, tuple) or len(times) in (1, size.rounds):
-            return
-        message = f"{len(times)} times of release for {size.rounds} rounds"
-        yield self._at((*path, "release"), "wrong-release", message, "give one time, or one for each round")
-
     def _undecided(self, name: str, stage: Stage, sizes: Mapping[str, StageSize]) -> Iterator[Diagnostic]:
         """Refuse places that can be shared if only some of the teams advance."""
-        open_cuts = stage.shared_cuts(cuts(self.tournament, name, sizes), sizes[name].teams)
+        open_cuts = stage.shared_cuts(self.tournament.cuts(name, sizes), sizes[name].teams)
         if not open_cuts or "lot" in self.tournament.tie_breaks:
             return
         after = ", ".join(map(str, sorted(open_cuts)))
         taker = next(one for one, other in self.tournament.stages.items() if other.from_ == name and other.places)
-        help_ = (
-            f"{f'set play_off: true in {name!r}, or ' if stage.CAN_PLAY_OFF else ''}add lot at the end of tie_breaks"
-        )
+        help_ = "add lot at the end of tie_breaks"
+        if stage.CAN_PLAY_OFF:
+            help_ = f"set play_off: true in {name!r}, or {help_}"
         message = f"places after place {after} of '{name}' may be shared, and only some of these teams advance"
         yield self._at(("stages", taker, "places"), "undecided-places", message, help_)

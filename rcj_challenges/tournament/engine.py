@@ -8,11 +8,9 @@ from typing import Any
 from rcj_challenges.tournament.drawing import Drawn
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
 from rcj_challenges.tournament.load import LoadedTournament
-from rcj_challenges.tournament.models import FromModel, place_range
-from rcj_challenges.tournament.scenarios import ScenarioNames
+from rcj_challenges.tournament.models import FromModel
 from rcj_challenges.tournament.season import Outcome, SeasonState, StageState, Status, Team
 from rcj_challenges.tournament.seeds import lot
-from rcj_challenges.tournament.stage_sizes import cuts, stage_sizes
 
 
 class Season:
@@ -31,9 +29,8 @@ class Season:
         self.teams = dict(loaded.teams() if teams is None else teams)
         self.drawn = Drawn.of(loaded.tournament.seed, self.teams) if drawn is None else drawn
         self._tournament = loaded.tournament
-        self._names = ScenarioNames(loaded.tournament, loaded.path.parent)
-        self._sizes = stage_sizes(loaded.tournament, self.teams, loaded.scenarios, self._names)
-        self._cuts = {name: cuts(loaded.tournament, name, self._sizes) for name in loaded.tournament.stages}
+        self._sizes = loaded.tournament.sizes(self.teams, loaded.scenarios, loaded.names)
+        self._cuts = {name: loaded.tournament.cuts(name, self._sizes) for name in loaded.tournament.stages}
         self._cache: dict[Any, Any] = {}
 
     def state(self, outcomes: Mapping[str, Outcome], hidden: Collection[str] = ()) -> SeasonState:
@@ -51,7 +48,7 @@ class Season:
                 name=name,
                 kind=stage.stage,
                 tournament=self._tournament,
-                names=self._names,
+                names=self.loaded.names,
                 scenarios=self.loaded.scenarios,
                 teams=self.teams,
                 entries=self.loaded.entries,
@@ -83,21 +80,20 @@ class Season:
             # A team that has left in between makes room for the next one.
             staying = [row for row in rows if row.team in here]
             ranked = sorted(staying, key=lambda row: (row.place, lot(self._tournament.seed, f"{name}/order", row.team)))
-            first, last = place_range(stage.places, len(ranked))
             found += [
                 Entrant(ranked[place - 1].team, place, place, group, _origin(stage.from_, group, place))
-                for place in range(first, min(last, len(ranked)) + 1)
+                for place in stage.taken(len(ranked))
             ]
         return sorted(found, key=lambda one: one.place)
 
     def _unknown_entrants(self, stage: FromModel) -> list[Entrant]:
         """Return where the teams of a waiting stage will come from."""
         name = stage.from_ or ""
-        found = []
-        for group, size in self._sizes[name].tables.items():
-            first, last = place_range(stage.places, size)
-            places = range(first, min(last, size) + 1)
-            found += [Entrant("", place, place, group, _origin(name, group, place)) for place in places]
+        found = [
+            Entrant("", place, place, group, _origin(name, group, place))
+            for group, size in self._sizes[name].tables.items()
+            for place in stage.taken(size)
+        ]
         return sorted(found, key=lambda one: one.place)
 
 

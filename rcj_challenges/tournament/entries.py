@@ -19,6 +19,7 @@ from rcj_challenges.scenario.tree import Entries, mark_of
 from rcj_challenges.submissions.paths import ignored_folder
 from rcj_challenges.tournament.errors import did_you_mean, problem_at
 from rcj_challenges.tournament.models import ChallengeScenario, General, TeamModel
+from rcj_challenges.tournament.season import Team
 
 _MAX_STRAYS, _MAX_SEARCHED = 10, 1000
 """Folders without programs in a folder of submissions, and files that are looked at in each: more are no teams."""
@@ -44,34 +45,36 @@ class TeamEntry:
     is_sample: bool = False
     challenges: Mapping[tuple[str, str], Path | None] = field(default_factory=dict)
 
+    @property
+    def team(self) -> Team:
+        """The team as the file names it; a submission's own name is not known here."""
+        return Team(self.id, self.name or self.id, self.pot)
+
     def submission(self, stage: str = "", challenge: str = "") -> Path | None:
         """Return the submission for a challenge of a stage, or for the matches; None: it takes no part in it."""
         return self.challenges.get((stage, challenge), self.source)
 
 
+@dataclass
 class TeamLists:
     """Reads the teams of a tournament file.
 
-    Args:
-        tournament: the file.
+    Attributes:
         folder: where it lies.
         tree: its positions.
-
-    Attributes:
         problems: what was wrong.
     """
 
-    def __init__(self, tournament: General, folder: Path, tree: Entries) -> None:
-        self.problems: list[Diagnostic] = []
-        self._tournament = tournament
-        self._folder = folder
-        self._tree = tree
+    tournament: General
+    folder: Path
+    tree: Entries
+    problems: list[Diagnostic] = field(default_factory=list)
 
     def entries(self) -> dict[str, TeamEntry]:
         """Return the teams by id, in the order of the file, then of the folder."""
-        submitted = self._submitted(("teams_folder",), self._tournament.teams_folder)
+        submitted = self._submitted(("teams_folder",), self.tournament.teams_folder)
         entries = {}
-        for key, model in self._tournament.teams.items():
+        for key, model in self.tournament.teams.items():
             source = self._source(key, model, submitted)
             if source is not None:
                 entries[key] = TeamEntry(key, source, model.name, model.pot, model.sample is not None)
@@ -108,14 +111,14 @@ class TeamLists:
         return {team: replace(entry, challenges=found[team]) for team, entry in entries.items()}
 
     def _add(self, path: tuple[str, ...], code: str, message: str, help_: str, *, at_key: bool = False) -> None:
-        mark = mark_of(self._tree, path, at_key=at_key)
+        mark = mark_of(self.tree, path, at_key=at_key)
         self.problems.append(problem_at(mark, code, message, help_, ".".join(path)))
 
     def _submitted(self, where: tuple[str, ...], name: str | None) -> dict[str, Path]:
         """Return the submissions of a folder by team id."""
         found: dict[str, Path] = {}
         try:
-            paths = sorted((self._folder / name).iterdir()) if name is not None else []
+            paths = sorted((self.folder / name).iterdir()) if name is not None else []
         except (OSError, ValueError) as error:
             message = f"the folder '{name}' cannot be read: {format_error(error)}"
             self._add(where, "teams-folder", message, "create it, and put each team's ZIP into it")
@@ -150,8 +153,8 @@ class TeamLists:
         if model.path is not None and model.sample is not None:
             code, message, help_ = "two-sources", "both 'path' and 'sample' are given", "keep one of them"
         elif model.path is not None:
-            if os.path.exists(self._folder / model.path):  # noqa: PTH110 - that of pathlib raises for odd names
-                return self._folder / model.path
+            if os.path.exists(self.folder / model.path):  # noqa: PTH110 - that of pathlib raises for odd names
+                return self.folder / model.path
             message, help_ = f"no submission at '{model.path}'", "paths are relative to the tournament file"
         elif model.sample is not None:
             samples = sorted(one.name for one in teams_folder().iterdir() if one.is_dir())

@@ -5,11 +5,10 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass
 from pathlib import Path
-from types import TracebackType
 from typing import Any, Protocol, Self
 
 from rcj_challenges.match import batch
-from rcj_challenges.match.worker_pool import Attempt, WorkerPool
+from rcj_challenges.match.worker_pool import WorkerPool
 from rcj_challenges.tournament.jobs import MatchJob, Workplace
 
 POLL_INTERVAL_S = 0.2
@@ -52,63 +51,43 @@ class Executor(Protocol):
 
     def __enter__(self) -> Self: ...
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None: ...
+    def __exit__(self, *_: object) -> None: ...
 
 
-@dataclass(frozen=True)
-class _LocalJob:
-    """A job in a process of this computer: the command ``tournament play-job``."""
-
-    job: MatchJob
-    command: batch.Job
+class _LocalJob(batch.Job):
+    """A job in a process of this computer: its arguments are the whole command ``tournament play-job``."""
 
     def start(self) -> batch.MatchProcess:
-        return batch.MatchProcess(self.command.arguments)
-
-    def interrupt(self, process: batch.MatchProcess) -> None:
-        self.command.interrupt(process)
-
-    def read_outcome(self, process: batch.MatchProcess) -> Attempt[JobOutcome]:
-        attempt = self.command.read_outcome(process)
-        return Attempt(_outcome(self.job, attempt.outcome), attempt.is_final)
-
-    def start_failed(self, error: OSError) -> JobOutcome:
-        return _outcome(self.job, self.command.start_failed(error))
+        """Start the match."""
+        return batch.MatchProcess(self.arguments)
 
 
 class LocalExecutor:
     """Plays each job in a process of this computer, which ends with this one."""
 
     def __init__(self, place: Workplace, lanes: int) -> None:
-        """Prepare it.
-
-        Args:
-            place: the folder of the tournament's data.
-            lanes: how many matches at a time.
-        """
         self.lanes = lanes
         self._place = place
-        self._pool: WorkerPool[JobOutcome] = WorkerPool(lanes)
+        self._pool: WorkerPool[batch.Outcome] = WorkerPool(lanes)
+        self._jobs: dict[batch.Job, MatchJob] = {}
 
     def submit(self, job: MatchJob) -> None:
         """Play a job as soon as a lane is free for it."""
         arguments = ("tournament", "play-job", json.dumps(job.to_json()), str(self._place.folder))
-        self._pool.submit(_LocalJob(job, batch.Job(job.seed, arguments)))
+        command = _LocalJob(job.seed, arguments)
+        self._jobs[command] = job
+        self._pool.submit(command)
 
     def poll(self) -> list[JobOutcome]:
         """Wait a moment and return what is done."""
-        return [outcome for _, outcome in self._pool.poll(POLL_INTERVAL_S)]
+        return [_outcome(self._jobs.pop(one.job), one) for _, one in self._pool.poll(POLL_INTERVAL_S)]
 
     def __enter__(self) -> Self:
         self._pool.__enter__()
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self._pool.__exit__(kind, error, trace)
+    def __exit__(self, *error: object) -> None:
+        self._pool.__exit__(*error)
 
 
 def _outcome(job: MatchJob, outcome: batch.Outcome) -> JobOutcome:

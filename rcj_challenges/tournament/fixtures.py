@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
@@ -12,24 +13,24 @@ from rcj_challenges.submissions.team import TeamError, open_team
 from rcj_challenges.tournament.admission import CheckTask, Submissions, Submitted, purpose_of
 from rcj_challenges.tournament.jobs import MatchJob, Program, Workplace, entrants_of
 from rcj_challenges.tournament.opened import OpenTournament
-from rcj_challenges.tournament.scenarios import ScenarioNames, ScenarioUse
+from rcj_challenges.tournament.scenarios import ScenarioUse
 from rcj_challenges.tournament.season import Fixture, Outcome
 
 
+@dataclass
 class JobMaker:
-    """Makes the jobs of a tournament's fixtures."""
+    """Makes the jobs of a tournament's fixtures.
 
-    def __init__(self, tournament: OpenTournament, handed: Submissions, sandbox: str) -> None:
-        """Prepare it.
+    Attributes:
+        handed: the submissions of all teams that play or have played.
+        sandbox: how programs are isolated.
+    """
 
-        Args:
-            tournament: the tournament.
-            handed: the submissions of all teams that play or have played.
-            sandbox: how programs are isolated.
-        """
-        self._tournament = tournament
-        self._handed = handed
-        self._sandbox = sandbox
+    tournament: OpenTournament
+    handed: Submissions
+    sandbox: str
+
+    def __post_init__(self) -> None:
         self._versions = versions().model_dump()
         self._scenarios: dict[tuple[str, tuple[str, ...]], tuple[str, Loaded]] = {}
         self._digests: dict[tuple[str, str], str] = {}
@@ -41,7 +42,7 @@ class JobMaker:
             RcjError: the scenario cannot be loaded or kept, or a submission cannot be opened for it.
         """
         scenario, loaded = self.scenario(fixture.scenario, fixture.overrides)
-        teams = self._tournament.season.teams
+        teams = self.tournament.season.teams
         return MatchJob(
             scenario=scenario,
             seats={
@@ -49,10 +50,10 @@ class JobMaker:
                 for side in fixture.sides
             },
             names={side.seat: " + ".join(teams[team].name for team in side.teams) for side in fixture.sides},
-            seed=self._tournament.seed_of(fixture),
+            seed=self.tournament.seed_of(fixture),
             versions=self._versions,
-            records=self._tournament.loaded.records(fixture.stage),
-            sandbox=self._sandbox,
+            records=self.tournament.loaded.records(fixture.stage),
+            sandbox=self.sandbox,
         )
 
     def scenario(self, source: str, overrides: Sequence[str]) -> tuple[str, Loaded]:
@@ -72,12 +73,11 @@ class JobMaker:
 
         Settings such as the length of a half make no other check: the first ones of each scenario are taken.
         """
-        loaded = self._tournament.loaded
-        names = ScenarioNames(loaded.tournament, loaded.path.parent)
+        loaded = self.tournament.loaded
         tasks: dict[tuple[str, str], CheckTask] = {}
         alone: set[ScenarioUse] = set()
         for (name, key), one in loaded.tournament.challenges.items():
-            use = names.use(one.scenario, one.set)
+            use = loaded.names.use(one.scenario, one.set)
             alone.add(use)
             part = [
                 handed[entry.id, purpose_of(entry, name, key)]
@@ -99,11 +99,11 @@ class JobMaker:
 
     @property
     def _place(self) -> Workplace:
-        return self._tournament.store.place
+        return self.tournament.store.place
 
     def _program(self, fixture: Fixture, team: str, seat: str, loaded: Loaded) -> Program:
-        entry = self._tournament.loaded.entries[team]
-        one = self._handed.get((team, purpose_of(entry, fixture.stage, fixture.group)))
+        entry = self.tournament.loaded.entries[team]
+        one = self.handed.get((team, purpose_of(entry, fixture.stage, fixture.group)))
         if one is None:  # it has left, and a SuperTeam still counts on its program
             message = f"{team} has never handed in a submission that can be read, and is to play in '{fixture.id}'"
             help_ = f"decide that match: 'tournament decide FILE {fixture.id} --forfeit {team} --reason TEXT'"
@@ -118,7 +118,7 @@ class JobMaker:
                 message = f"the submission of {team} cannot be opened for '{loaded.scenario.title}': {error}"
                 help_ = "let the team replace it, or decide its matches with 'tournament decide'"
                 raise DiagnosticError(Diagnostic("submission-unusable", message, help_)) from error
-        return Program(one.archive, self._digests[key], self._tournament.season.teams[team].name)
+        return Program(one.archive, self._digests[key], self.tournament.season.teams[team].name)
 
 
 def outcome_of(fixture: Fixture, result: Mapping[str, Any]) -> Outcome:

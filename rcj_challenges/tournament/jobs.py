@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import shutil
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from functools import cached_property
@@ -13,7 +14,7 @@ from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.errors import format_error
 from rcj_challenges.core.files import slug
 from rcj_challenges.records.digest import given_values
-from rcj_challenges.records.folder import replaced
+from rcj_challenges.records.folder import REPLAY, SENSORS, TRAJECTORY, replaced
 from rcj_challenges.records.lines import canonical, parsed
 from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.load import Loaded, load_resolved
@@ -21,7 +22,17 @@ from rcj_challenges.scenario.models.robots import Entrant
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.tournament.models import Records
 
-_ID_LETTERS = 32
+STATS = "stats.json"
+"""Of a record: the statistics of the match, so that they outlive the trajectory from which they are counted."""
+
+_DROPPED: Mapping[Records, tuple[str, ...]] = {
+    "full": (),
+    # The page has all that it shows in itself. Of 17 MB of a match of 20 minutes less than 1 MB is left.
+    "replay": (SENSORS, TRAJECTORY),
+    "result": (SENSORS, TRAJECTORY, REPLAY),
+}
+
+_ID_CHARACTERS = 32
 """128 bits: no two matches share an id, and the rest of a path still fits on Windows."""
 
 
@@ -69,7 +80,7 @@ class MatchJob:
         """The content address: equal for two jobs exactly if the same match is played. Names do not count."""
         seats = {seat: [one.digest for one in programs] for seat, programs in self.seats.items()}
         inputs = [self.scenario, seats, self.seed, self.match_id, dict(self.versions)]
-        return hashlib.sha256(canonical(inputs)).hexdigest()[:_ID_LETTERS]
+        return hashlib.sha256(canonical(inputs)).hexdigest()[:_ID_CHARACTERS]
 
     def to_json(self) -> dict[str, Any]:
         """Return it as JSON-able data."""
@@ -82,44 +93,28 @@ class MatchJob:
         return cls(**{**data, "seats": seats})
 
 
-@dataclass(frozen=True)
 class Workplace:
     """The folder of a tournament's data, as far as jobs use it.
 
     Attributes:
-        folder: the folder.
+        submissions: where submissions are, by hash.
+        records: where the records are, by job.
+        playing: where the records of matches are that are being played; what a killed run left there is worthless.
+        progress: what a run leaves for `status`: the fixtures in play, and the time left in s; None if that is unknown.
+        reports: where the reports of the check are, by team.
     """
 
-    folder: Path
-
-    @property
-    def submissions(self) -> Path:
-        """Where submissions are, by hash."""
-        return self.folder / "submissions"
-
-    @property
-    def records(self) -> Path:
-        """Where the records are, by job."""
-        return self.folder / "records"
-
-    @property
-    def playing(self) -> Path:
-        """Where the records of matches are that are being played; what a killed run left there is worthless."""
-        return self.records / ".playing"
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.submissions = folder / "submissions"
+        self.records = folder / "records"
+        self.playing = self.records / ".playing"
+        self.progress = folder / "progress.json"
+        self.reports = folder / "checks"
 
     def record_of(self, job_id: str) -> Path:
         """Return the folder of a job's record."""
         return self.records / job_id
-
-    @property
-    def progress(self) -> Path:
-        """What a run leaves for `status`: the fixtures in play, and the time left in s; None if that is unknown."""
-        return self.folder / "progress.json"
-
-    @property
-    def reports(self) -> Path:
-        """Where the reports of the check are, by team."""
-        return self.folder / "checks"
 
     def report_folder(self, team: str, archive: str) -> Path:
         """Return the folder of the check's reports on a submission of a team."""
@@ -199,3 +194,28 @@ def data_file_error(path: Path, why: str) -> DiagnosticError:
     """Return the error that says that a file of the tournament's data cannot be used."""
     message = f"a file of the tournament's data cannot be used: {path}: {why}"
     return DiagnosticError(Diagnostic("data-file-missing", message, "put it back, or delete it and run again"))
+
+
+def trim_record(folder: Path, records: Records) -> None:
+    """Remove from a record that is complete what is not kept.
+
+    Raises:
+        OSError: something cannot be removed.
+    """
+    for name in _DROPPED[records]:
+        path = folder / name
+        if path.is_dir():
+            shutil.rmtree(path)
+        else:
+            path.unlink(missing_ok=True)
+
+
+def sizes(folder: Path) -> dict[str, int]:
+    """Return the size of each file of a record by its name, logs included: a record with others is damaged.
+
+    Raises:
+        OSError: it cannot be read.
+    """
+    return {
+        path.relative_to(folder).as_posix(): path.stat().st_size for path in sorted(folder.rglob("*")) if path.is_file()
+    }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from pathlib import Path
 
 from pydantic import ValidationError
@@ -19,13 +20,13 @@ from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, 
 from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES, parse_bytes
 from rcj_challenges.scenario.resources import names_in, shipped_scenarios, tournaments_folder
 from rcj_challenges.scenario.tree import Entries, Mark, Node, in_names, mark_of, plain
-from rcj_challenges.tournament.checks import check
+from rcj_challenges.tournament.checks import Checks
 from rcj_challenges.tournament.entries import TeamEntry, TeamLists
 from rcj_challenges.tournament.errors import TournamentFileError, did_you_mean, problem_at
 from rcj_challenges.tournament.models import Records
 from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo, ScenarioNames, ScenarioUse
 from rcj_challenges.tournament.season import Team
-from rcj_challenges.tournament.tournament_file import Tournament, scenario_uses
+from rcj_challenges.tournament.tournament_file import Tournament
 
 
 @dataclass(frozen=True)
@@ -50,7 +51,12 @@ class LoadedTournament:
 
     def teams(self) -> dict[str, Team]:
         """Return the teams as the file names them; a submission's own name is not known here."""
-        return {entry.id: Team(entry.id, entry.name or entry.id, entry.pot) for entry in self.entries.values()}
+        return {team: entry.team for team, entry in self.entries.items()}
+
+    @cached_property
+    def names(self) -> ScenarioNames:
+        """Finds the scenarios that it names."""
+        return ScenarioNames(self.tournament, self.path.parent)
 
     def records(self, stage: str) -> Records:
         """Return what is kept of the matches of a stage: ``full``, ``replay`` or ``result``."""
@@ -77,11 +83,11 @@ def load_tree(tree: Node, path: Path) -> LoadedTournament:
         TournamentFileError: everything that is wrong with it.
     """
     tournament, tree = _validated(tree)
-    folder = path.parent
-    lists = TeamLists(tournament, folder, tree)
+    names = ScenarioNames(tournament, path.parent)
+    lists = TeamLists(tournament, path.parent, tree)
     scenarios: dict[ScenarioUse, Loaded] = {}
     problems: list[Diagnostic] = []
-    for use, where in scenario_uses(tournament, folder).items():
+    for use, where in tournament.uses(names).items():
         try:
             scenarios[use] = load(use.source, use.overrides)
         except ScenarioError as error:
@@ -89,12 +95,12 @@ def load_tree(tree: Node, path: Path) -> LoadedTournament:
             problems += [_of_scenario(mark, in_names(tree, where), one) for one in error.diagnostics]
     entries = lists.entries()
     has_samples = any(entry.is_sample for entry in entries.values())
-    entries = lists.with_challenges(
-        entries, tournament.challenges, _samples(tournament, folder, scenarios) if has_samples else {}
-    )
+    samples = _samples(tournament, names, scenarios) if has_samples else {}
+    entries = lists.with_challenges(entries, tournament.challenges, samples)
+    teams = {team: entry.team for team, entry in entries.items()}
     infos = {use: _info(loaded.scenario) for use, loaded in scenarios.items()}
     problems += lists.problems
-    problems += check(tournament, entries, infos, tree, folder, are_teams_known=not lists.problems)
+    problems += Checks(tournament, teams, infos, tree, names, are_teams_known=not lists.problems).problems()
     if any(one.severity == "error" for one in problems):
         raise TournamentFileError(problems)
     return LoadedTournament(tournament, path.stem, path, entries, infos, tuple(problems))
@@ -148,10 +154,9 @@ def _validated(tree: Node) -> tuple[Tournament, Entries]:
 
 
 def _samples(
-    tournament: Tournament, folder: Path, scenarios: Mapping[ScenarioUse, Loaded]
+    tournament: Tournament, names: ScenarioNames, scenarios: Mapping[ScenarioUse, Loaded]
 ) -> dict[tuple[str, str], Path | None]:
     """Return the sample team for each challenge."""
-    names = ScenarioNames(tournament, folder)
     found: dict[tuple[str, str], Path | None] = {}
     for key, one in tournament.challenges.items():
         loaded = scenarios.get(names.use(one.scenario, one.set))

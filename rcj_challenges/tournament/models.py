@@ -114,6 +114,18 @@ class FromModel(StageModel):
         None, "which places of that stage (of each of its groups, if it has groups): 1 or 1-2; if omitted: all"
     )
 
+    def place_range(self, size: int) -> tuple[int, int]:
+        """Return the first and the last place that the stage takes from a table of ``size`` teams."""
+        if self.places is None:
+            return 1, size
+        first, _, last = str(self.places).partition("-")
+        return int(first), int(last or first)
+
+    def taken(self, size: int) -> range:
+        """Return those of the places that there are."""
+        first, last = self.place_range(size)
+        return range(first, min(last, size) + 1)
+
 
 class MatchesModel(FromModel):
     """What stages of matches have."""
@@ -184,18 +196,3 @@ class General(Strict):
         "the result only. `tournament rerun` recreates what is not kept",
     )
     time_zone: str = described("UTC", "time zone of all times in this file: Europe/Berlin", max_length=64)
-
-
-def place_range(places: int | str | None, size: int) -> tuple[int, int]:
-    """Return the first and the last place that a stage takes from a table of ``size`` teams.
-
-    Args:
-        places: as in the file.
-        size: number of teams of the table.
-    """
-    if places is None:
-        return 1, size
-    if isinstance(places, int):
-        return places, places
-    first, last = map(int, places.split("-"))
-    return first, last

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from functools import cached_property
 from pathlib import Path
 
+from rcj_challenges.submissions.team_name import safe_name
 from rcj_challenges.tournament.drawing import Drawn
 from rcj_challenges.tournament.engine import Season
+from rcj_challenges.tournament.entries import TeamEntry
 from rcj_challenges.tournament.load import LoadedTournament
 from rcj_challenges.tournament.played import RulingKind
-from rcj_challenges.tournament.season import Fixture, Outcome, Ruled, SeasonState, Team
+from rcj_challenges.tournament.season import Fixture, Outcome, Ruled, SeasonState, StageState, Team
 from rcj_challenges.tournament.seeds import derived_seed
 from rcj_challenges.tournament.store.store import PlayedFixture, Store
-from rcj_challenges.tournament.store.tables import RulingRow
-from rcj_challenges.tournament.team_names import display_names
+from rcj_challenges.tournament.store.tables import RulingRow, SubmissionRow
 
 _RULED = {
     RulingKind.FORFEIT: Ruled.FORFEIT,
@@ -32,6 +34,23 @@ def data_folder(loaded: LoadedTournament, given: Path | None) -> Path:
 def sides_of(fixture: Fixture) -> tuple[tuple[str, ...], ...]:
     """Return the team ids of each side."""
     return tuple([side.teams for side in fixture.sides])
+
+
+@dataclass(frozen=True, slots=True)
+class StageLeft:
+    """What is left of a stage.
+
+    Attributes:
+        stage: its name.
+        matches: that have no outcome yet.
+        more: that may be added: extra time, tie scenarios, the last matches of a best-of.
+        mean_s: simulated time of a match, in s.
+    """
+
+    stage: str
+    matches: int
+    more: int
+    mean_s: float
 
 
 @dataclass
@@ -141,6 +160,26 @@ class OpenTournament:
         )
         return derived_seed(fixture.seed, f"replay/{replays}") if replays else fixture.seed
 
+    def work_left(self, state: SeasonState) -> list[StageLeft]:
+        """Return what is left of each stage."""
+        durations_s = {(use.source, use.overrides): info.duration_s for use, info in self.loaded.scenarios.items()}
+        found = []
+        for stage in state.stages:
+            known = [durations_s[one.scenario, one.overrides] for one in stage.fixtures] or list(durations_s.values())
+            left = max(0, stage.expected_matches - sum(one.id in state.outcomes for one in stage.fixtures))
+            found.append(StageLeft(stage.name, left, self._more(stage), sum(known) / len(known)))
+        return found
+
+    def _more(self, stage: StageState) -> int:
+        drawn = self.loaded.tournament.drawn
+        least, most = self.loaded.tournament.stages[stage.name].matches_of_tie
+        most += drawn.extra_time is not None
+        if drawn.tie_scenario is not None:
+            use = self.loaded.names.use(drawn.tie_scenario.scenario, drawn.tie_scenario.set)
+            most += 2 if len(self.loaded.scenarios[use].seats) == 1 else 1  # each team by itself, or both together
+        ties = [tie for tie in stage.ties if not tie.winner and "bye" not in tie.sources]
+        return sum(max(0, most - max(least, len(tie.fixtures))) for tie in ties)
+
 
 def last_ruling(rulings: Sequence[RulingRow], fixture: str, team: str = "") -> RulingRow | None:
     """Return the last decision about a match, or with no match the last one about a team; None if there is none."""
@@ -192,3 +231,18 @@ def later_stages(loaded: LoadedTournament, stage: str) -> list[str]:
         if one.from_ in found:
             found.append(name)
     return found[1:]
+
+
+def display_names(
+    entries: Mapping[str, TeamEntry], submissions: Mapping[tuple[str, str], SubmissionRow]
+) -> dict[str, str]:
+    """Return what each team is called: as the file says, else as its submission, else its id.
+
+    Names that are equal without regard to case are followed by the team's id.
+    """
+    names = {}
+    for team, entry in entries.items():
+        row = submissions.get((team, ""))
+        names[team] = safe_name(entry.name or (row.name if row is not None else "")) or team
+    counts = Counter(name.casefold() for name in names.values())
+    return {team: name if counts[name.casefold()] == 1 else f"{name} ({team})" for team, name in names.items()}

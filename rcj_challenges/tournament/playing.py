@@ -10,8 +10,15 @@ from rcj_challenges.records.lines import json_line
 from rcj_challenges.records.run_record import read_run
 from rcj_challenges.scenario.load import Loaded
 from rcj_challenges.submissions.team import SuperTeam, Team, open_team
-from rcj_challenges.tournament.jobs import MatchJob, Program, Workplace, data_file_error, entrants_of
-from rcj_challenges.tournament.records import STATS, trim_record
+from rcj_challenges.tournament.jobs import (
+    STATS,
+    MatchJob,
+    Program,
+    Workplace,
+    data_file_error,
+    entrants_of,
+    trim_record,
+)
 from rcj_challenges.views.replay import write_replay
 from rcj_challenges.views.stats import run_stats, stats_as_json
 

@@ -8,9 +8,8 @@ from dataclasses import replace
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.records.result import deciding, versions
 from rcj_challenges.tournament.fixtures import JobMaker
-from rcj_challenges.tournament.jobs import Workplace
+from rcj_challenges.tournament.jobs import Workplace, sizes
 from rcj_challenges.tournament.opened import OpenTournament, later_stages, sides_of
-from rcj_challenges.tournament.records import sizes
 from rcj_challenges.tournament.season import Fixture, SeasonState
 from rcj_challenges.tournament.store.store import PlayedFixture, Store
 from rcj_challenges.tournament.store.tables import JobRow

@@ -5,8 +5,7 @@ from __future__ import annotations
 from datetime import UTC, datetime, timedelta, tzinfo
 from zoneinfo import ZoneInfo
 
-from rcj_challenges.tournament.models import StageModel
-from rcj_challenges.tournament.season import Fixture, SeasonState, StageState
+from rcj_challenges.tournament.season import SeasonState
 from rcj_challenges.tournament.tournament_file import Tournament
 
 _FORMAT = "%Y-%m-%d %H:%M"
@@ -35,7 +34,14 @@ def release_times(tournament: Tournament, state: SeasonState) -> dict[str, datet
     """
     found: dict[str, datetime] = {}
     for stage in state.stages:
-        found |= _of_stage(tournament, tournament.stages[stage.name], stage)
+        times = round_times(tournament, stage.name)
+        minutes_between = tournament.stages[stage.name].minutes_between
+        slots: dict[int, dict[str, int]] = {}
+        for fixture in stage.fixtures if times else ():
+            index = min(fixture.round, len(times)) - 1
+            own = slots.setdefault(index, {})
+            slot = own.setdefault(fixture.tie or fixture.id, len(own))
+            found[fixture.id] = times[index] + slot * timedelta(minutes=minutes_between)
     return found
 
 
@@ -45,21 +51,3 @@ def round_times(tournament: Tournament, stage: str) -> tuple[datetime, ...]:
     texts = (release,) if isinstance(release, str) else release or ()
     zone = ZoneInfo(tournament.time_zone)
     return tuple(moments_of(text, zone)[0] for text in texts)
-
-
-def _of_stage(tournament: Tournament, model: StageModel, stage: StageState) -> dict[str, datetime]:
-    times = round_times(tournament, stage.name)
-    if not times:
-        return {}
-    found: dict[str, datetime] = {}
-    slots: dict[int, dict[str, int]] = {}
-    for fixture in stage.fixtures:
-        index = min(fixture.round, len(times)) - 1
-        own = slots.setdefault(index, {})
-        slot = own.setdefault(_slot(fixture), len(own))
-        found[fixture.id] = times[index] + slot * timedelta(minutes=model.minutes_between)
-    return found
-
-
-def _slot(fixture: Fixture) -> str:
-    return fixture.tie or fixture.id

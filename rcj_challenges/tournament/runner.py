@@ -19,14 +19,12 @@ from rcj_challenges.records.lines import json_line
 from rcj_challenges.records.result import has_time_fault
 from rcj_challenges.tournament.executor import Executor, JobOutcome
 from rcj_challenges.tournament.fixtures import JobMaker, outcome_of, summary_of
-from rcj_challenges.tournament.jobs import MatchJob, Workplace
+from rcj_challenges.tournament.jobs import MatchJob, Workplace, sizes
 from rcj_challenges.tournament.opened import OpenTournament, sides_of
 from rcj_challenges.tournament.reconcile import has_whole_record
-from rcj_challenges.tournament.records import sizes
 from rcj_challenges.tournament.scenarios import ScenarioUse
 from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, SeasonState
 from rcj_challenges.tournament.store.store import PlayedFixture
-from rcj_challenges.tournament.workload import work_left
 
 _WAITING_PER_LANE = 1
 """Jobs that wait in the executor, so that no lane is idle while a result is written."""
@@ -120,7 +118,8 @@ class Runner:
             DiagnosticError: this computer cannot go on; what was played until then is kept.
             KeyboardInterrupt: it was interrupted; the same.
         """
-        self._remove_left_overs()
+        with suppress(OSError):  # of a run that was killed
+            shutil.rmtree(self._place.playing)
         self._played = self.tournament.store.played()
         self._rows = self.tournament.store.jobs()
         self._recompute()
@@ -245,7 +244,7 @@ class Runner:
         left = max(expected - done, len(self._open) + len(self._tasks) + len(self._alone))
         left_s = None
         if self._planned_s:
-            work = work_left(self.tournament.loaded, self._state)
+            work = self.tournament.work_left(self._state)
             mean_s = sum(one.matches * one.mean_s for one in work) / max(1, sum(one.matches for one in work))
             left_s = self._wall_s / self._planned_s * mean_s * left / self.executor.lanes
         return Progress(self._state, done, running, left, left_s)
@@ -264,10 +263,6 @@ class Runner:
     @property
     def _place(self) -> Workplace:
         return self.tournament.store.place
-
-    def _remove_left_overs(self) -> None:
-        with suppress(OSError):
-            shutil.rmtree(self._place.playing)
 
 
 def _is_challenge(fixture: Fixture) -> bool:

@@ -8,9 +8,9 @@ from rcj_challenges.scenario.tree import plain
 from rcj_challenges.tournament.engine import Season
 from rcj_challenges.tournament.entries import TeamEntry
 from rcj_challenges.tournament.load import LoadedTournament
-from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo
+from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo, ScenarioNames
 from rcj_challenges.tournament.season import FixtureKind, Outcome, Team
-from rcj_challenges.tournament.tournament_file import Tournament, scenario_uses
+from rcj_challenges.tournament.tournament_file import Tournament
 
 FOLDER = Path("here")
 SOLO = ("shooter", "slalom")
@@ -33,7 +33,7 @@ def loaded(stages, teams, head=""):
     tournament = Tournament.model_validate(plain(parse_text(text, "t.yaml")))
     pots = teams if isinstance(teams, dict) else dict.fromkeys(teams, 0)
     entries = {team: TeamEntry(team, FOLDER / team, None, pot) for team, pot in pots.items()}
-    infos = {use: info(Path(use.source).name) for use in scenario_uses(tournament, FOLDER)}
+    infos = {use: info(Path(use.source).name) for use in tournament.uses(ScenarioNames(tournament, FOLDER))}
     return LoadedTournament(tournament, "t", FOLDER / "t.yaml", entries, infos)
 
 

@@ -4,6 +4,7 @@ import os
 import signal
 import sys
 import time
+from pathlib import Path
 
 import pytest
 
@@ -93,14 +94,14 @@ def test_a_worker_that_has_finished_its_match_and_left_keeps_its_result(tmp_path
 
 def test_an_address_without_a_cluster_is_refused():
     with pytest.raises(DiagnosticError) as error:
-        ClusterExecutor(Workplace("data"), "nowhere://x", {}, False, print)
+        ClusterExecutor(Workplace(Path("data")), "nowhere://x", {}, False, print)
     assert code_of(error) == "cluster-unreachable"
 
 
 def test_without_dask_the_error_explains_how_to_install_it(monkeypatch):
     monkeypatch.setitem(sys.modules, "distributed", None)
     with pytest.raises(DiagnosticError) as error:
-        ClusterExecutor(Workplace("data"), "tcp://127.0.0.1:1", {}, False, print)
+        ClusterExecutor(Workplace(Path("data")), "tcp://127.0.0.1:1", {}, False, print)
     assert code_of(error) == "cluster-missing"
 
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rcj_challenges.tournament.formats.circle import pairings
+from rcj_challenges.tournament.formats.groups import pairings
 from tests.tournament.seasons import FOLDER, by_strength, names, order, play, season, stage
 
 

@@ -3,8 +3,7 @@
 import pytest
 
 from rcj_challenges.core.diagnostics import DiagnosticError
-from rcj_challenges.tournament.played import RulingKind
-from rcj_challenges.tournament.reading import read_played
+from rcj_challenges.tournament.played import RulingKind, read_played
 from rcj_challenges.tournament.rulings import decide, withdraw
 from rcj_challenges.tournament.season import Ruled, Status
 from tests.tournament.store_helpers import LEAGUE, Home, code_of

@@ -9,7 +9,7 @@ from sqlalchemy import create_engine, delete, text, update
 
 from rcj_challenges.core.diagnostics import DiagnosticError
 from rcj_challenges.records.folder import utc_now
-from rcj_challenges.tournament.reading import read_played
+from rcj_challenges.tournament.played import read_played
 from rcj_challenges.tournament.season import Outcome
 from rcj_challenges.tournament.store.lock import is_locked
 from rcj_challenges.tournament.store.store import STORE_FILE, Store

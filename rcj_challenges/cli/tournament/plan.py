@@ -86,10 +86,8 @@ def _range(least: float, most: float, digits: int = 0) -> str:
 
 def estimate(tournament: OpenTournament, state: SeasonState) -> Cost:
     """Cost of the matches that have no outcome yet."""
-    from rcj_challenges.tournament.workload import work_left
-
     simulated_s = more_s = disk_bytes = 0.0
-    left = work_left(tournament.loaded, state)
+    left = tournament.work_left(state)
     for one in left:
         records = tournament.loaded.records(one.stage)
         simulated_s += one.matches * one.mean_s

@@ -32,7 +32,7 @@ def rerun(
 ) -> int:
     """Play matches again to recreate parts of their records that were not kept; the results stay the same."""
     from rcj_challenges.tournament.executor import LocalExecutor
-    from rcj_challenges.tournament.records import sizes
+    from rcj_challenges.tournament.jobs import sizes
     from rcj_challenges.tournament.runner import keep_record
     from rcj_challenges.tournament.verify import verify_all
 

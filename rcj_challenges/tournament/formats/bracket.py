@@ -9,7 +9,7 @@ from typing import Literal
 from rcj_challenges.rules.fields import described
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
 from rcj_challenges.tournament.formats.stage import Intake, MatchFormat, StageProblem, StageSize
-from rcj_challenges.tournament.formats.tie import play_tie
+from rcj_challenges.tournament.formats.tie import TieGame
 from rcj_challenges.tournament.season import Fixture, FixtureKind, Row, StageState, Status, Tie
 from rcj_challenges.tournament.seeds import shuffled
 from rcj_challenges.tournament.standings import tally
@@ -173,8 +173,8 @@ class Bracket:
             title = f"{self.context.title(self.stage)}, {tie.title}"
             # The team above begins on the first seat in every other round.
             pair = (one, two) if round_ % 2 else (two, one)
-            legs, best_of = self.stage.legs, self.stage.best_of
-            result = play_tie(self.context, self.stage, path, pair, round_, title, legs=legs, best_of=best_of)
+            game = TieGame(self.context, self.stage, path, pair, round_, title)
+            result = game.result(self.stage.legs, self.stage.best_of)
             self.fixtures += result.fixtures
             scores = result.scores if pair == (one, two) or result.scores is None else result.scores[::-1]
             tie = replace(

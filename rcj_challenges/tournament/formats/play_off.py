@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from rcj_challenges.tournament.formats.circle import pairings
 from rcj_challenges.tournament.formats.context import StageContext
-from rcj_challenges.tournament.formats.tie import play_tie
+from rcj_challenges.tournament.formats.groups import pairings
+from rcj_challenges.tournament.formats.tie import TieGame
 from rcj_challenges.tournament.models import MatchesModel
 from rcj_challenges.tournament.season import Fixture, Row, Table, humanized
 from rcj_challenges.tournament.standings import table
@@ -49,7 +49,7 @@ def _play(
     path = f"{group}/play_off{place}" if group else f"play_off{place}"
     title = f"{f'Group {humanized(group)}, play-off' if group else 'Play-off'} for place {place}"
     if len(teams) == 2:
-        tie = play_tie(context, stage, path, (teams[0], teams[1]), round_, title, group)
+        tie = TieGame(context, stage, path, (teams[0], teams[1]), round_, title, group).result()
         if tie.decided_by and not tie.winner:
             return list(level), tie.fixtures
         order = {team: 0 if team == tie.winner else 1 for team in teams} if tie.winner else {}

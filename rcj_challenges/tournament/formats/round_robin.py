@@ -10,9 +10,8 @@ from pydantic import Field
 from rcj_challenges.rules.fields import Name, described
 from rcj_challenges.scenario.errors import listing
 from rcj_challenges.tournament.drawing import Rounds, add_to_rounds, drawn_before, turn_pairs
-from rcj_challenges.tournament.formats.circle import all_meet, pairings
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
-from rcj_challenges.tournament.formats.groups import group_names, groups_of
+from rcj_challenges.tournament.formats.groups import all_meet, group_names, groups_of, pairings
 from rcj_challenges.tournament.formats.play_off import play_offs
 from rcj_challenges.tournament.formats.stage import Intake, LeagueFormat, StageProblem, StageSize, listed_problems
 from rcj_challenges.tournament.models import LostBy, TeamId

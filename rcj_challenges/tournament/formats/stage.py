@@ -18,6 +18,8 @@ from rcj_challenges.tournament.models import ChallengeScenario, FromModel, Match
 from rcj_challenges.tournament.scenarios import ScenarioInfo, ScenarioNames, ScenarioUse
 from rcj_challenges.tournament.season import StageState, Status
 
+Severity = Literal["error", "warning"]
+
 
 @dataclass(frozen=True, slots=True)
 class StageSize:
@@ -70,7 +72,7 @@ class StageProblem:
     code: str
     message: str
     help: str
-    severity: Literal["error", "warning"] = "error"
+    severity: Severity = "error"
 
 
 class Format(FromModel, ABC):

@@ -6,8 +6,8 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.tournament.formats.circle import all_meet, pairings
 from rcj_challenges.tournament.formats.context import Entrant, StageContext
+from rcj_challenges.tournament.formats.groups import all_meet, pairings
 from rcj_challenges.tournament.formats.stage import Intake, MatchFormat, StageProblem, StageSize, listed_problems
 from rcj_challenges.tournament.models import TeamId
 from rcj_challenges.tournament.scenarios import ScenarioInfo

@@ -27,46 +27,29 @@ class TieResult:
     decided_by: str = ""
 
 
-def play_tie(
-    context: StageContext,
-    stage: MatchesModel,
-    path: str,
-    teams: tuple[str, str],
-    round_: int,
-    title: str,
-    group: str = "",
-    *,
-    legs: int = 1,
-    best_of: int = 1,
-) -> TieResult:
-    """Return how far a tie is.
+@dataclass
+class TieGame:
+    """A tie in the middle of being played.
 
-    Args:
-        context: the stage.
-        stage: its model.
+    Attributes:
         path: of the tie within the stage.
         teams: the first one begins on the first seat.
-        round_: of its fixtures.
-        title: of its fixtures.
-        group: of its fixtures.
-        legs: matches whose scores are added up.
-        best_of: matches of which most must be won; 1: the legs decide.
+        round_, title, group: of its fixtures.
     """
-    tie = _Tie(context, stage, path, teams, round_, title, group)
-    return tie.by_forfeit(tie.best_of(best_of) if best_of > 1 else tie.legs(legs))
 
-
-@dataclass
-class _Tie:
     context: StageContext
     stage: MatchesModel
     path: str
     teams: tuple[str, str]
     round_: int
     title: str
-    group: str
+    group: str = ""
 
-    def legs(self, count: int) -> TieResult:
+    def result(self, legs: int = 1, best_of: int = 1) -> TieResult:
+        """Return how far the tie is: by so many legs, or with ``best_of`` by the majority of so many matches."""
+        return self._by_forfeit(self._best_of(best_of) if best_of > 1 else self._legs(legs))
+
+    def _legs(self, count: int) -> TieResult:
         fixtures = [self._match("leg", number, count) for number in range(1, count + 1)]
         outcomes = [found for one in fixtures if (found := self.context.outcomes.get(one.id)) is not None]
         result = TieResult(fixtures, self._sum(fixtures))
@@ -74,7 +57,7 @@ class _Tie:
             return self._decided(result, outcomes) or self._extra_time(result, changed=count % 2 == 1)
         return result
 
-    def best_of(self, count: int) -> TieResult:
+    def _best_of(self, count: int) -> TieResult:
         needed = count // 2 + 1
         result = TieResult()
         wins = [0, 0]
@@ -92,7 +75,7 @@ class _Tie:
         outcomes = [self.context.outcomes[one.id] for one in result.fixtures]
         return self._decided(result, outcomes) or self._extra_time(result, changed=False, counts_wins=True)
 
-    def by_forfeit(self, result: TieResult) -> TieResult:
+    def _by_forfeit(self, result: TieResult) -> TieResult:
         """Let the opponent of a team that has left advance, if the tie is not decided yet.
 
         One that has left itself has advanced if it was drawn for a later round before.
@@ -107,16 +90,24 @@ class _Tie:
     def _match(self, word: str, number: int, count: int) -> Fixture:
         pair = self.teams if number % 2 else self.teams[::-1]
         title = f"{self.title}, {word} {number}" if count > 1 else self.title
+        use = self.context.names.of_matches(self.stage)
+        return self._fixture(f"{word}{number}", pair, use, title, FixtureKind.MATCH, number)
+
+    def _fixture(
+        self,
+        name: str,
+        teams: tuple[str, ...],
+        use: ScenarioUse,
+        title: str,
+        kind: FixtureKind,
+        leg: int,
+        seed_path: str = "",
+    ) -> Fixture:
+        """Return a fixture of this tie, in which each of the teams has a side."""
         return self.context.fixture(
-            f"{self.path}/{word}{number}/{pair[0]}-{pair[1]}",
-            self.context.names.of_matches(self.stage),
-            ((pair[0],), (pair[1],)),
-            self.round_,
-            title,
-            group=self.group,
-            tie=f"{self.context.name}/{self.path}",
-            leg=number,
-        )
+            f"{self.path}/{name}/{'-'.join(teams)}", use, [(team,) for team in teams], self.round_, title,
+            kind=kind, group=self.group, tie=f"{self.context.name}/{self.path}", leg=leg, seed_path=seed_path,
+        )  # fmt: skip
 
     def _scores(self, fixture: Fixture) -> tuple[float, float]:
         """Return the scores of a fixture in the order of the tie's teams; an annulled one is 0:0."""
@@ -153,17 +144,9 @@ class _Tie:
         if self.context.tournament.drawn.extra_time is None:
             return self._tie_scenario(result)
         pair = self.teams[::-1] if changed else self.teams
-        fixture = self.context.fixture(
-            f"{self.path}/extra_time/{pair[0]}-{pair[1]}",
-            self.context.names.with_extra_time(self.context.names.of_matches(self.stage)),
-            ((pair[0],), (pair[1],)),
-            self.round_,
-            f"{self.title}, extra time",
-            kind=FixtureKind.EXTRA_TIME,
-            group=self.group,
-            tie=f"{self.context.name}/{self.path}",
-            leg=len(result.fixtures) + 1,
-        )
+        use = self.context.names.with_extra_time(self.context.names.of_matches(self.stage))
+        title, leg = f"{self.title}, extra time", len(result.fixtures) + 1
+        fixture = self._fixture("extra_time", pair, use, title, FixtureKind.EXTRA_TIME, leg)
         result.fixtures.append(fixture)
         outcome = self.context.outcomes.get(fixture.id)
         if outcome is None:
@@ -181,26 +164,15 @@ class _Tie:
         if tie is not None:
             use = self.context.names.use(tie.scenario, tie.set)
             is_alone = len(self.context.scenarios[use].seats) == 1
-            sides = [((team,),) for team in self.teams] if is_alone else [tuple((team,) for team in self.teams)]
+            title, leg, seed_path = f"{self.title}, tie scenario", len(result.fixtures) + 1, f"{self.path}/tie_scenario"
             fixtures = [
-                self.context.fixture(
-                    f"{self.path}/tie_scenario/{'-'.join(side[0] for side in one)}",
-                    use,
-                    one,
-                    self.round_,
-                    f"{self.title}, tie scenario",
-                    kind=FixtureKind.TIE_SCENARIO,
-                    group=self.group,
-                    tie=f"{self.context.name}/{self.path}",
-                    leg=len(result.fixtures) + 1,
-                    seed_path=f"{self.path}/tie_scenario",
-                )
-                for one in sides
+                self._fixture("tie_scenario", teams, use, title, FixtureKind.TIE_SCENARIO, leg, seed_path)
+                for teams in ([(team,) for team in self.teams] if is_alone else [self.teams])
             ]
             result.fixtures += fixtures
             if not self.context.are_decided(fixtures):
                 return result
-            if winner := self._best(fixtures, is_alone=is_alone):
+            if winner := self._better(fixtures, is_alone=is_alone):
                 result.winner, result.decided_by = winner, "tie_scenario"
                 return result
             if decided := self._decided(result, [self.context.outcomes[one.id] for one in fixtures]):
@@ -209,7 +181,7 @@ class _Tie:
         result.decided_by = "lot"
         return result
 
-    def _best(self, fixtures: list[Fixture], *, is_alone: bool) -> str:
+    def _better(self, fixtures: list[Fixture], *, is_alone: bool) -> str:
         """Return the team that was better in the tie scenario; empty if they are level."""
         if not is_alone:
             one, other = self._scores(fixtures[0])

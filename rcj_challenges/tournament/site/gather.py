@@ -8,7 +8,7 @@ from zoneinfo import ZoneInfo
 
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.tournament.opened import OpenTournament
-from rcj_challenges.tournament.reading import read_played
+from rcj_challenges.tournament.played import read_played
 from rcj_challenges.tournament.release import release_times, round_times
 from rcj_challenges.tournament.site.source import RoundTime, SiteSource, hidden_fixtures
 from rcj_challenges.tournament.tournament_file import Tournament

@@ -15,7 +15,7 @@ from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import REPLAY, TRAJECTORY
 from rcj_challenges.records.reflog import PROGRAM_FAULT
-from rcj_challenges.tournament.records import STATS
+from rcj_challenges.tournament.jobs import STATS
 from rcj_challenges.tournament.site.model import MatchView, Season
 from rcj_challenges.tournament.site.plots import score_plot
 from rcj_challenges.tournament.site.public import (

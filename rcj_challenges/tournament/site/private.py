@@ -16,7 +16,7 @@ from rcj_challenges.core.files import slug
 from rcj_challenges.records.errors import RecordError
 from rcj_challenges.records.folder import LOGS, REPLAY, SCENARIO
 from rcj_challenges.records.sensors import DAMAGE, read_sensors
-from rcj_challenges.tournament.records import sizes
+from rcj_challenges.tournament.jobs import sizes
 from rcj_challenges.tournament.season import Side
 from rcj_challenges.tournament.site.model import MatchView, Season, driver, team_faults
 from rcj_challenges.tournament.site.public import public_facts, read_replay

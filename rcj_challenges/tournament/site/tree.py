@@ -12,7 +12,6 @@ import shutil
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path, PurePosixPath
-from types import TracebackType
 from typing import Any, Self
 
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
@@ -71,9 +70,7 @@ class Tree:
             self._known = known if isinstance(known, dict) else {}
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    def __exit__(self, kind: object, error: object, trace: object) -> None:
         if error is not None:
             shutil.rmtree(self._new, ignore_errors=True)
             return

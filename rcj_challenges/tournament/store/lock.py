@@ -5,8 +5,6 @@ from __future__ import annotations
 import os
 from contextlib import suppress
 from pathlib import Path
-from types import TracebackType
-from typing import Self
 
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.core.files import try_lock
@@ -16,7 +14,7 @@ _MAX_PID_BYTES = 32
 
 
 class WriterLock:
-    """Held by the one command that writes to a store; a context manager."""
+    """Held by the one command that writes to a store."""
 
     def __init__(self, folder: Path) -> None:
         """Take the lock.
@@ -47,14 +45,6 @@ class WriterLock:
         if self._fd >= 0:
             os.close(self._fd)
             self._fd = -1
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
 
 
 def is_locked(folder: Path) -> bool:

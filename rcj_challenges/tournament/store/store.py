@@ -11,27 +11,9 @@ from datetime import datetime
 from pathlib import Path
 from shutil import copyfile
 from tempfile import TemporaryDirectory
-from types import TracebackType
 from typing import Any, Self, TypeVar
 
-from sqlalchemy import (
-    Column,
-    Connection,
-    Engine,
-    String,
-    Table,
-    and_,
-    bindparam,
-    cast,
-    create_engine,
-    delete,
-    event,
-    insert,
-    inspect,
-    literal,
-    select,
-    update,
-)
+import sqlalchemy as sa
 from sqlalchemy.exc import DatabaseError
 from sqlalchemy.pool import StaticPool
 
@@ -106,7 +88,7 @@ class Store:
         with ExitStack() as stack:
             if writing:
                 self._make_folders()
-                stack.enter_context(WriterLock(folder))
+                stack.callback(WriterLock(folder).close)
             self._engine = self._made_engine(self._path, writing=writing)
             stack.callback(lambda: self._engine.dispose())  # noqa: PLW0108 - a reader may replace it
             try:
@@ -121,9 +103,7 @@ class Store:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self._stack.close()
 
     # --- submissions --------------------------------------------------------------------------------------------------
@@ -131,7 +111,7 @@ class Store:
     def add_submission(self, **columns: str) -> None:
         """Note that a team has handed in something else than before; the columns are those of `SubmissionRow`."""
         with self.transaction() as connection:
-            connection.execute(insert(SUBMISSION).values(columns | {"received_at": self.now()}))
+            connection.execute(sa.insert(SUBMISSION).values(columns | {"received_at": self.now()}))
 
     def submissions(self) -> list[SubmissionRow]:
         """Return all submissions, oldest first."""
@@ -154,7 +134,7 @@ class Store:
 
     def played(self) -> dict[str, PlayedFixture]:
         """Return the job that counts, by fixture."""
-        columns = select(PLAYED.c.fixture, PLAYED.c.job_id, PLAYED.c.sides, cast(PLAYED.c.outcome, String))
+        columns = sa.select(PLAYED.c.fixture, PLAYED.c.job_id, PLAYED.c.sides, sa.cast(PLAYED.c.outcome, sa.String))
         with self.transaction() as connection:
             rows = connection.execute(columns).all()
             outcomes = json.loads(f"[{','.join(outcome for *_, outcome in rows)}]")  # ten times as fast as one by one
@@ -179,9 +159,9 @@ class Store:
 
     def latest_fixtures(self, count: int) -> list[str]:
         """Return the fixtures that were played last, the newest first."""
-        query = select(PLAYED.c.fixture).order_by(PLAYED.c.played_at.desc(), PLAYED.c.fixture).limit(count)
-        with self.transaction() as connection:
-            return list(connection.scalars(query))
+        return self._texts(
+            sa.select(PLAYED.c.fixture).order_by(PLAYED.c.played_at.desc(), PLAYED.c.fixture).limit(count)
+        )
 
     def failed_submissions(self) -> dict[str, str]:
         """Return why submissions that would play now fail the check, by team."""
@@ -195,19 +175,17 @@ class Store:
 
     def doubtful_fixtures(self) -> list[str]:
         """Return the fixtures for which doubtful jobs count."""
-        query = select(PLAYED.c.fixture).join_from(PLAYED, JOB).where(JOB.c.doubtful).order_by(PLAYED.c.fixture)
-        with self.transaction() as connection:
-            return list(connection.scalars(query))
+        return self._texts(
+            sa.select(PLAYED.c.fixture).join_from(PLAYED, JOB).where(JOB.c.doubtful).order_by(PLAYED.c.fixture)
+        )
 
     def complaints(self) -> list[str]:
         """Return why jobs could not be played, oldest first."""
-        query = select(JOB.c.complaint).where(JOB.c.state == "failed").order_by(JOB.c.ended_at)
-        with self.transaction() as connection:
-            return list(connection.scalars(query))
+        return self._texts(sa.select(JOB.c.complaint).where(JOB.c.state == "failed").order_by(JOB.c.ended_at))
 
     def summaries(self) -> dict[str, dict[str, Any]]:
         """Return the summary of each match that was played, by fixture."""
-        query = select(PLAYED.c.fixture, JOB.c.summary).join_from(PLAYED, JOB)
+        query = sa.select(PLAYED.c.fixture, JOB.c.summary).join_from(PLAYED, JOB)
         with self.transaction() as connection:
             return {row.fixture: row.summary for row in connection.execute(query)}
 
@@ -232,7 +210,7 @@ class Store:
     def note_files(self, job_id: str, files: Mapping[str, int]) -> None:
         """Note what the record of a job holds now."""
         with self.transaction() as connection:
-            connection.execute(update(JOB).where(JOB.c.id == job_id).values(files=dict(files)))
+            connection.execute(sa.update(JOB).where(JOB.c.id == job_id).values(files=dict(files)))
 
     def count_job(self, row: JobRow, counts_for: Iterable[tuple[Fixture, Outcome]]) -> None:
         """Let a job that was played before count for fixtures too."""
@@ -249,13 +227,13 @@ class Store:
     def has_begun(self) -> bool:
         """Return whether anything was played or decided."""
         with self.transaction() as connection:
-            rows = [connection.execute(select(table).limit(1)).first() for table in (PLAYED, RULING)]
+            rows = [connection.execute(sa.select(table).limit(1)).first() for table in (PLAYED, RULING)]
         return any(row is not None for row in rows)
 
     def drawn(self) -> dict[str, Any] | None:
         """Return what was drawn, a `Drawn` as a dict; None if nothing is kept."""
         with self.transaction() as connection:
-            kept = connection.scalar(select(META.c.value).where(META.c.key == _DRAWN_KEY))
+            kept = connection.scalar(sa.select(META.c.value).where(META.c.key == _DRAWN_KEY))
         return None if kept is None else json.loads(kept)
 
     def keep_drawn(self, drawn: Mapping[str, Any], moved: Mapping[str, str] | None = None) -> None:
@@ -269,10 +247,10 @@ class Store:
             _put(connection, META, key=_DRAWN_KEY, value=json.dumps(drawn))
             _forget(connection, moved or ())
             for fixture, before in (moved or {}).items():
-                connection.execute(update(PLAYED).where(PLAYED.c.fixture == before).values(fixture=fixture))
-                columns = {name: RULING.c[name] for name in RulingRow._fields} | {"fixture": literal(fixture)}
-                rows = select(*columns.values()).where(RULING.c.fixture == before).order_by(RULING.c.id)
-                connection.execute(insert(RULING).from_select(list(columns), rows))
+                connection.execute(sa.update(PLAYED).where(PLAYED.c.fixture == before).values(fixture=fixture))
+                columns = {name: RULING.c[name] for name in RulingRow._fields} | {"fixture": sa.literal(fixture)}
+                rows = sa.select(*columns.values()).where(RULING.c.fixture == before).order_by(RULING.c.id)
+                connection.execute(sa.insert(RULING).from_select(list(columns), rows))
 
     # --- rulings ------------------------------------------------------------------------------------------------------
 
@@ -284,7 +262,7 @@ class Store:
             forget: the fixtures.
         """
         with self.transaction() as connection:
-            connection.execute(insert(RULING).values(ruling._asdict()))
+            connection.execute(sa.insert(RULING).values(ruling._asdict()))
             _forget(connection, forget)
 
     def rulings(self) -> list[RulingRow]:
@@ -293,10 +271,14 @@ class Store:
 
     # --- parts --------------------------------------------------------------------------------------------------------
 
-    def _rows(self, table: Table, kind: type[_Row], *order: Column[Any]) -> list[_Row]:
+    def _texts(self, query: sa.Select[tuple[str]]) -> list[str]:
+        with self.transaction() as connection:
+            return list(connection.scalars(query))
+
+    def _rows(self, table: sa.Table, kind: type[_Row], *order: sa.Column[Any]) -> list[_Row]:
         columns = [table.c[name] for name in kind._fields]
         with self.transaction() as connection:
-            return [kind(*row) for row in connection.execute(select(*columns).order_by(*order))]
+            return [kind(*row) for row in connection.execute(sa.select(*columns).order_by(*order))]
 
     def _make_folders(self) -> None:
         try:
@@ -305,12 +287,12 @@ class Store:
         except OSError as error:
             raise _unwritable(self.place.folder, format_error(error)) from error
 
-    def _made_engine(self, path: Path, *, writing: bool) -> Engine:
+    def _made_engine(self, path: Path, *, writing: bool) -> sa.Engine:
         if not writing and not path.exists():  # nothing was played yet
             return _empty_engine()
-        engine = create_engine(f"sqlite:///{path}", connect_args={"timeout": _BUSY_S})
+        engine = sa.create_engine(f"sqlite:///{path}", connect_args={"timeout": _BUSY_S})
 
-        @event.listens_for(engine, "connect")
+        @sa.event.listens_for(engine, "connect")
         def _set_up(connection: sqlite3.Connection, _record: object) -> None:
             cursor = connection.cursor()
             if writing:
@@ -362,22 +344,22 @@ class Store:
                 _put(connection, META, key=_VERSION_KEY, value=str(STORE_VERSION))
             return
         with self._engine.connect() as connection:
-            version = connection.scalar(select(META.c.value).where(META.c.key == _VERSION_KEY))
+            version = connection.scalar(sa.select(META.c.value).where(META.c.key == _VERSION_KEY))
         if version != str(STORE_VERSION):
             raise _other_version(self._path, version or "none")
 
     def _is_new(self) -> bool:
         """Return whether there is nothing in it: no table yet, or empty ones because its making was interrupted."""
-        found = set(inspect(self._engine).get_table_names())
+        found = set(sa.inspect(self._engine).get_table_names())
         with self._engine.connect() as connection:
             return found <= METADATA.tables.keys() and all(
-                connection.execute(select(table).limit(1)).first() is None
+                connection.execute(sa.select(table).limit(1)).first() is None
                 for name, table in METADATA.tables.items()
                 if name in found
             )
 
     @contextmanager
-    def transaction(self) -> Iterator[Connection]:
+    def transaction(self) -> Iterator[sa.Connection]:
         """Return a connection whose changes are all kept, or none if the block fails.
 
         Raises:
@@ -406,18 +388,20 @@ class Store:
             raise _damaged(self._path, str(error)) from error
 
 
-def _empty_engine() -> Engine:
-    return create_engine("sqlite://", poolclass=StaticPool)
+def _empty_engine() -> sa.Engine:
+    return sa.create_engine("sqlite://", poolclass=StaticPool)
 
 
-def _put(connection: Connection, table: Table, **columns: Any) -> None:
+def _put(connection: sa.Connection, table: sa.Table, **columns: Any) -> None:
     """Write a row in the place of one with the same key, if there is one."""
-    is_it = and_(*(column == columns[column.name] for column in table.primary_key))
-    if not connection.execute(update(table).where(is_it).values(columns)).rowcount:
-        connection.execute(insert(table).values(columns))
+    is_same_key = sa.and_(*(column == columns[column.name] for column in table.primary_key))
+    if not connection.execute(sa.update(table).where(is_same_key).values(columns)).rowcount:
+        connection.execute(sa.insert(table).values(columns))
 
 
-def _count(connection: Connection, job: MatchJob, counts_for: Iterable[tuple[Fixture, Outcome]], at: datetime) -> None:
+def _count(
+    connection: sa.Connection, job: MatchJob, counts_for: Iterable[tuple[Fixture, Outcome]], at: datetime
+) -> None:
     for fixture, outcome in counts_for:
         archives = {
             team: program.archive
@@ -429,10 +413,10 @@ def _count(connection: Connection, job: MatchJob, counts_for: Iterable[tuple[Fix
         _put(connection, PLAYED, **row._asdict())
 
 
-def _forget(connection: Connection, fixtures: Iterable[str]) -> None:
+def _forget(connection: sa.Connection, fixtures: Iterable[str]) -> None:
     forgotten = [{"one": fixture} for fixture in fixtures]
     if forgotten:
-        connection.execute(delete(PLAYED).where(PLAYED.c.fixture == bindparam("one")), forgotten)
+        connection.execute(sa.delete(PLAYED).where(PLAYED.c.fixture == sa.bindparam("one")), forgotten)
 
 
 def _damaged(path: Path, said: str) -> DiagnosticError:
