@@ -13,7 +13,7 @@ from rcj_challenges.tournament.load import load_tournament
 from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.played import RulingKind
 from rcj_challenges.tournament.rulings import decide, withdraw
-from rcj_challenges.tournament.site.gather import site_source
+from rcj_challenges.tournament.site.source import site_source
 from rcj_challenges.tournament.store.store import Store
 
 NOW = datetime(2026, 6, 26, 18, 0, tzinfo=UTC)

@@ -7,8 +7,7 @@ Two audiences, two folders. The site is for everyone: players are minors, so not
 their tracebacks is in it, and faults appear by kind only. ``for_teams/ID`` is for one team.
 """
 
-from rcj_challenges.tournament.site.gather import site_source
 from rcj_challenges.tournament.site.publishing import Published, publish
-from rcj_challenges.tournament.site.source import RoundTime, SiteSource, hidden_fixtures
+from rcj_challenges.tournament.site.source import RoundTime, SiteSource, hidden_fixtures, site_source
 
 __all__ = ["Published", "RoundTime", "SiteSource", "hidden_fixtures", "publish", "site_source"]

@@ -112,9 +112,10 @@ def _write(tree: Tree, renderer: Renderer, season: Season, match: MatchView, fol
     if stats is not None:
         tree.write(f"{folder}/{STATS}", _json(stats))
         downloads.append((STATS, "statistics, JSON"))
-    page = renderer.page(
-        "match.html",
+    renderer.write(
+        tree,
         f"{folder}/index.html",
+        "match.html",
         match=match,
         moments=moments(replay, result),
         plot=_plot(season, match, replay),
@@ -125,7 +126,6 @@ def _write(tree: Tree, renderer: Renderer, season: Season, match: MatchView, fol
         halves=_halves(match, result),
         faults=_faults(season, match, result),
     )
-    tree.write(f"{folder}/index.html", page)
 
 
 def _json(value: Any) -> str:
@@ -212,11 +212,9 @@ def _plot(season: Season, match: MatchView, replay: ReplayData | None) -> Markup
     seats = [side.seat for side in match.fixture.sides]
     halves = []
     for half in replay.facts["halves"]:
-        changes = [(0.0, [half["scores"].get(seat, 0) for seat in seats])]
-        changes += [
-            (s_from_ticks(tick), [scores.get(seat, 0) for seat in seats]) for tick, scores in half["score_changes"]
-        ]
-        halves.append((s_from_ticks(half["ticks"]), changes))
+        changes = [(0, half["scores"]), *half["score_changes"]]
+        scores = [(s_from_ticks(tick), [own.get(seat, 0) for seat in seats]) for tick, own in changes]
+        halves.append((s_from_ticks(half["ticks"]), scores))
     return score_plot([season.label(side.teams) for side in match.fixture.sides], halves)
 
 
@@ -261,20 +259,11 @@ def _stats_rows(stats: Mapping[str, Any] | None, match: MatchView, seats: list[s
     by_seat: Mapping[str, Mapping[str, Any]] = dict(zip(seats, stats["teams"].values(), strict=True))
     teams = [by_seat[side.seat] for side in match.fixture.sides if side.seat in by_seat]
     rows = []
-    for key in _FIGURES:
-        if any(key not in team for team in teams):
-            continue
+    for key in (key for key in _FIGURES if all(key in team for team in teams)):
         definition = DEFINITIONS[key]
         cells = ["" if team[key] is None else number_words(team[key], 2) for team in teams]
         total = sum(team[key] or 0 for team in teams)
         share = round(100 * (teams[0][key] or 0) / total) if total and len(teams) == 2 else 50
-        rows.append(
-            {
-                "title": definition.title,
-                "unit": definition.unit,
-                "text": definition.text,
-                "cells": cells,
-                "share": share,
-            }
-        )
+        named = {"title": definition.title, "unit": definition.unit, "text": definition.text}
+        rows.append(named | {"cells": cells, "share": share})
     return rows

@@ -30,43 +30,33 @@ def publish_overview(tree: Tree, renderer: Renderer, season: Season) -> None:
     stages = season.state.stages
     running = [stage for stage in stages if stage.status == Status.RUNNING]
     current = running or [stage for stage in stages if stage.status == Status.FINISHED][-1:]
-    brackets = [
-        (stage, _bracket(season, stage, "")) for stage in stages if stage.ties and stage.status != Status.WAITING
-    ]
-    path = "index.html"
-    tree.write(
-        path,
-        renderer.page(
-            "index.html",
-            path,
-            current=[stage for stage in current if any(match.outcome for match in season.of_stage(stage))],
-            brackets=brackets,
-            podiums=podiums(season),
-            latest=_few(season.latest),
-            coming=_few(season.coming),
-        ),
+    drawn = (stage for stage in stages if stage.ties and stage.status != Status.WAITING)
+    renderer.write(
+        tree,
+        "index.html",
+        current=[stage for stage in current if any(match.outcome for match in season.of_stage(stage))],
+        brackets=[(stage, _bracket(season, stage, "")) for stage in drawn],
+        podiums=podiums(season),
+        latest=_few(season.latest),
+        coming=_few(season.coming),
     )
     rows = appointments(season)
     zone = season.source.time_zone
     days = [(name, list(some)) for name, some in groupby(rows, key=lambda row: day(row.at, zone))]
-    tree.write("schedule.html", renderer.page("schedule.html", "schedule.html", days=days))
+    renderer.write(tree, "schedule.html", days=days)
     tree.write("schedule.ics", as_ics(season, rows))
     tree.write("schedule.csv", "\ufeff" + as_csv(season, rows))  # spreadsheets recognize UTF-8 by this mark
     tree.write("feed.json", as_feed(season))
     teams, cells = _met(season.released)
-    path = "head_to_head.html"
-    tree.write(path, renderer.page(path, path, teams=_in_order(season, teams), cells=cells))
-    tree.write(
+    renderer.write(tree, "head_to_head.html", teams=_in_order(season, teams), cells=cells)
+    renderer.write(
+        tree,
         "about.html",
-        renderer.page(
-            "about.html",
-            "about.html",
-            seed_hash=seed_hash(season.source.seed),
-            ruled=[match for match in season.latest if match.played and match.played.rulings],
-            withdrawals=season.source.played.withdrawals,
-            doubtful=any(match.played and match.played.doubtful for match in season.released),
-            versions=_versions(season),
-        ),
+        seed_hash=seed_hash(season.source.seed),
+        ruled=[match for match in season.latest if match.played and match.played.rulings],
+        withdrawals=season.source.played.withdrawals,
+        doubtful=any(match.played and match.played.doubtful for match in season.released),
+        versions=_versions(season),
     )
 
 
@@ -76,15 +66,9 @@ def _few(matches: Sequence[MatchView]) -> Sequence[MatchView]:
 
 
 def _versions(season: Season) -> list[str]:
-    found = set()
-    for match in season.released:
-        versions = match.played.result.get("versions") if match.played else None
-        if versions:
-            found.add(
-                f"rcj-challenges {versions['rcj_challenges']}, MuJoCo {versions['mujoco']}, {versions['python']}, "
-                f"{versions['system']} {versions['machine']}"
-            )
-    return sorted(found)
+    found = (match.played.result.get("versions") for match in season.released if match.played)
+    text = "rcj-challenges {rcj_challenges}, MuJoCo {mujoco}, {python}, {system} {machine}"
+    return sorted({text.format(**versions) for versions in found if versions})
 
 
 # --- stages ----------------------------------------------------------------------------------------------------------
@@ -93,42 +77,32 @@ def _versions(season: Season) -> list[str]:
 def publish_stage(tree: Tree, renderer: Renderer, season: Season, stage: StageState) -> None:
     """Write the page of a stage, and its bracket as a picture and to print."""
     name = slug(stage.name)
-    path = f"stages/{name}.html"
     matches = season.of_stage(stage)
-    tree.write(
-        path,
-        renderer.page(
-            "stage.html",
-            path,
-            stage=stage,
-            matches=matches,
-            times=sorted({time.at for time in season.source.rounds if time.stage == stage.name and not time.round}),
-            picture=_bracket(season, stage, "../") if stage.ties else None,
-            plots=_distributions(season, stage) if stage.is_solo else [],
-            rounds=_rounds(stage, matches) if not stage.is_solo else [],
-            challenges=_challenges(season, stage) if stage.is_solo else [],
-            matrices=_matrices(season, stage),
-        ),
+    renderer.write(
+        tree,
+        f"stages/{name}.html",
+        "stage.html",
+        stage=stage,
+        matches=matches,
+        times=sorted({time.at for time in season.source.rounds if time.stage == stage.name and not time.round}),
+        picture=_bracket(season, stage, "../") if stage.ties else None,
+        plots=_distributions(season, stage) if stage.is_solo else [],
+        rounds=_rounds(stage, matches) if not stage.is_solo else [],
+        challenges=_challenges(season, stage) if stage.is_solo else [],
+        matrices=_matrices(season, stage),
     )
     if stage.status is Status.FINISHED:
         publish_certificates(tree, renderer, season, stage)
     if stage.ties:
-        path = f"brackets/{name}.html"
-        tree.write(path, renderer.page("bracket.html", path, stage=stage, picture=_bracket(season, stage, "../")))
+        picture = _bracket(season, stage, "../")
+        renderer.write(tree, f"brackets/{name}.html", "bracket.html", stage=stage, picture=picture)
         tree.write(f"brackets/{name}.svg", _bracket(season, stage, None))
 
 
 def _bracket(season: Season, stage: StageState, root: str | None) -> Markup:
     """Return the bracket of a stage; ``root`` is the way to the site's top, None for a picture without links."""
-    links = (
-        {
-            match.fixture.id: f"{root}matches/{match.slug}/index.html"
-            for match in season.of_stage(stage)
-            if match.outcome
-        }
-        if root is not None
-        else {}
-    )
+    linked = [match for match in season.of_stage(stage) if match.outcome and root is not None]
+    links = {match.fixture.id: f"{root}matches/{match.slug}/index.html" for match in linked}
     return bracket_svg(stage.ties, lambda teams: season.label(teams.split("+")), stage.title, links, alone=root is None)
 
 
@@ -176,14 +150,12 @@ def _distributions(season: Season, stage: StageState) -> list[tuple[str, Markup]
 
 def _matrices(season: Season, stage: StageState) -> list[tuple[str, list[str], Cells]]:
     """Return the matches between each two teams, group by group; nothing for other stages than these two."""
-    if not stage.has_matrices:
-        return []
-    found = []
-    for table in stage.tables:
-        inside = [match for match in season.of_stage(stage) if match.outcome and match.fixture.group == table.name]
-        if inside:
-            found.append((table.name, [row.team for row in table.rows], _met(inside)[1]))
-    return found
+    groups: dict[str, list[MatchView]] = {}
+    for match in season.of_stage(stage) if stage.has_matrices else ():
+        if match.outcome:
+            groups.setdefault(match.fixture.group, []).append(match)
+    tables = (table for table in stage.tables if table.name in groups)
+    return [(table.name, [row.team for row in table.rows], _met(groups[table.name])[1]) for table in tables]
 
 
 def _met(matches: Iterable[MatchView]) -> tuple[set[str], Cells]:
@@ -214,13 +186,15 @@ def publish_teams(tree: Tree, renderer: Renderer, season: Season) -> None:
         matches = season.of_team(team)
         went = [match.result_for(team) for match in matches]
         listed.append((team, went.count("won"), went.count("drawn"), went.count("lost")))
-        path = f"teams/{slug(team)}.html"
-        tree.write(path, renderer.page("team.html", path, **_team(season, team, matches)))
-    tree.write("teams/index.html", renderer.page("teams.html", "teams/index.html", teams=listed))
+        renderer.write(tree, f"teams/{slug(team)}.html", "team.html", **_team(season, team, matches))
+    renderer.write(tree, "teams/index.html", "teams.html", teams=listed)
 
 
 def _team(season: Season, team: str, matches: Sequence[MatchView]) -> dict[str, Any]:
-    form = [(_against(season, match, team), match.difference_for(team)) for match in matches if match.result_for(team)]
+    form = []
+    for match in (match for match in matches if match.result_for(team)):
+        others = ", ".join(season.label(side.teams) for side in match.fixture.sides if team not in side.teams)
+        form.append((f"against {others}", match.difference_for(team)))
     places = [
         (stage, table, row)
         for stage in season.state.stages
@@ -244,8 +218,3 @@ def _team(season: Season, team: str, matches: Sequence[MatchView]) -> dict[str, 
         "submissions": [one for one in season.source.played.submissions if one.team == team],
         "results": results,
     }
-
-
-def _against(season: Season, match: MatchView, team: str) -> str:
-    others = [season.label(side.teams) for side in match.fixture.sides if team not in side.teams]
-    return f"against {', '.join(others)}"

@@ -29,8 +29,8 @@ def publish_certificates(tree: Tree, renderer: Renderer, season: Season, stage: 
     path = f"certificates/{slug(stage.name)}.html"
     days = [match.played_at for match in season.of_stage(stage) if match.outcome and match.played_at.year > 1]
     certificates = sorted(_certificates(season, stage), key=lambda one: one["row"].place, reverse=True)
-    page = renderer.page("certificates.html", path, stage=stage, at=max(days, default=None), certificates=certificates)
-    tree.write(path, page)
+    at = max(days, default=None)
+    renderer.write(tree, path, "certificates.html", stage=stage, at=at, certificates=certificates)
 
 
 def _certificates(season: Season, stage: StageState) -> Iterator[dict[str, Any]]:
@@ -40,17 +40,8 @@ def _certificates(season: Season, stage: StageState) -> Iterator[dict[str, Any]]
         for row in rows:
             teams = tuple(row.team.split("+"))
             members = teams if len(teams) > 1 else ()
-            for team in teams:
-                if not season.teams[team].withdrawn:
-                    place = ordinal(row.place)
-                    yield {
-                        "team": team,
-                        "row": row,
-                        "place": place,
-                        "among": among,
-                        "members": members,
-                        "of": len(rows),
-                    }
+            shown = {"row": row, "place": ordinal(row.place), "among": among, "members": members, "of": len(rows)}
+            yield from ({"team": team, **shown} for team in teams if not season.teams[team].withdrawn)
 
 
 def _has_groups(stage: StageState) -> bool:

@@ -50,8 +50,7 @@ def publish_premieres(tree: Tree, data: Tree, season: Season, renderer: Renderer
         if match.stage.name not in season.source.premieres or match.at is None:
             continue
         if match.outcome is not None:  # links to it are still around
-            path = f"premiere/{match.slug}.html"
-            tree.write(path, renderer.page("premiere_over.html", path, match=match))
+            renderer.write(tree, f"premiere/{match.slug}.html", "premiere_over.html", match=match)
             continue
         tree.write(f"premiere/{match.slug}.html", _page(season, match))
         played = season.played(match.fixture)

@@ -42,14 +42,8 @@ def publish_team(tree: Tree, renderer: Renderer, season: Season, team: str, made
     matches = [match for match in season.of_team(team) if match.outcome is not None and match.played is not None]
     for match in matches:
         folder = f"{home}/{match.slug}"
-        made_from = fingerprint(
-            [
-                made_with,
-                match.played.result.get("digest") if match.played else "",
-                season.name(team),
-                _recorded(match.played.record if match.played else None),
-            ]
-        )
+        digest, record = (match.played.result.get("digest"), match.played.record) if match.played else ("", None)
+        made_from = fingerprint([made_with, digest, season.name(team), _recorded(record)])
         tree.folder(folder, made_from, lambda match=match, folder=folder: _write(tree, match, team, folder))  # type: ignore[misc]
     reports = _copy_reports(tree, season, team, home)
     rows = [
@@ -58,10 +52,7 @@ def publish_team(tree: Tree, renderer: Renderer, season: Season, team: str, made
         if (files := tree.listed(f"{home}/{match.slug}")) + (faults := team_faults(match, team))
     ]
     tree.write(f"{home}/style.css", renderer.style)
-    tree.write(
-        f"{home}/index.html",
-        renderer.page("for_team.html", f"{home}/index.html", team=team, rows=rows, reports=reports),
-    )
+    renderer.write(tree, f"{home}/index.html", "for_team.html", team=team, rows=rows, reports=reports)
 
 
 def _recorded(record: Path | None) -> dict[str, int]:

@@ -101,8 +101,7 @@ def publish_likeness(tree: Tree, renderer: Renderer, submissions: Iterable[Submi
         current.setdefault(one.team, {})[one.purpose] = one.path
     pairs, unread = like_pairs(current)
     tree.write("style.css", renderer.style)
-    page = renderer.page("likeness.html", "likeness.html", pairs=pairs, unread=unread, least=LEAST_SHARE, length=LENGTH)
-    tree.write("likeness.html", page)
+    renderer.write(tree, "likeness.html", pairs=pairs, unread=unread, least=LEAST_SHARE, length=LENGTH)
 
 
 def _templates() -> str:

@@ -19,6 +19,7 @@ from rcj_challenges.tournament.season import humanized
 from rcj_challenges.tournament.site.model import Season, group_title
 from rcj_challenges.tournament.site.public import fault_moment, fault_words
 from rcj_challenges.tournament.site.schedule import page_of
+from rcj_challenges.tournament.site.tree import Tree
 from rcj_challenges.views.sentences import clock
 
 POLICY = (
@@ -31,7 +32,6 @@ class Renderer:
     """Fills the templates with a season."""
 
     def __init__(self, season: Season) -> None:
-        self._season = season
         self._environment = Environment(
             loader=PackageLoader("rcj_challenges.tournament.site"),
             autoescape=True,
@@ -67,16 +67,10 @@ class Renderer:
         """The style sheet of all pages."""
         return (files("rcj_challenges.tournament.site") / "templates" / "style.css").read_text("utf-8")
 
-    def page(self, template: str, path: str, **context: Any) -> str:
-        """Return a page.
-
-        Args:
-            template: its name.
-            path: where the page will lie in the site, so that its links are relative.
-            context: what the template shows.
-        """
-        root = "../" * path.count("/")
-        return self._environment.get_template(template).render(root=root, path=path, policy=POLICY, **context)
+    def write(self, tree: Tree, path: str, template: str = "", **context: Any) -> None:
+        """Write a page with relative links; its template is that of the same name if none is given."""
+        page = self._environment.get_template(template or path)
+        tree.write(path, page.render(root="../" * path.count("/"), path=path, policy=POLICY, **context))
 
 
 def day(at: datetime, zone: tzinfo) -> str:

@@ -5,9 +5,14 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from datetime import datetime, timedelta, tzinfo
+from zoneinfo import ZoneInfo
 
-from rcj_challenges.tournament.played import Played, PlayedMatch
+from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
+from rcj_challenges.tournament.opened import OpenTournament
+from rcj_challenges.tournament.played import Played, read_played
+from rcj_challenges.tournament.release import release_times, round_times
 from rcj_challenges.tournament.season import Fixture, SeasonState
+from rcj_challenges.tournament.tournament_file import Tournament
 
 HALF_TIME_S = 30.0
 """Break between the halves of a premiere."""
@@ -65,12 +70,6 @@ class SiteSource:
         return all(stage.status == "finished" for stage in self.state.stages)
 
 
-def premiere_length(match: PlayedMatch) -> timedelta:
-    """Return how long the premiere of a match lasts, with the breaks between its halves."""
-    breaks = max(0, len(match.result.get("halves", ())) - 1)
-    return timedelta(seconds=float(match.result.get("simulated_s", 0)) + breaks * HALF_TIME_S)
-
-
 def hidden_fixtures(
     fixtures: Collection[Fixture],
     played: Played,
@@ -96,7 +95,62 @@ def hidden_fixtures(
             continue
         match = played.matches.get(fixture.id)
         if fixture.stage in premieres and match is not None and match.record is not None:
-            at += premiere_length(match)
+            breaks = max(0, len(match.result.get("halves", ())) - 1)
+            at += timedelta(seconds=float(match.result.get("simulated_s", 0)) + breaks * HALF_TIME_S)
         if at > now:
             hidden.add(fixture.id)
     return frozenset(hidden)
+
+
+def site_source(
+    tournament: OpenTournament, now: datetime, premieres: Collection[str] = (), url: str = ""
+) -> SiteSource:
+    """Return what may be shown at a time; tables and brackets follow from the released results alone.
+
+    Args:
+        tournament: with its store.
+        now: the time, with a time zone.
+        premieres: names of the stages whose matches have a premiere.
+        url: where the site will be on the web; empty if that is unknown.
+
+    Raises:
+        DiagnosticError: there is no such stage, or it has no time of release.
+    """
+    file = tournament.loaded.tournament
+    _check_premieres(file, premieres)
+    (whole, outcomes), played = tournament.state_and_outcomes(), read_played(tournament.store)
+    hidden = hidden_fixtures(whole.fixtures, played, release_times(file, whole), now, premieres)
+    shown = {fixture: outcome for fixture, outcome in outcomes.items() if fixture not in hidden}
+    state = tournament.season.state(shown, hidden & outcomes.keys())
+    return SiteSource(
+        id=tournament.loaded.name,
+        title=file.title,
+        description=file.description,
+        seed=str(file.seed),
+        time_zone=ZoneInfo(file.time_zone),
+        state=state,
+        played=played,
+        now=now,
+        releases=release_times(file, state),
+        rounds=tuple(
+            RoundTime(stage, number, at)
+            for stage in file.stages
+            for times in [round_times(file, stage)]
+            for number, at in enumerate(times, int(len(times) > 1))
+        ),
+        premieres=frozenset(premieres),
+        url=f"{url.rstrip('/')}/" if url else "",
+    )
+
+
+def _check_premieres(file: Tournament, premieres: Collection[str]) -> None:
+    problems = []
+    for stage in premieres:
+        if stage not in file.stages:
+            message = f"there is no stage '{stage}'"
+            problems.append(Diagnostic("unknown-stage", message, f"stages: {', '.join(file.stages)}"))
+        elif file.stages[stage].release is None:
+            message = f"the matches of stage '{stage}' cannot have a premiere: no time of release is set"
+            problems.append(Diagnostic("no-release", message, f"set stages.{stage}.release"))
+    if problems:
+        raise DiagnosticError(*problems)
