@@ -166,10 +166,7 @@ class ClusterExecutor:
         if returned.result is None:
             return JobOutcome(one.waiting.job, None, complaint=returned.complaint)
         folder = self.place.playing / (returned.folder or one.waiting.job.id)
-        for name, content in returned.files.items():
-            path = folder / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_bytes(content)
+        cluster_worker.write_files(folder, returned.files)
         return JobOutcome(one.waiting.job, returned.result, folder)
 
     def _failed(self, one: _Running, complaint: str, *, of_host: bool = False) -> JobOutcome | None:
@@ -220,7 +217,7 @@ class ClusterExecutor:
             return notes
         introduced = self._client.run(cluster_worker.introduce, self._shared_folder, workers=new, on_error="return")
         for worker, one in introduced.items():
-            why = f"it does not answer: {one}" if isinstance(one, BaseException) else self._unfitness(one)
+            why = f"it does not answer: {one}" if isinstance(one, BaseException) else self._unfitness(*one)
             if why:
                 self._refused[worker] = why
                 notes.append(f"the worker {worker} gets no match: {why}")
@@ -229,12 +226,12 @@ class ClusterExecutor:
                 notes.append(f"the worker {worker} plays {counted(here[worker], 'match', 'matches')} at a time")
         return notes
 
-    def _unfitness(self, one: cluster_worker.Introduction) -> str:
-        others = [f"{name} {one.versions.get(name, 'none')}, here {version}"
-                  for name, version in self.versions.items() if one.versions.get(name) != version]  # fmt: skip
+    def _unfitness(self, versions: Mapping[str, str], sees_folder: bool) -> str:
+        others = [f"{name} {versions.get(name, 'none')}, here {version}"
+                  for name, version in self.versions.items() if versions.get(name) != version]  # fmt: skip
         if others:
             return f"it has other versions: {'; '.join(others)}"
-        return "" if one.sees_folder else f"it does not see the folder {self._shared_folder}"
+        return "" if sees_folder else f"it does not see the folder {self._shared_folder}"
 
     def _note(self, lines: Iterable[str]) -> None:
         for line in lines:

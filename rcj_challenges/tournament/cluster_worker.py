@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 import tempfile
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from concurrent.futures import CancelledError
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -16,19 +16,6 @@ from rcj_challenges.core.errors import format_error
 from rcj_challenges.records.result import versions
 from rcj_challenges.tournament.executor import JobOutcome, LocalExecutor
 from rcj_challenges.tournament.jobs import MatchJob, Workplace
-
-
-@dataclass(frozen=True)
-class Introduction:
-    """What a worker says of itself.
-
-    Attributes:
-        versions: as in ``result.json``.
-        sees_folder: whether it can use the shared folder; True if there is none.
-    """
-
-    versions: Mapping[str, str]
-    sees_folder: bool
 
 
 @dataclass(frozen=True)
@@ -50,10 +37,9 @@ class Returned:
     folder: str = ""
 
 
-def introduce(shared: str | None) -> Introduction:
-    """Return what decides whether this worker may play."""
-    is_seen = shared is None or os.access(Workplace(Path(shared)).records, os.W_OK)
-    return Introduction(versions().model_dump(), is_seen)
+def introduce(shared: str | None) -> tuple[dict[str, str], bool]:
+    """Return the versions of this worker, and whether it can use the shared folder; True if there is none."""
+    return versions().model_dump(), shared is None or os.access(Workplace(Path(shared)).records, os.W_OK)
 
 
 def play(job: Mapping[str, Any], inputs: Mapping[str, bytes], shared: str | None) -> Returned:
@@ -71,37 +57,33 @@ def play(job: Mapping[str, Any], inputs: Mapping[str, bytes], shared: str | None
 
     worker = get_worker()
     key = worker.get_current_task()
-
-    def is_released() -> bool:
-        task = worker.state.tasks.get(key)
-        return task is None or task.state == "cancelled"
-
     made_job = MatchJob.from_json(job)
     try:
         # Dask removes this folder of a worker that was killed.
         with tempfile.TemporaryDirectory(prefix="match-", dir=worker.local_directory) as folder:
             place = Workplace(Path(folder))
-            for name, content in (inputs or Workplace(Path(shared or "")).read_inputs(made_job)).items():
-                path = place.folder / name
-                path.parent.mkdir(parents=True, exist_ok=True)
-                path.write_bytes(content)
-            return _returned(_play(made_job, place, is_released), shared)
+            write_files(place.folder, inputs or Workplace(Path(shared or "")).read_inputs(made_job))
+            with LocalExecutor(place, 1) as executor:
+                executor.submit(made_job)
+                while not (outcomes := executor.poll()):
+                    task = worker.state.tasks.get(key)
+                    if task is None or task.state == "cancelled":
+                        raise CancelledError
+            return _returned(outcomes[0], shared)
     except OSError as error:
         return Returned(None, format_error(error), of_host=True)
 
 
-def _play(job: MatchJob, place: Workplace, is_released: Callable[[], bool]) -> JobOutcome:
-    """Play a job in a process of this computer, as a local run does.
+def write_files(folder: Path, files: Mapping[str, bytes]) -> None:
+    """Write files into a folder by their names.
 
     Raises:
-        CancelledError: it was released.
+        OSError: one cannot be written.
     """
-    with LocalExecutor(place, 1) as executor:
-        executor.submit(job)
-        while not (outcomes := executor.poll()):
-            if is_released():
-                raise CancelledError
-        return outcomes[0]
+    for name, content in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
 
 
 def _returned(outcome: JobOutcome, shared: str | None) -> Returned:
@@ -111,8 +93,7 @@ def _returned(outcome: JobOutcome, shared: str | None) -> Returned:
     if shared is None:
         files = {path.relative_to(record).as_posix(): path.read_bytes() for path in record.rglob("*") if path.is_file()}
         return Returned(outcome.result, files=files)
-    playing = Workplace(Path(shared)).playing
     # A name of its own: a run that was killed may have left a copy that is still being written.
-    target = playing / f"{record.name}-{uuid4().hex[:8]}"
+    target = Workplace(Path(shared)).playing / f"{record.name}-{uuid4().hex[:8]}"
     shutil.copytree(record, target)
     return Returned(outcome.result, folder=target.name)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
@@ -39,9 +39,13 @@ def reconcile(tournament: OpenTournament, jobs: JobMaker, *, cascade: bool) -> d
         stale = [one for one in fixtures if _is_stale(one, played[one.id], jobs, rows)]
         if not stale:
             break
-        if not cascade:
-            _refuse_if_closed(tournament, state, stale)
         for fixture in stale:
+            later = "" if cascade else begun_later_stage(tournament, state, fixture.stage)
+            if later:
+                raise stage_closed(
+                    f"the match {fixture.id} would be played again, because a submission, the scenario or the seed has "
+                    f"changed since, but stage '{later}' has taken its teams from '{fixture.stage}' and has begun"
+                )
             again[fixture.id] = "a submission, the scenario, the seed or a team has changed"
             del played[fixture.id]
     for fixture in fixtures:
@@ -65,28 +69,10 @@ def _is_stale(fixture: Fixture, played: PlayedFixture, jobs: JobMaker, rows: Map
     return replace(job, versions=before).id != played.job_id
 
 
-def _refuse_if_closed(tournament: OpenTournament, state: SeasonState, stale: Collection[Fixture]) -> None:
-    """Refuse to change matches of a stage from which another that has begun took its teams.
-
-    Raises:
-        DiagnosticError: there are such matches.
-    """
-    for fixture in stale:
-        later = begun_later_stage(tournament, state, fixture.stage)
-        if later:
-            raise stage_closed(
-                f"the match {fixture.id} would be played again, because a submission, the scenario or the seed has "
-                f"changed since, but stage '{later}' has taken its teams from '{fixture.stage}' and has begun"
-            )
-
-
 def begun_later_stage(tournament: OpenTournament, state: SeasonState, stage: str) -> str:
     """Return a stage with outcomes that takes its teams from another, directly or not; empty if there is none."""
-    later = later_stages(tournament.loaded, stage)
-    for one in state.stages:
-        if one.name in later and any(fixture.id in state.outcomes for fixture in one.fixtures):
-            return one.name
-    return ""
+    later = (one for one in state.stages if one.name in later_stages(tournament.loaded, stage))
+    return next((one.name for one in later if any(fixture.id in state.outcomes for fixture in one.fixtures)), "")
 
 
 def stage_closed(message: str) -> DiagnosticError:

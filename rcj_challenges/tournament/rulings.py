@@ -14,7 +14,7 @@ from rcj_challenges.tournament.season import Fixture, Ruled, SeasonState
 from rcj_challenges.tournament.store.tables import RulingRow
 
 _LOST_BY = (0.0, 3.0)
-_MAX_REASON_LETTERS = 500
+_MAX_REASON_CHARS = 500
 
 
 def decide(
@@ -42,8 +42,10 @@ def decide(
         DiagnosticError: there is no such match or team, the ruling does not fit it, or changes a match played later.
     """
     before = tournament.state()
-    fixture = _fixture(before, fixture_id)
-    reason = _checked(reason)
+    fixtures = {one.id: one for one in before.fixtures}
+    if fixture_id not in fixtures:
+        raise _wrong("unknown-match", f"there is no match '{fixture_id}' (yet)", _near(fixture_id, fixtures))
+    fixture, reason = fixtures[fixture_id], _checked(reason)
     outcome = before.outcomes.get(fixture_id)
     is_settled = outcome is not None and outcome.ruled in (Ruled.ANNULLED, Ruled.WITHDRAWN)
     if is_settled and kind is not RulingKind.UNDONE:
@@ -122,31 +124,15 @@ def _note(
         played.pop(fixture, None)
     after = tournament.state_with(row, played)
     stages = tournament.loaded.tournament.stages if ruled is None else later_stages(tournament.loaded, ruled.stage)
-    lost = [
-        fixture.id
-        for fixture in before.fixtures
-        if fixture.id in counted
-        and fixture.id not in after.outcomes
-        and (fixture.stage in stages or _is_later_round(fixture, ruled))
-    ]
+    same_stage, round_ = (ruled.stage, ruled.round) if ruled is not None else ("", 0)
+    gone = [one for one in before.fixtures if one.id in counted and one.id not in after.outcomes]
+    lost = [one.id for one in gone if one.stage in stages or (one.stage == same_stage and one.round > round_)]
     if lost and not cascade:
-        fixture = lost[0]
-        raise stage_closed(f"the ruling may change the teams of '{fixture}', which has been played already")
+        raise stage_closed(f"the ruling may change the teams of '{lost[0]}', which has been played already")
     tournament.keep_drawn()
     store.add_ruling(row, forget=[*replayed, *lost])
     tournament.refresh()
     return lost
-
-
-def _is_later_round(fixture: Fixture, ruled: Fixture | None) -> bool:
-    return ruled is not None and fixture.stage == ruled.stage and fixture.round > ruled.round
-
-
-def _fixture(state: SeasonState, fixture_id: str) -> Fixture:
-    fixtures = {one.id: one for one in state.fixtures}
-    if fixture_id not in fixtures:
-        raise _wrong("unknown-match", f"there is no match '{fixture_id}' (yet)", _near(fixture_id, fixtures))
-    return fixtures[fixture_id]
 
 
 def _forfeited(tournament: OpenTournament, fixture: Fixture, losers: Sequence[str]) -> tuple[RulingKind, list[float]]:
@@ -163,8 +149,8 @@ def _forfeited(tournament: OpenTournament, fixture: Fixture, losers: Sequence[st
 
 def _checked(reason: str) -> str:
     reason = " ".join(reason.split())
-    if not reason or len(reason) > _MAX_REASON_LETTERS:
-        raise _wrong("ruling-reason", f"a ruling has a reason of 1 to {_MAX_REASON_LETTERS} letters", "--reason TEXT")
+    if not reason or len(reason) > _MAX_REASON_CHARS:
+        raise _wrong("ruling-reason", f"a ruling has a reason of 1 to {_MAX_REASON_CHARS} letters", "--reason TEXT")
     return reason
 
 

@@ -66,15 +66,16 @@ class BracketFormat(MatchFormat):
             self.play(bracket)
         is_known = all(entrant.team for entrant in entrants)
         is_finished = is_known and all(tie.decided_by for tie in bracket.ties)
-        return StageState(
-            *context.head(self),
-            (Status.FINISHED if is_finished else Status.RUNNING) if is_known else Status.WAITING,
-            teams=tuple(entrant.team for entrant in entrants) if is_known else (),
+        state = context.state(
+            self,
+            [entrant.team for entrant in entrants] if is_known else (),
+            is_finished=is_finished,
             fixtures=tuple(bracket.fixtures),
             expected_matches=bracket.expected_matches(),
             ties=tuple(bracket.ties),
             places=bracket.places() if is_finished else (),
         )
+        return state if is_known else replace(state, status=Status.WAITING)
 
     def _seeded(self, context: StageContext, entrants: Sequence[Entrant]) -> list[Entrant]:
         """Return the entrants in the order of their seeds, the best first."""
@@ -82,10 +83,9 @@ class BracketFormat(MatchFormat):
             by_team = {entrant.team: entrant for entrant in entrants}
             if "" in by_team:
                 return [replace(entrant, origin="drawn") for entrant in entrants]
-            order = context.drawn.draw(
-                context.name,
-                list(by_team) if self.from_ else None,
-                lambda: shuffled(context.tournament.seed, f"{context.name}/seeding", list(by_team)),
+            teams = list(by_team)
+            order = context.draw(
+                self, teams, lambda: shuffled(context.tournament.seed, f"{context.name}/seeding", teams)
             )
             return [by_team[team] for team in order if team in by_team]
         if self.from_ is None:
@@ -195,10 +195,8 @@ class Bracket:
     def expected_matches(self) -> int:
         """Return how many matches there will be, as far as is known."""
         least = self.stage.matches_of_tie[0]
-        return sum(
-            len(tie.fixtures) if tie.decided_by or "bye" in tie.sources else max(least, len(tie.fixtures))
-            for tie in self.ties
-        )
+        is_open = [not tie.decided_by and "bye" not in tie.sources for tie in self.ties]
+        return sum(max(least * more, len(tie.fixtures)) for tie, more in zip(self.ties, is_open, strict=True))
 
     def places(self) -> tuple[Row, ...]:
         """Return the ranking: teams of one level share a place, unless a lot is listed.
@@ -212,8 +210,7 @@ class Bracket:
     def _rows(self, levels: list[list[str]]) -> Iterator[Row]:
         rules = self.context.rules("places")
         counted = [one for one in self.fixtures if one.kind is not FixtureKind.TIE_SCENARIO]
-        matches = [match for one in counted if (match := self.context.result(one)) is not None]
-        tallies = tally([entrant.team for entrant in self.entrants], matches, rules)
+        tallies = tally([entrant.team for entrant in self.entrants], self.context.matches(counted), rules)
         place = 1
         for level in levels:
             is_by_lot = len(level) > 1 and "lot" in rules.tie_breaks

@@ -14,17 +14,7 @@ from rcj_challenges.tournament.formats.context import Entrant, StageContext
 from rcj_challenges.tournament.formats.stage import Format, Intake, StageSize
 from rcj_challenges.tournament.models import ChallengeScenario
 from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo, ScenarioNames, ScenarioUse
-from rcj_challenges.tournament.season import (
-    Fixture,
-    FixtureKind,
-    Outcome,
-    Row,
-    Ruled,
-    StageState,
-    Status,
-    Table,
-    humanized,
-)
+from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Row, Ruled, StageState, Table, humanized
 
 TOTAL = "total"
 """Name of the table that combines several challenges."""
@@ -88,10 +78,10 @@ class Challenge(Format):
         if len(tables) > 1:
             tables.append(_total(context, self, counted, tables))
         is_finished = context.are_decided(fixtures)
-        return StageState(
-            *context.head(self),
-            Status.FINISHED if is_finished else Status.RUNNING,
-            teams=teams,
+        return context.state(
+            self,
+            teams,
+            is_finished=is_finished,
             fixtures=fixtures,
             expected_matches=len(fixtures),
             tables=tuple(tables),

@@ -2,15 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from rcj_challenges.tournament.drawing import Drawn
 from rcj_challenges.tournament.entries import TeamEntry
-from rcj_challenges.tournament.models import General, LostBy, MatchesModel, StageModel
+from rcj_challenges.tournament.models import FromModel, General, LostBy, MatchesModel, StageModel
 from rcj_challenges.tournament.scenarios import ScenarioInfo, ScenarioNames, ScenarioUse
-from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Ruled, Side, Team, humanized
+from rcj_challenges.tournament.season import (
+    Fixture,
+    FixtureKind,
+    Outcome,
+    Ruled,
+    Side,
+    StageState,
+    Status,
+    Team,
+    humanized,
+)
 from rcj_challenges.tournament.seeds import derived_seed, lot
 from rcj_challenges.tournament.standings import Match, TableRules
 
@@ -70,9 +80,14 @@ class StageContext:
         """Return what the stage is called."""
         return stage.title or humanized(self.name)
 
-    def head(self, stage: StageModel) -> tuple[str, str, str]:
-        """Return name, kind and title, with which the state begins."""
-        return self.name, self.kind, self.title(stage)
+    def state(self, stage: StageModel, teams: Sequence[str], *, is_finished: bool, **fields: Any) -> StageState:
+        """Return the state of the stage, whose teams are known."""
+        status = Status.FINISHED if is_finished else Status.RUNNING
+        return StageState(self.name, self.kind, self.title(stage), status, tuple(teams), **fields)
+
+    def draw(self, stage: FromModel, teams: Sequence[str], make: Callable[[], Any]) -> Any:
+        """Return what was drawn for the stage, whose teams may come from another one, drawing it now if it was not."""
+        return self.drawn.draw(self.name, teams if stage.from_ else None, make)
 
     def rules(self, use: str = "", *, with_lot: bool = False) -> TableRules:
         """Return how a table of this stage is ranked.
@@ -164,14 +179,16 @@ class StageContext:
             title=title,
         )
 
-    def result(self, fixture: Fixture) -> Match | None:
-        """Return the match of a fixture if it counts; None if it has no outcome, or was annulled."""
-        outcome = self.outcomes.get(fixture.id)
-        if outcome is None or outcome.ruled is Ruled.ANNULLED:
-            return None
-        first, second = fixture.sides
-        teams = ("+".join(first.teams), "+".join(second.teams))
-        return Match(teams, (outcome.scores[0], outcome.scores[1]), outcome.ruled is Ruled.DOUBLE_FORFEIT)
+    def matches(self, fixtures: Iterable[Fixture]) -> list[Match]:
+        """Return the matches that count of fixtures: those with an outcome that was not annulled."""
+        found = []
+        for fixture in fixtures:
+            outcome = self.outcomes.get(fixture.id)
+            if outcome is not None and outcome.ruled is not Ruled.ANNULLED:
+                first, second = ("+".join(side.teams) for side in fixture.sides)
+                is_lost_by_both = outcome.ruled is Ruled.DOUBLE_FORFEIT
+                found.append(Match((first, second), (outcome.scores[0], outcome.scores[1]), is_lost_by_both))
+        return found
 
     def is_unplayed(self, fixture: Fixture) -> bool:
         """Return whether a fixture has no outcome, not even a hidden one."""

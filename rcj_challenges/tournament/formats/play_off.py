@@ -66,9 +66,8 @@ def _play(
                 fixtures.append(fixture)
         order, by_lot = {}, set()
         if context.are_decided(fixtures):
-            matches = [match for one in fixtures if (match := context.result(one)) is not None]
             rules = context.rules(path, with_lot=True)
-            ranked = table(group, teams, matches, rules, complete=True).rows
+            ranked = table(group, teams, context.matches(fixtures), rules, complete=True).rows
             order = {row.team: row.place - 1 for row in ranked}
             by_lot = {row.team for row in ranked if row.by_lot}
     if not order:

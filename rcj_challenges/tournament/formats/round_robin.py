@@ -15,7 +15,7 @@ from rcj_challenges.tournament.formats.groups import all_meet, group_names, grou
 from rcj_challenges.tournament.formats.play_off import play_offs
 from rcj_challenges.tournament.formats.stage import Intake, LeagueFormat, StageProblem, StageSize, listed_problems
 from rcj_challenges.tournament.models import LostBy, TeamId
-from rcj_challenges.tournament.season import Fixture, Ruled, StageState, Status, Table, humanized
+from rcj_challenges.tournament.season import Fixture, Ruled, StageState, Table, humanized
 from rcj_challenges.tournament.standings import table
 
 
@@ -84,7 +84,7 @@ class RoundRobin(LeagueFormat):
         key = ("round_robin", context.name, teams)
         if key not in context.cache:
             pots = {entrant.team: entrant.pot for entrant in entrants}
-            drawn = context.drawn.draw(context.name, teams if self.from_ else None, lambda: _drawn(context, self, pots))
+            drawn = context.draw(self, teams, lambda: _drawn(context, self, pots))
             _check_unchanged(context.name, self, drawn)
             groups = {name: [team for team in own if team in pots] for name, (own, _) in drawn.items()}
             context.cache[key] = groups, {name: _fixtures(context, self, name, own) for name, (_, own) in drawn.items()}
@@ -93,7 +93,7 @@ class RoundRobin(LeagueFormat):
         tables: list[Table] = []
         play_off_fixtures: list[Fixture] = []
         for name, fixtures in by_group.items():
-            matches = [match for fixture in fixtures if (match := context.result(fixture)) is not None]
+            matches = context.matches(fixtures)
             is_complete = context.are_decided(fixtures)
             ranked = [team for team in groups[name] if team not in annulled]
             found = table(name, ranked, matches, context.rules(name), complete=is_complete)
@@ -103,28 +103,25 @@ class RoundRobin(LeagueFormat):
             tables.append(found)
         fixtures = tuple(sorted((one for own in by_group.values() for one in own), key=lambda one: one.round))
         is_finished = all(found.complete for found in tables)
-        return StageState(
-            *context.head(self),
-            Status.FINISHED if is_finished else Status.RUNNING,
-            teams=teams,
+        places = sorted((row for found in tables for row in found.rows), key=lambda row: row.place)
+        return context.state(
+            self,
+            teams,
+            is_finished=is_finished,
             fixtures=(*fixtures, *play_off_fixtures),
             expected_matches=len(fixtures) + len(play_off_fixtures),
             tables=tuple(tables),
             has_groups=True,
             has_matrices=True,
-            places=tuple(sorted((row for found in tables for row in found.rows), key=lambda row: row.place))
-            if is_finished
-            else (),
+            places=tuple(places) if is_finished else (),
         )
 
 
 def _drawn(context: StageContext, stage: RoundRobin, pots: Mapping[str, int]) -> dict[str, tuple[list[str], Rounds]]:
     groups = groups_of(stage.groups, pots, context.tournament.seed, f"{context.name}/groups")
+    rounds = {own: pairings(len(own), stage.legs) for own in groups.values()}
     return {
-        name: (
-            list(own),
-            [[[own[one], own[other]] for one, other in pairs] for pairs in pairings(len(own), stage.legs)],
-        )
+        name: (list(own), [[[own[one], own[other]] for one, other in pairs] for pairs in rounds[own]])
         for name, own in groups.items()
     }
 
@@ -140,14 +137,12 @@ def _check_unchanged(name: str, stage: RoundRobin, drawn: Mapping[str, tuple[lis
 
 
 def _fixtures(context: StageContext, stage: RoundRobin, group: str, rounds: Rounds) -> list[Fixture]:
-    found = []
-    where = f"Group {humanized(group)}, " if group else ""
-    for number, pairs in enumerate(rounds, 1):
-        path = f"{group}/round{number}" if group else f"round{number}"
-        title = f"{where}round {number}"
-        for one, other in pairs:
-            found.append(context.match(path, stage, (one, other), number, title[:1].upper() + title[1:], group))
-    return found
+    path, title = (f"{group}/round", f"Group {humanized(group)}, round") if group else ("round", "Round")
+    return [
+        context.match(f"{path}{number}", stage, (one, other), number, f"{title} {number}", group)
+        for number, pairs in enumerate(rounds, 1)
+        for one, other in pairs
+    ]
 
 
 def _settle_withdrawn(context: StageContext, fixtures: Sequence[Fixture]) -> list[str]:

@@ -134,7 +134,7 @@ class Format(FromModel, ABC):
             entrants: where each team will come from.
             matches: how many there will be.
         """
-        return StageState(*context.head(self), Status.WAITING, expected_matches=matches)
+        return StageState(context.name, context.kind, context.title(self), Status.WAITING, expected_matches=matches)
 
     def keep_seats(self, draw: Any, before: Collection[tuple[str, str]]) -> None:
         """Give pairs that have met the seats that they had, in what was drawn again."""

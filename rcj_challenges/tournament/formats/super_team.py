@@ -11,7 +11,7 @@ from rcj_challenges.tournament.formats.groups import all_meet, pairings
 from rcj_challenges.tournament.formats.stage import Intake, MatchFormat, StageProblem, StageSize, listed_problems
 from rcj_challenges.tournament.models import TeamId
 from rcj_challenges.tournament.scenarios import ScenarioInfo
-from rcj_challenges.tournament.season import Fixture, StageState, Status, humanized
+from rcj_challenges.tournament.season import Fixture, StageState, humanized
 from rcj_challenges.tournament.seeds import shuffled
 from rcj_challenges.tournament.standings import table
 
@@ -64,20 +64,17 @@ class SuperTeam(MatchFormat):
         """Return the state of a stage of super teams. A team that leaves in the middle still lends its program."""
         teams = tuple(entrant.team for entrant in entrants)
         robots = min(context.scenarios[context.names.of_matches(self)].seats.values())
-        sides = self.super_teams or context.drawn.draw(
-            context.name,
-            teams if self.from_ else None,
-            lambda: drawn(teams, robots, context.tournament.seed, context.name),
+        sides = self.super_teams or context.draw(
+            self, teams, lambda: drawn(teams, robots, context.tournament.seed, context.name)
         )
         fixtures = _fixtures(context, self, sides)
-        matches = [match for one in fixtures if (match := context.result(one)) is not None]
         is_complete = context.are_decided(fixtures)
         joined = ["+".join(own) for own in sides.values()]
-        found = table("", joined, matches, context.rules(), complete=is_complete)
-        return StageState(
-            *context.head(self),
-            Status.FINISHED if is_complete else Status.RUNNING,
-            teams=teams,
+        found = table("", joined, context.matches(fixtures), context.rules(), complete=is_complete)
+        return context.state(
+            self,
+            teams,
+            is_finished=is_complete,
             fixtures=tuple(fixtures),
             expected_matches=len(fixtures),
             tables=(found,),

@@ -12,7 +12,7 @@ from rcj_challenges.tournament.formats.pairing import Player, pair
 from rcj_challenges.tournament.formats.play_off import play_offs
 from rcj_challenges.tournament.formats.stage import Intake, LeagueFormat, StageProblem, StageSize
 from rcj_challenges.tournament.models import LostBy
-from rcj_challenges.tournament.season import Fixture, StageState, Status, Table
+from rcj_challenges.tournament.season import Fixture, StageState, Table
 from rcj_challenges.tournament.standings import Match, table
 
 
@@ -53,10 +53,10 @@ class Swiss(LeagueFormat):
         more: list[Fixture] = []
         if self.play_off and is_complete:
             found, more = play_offs(context, self, found, self.rounds + 1)
-        return StageState(
-            *context.head(self),
-            Status.FINISHED if found.complete else Status.RUNNING,
-            teams=teams,
+        return context.state(
+            self,
+            teams,
+            is_finished=found.complete,
             fixtures=(*course.fixtures, *more),
             expected_matches=len(course.fixtures) + len(more) + course.matches_to_come(),
             tables=(found,),
@@ -90,7 +90,7 @@ class _Course:
                 self.free_wins[bye] += 1
             self.fixtures += fixtures
             self._settle_withdrawn(fixtures)
-            self.matches += [match for one in fixtures if (match := self.context.result(one)) is not None]
+            self.matches += self.context.matches(fixtures)
             if not self.context.are_decided(fixtures):
                 return False
         return True
@@ -111,15 +111,13 @@ class _Course:
         # Wins and losses, not points and places: rules of tables that change later leave a drawn round as it is.
         counts = sorted((row.team, row.won, row.drawn, row.lost, self.free_wins[row.team]) for row in present)
         inputs = number, counts, [fixture.id for fixture in self.fixtures]
-        pairs, bye = self.context.drawn.draw(
-            self.context.name,
-            inputs,
-            lambda: pair(
-                [self._player(row.team, row.points) for row in present],
-                number,
-                by_exchanges=self.context.drawn.by_exchanges,
-            ),
-        )
+        drawn = self.context.drawn
+
+        def paired() -> tuple[list[tuple[str, str]], str]:
+            players = [self._player(row.team, row.points) for row in present]
+            return pair(players, number, by_exchanges=drawn.by_exchanges)
+
+        pairs, bye = drawn.draw(self.context.name, inputs, paired)
         key = ("swiss", self.context.name, number, tuple(map(tuple, pairs)))
         if key not in self.context.cache:
             path, title = f"round{number}", f"Round {number}"
@@ -129,16 +127,11 @@ class _Course:
         return self.context.cache[key], bye
 
     def _player(self, team: str, points: float) -> Player:
-        met, balance = set(), 0
-        for fixture in self.fixtures:
-            (first,), (second,) = (side.teams for side in fixture.sides)
-            if team == first:
-                met.add(second)
-                balance += 1
-            elif team == second:
-                met.add(first)
-                balance -= 1
-        return Player(team, points, balance, met, any(name == team for _, name in self.byes))
+        pairs = [[side.teams[0] for side in fixture.sides] for fixture in self.fixtures]
+        after = {second for first, second in pairs if first == team}
+        before = {first for first, second in pairs if second == team}
+        balance = sum((first == team) - (second == team) for first, second in pairs)
+        return Player(team, points, balance, after | before, any(name == team for _, name in self.byes))
 
     def _settle_withdrawn(self, fixtures: Sequence[Fixture]) -> None:
         """Decide the open matches of teams that have left; if they do not count, the opponent has a bye."""
