@@ -42,8 +42,8 @@ def test_what_is_handed_in_is_checked_by_playing_and_then_plays(served: Served) 
     assert served.submit(code, small_team())[1]["number"] == 2
 
 
-def check_processes(served: Served) -> list[int]:
-    """Return the processes that check for the site."""
+def check_processes(served: Served, *, players: bool = False) -> list[int]:
+    """Return the processes that check for the site, or those that they have started: players, programs."""
     parents, checks = {}, []
     for folder in Path("/proc").glob("[0-9]*"):
         with contextlib.suppress(OSError):
@@ -52,10 +52,12 @@ def check_processes(served: Served) -> list[int]:
             if dispatcher._START.encode() in (folder / "cmdline").read_bytes():
                 checks.append(pid)
 
-    def is_of_site(pid: int) -> bool:
-        return pid == served.process.pid or (pid in parents and is_of_site(parents[pid]))
+    def is_below(pid: int, top: int) -> bool:
+        return pid == top or (pid in parents and is_below(parents[pid], top))
 
-    return [pid for pid in checks if is_of_site(pid)]
+    checks = [pid for pid in checks if is_below(pid, served.process.pid)]
+    below = [pid for pid in parents for top in checks if pid != top and is_below(pid, top)]
+    return below if players else checks
 
 
 def test_a_check_whose_process_is_killed_is_made_again_and_costs_the_team_nothing(served: Served) -> None:
@@ -73,6 +75,21 @@ def test_a_check_whose_process_is_killed_is_made_again_and_costs_the_team_nothin
     assert wait_for(served, code, receipt["id"])["state"] == "accepted"
     with use_site(served.config):
         assert Job.objects.get(submission=receipt["id"]).tries == 2
+
+
+def test_a_check_whose_players_are_killed_ends_with_a_verdict(served: Served) -> None:
+    with use_site(served.config):
+        _, code = make_team("Killed players")
+    receipt = served.submit(code, small_team("# one more\n" + PLAYER))[1]
+    until = time.monotonic() + 60
+    while not (found := check_processes(served, players=True)):
+        assert time.monotonic() < until
+        time.sleep(0.02)
+    for pid in found:
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(pid, signal.SIGKILL)
+    assert wait_for(served, code, receipt["id"])["state"] in {"accepted", "rejected"}
+    assert served.get("/healthz")[0] == 200
 
 
 @pytest.mark.parametrize("count", [3, pytest.param(1000, marks=pytest.mark.nightly)])
