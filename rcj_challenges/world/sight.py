@@ -84,8 +84,8 @@ class WorldSight:
         views = _Views(lens, [self._place(robot, eye) for robot, eye in eyes], [robot for robot, _ in eyes])
         picture = self._floor.picture(views)
         _paint(picture, [self._prisms.spans(views), *self._disc_spans(views), *self._ball_spans(views)])
-        columns = len(lens.ahead)
-        return [picture[:, n * columns : (n + 1) * columns].tobytes() for n in range(len(eyes))]
+        apart = np.ascontiguousarray(picture.reshape(len(picture), len(eyes), -1).transpose(1, 0, 2))
+        return [one.tobytes() for one in apart]
 
     def _place(self, robot: int, eye: Eye) -> tuple[float, float, float, float]:
         """Return x, y, and the cosine and sine of where an eye looks."""
@@ -315,7 +315,7 @@ class _Prisms:
         along = nx[:, None] * views.along_x + ny[:, None] * views.along_y
         away = (nx * x + ny * y)[:, None] - (nx[:, None] * views.x[:, 0] + ny[:, None] * views.y[:, 0])
         with np.errstate(divide="ignore", invalid="ignore"):
-            depth = np.repeat(away, views.columns, axis=1) / along
+            depth = (away[:, :, None] / along.reshape(len(along), views.count, -1)).reshape(along.shape)
         enters = along < 0.0
         enter = self._each(np.maximum, np.where(enters, depth, -np.inf))
         leave = self._each(np.minimum, np.where(enters, np.inf, depth))
@@ -406,7 +406,7 @@ class _FloorMap:
         i = np.minimum(np.maximum(x, 0.0), last_x).astype(np.intp)
         j = np.minimum(np.maximum(y, 0.0), last_y).astype(np.intp)
         picture = np.full((len(lens.slopes), views.count * views.columns), BEYOND, np.uint8)
-        picture[above:] = self._cells[i, j].reshape(len(i), -1)
+        picture[above:] = self._cells.take(i * (last_y + 1) + j).reshape(len(i), -1)
         return picture
 
 
