@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from pathlib import Path
 
+from rcj_challenges.scenario.kit_devices import kit_of
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.resources import teams_folder
 from rcj_challenges.submissions.team import TeamError, open_team
@@ -63,9 +64,13 @@ def _radio_layout(scenario: Scenario, robot: str, alike: Collection[str]) -> tup
 
     Versions of messages that are ``alike`` count as the same.
     """
-    name = scenario.robots[robot].kit
-    kit = scenario.kits[name]
-    return name, "alike" if kit.messages in alike else kit.messages, tuple(kit.packet_lists), kit.packet_has_flag
+    kit = kit_of(scenario, robot)
+    return (
+        scenario.robots[robot].kit,
+        "alike" if kit.messages in alike else kit.messages,
+        tuple(kit.packet_lists),
+        kit.packet_has_flag,
+    )
 
 
 def _has_programs(folder: Path, scenario: Scenario, seat: str) -> bool:

@@ -8,7 +8,7 @@ from rcj_challenges.core.traffic import DeviceSpec, RobotSpec
 from rcj_challenges.devices.base import Carrier, Fitted, FixedRay
 from rcj_challenges.devices.supervisor_receiver import SupervisorReceiverDevice
 from rcj_challenges.robots.channels import listening_channels, team_channels
-from rcj_challenges.scenario.kit_devices import devices_of, referee_listens
+from rcj_challenges.scenario.kit_devices import devices_of, kit_of, referee_listens
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
 
@@ -28,7 +28,7 @@ def fit(scenario: Scenario, roster: Roster) -> list[Fitted]:
     for robot in driven_robots(scenario, roster):
         name = roster.entities[robot]
         devices = devices_of(scenario, name)
-        kit = scenario.kits[scenario.robots[name].kit]
+        kit = kit_of(scenario, name)
         carrier = Carrier(
             chassis=kit.chassis,
             messages=kit.messages,
@@ -65,7 +65,7 @@ def robot_specs(scenario: Scenario, roster: Roster, fitted: Sequence[Fitted]) ->
     specs = {}
     for robot in driven_robots(scenario, roster):
         name = roster.entities[robot]
-        kit = scenario.kits[scenario.robots[name].kit]
+        kit = kit_of(scenario, name)
         devices = tuple(one.spec for one in fitted if one.robot == robot)
         specs[robot] = RobotSpec(
             name=name,

@@ -1,4 +1,4 @@
-"""A robot's chassis, its devices (those of its kit and its own), and which robots can send the referee messages."""
+"""A robot's kit, chassis and devices (those of its kit and its own), and which robots can send the referee messages."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from rcj_challenges.chassis.base import Chassis
 from rcj_challenges.devices.base import Device
 from rcj_challenges.devices.team_emitter import TeamEmitterDevice
 from rcj_challenges.rules.base import Word
+from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.tree import Entries, Leaf, node_at
 from rcj_challenges.scenario.walk import walk
@@ -13,16 +14,22 @@ from rcj_challenges.scenario.walk import walk
 _KIND = "device"
 
 
+def kit_of(scenario: Scenario, robot_name: str) -> Kit:
+    """Return the kit of a robot."""
+    return scenario.kits[scenario.robots[robot_name].kit]
+
+
 def devices_of(scenario: Scenario, robot_name: str) -> dict[str, Device]:
     """Return the devices of a robot by name: its kit's without those it lacks, then replaced or added ones."""
     robot = scenario.robots[robot_name]
-    devices = {name: device for name, device in scenario.kits[robot.kit].devices.items() if name not in robot.without}
+    kit = kit_of(scenario, robot_name)
+    devices = {name: device for name, device in kit.devices.items() if name not in robot.without}
     return devices | robot.devices
 
 
 def chassis_of(scenario: Scenario, robot_name: str) -> Chassis:
     """Return the chassis of a robot's kit."""
-    return scenario.kits[scenario.robots[robot_name].kit].chassis
+    return kit_of(scenario, robot_name).chassis
 
 
 def fill_in_devices(tree: Entries) -> None:

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from rcj_challenges.checker.advice.table import Hint
+from rcj_challenges.scenario.kit_devices import kit_of
 from rcj_challenges.scenario.models.robots import Kit
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.submissions.team import Team
@@ -37,7 +38,7 @@ def packet_hint(scenario: Scenario, team: Team, fault: Mapping[str, Any]) -> Hin
     detail, name = fault["detail"], scenario.robots[fault["robot"]].kit
     if not 0 < fault["tick"] <= _FIRST_TICKS or not _PACKET_ERROR.search(detail):
         return None
-    kit = scenario.kits[name]
+    kit = kit_of(scenario, fault["robot"])
     if kit.messages not in _FORMS:
         size = _OTHER_SIZE.search(detail)
         return _hint_of_2021(scenario, name, kit, int(size["bytes"])) if size is not None else None

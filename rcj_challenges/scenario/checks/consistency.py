@@ -214,13 +214,15 @@ def _robots(scenario: Scenario, roster: Roster) -> Iterator[Issue]:
         yield from (Issue("wrong-value", (*at, "chassis", key), text) for key, text in kit.chassis.contradictions())
         yield from _devices(kit.devices, kit.chassis, at)
     for name, robot in scenario.robots.items():
-        if robot.kit in scenario.kits:
-            yield from _devices(robot.devices, scenario.kits[robot.kit].chassis, ("robots", name))
-        devices = scenario.kits[robot.kit].devices if robot.kit in scenario.kits else {}
-        for index, device in enumerate(robot.without if robot.kit in scenario.kits else ()):
-            if device not in devices:
+        kit_of_robot = scenario.kits.get(robot.kit)
+        if kit_of_robot is None:
+            continue
+        yield from _devices(robot.devices, kit_of_robot.chassis, ("robots", name))
+        for index, device in enumerate(robot.without):
+            if device not in kit_of_robot.devices:
                 message = f"kit '{robot.kit}' has no device '{device}'"
-                yield Issue("unknown-name", ("robots", name, "without", index), message, choice_of(device, devices))
+                help_ = choice_of(device, kit_of_robot.devices)
+                yield Issue("unknown-name", ("robots", name, "without", index), message, help_)
 
 
 def _devices(devices: Mapping[str, Device], chassis: Chassis, path: Path) -> Iterator[Issue]:

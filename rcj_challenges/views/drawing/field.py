@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from rcj_challenges.core.play import Pose2
 from rcj_challenges.rules.phrasing import degrees
+from rcj_challenges.scenario.kit_devices import kit_of
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.outlines import extent, obstacle_outline
 from rcj_challenges.scenario.positions import start_noise_m, start_pose
@@ -246,7 +247,7 @@ def _robots(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) ->
         if pose is None:
             entries.append(Entry(f"{name}: {_PLACED}"))
             continue
-        kit, at, ink = scenario.kits[robot.kit], pose[:2], text_on(rgb(robot.colour))
+        kit, at, ink = kit_of(scenario, name), pose[:2], text_on(rgb(robot.colour))
         size_m = kit.chassis.size_m
         shifts = any(noise_m) and pose == start_pose(scenario, name)
         if shifts:

@@ -6,6 +6,7 @@ from typing import Any
 
 from pydantic import BaseModel
 
+from rcj_challenges.scenario.kit_devices import kit_of
 from rcj_challenges.scenario.models.field import Wall
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
@@ -98,7 +99,7 @@ def _entity(scenario: Scenario, name: str) -> dict[str, Any]:
 
 def _robot(scenario: Scenario, name: str) -> dict[str, Any]:
     robot = scenario.robots[name]
-    kit = scenario.kits[robot.kit]
+    kit = kit_of(scenario, name)
     chassis = kit.chassis
     seat = next((seat for seat, entrant in scenario.entrants.items() if name in entrant.robots), None)
     return {
