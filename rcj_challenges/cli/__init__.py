@@ -17,7 +17,11 @@ from types import ModuleType
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from typer import Typer
+
+    from rcj_challenges.core.errors import RcjError
 
 OK = 0
 WRONG_INPUT = 2
@@ -38,11 +42,11 @@ class CommandInterruptedError(BaseException):
     """
 
 
-def main() -> None:
-    """Run the command line and exit with its code."""
+def main(on_error: Callable[[RcjError], None] | None = None) -> None:
+    """Run the command line and exit with its code; ``on_error`` is called with what was printed as its error."""
     handled: list[int] = []
     try:
-        code = _exit_code(handled)
+        code = _exit_code(handled, on_error)
         if code == INTERRUPTED:
             _ignore_signals(handled)
         sys.exit(code)
@@ -51,7 +55,7 @@ def main() -> None:
         gc.freeze()
 
 
-def _exit_code(handled: list[int]) -> int:
+def _exit_code(handled: list[int], on_error: Callable[[RcjError], None] | None) -> int:
     """Run the command line; return its exit code. ``handled`` receives the signals that are handled from now on."""
     begun: list[object] = []
     interrupted_at_s: list[float] = []
@@ -81,9 +85,9 @@ def _exit_code(handled: list[int]) -> int:
         return OK if isinstance(error.__context__, BrokenPipeError) else _status(error.code)
     except (Exception, KeyboardInterrupt, CommandInterruptedError) as error:  # noqa: BLE001 - the last line of defence
         just_now = any(time.monotonic() - at_s <= _SAME_SIGNAL_S for at_s in interrupted_at_s)
-        return _report_error(error, begun=bool(begun), interrupted=just_now)
+        return _report_error(error, on_error, begun=bool(begun), interrupted=just_now)
     if code == INTERRUPTED and not begun:  # the library caught it while it read the options
-        return _report_error(KeyboardInterrupt(), begun=False)
+        return _report_error(KeyboardInterrupt(), on_error, begun=False)
     return _status(code)
 
 
@@ -91,7 +95,9 @@ def _status(code: object) -> int:
     return code if isinstance(code, int) else OK
 
 
-def _report_error(error: BaseException, *, begun: bool, interrupted: bool = False) -> int:
+def _report_error(
+    error: BaseException, on_error: Callable[[RcjError], None] | None, *, begun: bool, interrupted: bool = False
+) -> int:
     """Print what ended a command that had ``begun`` to work, or not; return its exit code.
 
     Unexpected errors become a report, unless a signal ``interrupted`` the command just before: libraries that are not
@@ -105,6 +111,8 @@ def _report_error(error: BaseException, *, begun: bool, interrupted: bool = Fals
     error = _as_missing_package(error)
     if isinstance(error, RcjError) and error.exit_code != OUR_FAULT:
         _print_error(render_error(error))
+        if on_error is not None:
+            on_error(error)
         return error.exit_code
     interruption = interruption_behind(error)
     if interruption is not None:
@@ -119,7 +127,7 @@ def _report_error(error: BaseException, *, begun: bool, interrupted: bool = Fals
         return WRONG_INPUT
     usage = _usage_error(error)
     if usage is None and interrupted:
-        return _report_error(KeyboardInterrupt(), begun=begun)
+        return _report_error(KeyboardInterrupt(), on_error, begun=begun)
     return write_crash_report(error) if usage is None else usage
 
 

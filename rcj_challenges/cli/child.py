@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import _thread
+import json
 import os
 import signal
 import threading
@@ -10,20 +11,28 @@ import time
 
 from rcj_challenges.cli import INTERRUPTED
 from rcj_challenges.cli import main as command
+from rcj_challenges.core.errors import RcjError
 
 _CLOSE_S = 1.0
 """How long a match may take to close its record after its parent is gone."""
 
 
 def main() -> None:
-    """Run the command line. Standard input is the lifeline: a pipe that ends when the parent does."""
+    """Run the command line. Standard input is the lifeline: a pipe that ends when the parent does.
+
+    The code of an error goes to standard output as JSON, where the parent expects a result.
+    """
     lifeline = os.dup(0)
     # On Windows any call on a pipe blocks while a thread reads from it, so nothing else may use this one.
     nowhere = os.open(os.devnull, os.O_RDONLY)
     os.dup2(nowhere, 0)
     os.close(nowhere)
     _thread.start_new_thread(_end_with_parent, (lifeline,))
-    command()
+    command(_write_code)
+
+
+def _write_code(error: RcjError) -> None:
+    print(json.dumps({"code": error.code}), flush=True)
 
 
 def _end_with_parent(lifeline: int) -> None:

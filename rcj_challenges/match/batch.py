@@ -85,7 +85,8 @@ class Job:
             process.cut_lifeline()
         if process.returncode:
             wrong_input = process.returncode == _WRONG_INPUT
-            return Attempt(Outcome(self, None, complaint.strip(), wrong_input=wrong_input), is_final=wrong_input)
+            outcome = Outcome(self, None, complaint.strip(), wrong_input=wrong_input, code=_code_in(out))
+            return Attempt(outcome, is_final=wrong_input)
         try:
             return Attempt(Outcome(self, json.loads(out)))
         except ValueError:
@@ -107,12 +108,22 @@ class Outcome:
         result: as in ``result.json``; None if the match could not be played.
         complaint: what its process wrote to stderr, if it could not.
         wrong_input: True if the input was wrong, so that a retry is useless.
+        code: of the error that its process ended with; empty if it has none.
     """
 
     job: Job
     result: dict[str, Any] | None
     complaint: str = ""
     wrong_input: bool = False
+    code: str = ""
+
+
+def _code_in(out: str) -> str:
+    """Return the code of an error in the last line of what a process wrote; empty if it was killed before that."""
+    try:
+        return str(json.loads(out.splitlines()[-1])["code"])
+    except (ValueError, LookupError, TypeError):
+        return ""
 
 
 def play_many(jobs: Sequence[Job], at_once: int, on_done: Callable[[Outcome], None]) -> list[Outcome]:

@@ -303,9 +303,9 @@ def is_crash(status: int) -> bool:
 
 def is_cpu_limit(status: int, cpu_s: float, limit_s: float) -> bool:
     """Return whether the kernel ended a process for its CPU time: by SIGXCPU, and by SIGKILL if it ignored that."""
-    return describe_status(status).startswith("the signal SIGXCPU") or (
-        describe_status(status) == "the signal SIGKILL" and cpu_s > _NEARLY * limit_s
-    )
+    if sys.platform == "win32":
+        return False
+    return status == -signal.SIGXCPU or (status == -signal.SIGKILL and cpu_s > _NEARLY * limit_s)
 
 
 def describe_status(status: int) -> str:

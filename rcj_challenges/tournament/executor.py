@@ -92,6 +92,8 @@ class LocalExecutor:
 
 def _outcome(job: MatchJob, outcome: batch.Outcome) -> JobOutcome:
     if outcome.result is None:
-        return JobOutcome(job, None, complaint=outcome.complaint, of_host=outcome.wrong_input)
+        # A match for which the computer was too busy is not played; the others may be.
+        of_host = outcome.wrong_input and outcome.code != "host-too-busy"
+        return JobOutcome(job, None, complaint=outcome.complaint, of_host=of_host)
     result = dict(outcome.result)
     return JobOutcome(job, result, Path(result.pop("folder")))

@@ -182,8 +182,7 @@ class Runner:
     def _take(self, outcome: JobOutcome) -> None:
         task = self._tasks.pop(outcome.job.id)
         if outcome.result is None or outcome.folder is None:
-            # A match for which the computer was too busy is not played; the others may be.
-            if outcome.of_host and "[host-too-busy]" not in outcome.complaint:
+            if outcome.of_host:
                 raise cannot_go_on(self._place.folder, outcome.complaint)
             self._failed.update(fixture.id for fixture in task.fixtures)
             self.tournament.store.keep_job(task.job, "failed", complaint=outcome.complaint)

@@ -95,3 +95,8 @@ def test_where_no_signal_lets_a_match_close_its_record_the_end_of_its_lifeline_d
 def test_a_match_that_could_not_be_played_is_named_with_its_seed():
     summarized = summary([Outcome(Job(4, ()), None, "it broke")])
     assert summarized["failed"] == [{"seed": 4, "message": "it broke"}]
+
+
+def test_a_match_that_ends_with_an_error_has_the_code_of_the_error():
+    (outcome,) = batch.play_many([Job(1, ("no_such_scenario.yaml",))], 1, lambda _: None)
+    assert (outcome.result, outcome.wrong_input, outcome.code) == (None, True, "no-such-file")
