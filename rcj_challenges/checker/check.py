@@ -233,7 +233,7 @@ class _Check:
             raise HostError(f"the physics cannot be loaded: {format_error(error)}", code="no-physics") from error
         with _private_folders() as folders:
             rehearsal = Rehearsal(self._loaded, team, name, self._options.sandbox, folders.place)
-            missing: list[tuple[str, str]] = []  # devices, when the programs started
+            missing: list[str] = []  # devices, when the programs started
 
             def start() -> Stage:
                 stage, match, lacking = check_start(rehearsal)

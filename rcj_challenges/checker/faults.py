@@ -12,8 +12,8 @@ from rcj_challenges.checker.rehearsal import Rehearsal, Rehearsed
 from rcj_challenges.core.sanitize import sanitize, sanitize_block
 from rcj_challenges.core.timing import s_from_ticks
 
-MissingDevices = dict[tuple[str, str], list[str]]
-"""Robots by the name of the device that they lack, and by what they have."""
+MissingDevices = dict[str, list[str]]
+"""Robots by the name of the device that they lack."""
 
 _MAX_DEVICES = 10
 _OTHER_HELP = "see the report below, if there is one, and the program's output (--show-output)"
@@ -45,7 +45,7 @@ def _fault_finding(
     # Robots that hang are stopped at different places: one is enough.
     places = (whereabouts_in(match.log(robot)) for robot in robots if not traceback)
     whereabouts = next(filter(None, places), "")
-    hint = hint_for(rehearsal.loaded.scenario, rehearsal.team, first, match.log(first["robot"]), whereabouts)
+    hint = hint_for(rehearsal.loaded.scenario, rehearsal.team, first, match.notes[first["robot"]], whereabouts)
     hint = hint or Hint(kind, HELP_BY_FAULT.get(kind, _OTHER_HELP))
     when = f"{side}after {s_from_ticks(first['tick']):.1f} s: " if stage == "play" else ""
     report = traceback or whereabouts
@@ -63,7 +63,7 @@ def missing_by_device(match: Rehearsed) -> MissingDevices:
     """Return the devices that robots of the team lacked in a match."""
     missing: MissingDevices = {}
     for robot in match.robots:
-        for found in missing_devices(match.log(robot)).items():
+        for found in missing_devices(match.notes[robot]):
             missing.setdefault(found, []).append(robot)
     return missing
 
@@ -77,10 +77,9 @@ def device_findings(stage: StageName, missing: MissingDevices, rehearsal: Rehear
         rehearsal: what was to be played.
         side: where the team played, as the message begins.
     """
-    names = {name for name, _ in missing}
     findings = []
-    for (name, has), robots in list(missing.items())[:_MAX_DEVICES]:
+    for name, robots in list(missing.items())[:_MAX_DEVICES]:
         message = f"{side}{missing_sentence(name)}"
-        help_ = device_help(rehearsal.loaded.scenario, rehearsal.team, name, has, names)
+        help_ = device_help(rehearsal.loaded.scenario, rehearsal.team, robots[0], name, missing)
         findings.append(Finding(f"{stage}.no_device", "warning", message, help_, ", ".join(robots)))
     return findings

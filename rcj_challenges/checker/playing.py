@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
-from rcj_challenges.checker.advice.complaints import MAX_COMPLAINTS, complaints_in
+from rcj_challenges.checker.advice.devices import MAX_COMPLAINTS, complaints_in
 from rcj_challenges.checker.advice.hints import standing_help
 from rcj_challenges.checker.faults import MissingDevices, device_findings, fault_findings, missing_by_device
 from rcj_challenges.checker.findings import Finding, Level, Stage
@@ -33,9 +33,7 @@ _THREAD_ENDED = re.compile(
 )
 
 
-def check_play(
-    rehearsal: Rehearsal, seconds: float, known: Collection[tuple[str, str]] = ()
-) -> tuple[Stage, list[Rehearsed]]:
+def check_play(rehearsal: Rehearsal, seconds: float, known: Collection[str] = ()) -> tuple[Stage, list[Rehearsed]]:
     """Play on each side that the team can take; return the findings on its robots, and the matches.
 
     Args:
@@ -227,7 +225,7 @@ def _complaints(match: Rehearsed, side: str) -> list[Finding]:
     """Return what the controller module found wrong with calls of the program."""
     complaints: dict[tuple[str, str], list[str]] = {}
     for robot in match.robots:
-        for complaint in complaints_in(match.log(robot)):
+        for complaint in complaints_in(match.notes[robot]):
             complaints.setdefault(complaint, []).append(robot)
     return [
         Finding("play.complaint", "warning", f"{side}{what}", help_, ", ".join(robots))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,6 +13,7 @@ from typing import Any
 from rcj_challenges.checker.advice.hints import read_log
 from rcj_challenges.core.play import RefereeOutput, Snapshot
 from rcj_challenges.core.timing import ticks_from_s
+from rcj_challenges.core.traffic import Note
 from rcj_challenges.match.observers import Observer, ProgramTimes
 from rcj_challenges.match.runner import MatchPlan, play_match
 from rcj_challenges.match.samples import sample_team
@@ -90,6 +91,7 @@ class Rehearsed:
         faults: of the team's robots, in order, as in the result.
         robots: what the robots of the team did, by name.
         waits: by robot of the team.
+        notes: of the programs, by robot.
         simulated_s: what was played in s.
         wall_s: what that took in s.
     """
@@ -101,6 +103,7 @@ class Rehearsed:
     faults: list[dict[str, Any]]
     robots: dict[str, Activity]
     waits: dict[str, ProgramTimes]
+    notes: Mapping[str, Sequence[Note]]
     simulated_s: float
     wall_s: float
 
@@ -155,6 +158,7 @@ def rehearse(rehearsal: Rehearsal, seats: tuple[str, ...], seconds: float) -> Re
         faults=[fault for fault in played.result["faults"] if fault["robot"] in ours],
         robots=observer.robots,
         waits={wait.robot: wait for wait in observer.waits if wait.robot in ours},
+        notes=played.notes,
         simulated_s=played.result["simulated_s"],
         wall_s=time.perf_counter() - began,
     )

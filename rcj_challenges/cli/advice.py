@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
     from pathlib import Path
 
+    from rcj_challenges.core.traffic import Note
     from rcj_challenges.scenario.models.scenario import Scenario
     from rcj_challenges.submissions.team import SuperTeam, Team
 
@@ -23,9 +24,10 @@ def advice_on(
     teams: Mapping[str, Team | SuperTeam],
     faults: Sequence[Mapping[str, Any]],
     motionless: Sequence[str],
+    notes: Mapping[str, Sequence[Note]],
     logs: Path,
 ) -> list[dict[str, Any]]:
-    """Hints about faults, robots that never moved and warnings in logs, as in `HintResult`.
+    """Hints about faults, robots that never moved and refused calls, as in `HintResult`.
 
     Each log in the folder ``logs`` gets the hints for its robot as its last lines. The teams are by seat of the first
     half, the faults as in the result; the ``motionless`` robots did not fail and never moved.
@@ -38,38 +40,43 @@ def advice_on(
     robots: dict[str, dict[str, None]] = {}
     for fault in faults:
         team = teams[fault["team"]].driving(numbers[fault["robot"]])
-        log = read_log(logs, fault["robot"])
-        hint = hint_for(scenario, team, fault, log, whereabouts_in(log))
+        whereabouts = whereabouts_in(read_log(logs, fault["robot"]))
+        hint = hint_for(scenario, team, fault, notes.get(fault["robot"], ()), whereabouts)
         general = "" if fault["kind"] in _ONLY_SPECIAL else HELP_BY_FAULT.get(fault["kind"], "")
         if help_ := hint.help if hint is not None else general:
             robots.setdefault(help_, {})[fault["robot"]] = None
     for robot in motionless:
         team = teams[seats[robot]].driving(numbers[robot])
-        help_ = f"it did not move: {standing_help(scenario, team, robot, read_log(logs, robot))}"
+        help_ = f"it did not move: {standing_help(scenario, team, robot, notes.get(robot, ()))}"
         robots.setdefault(help_, {})[robot] = None
     for robot, seat in seats.items():
         known = " ".join(help_ for help_, alike in robots.items() if robot in alike)
         if seat in teams:
             team = teams[seat].driving(numbers[robot])
-            for help_ in _warnings(scenario, team, read_log(logs, robot), known):
+            for help_ in _warnings(scenario, team, robot, notes.get(robot, ()), known):
                 robots.setdefault(help_, {})[robot] = None
     hints = [{"robots": list(alike), "help": help_} for help_, alike in robots.items()]
     _write_into_logs(hints, logs)
     return hints
 
 
-def _warnings(scenario: Scenario, team: Team, log: str, known: str) -> list[str]:
-    """Warnings in a robot's log with what to do, as `check` has them; ``known``: hints that it has."""
-    from rcj_challenges.checker.advice.complaints import MAX_COMPLAINTS, complaints_in
-    from rcj_challenges.checker.advice.devices import device_help, missing_devices, missing_sentence
+def _warnings(scenario: Scenario, team: Team, robot: str, notes: Sequence[Note], known: str) -> list[str]:
+    """What was refused or ignored, with what to do, as `check` has it; ``known``: hints that the robot has."""
+    from rcj_challenges.checker.advice.devices import (
+        MAX_COMPLAINTS,
+        complaints_in,
+        device_help,
+        missing_devices,
+        missing_sentence,
+    )
 
-    missing = missing_devices(log)
+    missing = missing_devices(notes)
     found = [
-        (missing_sentence(name), device_help(scenario, team, name, has, missing))
-        for name, has in missing.items()
+        (missing_sentence(name), device_help(scenario, team, robot, name, missing))
+        for name in missing
         if f'"{sanitize(name)}"' not in known
     ]
-    return [f"{what}: {help_}" for what, help_ in (found + complaints_in(log))[:MAX_COMPLAINTS]]
+    return [f"{what}: {help_}" for what, help_ in (found + complaints_in(notes))[:MAX_COMPLAINTS]]
 
 
 def _write_into_logs(hints: Sequence[Mapping[str, Any]], logs: Path) -> None:

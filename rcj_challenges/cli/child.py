@@ -6,6 +6,7 @@ import _thread
 import json
 import os
 import signal
+import sys
 import threading
 import time
 
@@ -32,7 +33,8 @@ def main() -> None:
 
 
 def _write_code(error: RcjError) -> None:
-    print(json.dumps({"code": error.code}), flush=True)
+    sys.stdout.write(json.dumps({"code": error.code}))
+    sys.stdout.flush()
 
 
 def _end_with_parent(lifeline: int) -> None:

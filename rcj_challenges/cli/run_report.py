@@ -54,7 +54,8 @@ class MatchReport:
                 faults = [fault for fault in outcome.result["faults"] if fault["robot"] not in self._plan.debug]
                 failed = {fault["robot"] for fault in outcome.result["faults"]}
                 motionless = [robot for robot in motionless if robot not in failed]
-                hints = advice_on(self._scenario, self._plan.teams, faults, motionless, outcome.folder / LOGS)
+                logs = outcome.folder / LOGS
+                hints = advice_on(self._scenario, self._plan.teams, faults, motionless, outcome.notes, logs)
                 if self._with_page and has_ticks(outcome):
                     from rcj_challenges.views.replay import write_replay
 

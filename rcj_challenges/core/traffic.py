@@ -32,6 +32,22 @@ class DeviceSpec:
     facts: dict[str, Any] = field(default_factory=dict)
 
 
+class Note(NamedTuple):
+    """What the module ``controller`` refused or ignored of a program's calls.
+
+    Attributes:
+        code: ``no-device``, ``ignored-call``, or empty.
+        subject: the device or call that the code is about, as the program wrote it; not safe to show.
+        message: what is wrong, in one line.
+        help: what to do about it; empty with ``no-device``.
+    """
+
+    code: str
+    subject: str
+    message: str
+    help: str
+
+
 @dataclass(frozen=True, slots=True)
 class RobotSpec:
     """Everything that a program's process receives at its start.

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from rcj_challenges.core.errors import format_error, interruption_behind
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.core.timing import ticks_from_s
-from rcj_challenges.core.traffic import RobotSpec
+from rcj_challenges.core.traffic import Note, RobotSpec
 from rcj_challenges.match.carry_over import CarryOver
 from rcj_challenges.match.loading import load_stage
 from rcj_challenges.match.loop import LoopResult, TickLoop
@@ -80,10 +80,12 @@ class PlayedMatch:
     Attributes:
         folder: of its record.
         result: as in ``result.json``.
+        notes: by robot: what the module ``controller`` refused or ignored of its program's calls.
     """
 
     folder: Path
     result: dict[str, Any]
+    notes: Mapping[str, Sequence[Note]] = field(default_factory=dict)
 
 
 class MatchInterruptedError(KeyboardInterrupt):
@@ -123,6 +125,7 @@ class _MatchRunner:
         self._scenario = plan.loaded.scenario
         self._roster = plan.loaded.roster
         self._carry_over = CarryOver(self._scenario)
+        self._notes: dict[str, list[Note]] = {}
         self._held_up_s = 0.0
         self._began = 0.0
         self._start_up_s: float | None = None
@@ -159,7 +162,7 @@ class _MatchRunner:
                 if isinstance(stopped_by, KeyboardInterrupt):
                     raise MatchInterruptedError(PlayedMatch(record.folder, record.result), trouble) from error
                 raise
-        played = PlayedMatch(record.folder, record.result)
+        played = PlayedMatch(record.folder, record.result, self._notes)
         try:
             self._observer.finished(record.result)
         except KeyboardInterrupt as error:
@@ -208,6 +211,8 @@ class _MatchRunner:
                 }
             )
             effects.closed(outcome.closing)
+        for driver in drivers.values():
+            self._notes.setdefault(driver.name, []).extend(driver.notes)
         self._observer.half_ended(half, tuple(_waits(driver) for driver in drivers.values()))
         self._carry_over.add(half, referee, outcome.ticks)
         return outcome

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import math
 import os
@@ -17,7 +18,7 @@ from rcj_challenges.core.play import Fault
 from rcj_challenges.core.streams import stream_seed
 from rcj_challenges.core.temporary_folder import DiskFullError
 from rcj_challenges.core.timing import s_from_ticks
-from rcj_challenges.core.traffic import Observation, Request
+from rcj_challenges.core.traffic import Note, Observation, Request
 from rcj_challenges.programs import debugging, isolation, processes, scratch
 from rcj_challenges.programs.assignment import Assignment
 from rcj_challenges.programs.log import ProgramLog
@@ -113,6 +114,11 @@ class Program:
     def requests(self) -> int:
         """How many times it has called ``step``."""
         return self._requests
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What the module ``controller`` refused or ignored of its calls."""
+        return tuple(self._codec.notes)
 
     def launch(self, sharing: Sharing) -> None:
         """Start the process; it runs to its first ``step``, which `collect` waits for.
@@ -255,10 +261,17 @@ class Program:
             process.kill()
         channel, self._channel = self._channel, None
         if channel is not None:
+            if self._is_over:
+                self._take_last_notes(channel)
             channel.close()
         if self._lifeline_fd is not None:
             os.close(self._lifeline_fd)
             self._lifeline_fd = None
+
+    def _take_last_notes(self, channel: TimedChannel) -> None:
+        """Take the notes that follow the end of the half, when no request is sent any more."""
+        with contextlib.suppress(ChannelClosedError, FrameTooLongError, ProtocolError):
+            self._codec.decode(channel.channel.receive(0.0) or b"", self._tick)
 
     def close(self) -> None:
         """End it and remove its private folder. `new_output` still returns its last output."""

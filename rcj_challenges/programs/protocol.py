@@ -17,16 +17,19 @@ from typing import Any
 
 from rcj_challenges.core.amounts import counted
 from rcj_challenges.core.timing import TICK_MS
-from rcj_challenges.core.traffic import MotorCommand, Observation, Packet, Request, RobotSpec
+from rcj_challenges.core.traffic import MotorCommand, Note, Observation, Packet, Request, RobotSpec
 from rcj_challenges.devices import device_of_class
 
 PROTOCOL_VERSION = 1
-HELLO, OBSERVATION, REQUEST, FAULT = 0x48, 0x4F, 0x52, 0x46
+HELLO, OBSERVATION, REQUEST, FAULT, NOTES = 0x48, 0x4F, 0x52, 0x46, 0x4E
 OVER = 1  # flag of an observation
 FAULT_KINDS = ("crash", "exit", "memory", "output_flood", "start")
 
 MAX_EMISSIONS = 1_000
 """Packets that one step may send. At 115200 baud 460 of one byte are on the air in a tick."""
+
+MAX_NOTES = 100
+"""Notes that a program may send in a half; the module ``controller`` sends each once."""
 
 LENGTH = Struct("<I")
 _OBSERVATION = "<IBIBII"  # with its length; then the values
@@ -41,6 +44,7 @@ _CHANNEL = Struct("<Hi")
 _FREQUENCY = Struct("<Hd")
 _EMISSION = Struct("<HiI")
 _FAULT = Struct("<BBI")
+_NOTES = Struct("<BI")
 
 _ADDRESS = re.compile(r"\b0x[0-9a-fA-F]{6,}")
 _SPEED_TOLERANCE = 1e-9
@@ -76,7 +80,11 @@ def hello_frame(spec: RobotSpec, setup: dict[str, Any]) -> bytes:
 
 
 class Codec:
-    """Encodes observations for one robot and decodes its program's messages."""
+    """Encodes observations for one robot and decodes its program's messages.
+
+    Attributes:
+        notes: that its messages brought.
+    """
 
     def __init__(self, spec: RobotSpec, message_bytes: int) -> None:
         self._values = spec.values
@@ -89,6 +97,7 @@ class Codec:
         self._first_bytes = b""
         self._asked_last = b""
         self._request = Request(1)
+        self.notes: list[Note] = []
 
     def encode(self, observation: Observation) -> bytes:
         """Return an observation as a frame."""
@@ -113,13 +122,29 @@ class Codec:
             ProtocolError: it is not as the protocol demands.
         """
         if body[:5] != _REQUEST_BEGINS.pack(REQUEST, tick):
-            return _other_than_request(body, tick)
+            if body[:1] != bytes((NOTES,)):
+                return _other_than_request(body, tick)
+            body = self._without_notes(body)
+            if body[:5] != _REQUEST_BEGINS.pack(REQUEST, tick):
+                return _other_than_request(body, tick)
         # Most requests repeat the one before.
         asked = body[5:]
         if asked != self._asked_last:
             self._request = self._requested(body)
             self._asked_last = asked
         return self._request
+
+    def _without_notes(self, body: bytes) -> bytes:
+        """Keep the notes that a message brings; return the message itself."""
+        try:
+            _, size = _NOTES.unpack_from(body)
+            notes = [_note(*found) for found in json.loads(body[_NOTES.size : _NOTES.size + size])]
+        except (StructError, ValueError, TypeError, AttributeError, RecursionError):
+            raise ProtocolError("invalid notes") from None
+        if len(self.notes) + len(notes) > MAX_NOTES:
+            raise ProtocolError(f"more than {MAX_NOTES} notes")
+        self.notes += notes
+        return body[_NOTES.size + size :]
 
     def _requested(self, body: bytes) -> Request:
         if len(body) == _BOTH_WHEELS.size and (request := self._of_both_wheels(body)) is not None:
@@ -261,6 +286,10 @@ def _other_than_request(body: bytes, tick: int) -> Ended:
     detail = body[_FAULT.size : _FAULT.size + size][:_MAX_TRACEBACK].decode("utf-8", "replace")
     trace = body[_FAULT.size + size :][-_MAX_TRACEBACK:].decode("utf-8", "replace")
     return Ended(FAULT_KINDS[kind], one_line(detail), _without_addresses(_printable(trace, keep="\n\t")))
+
+
+def _note(code: str, subject: str, message: str, help_: str) -> Note:
+    return Note(one_line(code), subject.replace("\n", " ")[:1_000], one_line(message), one_line(help_))
 
 
 def one_line(text: str) -> str:

@@ -203,8 +203,12 @@ def test_calls_that_the_controller_module_refuses_are_warnings(pack):
 
 def test_what_a_program_itself_prints_about_warnings_is_its_own_business(pack):
     program = BEGIN + 'print("Warning: the goalie is asleep: wake him")\nprint("Warning: not enabled")\n'
-    program += 'print("Error: no ball")\nprint("Error: goalie: asleep")\n' + LOOP
-    assert complaints(check_file(pack(program), ALONE, SHORT)) == []
+    program += 'print("Error: no ball")\nprint("Error: goalie: asleep")\n'
+    program += "print(\"Error: 'gps': setVelocity(NaN) is refused.\")\n"
+    program += "print('Warning: \"kicker\" device not found. This robot has: gps.')\n" + LOOP
+    report = check_file(pack(program), ALONE, SHORT)
+    assert complaints(report) == []
+    assert "play.no_device" not in {finding.code for stage in report.stages for finding in stage.findings}
 
 
 def test_output_and_replay_are_there_on_request_and_safe(pack, tmp_path):

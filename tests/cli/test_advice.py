@@ -34,7 +34,7 @@ def printed(tmp_path):
 
     def of(*faults):
         with open_team(tmp_path / "robot.py") as team:
-            return advice_on(OF_2021, {"yellow": team}, faults, (), logs)
+            return advice_on(OF_2021, {"yellow": team}, faults, (), {}, logs)
 
     return of
 

@@ -10,7 +10,7 @@ from rcj_challenges.programs.program import Program
 from rcj_challenges.programs.pool import PoolPlan, ProgramPool
 from rcj_challenges.submissions.team import Team, open_team
 from rcj_challenges.core.play import Fault
-from rcj_challenges.core.traffic import DeviceSpec, Observation, Packet, Request, RobotSpec
+from rcj_challenges.core.traffic import DeviceSpec, Note, Observation, Packet, Request, RobotSpec
 from rcj_challenges.scenario.models.limits import Limits
 
 PROGRAMS = Path(__file__).parent.parent / "programs"
@@ -75,6 +75,7 @@ class Played:
     requests: list[tuple[int, Request]] = field(default_factory=list)
     fault: Fault | None = None
     log: str = ""
+    notes: tuple[Note, ...] = ()
 
     @property
     def said(self) -> list[str]:
@@ -135,7 +136,7 @@ class FakeMatch:
             if finish and played.fault is None:
                 pool.finish({spec.name: Observation(last, values_at(last), [], over=True)})
             pool.close()
-            played.log = driver.new_output()
+            played.log, played.notes = driver.new_output(), driver.notes
         return played
 
 

@@ -46,9 +46,11 @@ def run():
         run()
 run()
 """
-    (reported,) = match.play(program.replace("LIMIT", "1000"), 200).said
+    played = match.play(program.replace("LIMIT", "1000"), 200)
+    (reported,) = played.said
     assert reported.startswith("Warning: step was called 20")
     assert reported.endswith("Python ends the program, after about 31 s; write a while loop.")
+    assert [note.help for note in played.notes] == ["write a while loop"], "the end of a half is not too late"
     assert match.play(program.replace("LIMIT", "100000"), 200).said == []
     assert match.play(program.replace("LIMIT", "1000"), 100).said == []
 

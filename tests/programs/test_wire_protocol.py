@@ -198,6 +198,30 @@ def test_the_match_receives_exactly_how_a_program_ended(kind: str, detail: str) 
         assert CODEC.decode(body, 0) == Ended(kind, detail, "line 1\n  line 2\n")
 
 
+@given(ticks, requests, st.lists(st.tuples(*[st.text(st.characters(min_codepoint=97, max_codepoint=122))] * 4), max_size=9))
+def test_the_match_receives_a_request_and_the_notes_that_it_brings(
+    tick: int, request: Request, notes: list[tuple[str, str, str, str]]
+) -> None:
+    codec = Codec(SPEC, MESSAGE_BYTES)
+    frame = _wire.with_notes(notes, sent_by_program(tick, request))
+    assert codec.decode(body_of(frame), tick) == request
+    assert codec.notes == notes
+
+
+@pytest.mark.parametrize("notes", [b"[", b"1", b"[1]", b"[[1, 2]]", b'[["", "", "", 1]]', b"[" * 5000, b'[{"a": 1}]'])
+def test_notes_of_another_form_break_the_protocol(notes: bytes) -> None:
+    body = struct.pack("<BI", 0x4E, len(notes)) + notes + body_of(sent_by_program(0, GOOD))
+    with pytest.raises(ProtocolError):
+        CODEC.decode(body, 0)
+
+
+def test_more_notes_than_the_module_sends_break_the_protocol() -> None:
+    codec, frame = Codec(SPEC, MESSAGE_BYTES), _wire.with_notes([("", "", "", "")] * 60, sent_by_program(0, GOOD))
+    codec.decode(body_of(frame), 0)
+    with pytest.raises(ProtocolError):
+        codec.decode(body_of(frame), 0)
+
+
 @given(st.binary(max_size=300))
 def test_no_message_of_arbitrary_bytes_does_more_than_break_the_protocol(body: bytes) -> None:
     try:
@@ -324,6 +348,7 @@ def test_the_document_of_the_protocol_names_every_form() -> None:
         _wire.PACKET.format,
         _wire._EMISSION.format,
         _wire._FAULT.format,
+        _wire._NOTES.format,
     ):
         assert form.lstrip("<").lstrip("I") in text.replace(" ", ""), form
 

@@ -12,7 +12,7 @@ from rcj_challenges.tournament.jobs import MatchJob, Workplace
 def test_a_match_for_which_the_computer_was_too_busy_says_nothing_about_the_next(
     tmp_path, monkeypatch, code, is_of_host, complaint
 ):
-    fails = f"import sys; print('{{\"code\": \"{code}\"}}'); sys.stderr.write({complaint!r}); sys.exit(2)"
+    fails = f'import sys; print(\'{{"code": "{code}"}}\'); sys.stderr.write({complaint!r}); sys.exit(2)'
     monkeypatch.setattr(batch, "_START", fails)
     with LocalExecutor(Workplace(tmp_path), 1) as executor:
         executor.submit(MatchJob("0" * 64, {}, {}, 1, {}))

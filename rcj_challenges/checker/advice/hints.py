@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path, PurePosixPath, PureWindowsPath
 from posixpath import relpath
 from typing import Any
@@ -15,6 +15,7 @@ from rcj_challenges.checker.advice.packets import packet_hint
 from rcj_challenges.checker.advice.table import Hint, find_row
 from rcj_challenges.checker.file_beside import help_for_module_beside
 from rcj_challenges.core.sanitize import sanitize
+from rcj_challenges.core.traffic import Note
 from rcj_challenges.programs.log import AFTER_ITS_END, ANOTHER_THREAD
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.submissions.team import Team
@@ -53,7 +54,7 @@ _NO_FILE = re.compile(r"^FileNotFoundError: \[Errno 2\] No such file or director
 
 
 def hint_for(
-    scenario: Scenario, team: Team, fault: Mapping[str, Any], log: str = "", whereabouts: str = ""
+    scenario: Scenario, team: Team, fault: Mapping[str, Any], notes: Sequence[Note] = (), whereabouts: str = ""
 ) -> Hint | None:
     """Return the cause of a fault, if the evidence is clear.
 
@@ -61,13 +62,13 @@ def hint_for(
         scenario: what was played.
         team: whose program failed.
         fault: as in the result.
-        log: of the robot, or its beginning.
+        notes: of the robot's program.
         whereabouts: where the program was when it was stopped; empty if that is not known.
     """
     kind, detail = fault["kind"], fault["detail"]
     entry = PurePosixPath(team.entries.get(fault["robot"], ""))
     if kind == "crash":
-        special = packet_hint(scenario, team, fault) or none_hint(scenario, team, fault, log)
+        special = packet_hint(scenario, team, fault) or none_hint(scenario, team, fault, notes)
         return special or _missing_hint(team, detail, entry.parent) or find_row(detail)
     if kind == "exit" and detail.startswith("the program called sys.exit"):
         return Hint("called_exit", _CALLED_EXIT)
@@ -107,18 +108,18 @@ def whereabouts_in(log: str) -> str:
     return "\n".join([WHEREABOUTS.strip(), *inside]) if inside else ""
 
 
-def standing_help(scenario: Scenario, team: Team, robot: str, log: str = "") -> str:
+def standing_help(scenario: Scenario, team: Team, robot: str, notes: Sequence[Note] = ()) -> str:
     """Return what to do about a robot that never moves although its program did not fail.
 
     Args:
         scenario: what was played.
         team: whose program it is.
         robot: its name.
-        log: of the robot, or its beginning: there it asks for its devices.
+        notes: of the robot's program.
     """
-    missing = missing_devices(log)
-    for name, has in missing.items():
-        return f'it asks for a device "{sanitize(name)}"; {device_help(scenario, team, name, has, missing)}'
+    missing = missing_devices(notes)
+    for name in missing:
+        return f'it asks for a device "{sanitize(name)}"; {device_help(scenario, team, robot, name, missing)}'
     hidden = hidden_error_help(team.files, PurePosixPath(team.entries[robot]))
     return f"{_STANDS}; or an error is hidden: {hidden}" if hidden else _STANDS
 

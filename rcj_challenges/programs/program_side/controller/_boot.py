@@ -151,7 +151,7 @@ class Boot:
     def _end(self, kind: str, detail: str, trace: str = "") -> None:
         """Report the reason for the end to the match, after all output is written. Never returns."""
         _flush_output()
-        self._wire.send(fault_frame(kind, detail, trace))
+        self._wire.send(self._connection.take_notes_with(fault_frame(kind, detail, trace)))
         leave(1)
 
 

@@ -19,6 +19,7 @@ from ._wire import (
     motors_frame,
     request_frame,
     with_missed_ticks,
+    with_notes,
 )
 
 TYPE_CHECKING = False
@@ -51,6 +52,7 @@ _TRIMMED_EVERY_BYTES = 1 << 19  # that arrive: of thousands of ticks, if packets
 _PRINTED_TIMES = 10
 """How often one complaint is printed; then only the 100th, the 1000th: an error in each step of a half occurs 18750
 times, and would hide the program's own output."""
+_MAX_NOTES, _MAX_NOTE_CHARACTERS = 100, 400
 _MAX_TICKS = 2**31 - 1
 _MAX_DEPTH, _REHEARSALS = 150, 60  # `check` plays 10 s, the 60th part of a half
 
@@ -160,6 +162,8 @@ class Connection:
         self._ending = False
         self._next_search = 2
         self._reported: set[str] = set()
+        self._notes: list[tuple[str, str, str, str]] = []
+        self._noted: set[str] = set()
 
     def time_s(self) -> float:
         """Return simulated seconds at the latest observation."""
@@ -242,6 +246,8 @@ class Connection:
         else:
             motors, self.motors = self.motors, {}
             request = motors_frame(self.tick, self._step_ticks, missed, printed, motors.values())
+        if self._notes:
+            request = self.take_notes_with(request)
         clock.step_began()
         frame = self._wire.exchange(request)
         if self._followed:
@@ -252,6 +258,18 @@ class Connection:
             raised, self.raised = self.raised, None
             raise raised
         return not self.over
+
+    def note(self, text: str, code: str, subject: str, help_: str) -> None:
+        """Send a complaint to the match with the next request, each text once."""
+        if text not in self._noted and len(self._noted) < _MAX_NOTES:
+            self._noted.add(text)
+            what = text.partition(": ")[2].removesuffix(".").removesuffix(help_).rstrip(":; ")
+            self._notes.append((code, subject[:_MAX_NOTE_CHARACTERS], what[:_MAX_NOTE_CHARACTERS], help_))
+
+    def take_notes_with(self, frame: bytes) -> bytes:
+        """Return a request or fault with the notes that were not sent yet."""
+        notes, self._notes = self._notes, []
+        return with_notes(notes, frame) if notes else frame
 
     def _take_in(self, frame: bytes) -> None:
         self.previous, self.previous_tick = self.numbers, self.tick
@@ -271,6 +289,8 @@ class Connection:
         if flags & OVER:
             self.over = True
             self._warn_of_depth()
+            if self._notes:  # no request follows
+                self._wire.send(self.take_notes_with(b""))
 
     def _report_unknown_attributes(self) -> None:
         """Warn, once for each, of values set to an attribute that a device lacks and that is nearly one of its names.
@@ -297,10 +317,11 @@ class Connection:
             depth, frame = depth + 1, frame.f_back
         limit = sys.getrecursionlimit()
         if depth > _MAX_DEPTH and depth * _REHEARSALS > limit:
-            ends_s = self.time_s() * limit / depth
+            ends_s, help_ = self.time_s() * limit / depth, "write a while loop"
             complain(
                 f"Warning: step was called {depth} calls deep: a function calls itself to continue. At "
-                f"{limit} Python ends the program, after about {ends_s:.0f} s; write a while loop."
+                f"{limit} Python ends the program, after about {ends_s:.0f} s; {help_}.",
+                help_,
             )
 
     def _checked_ticks(self, duration_ms: Any) -> int:
@@ -423,8 +444,13 @@ def connected() -> Connection:
 _times_printed: dict[str, int] = {}
 
 
-def complain(text: str) -> None:
-    """Print a complaint for the program's author on standard error; repetitions are printed now and then."""
+def complain(text: str, help_: str = "", *, code: str = "", subject: str = "") -> None:
+    """Print a complaint for the program's author on standard error; repetitions are printed now and then.
+
+    One that comes with help or a code is also sent to the match, for its hints. The subject is what the code is about.
+    """
+    if (help_ or code) and _connection is not None:
+        _connection.note(text, code, subject, help_)
     times = _times_printed[text] = _times_printed.get(text, 0) + 1
     if times > _PRINTED_TIMES and str(times).strip("0") != "1":
         return

@@ -205,7 +205,10 @@ class Supervisor(Robot):
             if attribute not in self._rcj_warned_about:
                 self._rcj_warned_about.add(attribute)
                 complain(
-                    f"Warning: {attribute} is ignored and gives None: it is the referee's, this is a player's robot."
+                    f"Warning: {attribute} is ignored and gives None: it is the referee's, this is a player's robot.",
+                    "do without this call",
+                    code="ignored-call",
+                    subject=attribute,
                 )
 
         return ignore

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     Motors = Iterable[tuple[int, float, float]]
     """Index, velocity in rad/s, position in rad."""
 
-HELLO, OBSERVATION, REQUEST, FAULT = 0x48, 0x4F, 0x52, 0x46
+HELLO, OBSERVATION, REQUEST, FAULT, NOTES = 0x48, 0x4F, 0x52, 0x46, 0x4E
 OVER = 1  # flag of an observation
 FAULT_KINDS = ("crash", "exit", "memory", "output_flood", "start")
 
@@ -31,6 +31,7 @@ _CHANNEL = Struct("<Hi")
 _FREQUENCY = Struct("<Hd")
 _EMISSION = Struct("<HiI")
 _FAULT = Struct("<IBBI")
+_NOTES = Struct("<IBI")
 
 # Common requests as a whole: no motor set, one, two … and nothing else.
 _FORMS = [Struct(_REQUEST_HEAD + count * _MOTOR) for count in range(5)]
@@ -163,6 +164,15 @@ def request_frame(
 def with_missed_ticks(request: bytes, missed_ticks: int) -> bytes:
     """Return a request as it would be if so many ticks were missed."""
     return request[:_MISSED_AT] + _MISSED.pack(missed_ticks) + request[_MISSED_AT + _MISSED.size :]
+
+
+def with_notes(notes: list[tuple[str, str, str, str]], frame: bytes) -> bytes:
+    """Return a request or fault that brings notes: code, subject, what is wrong, what to do. Empty: nothing follows."""
+    import json  # noqa: PLC0415 - only for a mistake: each import costs every program
+
+    text = json.dumps(notes).encode()
+    body = frame[_LENGTH.size :]
+    return _NOTES.pack(_NOTES.size - 4 + len(text) + len(body), NOTES, len(text)) + text + body
 
 
 def fault_frame(kind: str, detail: str, traceback: str = "") -> bytes:

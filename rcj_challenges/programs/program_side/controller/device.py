@@ -108,7 +108,8 @@ def device_of(connection: Connection, name: str, kind: str) -> Any:
     """Return the robot's device of that name and class; None, and a message, if the robot has none."""
     there = connection.devices.get(name)
     if there is None:
-        complain(f'Warning: "{name}" device not found. This robot has: {", ".join(connection.devices)}.')
+        has = ", ".join(connection.devices)
+        complain(f'Warning: "{name}" device not found. This robot has: {has}.', code="no-device", subject=name)
     elif kind not in [base.__name__ for base in type(there).__mro__]:
         complain(f'Warning: "{name}" is a {type(there).__name__}, not a {kind}.')
         return None
@@ -180,6 +181,7 @@ class Sensor(Device):
 
     def _rcj_warn(self) -> None:
         self._rcj_warned = True
-        complain(f"Warning: {self._rcj_name!r} is read but not enabled: call enable(32) before the first step.")
+        help_ = "call enable(32) before the first step"
+        complain(f"Warning: {self._rcj_name!r} is read but not enabled: {help_}.", help_)
 
     sampling_period = property(getSamplingPeriod, lambda self, period_ms: self.enable(period_ms))

@@ -144,7 +144,7 @@ class Lidar(Sensor):
         """Let the head turn at this pace in Hz, within its bounds."""
         asked = float(frequency)
         if math.isnan(asked):
-            complain(f"Error: {self.getName()!r}: setFrequency(NaN) is refused.")
+            complain(f"Error: {self.getName()!r}: setFrequency(NaN) is refused.", "correct this call")
             return
         self._rcj_frequency = min(max(asked, self.getMinFrequency()), self.getMaxFrequency())
         self._rcj_connection.spin(self._rcj_index, self._rcj_frequency)

@@ -45,7 +45,7 @@ class Motor(Device):
         """
         asked = float(number(position, f"{self._rcj_name!r}: setPosition takes a number of rad, such as float('inf')"))
         if math.isnan(asked):
-            complain(f"Error: {self._rcj_name!r}: setPosition(NaN) is refused.")
+            complain(f"Error: {self._rcj_name!r}: setPosition(NaN) is refused.", "correct this call")
             return
         self._rcj_command(self._rcj_velocity, math.inf if math.isinf(asked) else asked)
 
@@ -65,14 +65,15 @@ class Motor(Device):
         # Called in every tick. NaN is what differs from itself; and float gives back a float itself, but reads texts.
         if asked != asked or (asked is not velocity and type(velocity) is str):  # type: ignore[comparison-overlap]  # noqa: PLR0124
             number(velocity, f"{self._rcj_name!r}: setVelocity takes a number of rad/s, such as 5.0")
-            complain(f"Error: {self._rcj_name!r}: setVelocity(NaN) is refused.")
+            complain(f"Error: {self._rcj_name!r}: setVelocity(NaN) is refused.", "correct this call")
             return
         if abs(asked) > self._rcj_max_velocity:
             if not self._rcj_warned_of_speed and abs(asked) > self._rcj_max_velocity * _MORE_THAN_ROUNDING:
                 self._rcj_warned_of_speed = True
                 complain(
                     f"Warning: {self._rcj_name!r}: the velocity {asked:.10g} is beyond the maximum of "
-                    f"{self._rcj_max_velocity:g} rad/s, which is taken instead."
+                    f"{self._rcj_max_velocity:g} rad/s, which is taken instead.",
+                    "ask for less",
                 )
             asked = math.copysign(self._rcj_max_velocity, asked)
         if asked != self._rcj_velocity or not self._rcj_commanded:
@@ -142,7 +143,7 @@ class Motor(Device):
         """
         asked = float(number(acceleration, f"{self._rcj_name!r}: setAcceleration takes a number of rad/s²"))
         if math.isnan(asked):
-            complain(f"Error: {self._rcj_name!r}: setAcceleration(NaN) is refused.")
+            complain(f"Error: {self._rcj_name!r}: setAcceleration(NaN) is refused.", "correct this call")
             return
         if self._rcj_noted_tick != self._rcj_connection.tick:
             self._rcj_note_turning()
@@ -168,7 +169,9 @@ class Motor(Device):
 
     def setTorque(self, torque: float) -> None:
         """Refused: these motors are driven by velocity."""
-        complain(f"Error: {self._rcj_name!r}: setTorque is not offered by this robot; use setVelocity.")
+        complain(
+            f"Error: {self._rcj_name!r}: setTorque is not offered by this robot; use setVelocity.", "correct this call"
+        )
 
     def setControlPID(self, p: float, i: float, d: float) -> None:
         """Accepted without effect: on its way to an angle the motor turns at the velocity set."""

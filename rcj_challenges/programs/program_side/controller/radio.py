@@ -188,7 +188,7 @@ class Receiver(Sensor):
         if type(self._rcj_queue) is _NotListening:
             reason = "but the receiver is not enabled: call enable(32) before the first step."
         text = f"{self._rcj_name!r}: {method} was called {reason}"
-        complain(f"Error: {text}")
+        complain(f"Error: {text}", "correct this call")
         return RuntimeError(text)
 
     def _rcj_unpacked(self, method: str, letter: str, kind: str) -> list[Any]:
@@ -261,14 +261,14 @@ class Emitter(Device):
     def _rcj_warn_why_not(self, size: int) -> None:
         """Say why a packet of so many bytes is not sent: each reason once."""
         most = self._rcj_connection.message_bytes
-        reason, text = "step", "too much is sent in one step."
+        reason, text, help_ = "step", "too much is sent in one step.", "send less in one packet and in one step"
         if not size:
-            reason, text = "empty", "it is empty."
+            reason, text, help_ = "empty", "it is empty.", "send nothing where there is nothing to say"
         elif size > most:
             reason, text = "large", f"it has {size} bytes, and at most {most} are allowed."
         if reason not in self._rcj_warned_about:
             self._rcj_warned_about.add(reason)
-            complain(f"Warning: {self._rcj_name!r}: the packet is dropped: {text}")
+            complain(f"Warning: {self._rcj_name!r}: the packet is dropped: {text}", help_)
 
     def getChannel(self) -> int:
         """Return the channel it sends on."""
@@ -328,10 +328,13 @@ def _cut(data: bytes, size: Any, emitter: str) -> bytes:
 def _tuned(spec: dict[str, Any], current: int, given: float) -> int:
     """Return the channel of a device after a request; a refusal is reported."""
     asked = int(number(given, f"{spec['name']!r}: setChannel takes the number of a channel, such as 1"))
+    help_ = "correct this call"
     if asked in spec["facts"].get("refused_channels", ()):
-        complain(f"Error: {spec['name']!r}: channel {asked} is not for this team; it stays on {current}.")
+        complain(f"Error: {spec['name']!r}: channel {asked} is not for this team; it stays on {current}.", help_)
         return current
     if asked < Receiver.CHANNEL_BROADCAST:
-        complain(f"Error: {spec['name']!r}: channel {asked} does not exist (the lowest is -1); it stays on {current}.")
+        complain(
+            f"Error: {spec['name']!r}: channel {asked} does not exist (the lowest is -1); it stays on {current}.", help_
+        )
         return current
     return min(asked, 2**31 - 1)

@@ -67,7 +67,10 @@ class Robot:
     def __init__(self) -> None:
         self._rcj_connection = connection = connected()
         if connection.robot_made:  # going on is harmless; ending the program would cost a robot
-            complain(f"Error: only one Robot can be made: this second {type(self).__name__} is the same robot.")
+            complain(
+                f"Error: only one Robot can be made: this second {type(self).__name__} is the same robot.",
+                "make it once, and hand it to what needs it: def run(robot): …",
+            )
             return
         connection.robot_made = True
         for spec in connection.spec["devices"]:
