@@ -108,7 +108,7 @@ def test_what_lies_in_the_current_folder_is_not_imported(tmp_path: Path, many: l
 READS = """
 import sys
 from rcj_challenges.cli import child
-child.command = lambda: print(repr(sys.stdin.read()), flush=True)
+child.command = lambda _: print(repr(sys.stdin.read()), flush=True)
 child.main()
 """
 
