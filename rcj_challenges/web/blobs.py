@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from rcj_challenges.web.models import Submission
+    from rcj_challenges.web.models import Match, Submission
 
 MIN_FREE_BYTES = 2_000_000_000
 _STALE_S = 3600.0
@@ -84,3 +84,13 @@ def report_folder(site: Path, submission: Submission, attempt: int | None = None
         attempt: the claim that is writing it; None: the one that is shown.
     """
     return site / "reports" / (f"{submission.pk}" if attempt is None else f"{submission.pk}.{attempt}")
+
+
+def match_folder(site: Path) -> Path:
+    """Return the folder of the scenarios and records of matches."""
+    return site / "matches"
+
+
+def record_folder(site: Path, match: Match) -> Path:
+    """Return the folder with the replay and the logs of a match; they are kept for a while only."""
+    return match_folder(site) / "records" / str(match.pk)

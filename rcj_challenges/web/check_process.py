@@ -1,4 +1,4 @@
-"""The process that checks or repairs one submission: the only one that opens a team's files.
+"""The process that checks or repairs one submission or plays one match: the only one that opens a team's files.
 
 It reads a request from standard input, and writes JSON lines to standard output: a line for each stage, and the report.
 When its standard input ends, the dispatcher has ended: it then stops the programs and ends too.
@@ -22,16 +22,20 @@ from rcj_challenges.checker.report_files import write_page
 from rcj_challenges.checker.report_html import html_page
 from rcj_challenges.core.errors import RcjError
 from rcj_challenges.scenario.load import load
+from rcj_challenges.web.playing import play
 
 _END_S = 10.0
 
 
 def work() -> None:
-    """Check or repair, as the request says."""
+    """Check, repair or play, as the request says."""
     request = json.loads(_read_line())
     threading.Thread(target=_end_with_dispatcher, daemon=True).start()
     try:
-        _work(request)
+        if request["kind"] == "match":
+            _write(play(request))
+        else:
+            _work(request)
     except RcjError as error:
         _write({"error": str(error)})
 

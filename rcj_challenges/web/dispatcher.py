@@ -11,7 +11,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from contextlib import contextmanager, suppress
 from datetime import datetime
 from pathlib import Path
@@ -19,19 +19,21 @@ from typing import Any
 
 from django.db import DatabaseError, close_old_connections, connections
 
-from rcj_challenges import __version__
 from rcj_challenges.match.worker_pool import python_command
-from rcj_challenges.web import jobs
-from rcj_challenges.web.blobs import Blobs, report_folder
+from rcj_challenges.web import jobs, seasons
+from rcj_challenges.web.blobs import Blobs, record_folder, report_folder
 from rcj_challenges.web.config import SiteConfig
 from rcj_challenges.web.jobs import Verdict
-from rcj_challenges.web.models import Job, State, Submission, Worker
+from rcj_challenges.web.models import Job, Match, State, Submission, Worker
+from rcj_challenges.web.playing import job_of
 from rcj_challenges.web.receiving import accept_repaired
 
 _START = "import sys; sys.path.append(sys.argv[1]); from rcj_challenges.web.check_process import work; work()"
 _POLL_S = 0.5
 _MAX_JOB_S = 3600.0
 _CLEAN_UP_S = 3600.0
+_KEPT_LANE = ("check", "repair")
+"""Kinds of jobs for which the first of several lanes is kept."""
 
 
 class _HostFaultError(Exception):
@@ -68,6 +70,7 @@ class Dispatcher:
         self._lock = threading.Lock()
         self._stopped = threading.Event()
         self._cleans_at = 0.0
+        self._versions = seasons.own_versions()
 
     def run(self, parent: int | None = None) -> None:
         """Work until it is interrupted; then the running processes are ended, and their jobs given back.
@@ -75,7 +78,10 @@ class Dispatcher:
         Args:
             parent: a process with which this one ends.
         """
-        lanes = [threading.Thread(target=self._lane) for _ in range(self._config.lanes)]
+        kinds = [tuple(jobs.PRIORITY)] * self._config.lanes
+        if len(kinds) > 1:
+            kinds[0] = _KEPT_LANE
+        lanes = [threading.Thread(target=self._lane, args=(of_lane,)) for of_lane in kinds]
         for lane in lanes:
             lane.start()
         try:
@@ -96,11 +102,11 @@ class Dispatcher:
                 if process.stdin is not None:
                     process.stdin.close()
 
-    def do_next(self) -> bool:
-        """Claim a job and do it; return False if there is none."""
+    def do_next(self, kinds: Collection[str] = tuple(jobs.PRIORITY)) -> bool:
+        """Claim a job of some kinds and do it; return False if there is none."""
         if not self._blobs.has_room():
             return False
-        job = jobs.claim(self.name, self._now())
+        job = jobs.claim(self.name, self._now(), kinds, seasons.fitting_bases(self._versions))
         if job is None:
             return False
         claim = (job.pk, job.attempt)
@@ -124,6 +130,10 @@ class Dispatcher:
         if job.submission is not None:
             shutil.rmtree(report_folder(self._config.folder, job.submission, job.attempt), ignore_errors=True)
         self._repaired(job).unlink(missing_ok=True)
+        shutil.rmtree(self._playing(job), ignore_errors=True)
+
+    def _playing(self, job: Job) -> Path:
+        return self._blobs.incoming / f"match-{job.pk}-{job.attempt}"
 
     def _repaired(self, job: Job) -> Path:
         return self._blobs.incoming / f"repair-{job.pk}-{job.attempt}.zip"
@@ -142,10 +152,10 @@ class Dispatcher:
             else:
                 return
 
-    def _lane(self) -> None:
+    def _lane(self, kinds: Collection[str]) -> None:
         while not self._stopped.is_set():
             with _logged():
-                if self.do_next():
+                if self.do_next(kinds):
                     continue
             self._stopped.wait(_POLL_S)
         connections.close_all()
@@ -157,7 +167,7 @@ class Dispatcher:
         lost: set[tuple[int, int]] = set()
         with _logged():
             now = self._now()
-            seen = {"seen_at": now, "lanes": self._config.lanes, "versions": {"rcj-challenges": __version__}}
+            seen = {"seen_at": now, "lanes": self._config.lanes, "versions": self._versions}
             with jobs.writing():
                 Worker.objects.update_or_create(name=self.name, defaults=seen)
             lost = held - jobs.renew(self.name, held, now)
@@ -171,16 +181,17 @@ class Dispatcher:
 
     def _do(self, job: Job, claim: tuple[int, int]) -> Callable[[Job], None]:
         """Do a job; return what stores its result."""
+        if job.match is not None:
+            return self._play(job, job.match, claim)
         submission = job.submission
-        if submission is None:
-            raise _HostFaultError(f"there is no way to do jobs of the kind {job.kind}")
+        assert submission is not None  # noqa: S101 - a job is about one of the two
         if job.kind == "repair":
             return self._repair(job, submission, claim)
         folder = report_folder(self._config.folder, submission, job.attempt)
         for left in folder.parent.glob(f"{submission.pk}.*"):
             shutil.rmtree(left, ignore_errors=True)
         folder.mkdir(parents=True)
-        answer = self._answer(job, claim, {"kind": "check", "folder": str(folder)}, submission)
+        answer = self._answer(job, claim, {"kind": "check", "folder": str(folder), **self._about(submission)})
         report = answer["report"]
         if answer["host"] or report["level"] == "unchecked":
             raise _HostFaultError(report["hindrance"] or "the check itself failed")
@@ -198,7 +209,7 @@ class Dispatcher:
 
     def _repair(self, job: Job, submission: Submission, claim: tuple[int, int]) -> Callable[[Job], None]:
         out = self._repaired(job)
-        answer = self._answer(job, claim, {"kind": "repair", "out": str(out)}, submission)
+        answer = self._answer(job, claim, {"kind": "repair", "out": str(out), **self._about(submission)})
         if answer["repaired"] is None:
             return lambda _: None
 
@@ -207,18 +218,43 @@ class Dispatcher:
 
         return store
 
-    def _answer(
-        self, job: Job, claim: tuple[int, int], request: dict[str, Any], submission: Submission
-    ) -> dict[str, Any]:
-        """Have a process of its own do a job; return its last line."""
+    def _play(self, job: Job, match: Match, claim: tuple[int, int]) -> Callable[[Job], None]:
+        playing = self._playing(job)
+        for left in playing.parent.glob(f"match-{job.pk}-*"):
+            shutil.rmtree(left, ignore_errors=True)
+        played = job_of(match, self._sandbox).to_json()
+        request = {"kind": "match", "job": played, "site": str(self._config.folder), "playing": str(playing)}
+        answer = self._answer(job, claim, request)
+        if match.digest not in {"", answer["result"]["digest"]}:
+            raise _HostFaultError("the match ended differently from the first time")
+        record = Path(answer["folder"])
+
+        def store(_job: Job) -> None:
+            seasons.store_result(match, answer, self._now())
+            if record.exists():  # else it was moved by a first attempt to store the result
+                kept = record_folder(self._config.folder, match)
+                shutil.rmtree(kept, ignore_errors=True)
+                kept.parent.mkdir(parents=True, exist_ok=True)
+                record.rename(kept)
+
+        return store
+
+    @property
+    def _sandbox(self) -> str:
+        return "auto" if self._config.trust_all_teams else "strict"
+
+    def _about(self, submission: Submission) -> dict[str, Any]:
         season = submission.season
-        request |= {
+        return {
             "path": str(self._blobs.path(submission.sha256)),
             "name": f"{submission.team.public_name}, no. {submission.number}",
             "scenario": season.scenario,
             "overrides": season.overrides,
-            "sandbox": "auto" if self._config.trust_all_teams else "strict",
+            "sandbox": self._sandbox,
         }
+
+    def _answer(self, job: Job, claim: tuple[int, int], request: dict[str, Any]) -> dict[str, Any]:
+        """Have a process of its own do a job; return its last line."""
         with subprocess.Popen(
             python_command(_START), stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, encoding="utf-8"
         ) as process:
@@ -239,7 +275,7 @@ class Dispatcher:
         if last is not None and set(last) == {"error"}:
             raise _HostFaultError(last["error"])
         if last is None:
-            raise _HostFaultError(f"the check process ended without a report (exit status {process.returncode})")
+            raise _HostFaultError(f"the process ended without a result (exit status {process.returncode})")
         return last
 
     @staticmethod

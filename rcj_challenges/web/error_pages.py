@@ -10,6 +10,10 @@ PAGES: dict[str, str] = {
     "no-file": "No archive came with the request.\n\nChoose a ZIP, or send it as the body.",
     "no-season": "No season is open, so nothing can be handed in.\n\nWait until the organizers announce one.",
     "no-team": "The team has been deleted, so it can hand in nothing.\n\nAsk its mentor.",
+    "not-for-two": (
+        "A ladder is played by two teams against each other, `blue` and `yellow`. The season has another scenario.\n\n"
+        "Choose a scenario such as `match` for it."
+    ),
     "not-open": "The season does not take uploads yet.\n\nThe message says when it does.",
     "not-stored": (
         "The archive may not have been stored, because the disk or the database of the site failed.\n\nLook at the "

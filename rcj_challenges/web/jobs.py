@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 from django.contrib.sessions.models import Session
 from django.db import connection, transaction
-from django.db.models import F, FloatField, OuterRef, QuerySet, Subquery, Sum, Value
+from django.db.models import F, FloatField, OuterRef, Q, QuerySet, Subquery, Sum, Value
 from django.db.models.functions import Coalesce
 from django.utils import timezone
 
@@ -27,7 +27,7 @@ MAX_TRIES = 3
 _RETRY_AFTER = timedelta(seconds=5)
 _DAY = timedelta(days=1)
 
-PRIORITY = {"check": 0, "repair": 0, "event": 1, "placement": 2, "practice": 3, "ladder": 4, "again": 5}
+PRIORITY = {"check": 0, "repair": 0, "event": 1, "placement": 2, "practice": 3, "again": 3, "ladder": 4}
 """Kinds of jobs, the most urgent first."""
 
 
@@ -102,11 +102,21 @@ def waiting(now: datetime) -> QuerySet[Job]:
     )
 
 
-def claim(worker: str, now: datetime, kinds: Collection[str] = tuple(PRIORITY)) -> Job | None:
-    """Lease the next job to a worker; None: there is none."""
+def claim(
+    worker: str, now: datetime, kinds: Collection[str] = tuple(PRIORITY), bases: Collection[int] = ()
+) -> Job | None:
+    """Lease the next job to a worker; None: there is none.
+
+    Args:
+        worker: its name.
+        now: the time.
+        kinds: of jobs.
+        bases: of matches that it can play.
+    """
     with writing():
         return_expired(now)
-        job = _locked(waiting(now).filter(kind__in=kinds)).first()
+        fitting = Q(match=None) | Q(match__basis__in=bases)
+        job = _locked(waiting(now).filter(fitting, kind__in=kinds)).first()
         if job is None:
             return None
         job.state, job.worker, job.attempt, job.tries = JobState.RUNNING, worker, job.attempt + 1, job.tries + 1

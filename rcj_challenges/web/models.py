@@ -31,10 +31,16 @@ class AccountManager(BaseUserManager["Account"]):
 
 
 class Group(models.Model):
-    """A school or club, labelled without names of persons."""
+    """A school or club, labelled without names of persons.
+
+    Attributes:
+        quota: how many teams it may have.
+        meetings: how often two programs of its teams meet in rated matches at most; 0: never.
+    """
 
     label = models.CharField(max_length=60, unique=True)
     quota = models.PositiveIntegerField(default=40)
+    meetings = models.PositiveSmallIntegerField(default=3)
 
     def __str__(self) -> str:
         return self.label
@@ -99,15 +105,33 @@ class Team(models.Model):
         return self.name if self.is_name_public else f"Team {self.pk}"
 
 
+def short_halves() -> list[str]:
+    """Return the settings of a ladder: many short matches say more than a few long ones."""
+    return ["match.half_s=150"]
+
+
 class Season(models.Model):
-    """What is played in a time, and when programs are taken for it."""
+    """What is played in a time, and when programs are taken for it.
+
+    Attributes:
+        ladder_overrides: further settings of the matches of its ladder.
+        begun_at: when its ladder began; None: it has none yet.
+        ended_at: when its ladder ended, from when on its secret is shown.
+        secret: from which the seeds of its matches follow.
+        secret_hash: SHA-256 of the secret, shown from the beginning.
+    """
 
     title = models.CharField(max_length=80)
     scenario = models.CharField(max_length=200, default="match")
     overrides = models.JSONField(default=list, blank=True)
+    ladder_overrides = models.JSONField(default=short_halves, blank=True)
     opens_at = models.DateTimeField(null=True, blank=True)
     closes_at = models.DateTimeField(null=True, blank=True)
     is_current = models.BooleanField(default=True)
+    begun_at = models.DateTimeField(null=True, blank=True, editable=False)
+    ended_at = models.DateTimeField(null=True, blank=True, editable=False)
+    secret = models.CharField(max_length=64, blank=True, editable=False)
+    secret_hash = models.CharField(max_length=64, blank=True, editable=False)
 
     class Meta:
         constraints = (
@@ -127,6 +151,7 @@ class Season(models.Model):
 
         try:
             load(self.scenario, self.overrides)
+            load(self.scenario, [*self.overrides, *self.ladder_overrides])
         except RcjError as error:
             raise ValidationError(str(error)) from error
 
@@ -197,6 +222,69 @@ class Entry(models.Model):
         constraints = (models.UniqueConstraint(fields=("team", "season"), name="one_entry_a_season"),)
 
 
+class Basis(models.Model):
+    """What the matches of a season are played with. If versions change, a new one is made, and all is played again.
+
+    Attributes:
+        scenario: hash of the scenario with all settings (`tournament.jobs`).
+        versions: what decides the bits of a result besides scenario, programs and seed.
+        is_whole: whether all matches of the basis before have been played again; until then, that one has the table.
+    """
+
+    season = models.ForeignKey(Season, on_delete=models.CASCADE)
+    scenario = models.CharField(max_length=64)
+    versions = models.JSONField()
+    is_whole = models.BooleanField(default=True)
+    made_at = models.DateTimeField()
+
+    class Meta:
+        ordering = ("-id",)
+
+
+class MatchKind(models.TextChoices):
+    """Whether a match counts for the ladder."""
+
+    RATED = "rated"
+    PRACTICE = "practice"
+
+
+class Match(models.Model):
+    """A match of a ladder.
+
+    Attributes:
+        number: from 1 for each kind of a basis; with the season's secret it gives the seed.
+        blue: whose programs begin on blue.
+        yellow: whose programs begin on yellow.
+        played_at: when it was over; None: it is in the queue.
+        digest: of its record.
+        faults: what programs did wrong, as in ``result.json`` but without details.
+        is_doubtful: whether it ended differently when it was repeated because of a time limit.
+        void: why it does not count; empty if it does.
+    """
+
+    basis = models.ForeignKey(Basis, on_delete=models.CASCADE)
+    kind = models.CharField(max_length=8, choices=MatchKind.choices, default=MatchKind.RATED)
+    number = models.PositiveIntegerField()
+    blue = models.ForeignKey(Submission, on_delete=models.PROTECT, related_name="blue_matches")
+    yellow = models.ForeignKey(Submission, on_delete=models.PROTECT, related_name="yellow_matches")
+    seed = models.PositiveBigIntegerField()
+    made_at = models.DateTimeField()
+    played_at = models.DateTimeField(null=True, blank=True)
+    blue_goals = models.FloatField(null=True, blank=True)
+    yellow_goals = models.FloatField(null=True, blank=True)
+    digest = models.CharField(max_length=64, blank=True)
+    faults = models.JSONField(default=list, blank=True)
+    is_doubtful = models.BooleanField(default=False)
+    void = models.CharField(max_length=200, blank=True)
+
+    class Meta:
+        constraints = (models.UniqueConstraint(fields=("basis", "kind", "number"), name="one_match_a_number"),)
+        ordering = ("-id",)
+
+    def __str__(self) -> str:
+        return f"match {self.number}" if self.kind == MatchKind.RATED else f"practice match {self.number}"
+
+
 class JobState(models.TextChoices):
     """Where a job stands; ``stuck`` is an alarm on the organizers' desk."""
 
@@ -219,6 +307,7 @@ class Job(models.Model):
     kind = models.CharField(max_length=12)
     key = models.CharField(max_length=120, unique=True)
     submission = models.ForeignKey(Submission, on_delete=models.CASCADE, null=True, blank=True)
+    match = models.ForeignKey(Match, on_delete=models.CASCADE, null=True, blank=True)
     team = models.ForeignKey(Team, on_delete=models.CASCADE, null=True, blank=True)
     priority = models.IntegerField(default=0)
     state = models.CharField(max_length=8, choices=JobState.choices, default=JobState.QUEUED)

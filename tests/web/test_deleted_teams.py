@@ -34,7 +34,7 @@ def test_result_that_comes_after_the_team_was_deleted_is_dropped_with_its_files(
     hand_in(site, team, b"x")
     Job.objects.update(kind=kind)
 
-    def answer(_self: Dispatcher, _job: Job, _claim: Any, request: dict[str, Any], _submission: Any) -> dict[str, Any]:
+    def answer(_self: Dispatcher, _job: Job, _claim: Any, request: dict[str, Any]) -> dict[str, Any]:
         if kind == "check":
             Path(request["folder"], "report.html").write_text("x", encoding="utf-8")
         else:

@@ -14,7 +14,7 @@ from django.utils import timezone
 from django.utils.translation import gettext
 
 from rcj_challenges.core.sanitize import sanitize
-from rcj_challenges.web import jobs
+from rcj_challenges.web import jobs, seasons
 from rcj_challenges.web.accounts import Viewer, give_card, write_audit
 from rcj_challenges.web.blobs import report_folder
 from rcj_challenges.web.config import current_site
@@ -99,6 +99,7 @@ def delete_team(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBa
         open_jobs.update(state=JobState.DONE, worker="", lease_until=None)  # late results are then dropped
         write_audit(viewer, "delete team", f"team {pk}", request.POST.get("reason", ""), now)
         _remove_files(found)
+        seasons.forget(found)
     return redirect("group")
 
 

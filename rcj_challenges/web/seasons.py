@@ -1,0 +1,175 @@
+"""The ladder of a season: what it is played with, its seeds, and its matches from the queue to the result."""
+
+from __future__ import annotations
+
+import hashlib
+import hmac
+import secrets
+import shutil
+from collections.abc import Iterable, Mapping
+from datetime import datetime
+from typing import Any
+
+from django.db.models import Max, Q, QuerySet
+from django.utils.translation import gettext
+
+from rcj_challenges.records.result import deciding, versions
+from rcj_challenges.web import jobs
+from rcj_challenges.web.blobs import record_folder
+from rcj_challenges.web.config import current_site
+from rcj_challenges.web.errors import SiteError
+from rcj_challenges.web.models import Basis, Job, JobState, Match, MatchKind, Season, Submission, Team
+
+_SECRET_BYTES = 32
+_SEED_BYTES = 4
+_DELETED = "a team was deleted"
+SIDES = ("blue", "yellow")
+
+
+def own_versions() -> dict[str, str]:
+    """Return what decides the bits of results on this computer."""
+    return deciding(versions().model_dump())
+
+
+def current_basis(season: Season) -> Basis | None:
+    """Return what new matches of a season are played with; None: its ladder has not begun."""
+    return Basis.objects.filter(season=season).first()
+
+
+def shown_basis(season: Season) -> Basis | None:
+    """Return the basis whose matches make the table."""
+    return Basis.objects.filter(season=season, is_whole=True).first()
+
+
+def begin(season: Season, now: datetime) -> None:
+    """Begin the ladder of a season: what it is played with is pinned, and the hash of its secret shown.
+
+    Raises:
+        RcjError: its scenario cannot be played, or is not for two teams.
+    """
+    scenario = _kept_scenario(season)
+    secret = secrets.token_hex(_SECRET_BYTES)
+    pinned = {"begun_at": now, "secret": secret, "secret_hash": hashlib.sha256(secret.encode()).hexdigest()}
+    with jobs.writing():
+        if Season.objects.filter(pk=season.pk, begun_at=None).update(**pinned):
+            Basis.objects.create(season=season, scenario=scenario, versions=own_versions(), made_at=now)
+
+
+def end(season: Season, now: datetime) -> None:
+    """End the ladder of a season: nothing more is played, and its secret is shown."""
+    with jobs.writing():
+        if Season.objects.filter(pk=season.pk, begun_at__isnull=False, ended_at=None).update(ended_at=now):
+            Match.objects.filter(basis__season=season, played_at=None).delete()
+
+
+def rebase(season: Season, now: datetime) -> None:
+    """Play all rated matches of a season again with what this computer has; the table stays until they are done.
+
+    Raises:
+        RcjError: its scenario cannot be played any more.
+    """
+    scenario = _kept_scenario(season)
+    with jobs.writing():
+        running = Season.objects.select_for_update().filter(pk=season.pk, begun_at__isnull=False, ended_at=None).first()
+        before = current_basis(season)
+        if running is None or before is None:
+            return
+        rated = Match.objects.filter(basis=before, kind=MatchKind.RATED).select_related("blue", "yellow")
+        matches = list(rated.order_by("number"))
+        Match.objects.filter(basis=before, played_at=None, void="").delete()
+        Basis.objects.filter(season=season, is_whole=False).delete()
+        basis = Basis.objects.create(
+            season=season, scenario=scenario, versions=own_versions(), is_whole=False, made_at=now
+        )
+        Match.objects.bulk_create(
+            Match(
+                basis=basis, number=one.number, blue=one.blue, yellow=one.yellow, seed=one.seed, made_at=now,
+                void=one.void or (_DELETED if one.blue.is_deleted or one.yellow.is_deleted else ""),
+            )
+            for one in matches
+        )  # fmt: skip
+
+
+def _kept_scenario(season: Season) -> str:
+    from rcj_challenges.scenario.load import load  # noqa: PLC0415 - a process that serves pages loads none else
+    from rcj_challenges.web.playing import MatchPlace  # noqa: PLC0415
+
+    loaded = load(season.scenario, [*season.overrides, *season.ladder_overrides])
+    if sorted(loaded.scenario.entrants) != sorted(SIDES):
+        message = gettext("{scenario} is not played by two teams against each other").format(scenario=season.scenario)
+        raise SiteError(message, gettext("choose another scenario for this season"), code="not-for-two")
+    return MatchPlace(current_site().folder).keep_scenario(loaded)
+
+
+def seed_of(secret: str, kind: str, number: int) -> int:
+    """Return the seed of a match: the first bytes of HMAC-SHA-256 of its number, with the secret of its season."""
+    use = str(number) if kind == MatchKind.RATED else f"{kind}/{number}"
+    return int.from_bytes(hmac.digest(secret.encode(), use.encode(), "sha256")[:_SEED_BYTES], "big")
+
+
+def add_matches(
+    basis: Basis, kind: MatchKind, pairs: Iterable[tuple[Submission, Submission]], now: datetime
+) -> list[Match]:
+    """Add matches with the next numbers; called inside `jobs.writing`."""
+    same_kind = Match.objects.filter(basis__season=basis.season_id, kind=kind)
+    last = same_kind.aggregate(last=Max("number"))["last"] or 0
+    return [
+        Match.objects.create(
+            basis=basis, kind=kind, number=number, blue=blue, yellow=yellow, made_at=now,
+            seed=seed_of(basis.season.secret, kind, number),
+        )
+        for number, (blue, yellow) in enumerate(pairs, last + 1)
+    ]  # fmt: skip
+
+
+def open_rated(basis: Basis) -> QuerySet[Match]:
+    """Return the rated matches of a basis that are still to be played."""
+    return Match.objects.filter(basis=basis, kind=MatchKind.RATED, played_at=None, void="")
+
+
+def enqueue(match: Match, kind: str, now: datetime, **fields: Any) -> Job:
+    """Put a match into the queue, or one whose record is gone once more; called inside `jobs.writing`.
+
+    Args:
+        match: the match.
+        kind: of the job, as in `jobs.PRIORITY`.
+        now: the time.
+        fields: more of the job.
+    """
+    queued = {"state": JobState.QUEUED, "tries": 0, "not_before": now, "error": ""}
+    made = {"kind": kind, "match": match, "priority": jobs.PRIORITY[kind], "created_at": now, **fields}
+    job, is_new = Job.objects.get_or_create(key=f"{kind}/{match.pk}", defaults={**made, **queued})
+    if not is_new:
+        Job.objects.filter(pk=job.pk, state=JobState.DONE).update(**queued)
+    return job
+
+
+def store_result(match: Match, answer: Mapping[str, Any], now: datetime) -> None:
+    """Store the result of a match, unless it has one; called inside `jobs.writing`."""
+    result = answer["result"]
+    blue, yellow = (result["score"][side] for side in SIDES)
+    faults = [{key: fault[key] for key in ("robot", "team", "half", "tick", "kind")} for fault in result["faults"]]
+    Match.objects.filter(pk=match.pk, played_at=None).update(
+        played_at=now, blue_goals=blue, yellow_goals=yellow, digest=result["digest"], faults=faults,
+        is_doubtful=answer["is_doubtful"],
+    )  # fmt: skip
+
+
+def fitting_bases(versions_here: Mapping[str, str]) -> list[int]:
+    """Return the bases whose matches a computer with these versions can play."""
+    return [basis.pk for basis in Basis.objects.all() if basis.versions == versions_here]
+
+
+def void(matches: QuerySet[Match], reason: str) -> None:
+    """Let matches not count, and play those no more that are in the queue; called inside `jobs.writing`."""
+    waiting = Job.objects.filter(match__in=matches).exclude(state=JobState.DONE)
+    waiting.update(state=JobState.DONE, worker="", lease_until=None)  # late results are then dropped
+    matches.update(void=reason)
+
+
+def forget(team: Team) -> None:
+    """Remove what matches show of a team that is deleted; those played still count. Called inside `jobs.writing`."""
+    theirs = Match.objects.filter(Q(blue__team=team) | Q(yellow__team=team))
+    void(theirs.filter(played_at=None), _DELETED)
+    for match in theirs:
+        shutil.rmtree(record_folder(current_site().folder, match), ignore_errors=True)

@@ -1,0 +1,259 @@
+"""Matches of a ladder: what they are played with is pinned, and each has one result, however processes end."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import signal
+import threading
+import time
+from datetime import timedelta
+from typing import Any
+
+import pytest
+
+from rcj_challenges.web import dispatcher, jobs, seasons
+from rcj_challenges.web.blobs import Blobs, record_folder
+from rcj_challenges.web.config import SiteConfig
+from rcj_challenges.web.errors import SiteError
+from rcj_challenges.web.models import Basis, Entry, Job, JobState, Match, MatchKind, Season, State, Submission
+from tests.checker.small_team import PLAYER
+from tests.web.club import new_client
+from tests.web.conftest import NOW, make_team
+from tests.web.handing_in import small_team
+
+SLOW = PLAYER + "\nimport time\ntime.sleep(2.0)\n"
+
+
+def accepted(config: SiteConfig, name: str, program: str = PLAYER, number: int = 1) -> Submission:
+    """Return an accepted submission of a new team, which plays."""
+    from rcj_challenges.submissions.team import open_team
+
+    team, _ = make_team(name)
+    path = Blobs(config.folder).incoming / "new"
+    path.write_bytes(small_team(program))
+    with open_team(path.rename(path.with_suffix(".zip")), *_entrants()) as opened:
+        digest = opened.digest
+    sha256, size = Blobs(config.folder).keep_file(path.with_suffix(".zip"))
+    season = Season.objects.get()
+    made = Submission.objects.create(
+        team=team, season=season, number=number, sha256=sha256, size_bytes=size, begun_at=NOW, received_at=NOW,
+        via="page", state=State.ACCEPTED, level="passed", digest=digest,
+    )  # fmt: skip
+    Entry.objects.create(team=team, season=season, active=made)
+    return made
+
+
+def _entrants() -> Any:
+    from rcj_challenges.scenario.load import load
+
+    return load("match").scenario.entrants.values()
+
+
+def begun(config: SiteConfig) -> Basis:
+    """Begin the ladder of the season with very short halves."""
+    make_team("First")
+    Season.objects.update(ladder_overrides=[])
+    seasons.begin(Season.objects.get(), NOW)
+    return Basis.objects.get()
+
+
+def add(basis: Basis, *pairs: tuple[Submission, Submission]) -> list[Match]:
+    with jobs.writing():
+        matches = seasons.add_matches(basis, MatchKind.RATED, pairs, NOW)
+        for match in matches:
+            seasons.enqueue(match, "ladder", NOW)
+    return matches
+
+
+@pytest.fixture
+def basis(site: SiteConfig) -> Basis:
+    """Return the basis of a season that has begun on the site of this process."""
+    return begun(site)
+
+
+def test_season_that_begins_shows_the_hash_of_its_secret_from_which_the_seeds_follow(basis: Basis) -> None:
+    season = Season.objects.get()
+    assert season.secret_hash == hashlib.sha256(season.secret.encode()).hexdigest()
+    assert seasons.seed_of("ab", "rated", 7) == 0x7F201D72  # echo -n 7 | openssl dgst -sha256 -hmac ab
+    assert len({seasons.seed_of(season.secret, "rated", number) for number in range(100)}) == 100
+    assert seasons.seed_of(season.secret, "practice", 1) != seasons.seed_of(season.secret, "rated", 1)
+    seasons.begin(season, NOW + timedelta(days=1))  # it has begun
+    assert Season.objects.get().secret == season.secret
+    assert Basis.objects.count() == 1
+
+
+def test_secret_is_on_no_page_of_an_organizer(basis: Basis) -> None:
+    from tests.web.test_organizers import organizer
+
+    client, season = organizer(), Season.objects.get()
+    for address in (f"/admin/web/season/{season.pk}/change/", "/admin/web/season/", "/desk"):
+        assert season.secret.encode() not in client.get(address).content
+
+
+def test_season_whose_scenario_is_not_for_two_teams_has_no_ladder(site: SiteConfig) -> None:
+    make_team()
+    Season.objects.update(scenario="search", overrides=[], ladder_overrides=[])
+    with pytest.raises(SiteError) as refused:
+        seasons.begin(Season.objects.get(), NOW)
+    assert refused.value.code == "not-for-two"
+    assert not Basis.objects.exists()
+
+
+def test_match_is_played_with_its_seed_and_again_bit_for_bit_when_its_record_is_gone(
+    site: SiteConfig, basis: Basis
+) -> None:
+    one, other = accepted(site, "One"), accepted(site, "Other", "# other\n" + PLAYER)
+    (match,) = add(basis, (one, other))
+    worker = dispatcher.Dispatcher(site, lambda: NOW)
+    assert worker.do_next()
+    match.refresh_from_db()
+    assert (match.played_at, match.is_doubtful, Job.objects.get().state) == (NOW, False, JobState.DONE)
+    assert match.blue_goals is not None
+    assert len(match.digest) == 64
+    replay = record_folder(site.folder, match) / "replay.html"
+    first = replay.read_text(encoding="utf-8")
+    replay.unlink()
+    with jobs.writing():
+        seasons.enqueue(match, "again", NOW)
+    assert worker.do_next()
+    again = Match.objects.get()
+    assert (again.digest, again.blue_goals, again.played_at) == (match.digest, match.blue_goals, NOW)
+    assert len(replay.read_text(encoding="utf-8")) == pytest.approx(len(first), abs=100)
+    assert list(Blobs(site.folder).incoming.glob("match-*")) == []
+
+
+def test_match_that_ends_differently_when_it_is_played_again_is_a_fault_of_the_site(
+    site: SiteConfig, basis: Basis
+) -> None:
+    (match,) = add(basis, (accepted(site, "One"), accepted(site, "Other", "# other\n" + PLAYER)))
+    Match.objects.update(played_at=NOW, digest="0" * 64, blue_goals=1, yellow_goals=0)
+    assert dispatcher.Dispatcher(site, lambda: NOW).do_next()
+    assert Job.objects.get().error == "the match ended differently from the first time"
+    assert Match.objects.get(pk=match.pk).digest == "0" * 64
+    assert not record_folder(site.folder, match).exists()
+
+
+def test_dispatcher_with_other_versions_takes_no_match_but_checks(
+    site: SiteConfig, basis: Basis, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from tests.web.handing_in import hand_in
+
+    add(basis, (accepted(site, "One"), accepted(site, "Other", "# other\n" + PLAYER)))
+    monkeypatch.setattr(seasons, "own_versions", lambda: {**basis.versions, "numpy": "0.1"})
+    other = dispatcher.Dispatcher(site, lambda: NOW)
+    assert not other.do_next()
+    hand_in(site, make_team("Third")[0], b"x")
+    assert other.do_next()
+    assert set(Job.objects.values_list("kind", "state")) == {("ladder", "queued"), ("check", "done")}
+
+
+def test_check_goes_before_matches_that_wait_longer(site: SiteConfig, basis: Basis) -> None:
+    from tests.web.handing_in import hand_in
+
+    one, other = accepted(site, "One"), accepted(site, "Other", "# other\n" + PLAYER)
+    add(basis, (one, other), (other, one))
+    hand_in(site, make_team("Third")[0], b"x", NOW)
+    order = [jobs.claim("one", NOW, bases=[basis.pk]) for _ in range(3)]
+    assert [job.kind for job in order if job is not None] == ["check", "ladder", "ladder"]
+
+
+def test_match_whose_process_is_killed_is_played_again_and_has_the_result_of_one_that_was_not(
+    site: SiteConfig, basis: Basis
+) -> None:
+    one, other = accepted(site, "One", SLOW), accepted(site, "Other", "# other\n" + SLOW)
+    killed, quiet = add(basis, (one, other), (one, other))
+    Match.objects.update(seed=5)
+    now = [NOW]
+    worker = dispatcher.Dispatcher(site, lambda: now[0])
+    with_kill = threading.Thread(target=_kill_child, args=(worker,))
+    with_kill.start()
+    assert worker.do_next()
+    with_kill.join()
+    assert Job.objects.get(match=killed).state == JobState.QUEUED
+    now[0] += timedelta(minutes=1)
+    assert worker.do_next()
+    assert worker.do_next()
+    results = {one.pk: (one.blue_goals, one.yellow_goals, one.faults) for one in Match.objects.all()}
+    assert results[killed.pk] == results[quiet.pk]
+    assert Job.objects.get(match=killed).tries == 2
+
+
+def _kill_child(worker: dispatcher.Dispatcher) -> None:
+    until = time.monotonic() + 60
+    while not worker._processes:
+        assert time.monotonic() < until
+        time.sleep(0.01)
+    time.sleep(1.0)
+    for process in list(worker._processes.values()):
+        os.kill(process.pid, signal.SIGKILL)
+
+
+def test_result_of_a_lease_that_ran_out_is_dropped(any_site: SiteConfig) -> None:
+    basis = begun(any_site)
+    (match,) = add(basis, (accepted(any_site, "One"), accepted(any_site, "Other", "# other\n" + PLAYER)))
+    first = jobs.claim("one", NOW, bases=[basis.pk])
+    later = NOW + jobs.LEASE + timedelta(seconds=1)
+    second = jobs.claim("two", later, bases=[basis.pk])
+    assert first is not None
+    assert second is not None
+    for job, goals, counts in ((first, 1, False), (second, 2, True)):
+        result = {"score": {"blue": goals, "yellow": 0}, "digest": str(goals) * 64, "faults": []}
+        answer = {"result": result, "is_doubtful": False}
+        done = jobs.finish(job, later, 1.0, lambda _, answer=answer: seasons.store_result(match, answer, later))
+        assert done is counts
+    assert Match.objects.get().blue_goals == 2
+
+
+def test_after_a_change_of_versions_all_is_played_again_while_the_old_table_stays(
+    site: SiteConfig, basis: Basis, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    one, other = accepted(site, "One"), accepted(site, "Other", "# other\n" + PLAYER)
+    played, voided, waiting = add(basis, (one, other), (other, one), (one, other))
+    Match.objects.exclude(pk=waiting.pk).update(played_at=NOW, digest="1" * 64, blue_goals=1, yellow_goals=0)
+    Match.objects.filter(pk=voided.pk).update(void="the ball was lost")
+    monkeypatch.setattr(seasons, "own_versions", lambda: {**basis.versions, "numpy": "99"})
+    season = Season.objects.get()
+    seasons.rebase(season, NOW)
+    new = seasons.current_basis(season)
+    assert new is not None
+    assert seasons.shown_basis(season) == basis
+    assert (new.versions["numpy"], new.is_whole) == ("99", False)
+    again = Match.objects.filter(basis=new).order_by("number")
+    assert [(m.number, m.seed, m.void) for m in again] == [
+        (1, played.seed, ""), (2, voided.seed, "the ball was lost"), (3, waiting.seed, ""),
+    ]  # fmt: skip
+    assert list(seasons.open_rated(new)) == [again[2], again[0]]
+    assert not seasons.open_rated(basis).exists()
+    seasons.rebase(season, NOW)  # once more, before the first has ended: it takes its place
+    assert Basis.objects.count() == 2
+    assert Match.objects.count() == 5
+
+
+def test_season_that_ends_plays_no_more(site: SiteConfig, basis: Basis) -> None:
+    one, other = accepted(site, "One"), accepted(site, "Other", "# other\n" + PLAYER)
+    played, _ = add(basis, (one, other), (other, one))
+    Match.objects.filter(pk=played.pk).update(played_at=NOW)
+    seasons.end(Season.objects.get(), NOW)
+    assert list(Match.objects.all()) == [played]
+    assert Season.objects.get().ended_at == NOW
+
+
+def test_of_a_team_that_is_deleted_results_stay_and_records_and_open_matches_go(site: SiteConfig, basis: Basis) -> None:
+    from rcj_challenges.web.models import Account, Group, Role
+
+    one, other = accepted(site, "One"), accepted(site, "Other", "# other\n" + PLAYER)
+    played, waiting = add(basis, (one, other), (other, one))
+    Match.objects.filter(pk=played.pk).update(played_at=NOW, blue_goals=1, yellow_goals=0)
+    Job.objects.filter(match=played).update(state=JobState.DONE)
+    running = jobs.claim("one", NOW, bases=[basis.pk])
+    record = record_folder(site.folder, played)
+    record.mkdir(parents=True)
+    mentor = new_client()
+    mentor.force_login(Account.objects.create(name="m", role=Role.MENTOR, group=Group.objects.get(), password="!"))  # noqa: S106
+    assert mentor.post(f"/group/teams/{one.team_id}/delete", {"confirm": "One"}).status_code == 302
+    assert not record.exists()
+    assert dict(Match.objects.values_list("pk", "void")) == {played.pk: "", waiting.pk: "a team was deleted"}
+    assert not Job.objects.exclude(state=JobState.DONE).exists()
+    assert running is not None
+    assert not jobs.finish(running, NOW, 1.0, lambda _: None)
