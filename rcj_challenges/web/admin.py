@@ -8,7 +8,7 @@ from django.contrib import admin
 from django.contrib.auth.models import Group as DjangoGroup
 from django.http import HttpRequest
 
-from rcj_challenges.web.models import Account, Audit, Group, Job, Season, Submission, Team, Worker
+from rcj_challenges.web.models import Account, Audit, Group, Job, Match, Season, Submission, Team, Worker
 
 if TYPE_CHECKING:
     from django.db.models import Model
@@ -71,7 +71,30 @@ class JobAdmin(Listed):
 class SeasonAdmin(Base):
     """Seasons and their deadlines."""
 
-    list_display = ("title", "scenario", "opens_at", "closes_at", "is_current")
+    list_display = ("title", "scenario", "opens_at", "closes_at", "is_current", "begun_at", "ended_at")
+
+    def get_readonly_fields(self, request: HttpRequest, obj: Any = None) -> tuple[str, ...]:
+        """Return what is pinned once the ladder has begun."""
+        return ("scenario", "overrides", "ladder_overrides") if obj is not None and obj.begun_at is not None else ()
+
+
+class MatchAdmin(Listed):
+    """All matches of ladders."""
+
+    list_display = (
+        "id",
+        "basis",
+        "kind",
+        "number",
+        "blue",
+        "yellow",
+        "played_at",
+        "blue_goals",
+        "yellow_goals",
+        "void",
+    )
+    list_filter = ("basis__season", "kind", "is_doubtful")
+    list_select_related = ("basis__season", "blue__team", "yellow__team")
 
 
 class AccountAdmin(Listed):
@@ -89,7 +112,7 @@ class AccountAdmin(Listed):
 class GroupAdmin(Base):
     """Groups and how many teams each may have."""
 
-    list_display = ("label", "quota")
+    list_display = ("label", "quota", "meetings")
 
 
 class AuditAdmin(Listed):
@@ -105,6 +128,7 @@ admin.site.register(Submission, SubmissionAdmin)
 admin.site.register(Team, TeamAdmin)
 admin.site.register(Job, JobAdmin)
 admin.site.register(Season, SeasonAdmin)
+admin.site.register(Match, MatchAdmin)
 admin.site.register(Account, AccountAdmin)
 admin.site.register(Group, GroupAdmin)
 admin.site.register(Audit, AuditAdmin)

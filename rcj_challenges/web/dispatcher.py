@@ -20,7 +20,7 @@ from typing import Any
 from django.db import DatabaseError, close_old_connections, connections
 
 from rcj_challenges.match.worker_pool import python_command
-from rcj_challenges.web import jobs, seasons
+from rcj_challenges.web import jobs, matchmaking, seasons
 from rcj_challenges.web.blobs import Blobs, record_folder, report_folder
 from rcj_challenges.web.config import SiteConfig
 from rcj_challenges.web.jobs import Verdict
@@ -178,6 +178,8 @@ class Dispatcher:
             for claim in lost & self._held:
                 if claim in self._processes:
                     self._processes[claim].kill()
+        with _logged():
+            matchmaking.fill(self._config.lanes, self._now(), seasons.fitting_bases(self._versions))
 
     def _do(self, job: Job, claim: tuple[int, int]) -> Callable[[Job], None]:
         """Do a job; return what stores its result."""

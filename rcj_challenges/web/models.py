@@ -240,6 +240,9 @@ class Basis(models.Model):
     class Meta:
         ordering = ("-id",)
 
+    def __str__(self) -> str:
+        return f"{self.season}, from {self.made_at:%Y-%m-%d}"
+
 
 class MatchKind(models.TextChoices):
     """Whether a match counts for the ladder."""

@@ -36,6 +36,7 @@ urlpatterns = [
     path("desk", desk.desk, name="desk"),
     path("desk/jobs/<int:pk>/again", desk.job_again, name="job_again"),
     path("desk/teams/<int:pk>/release", desk.release_name, name="release_name"),
+    path("desk/season", desk.change_season, name="change_season"),
     path("desk/invite", desk.new_invite, name="new_invite"),
     path("desk/export", desk.export, name="export"),
     path("admin/login/", public.login),  # Django's own has no back-off

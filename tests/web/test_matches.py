@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from rcj_challenges.web import dispatcher, jobs, seasons
+from rcj_challenges.web import dispatcher, jobs, matchmaking, seasons
 from rcj_challenges.web.blobs import Blobs, record_folder
 from rcj_challenges.web.config import SiteConfig
 from rcj_challenges.web.errors import SiteError
@@ -257,3 +257,124 @@ def test_of_a_team_that_is_deleted_results_stay_and_records_and_open_matches_go(
     assert not Job.objects.exclude(state=JobState.DONE).exists()
     assert running is not None
     assert not jobs.finish(running, NOW, 1.0, lambda _: None)
+
+
+# --- the queue is filled ----------------------------------------------------------------------------------------------
+
+
+def four_teams(config: SiteConfig) -> list[Submission]:
+    return [accepted(config, f"Team {index}", f"# {index}\n{PLAYER}") for index in range(4)]
+
+
+def fill(basis: Basis, lanes: int = 2) -> int:
+    return matchmaking.fill(lanes, NOW, [basis.pk])
+
+
+def test_queue_is_filled_when_half_of_it_is_gone(any_site: SiteConfig) -> None:
+    basis = begun(any_site)
+    assert fill(basis) == 0  # nothing plays yet
+    four_teams(any_site)
+    assert fill(basis) == 8
+    assert set(Job.objects.values_list("kind", flat=True)) == {"placement"}
+    assert fill(basis) == 0
+    for _ in range(4):
+        job = jobs.claim("one", NOW, bases=[basis.pk])
+        assert job is not None
+        assert jobs.finish(job, NOW, 1.0, lambda _: None)
+    assert fill(basis) == 4
+    assert sorted(Match.objects.values_list("number", flat=True)) == list(range(1, 13))
+    assert [m.seed for m in Match.objects.all()] == [
+        seasons.seed_of(Season.objects.get().secret, "rated", m.number) for m in Match.objects.all()
+    ]
+    assert fill(basis, 100) == 6  # each of the six pairs meets three times
+    assert fill(basis, 100) == 0
+
+
+def test_same_program_of_many_teams_is_one_that_plays(site: SiteConfig, basis: Basis) -> None:
+    for index in range(4):
+        accepted(site, f"Copy {index}")
+    assert fill(basis) == 0
+    accepted(site, "Other", "# other\n" + PLAYER)
+    assert fill(basis) == 3
+    assert {str(name) for one in Match.objects.all() for name in (one.blue, one.yellow)} == {"Team 2 1", "Team 6 1"}
+
+
+def test_queue_is_not_filled_by_dispatchers_that_do_not_fit_nor_after_the_end(site: SiteConfig, basis: Basis) -> None:
+    four_teams(site)
+    assert matchmaking.fill(2, NOW, []) == 0
+    seasons.end(Season.objects.get(), NOW)
+    assert fill(basis) == 0
+
+
+def test_program_that_had_its_lane_time_of_a_day_waits(site: SiteConfig, basis: Basis) -> None:
+    slow, *others = four_teams(site)
+    add(basis, (slow, accepted(site, "Gone", "# gone\n" + PLAYER)))
+    Entry.objects.filter(team__name="Gone").delete()
+    Job.objects.update(state=JobState.DONE, finished_at=NOW, lane_s=float(site.lane_s_per_day))
+    Match.objects.update(played_at=NOW, blue_goals=0, yellow_goals=0)
+    assert fill(basis) == 8
+    assert slow.pk not in {pk for one in open_matches(basis) for pk in (one.blue_id, one.yellow_id)}
+    assert len(others) == 3
+    assert matchmaking.fill(8, NOW + timedelta(days=2), [basis.pk]) > 0
+    assert slow.pk in {pk for one in open_matches(basis) for pk in (one.blue_id, one.yellow_id)}
+
+
+def open_matches(basis: Basis) -> list[Match]:
+    return list(seasons.open_rated(basis))
+
+
+def test_all_matches_are_queued_again_and_then_the_table_changes(
+    site: SiteConfig, basis: Basis, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    season = Season.objects.get()
+    four_teams(site)
+    fill(basis)
+    Job.objects.update(state=JobState.DONE)
+    Match.objects.update(played_at=NOW, blue_goals=1, yellow_goals=0)
+    monkeypatch.setattr(seasons, "own_versions", lambda: {**basis.versions, "numpy": "99"})
+    seasons.rebase(season, NOW)
+    new = seasons.current_basis(season)
+    assert new is not None
+    assert fill(new, 1) == 4
+    assert fill(new, 2) == 4
+    assert seasons.shown_basis(season) == basis
+    assert len(matchmaking.results_of(basis)) == 8
+    Match.objects.filter(basis=new).update(played_at=NOW, blue_goals=0, yellow_goals=1)
+    Job.objects.update(state=JobState.DONE)
+    assert fill(new) == 0
+    assert seasons.shown_basis(season) == new
+    assert fill(new) == 8  # the season goes on
+    assert min(seasons.open_rated(new).values_list("number", flat=True)) == 9
+
+
+def test_programs_that_follow_another_are_those_of_the_team_that_had_them_first(site: SiteConfig) -> None:
+    make_team("First")
+    season = Season.objects.get()
+
+    def hand_over(team: Any, digest: str, state: str = State.ACCEPTED) -> None:
+        number = Submission.objects.count() + 1
+        Submission.objects.create(
+            team=team, season=season, number=number, sha256=f"{number:064}", size_bytes=1, begun_at=NOW,
+            received_at=NOW, via="page", state=state, digest=digest,
+        )  # fmt: skip
+
+    one, other = make_team("One")[0], make_team("Other")[0]
+    for team, digest in ((one, "a"), (other, "b"), (one, "c"), (other, "c"), (other, "d"), (one, "a"), (one, "e")):
+        hand_over(team, digest)
+    hand_over(one, "f", State.REJECTED)
+    assert matchmaking.programs_of(season) == {"a": None, "b": None, "c": "a", "d": "c", "e": "a"}
+
+
+def test_organizer_begins_and_ends_the_ladder_on_the_desk(site: SiteConfig) -> None:
+    from tests.web.test_organizers import organizer
+
+    make_team()
+    client, season = organizer(), Season.objects.get()
+    assert b'value="begin"' in client.get("/desk").content
+    assert client.post("/desk/season", {"act": "begin"}).status_code == 302
+    assert b'value="rebase"' not in client.get("/desk").content
+    Basis.objects.update(versions={"numpy": "0.1"})
+    assert b'value="rebase"' in client.get("/desk").content
+    assert client.post("/desk/season", {"act": "end", "confirm": "wrong"}).status_code == 400
+    assert client.post("/desk/season", {"act": "end", "confirm": season.title}).status_code == 302
+    assert Season.objects.get().ended_at is not None

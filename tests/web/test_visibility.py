@@ -44,6 +44,7 @@ TABLE: dict[str, tuple[str, str, set[str]]] = {
     "desk": ("GET", "", ORGANIZER),
     "job_again": ("POST", "job", ORGANIZER),
     "release_name": ("POST", "team", ORGANIZER),
+    "change_season": ("POST", "", ORGANIZER),
     "new_invite": ("POST", "", ORGANIZER),
     "export": ("GET", "", ORGANIZER),
     "leave": ("POST", "", ALL),

@@ -48,8 +48,8 @@ class Result:
 
     blue: str
     yellow: str
-    blue_goals: int
-    yellow_goals: int
+    blue_goals: float
+    yellow_goals: float
 
 
 @dataclass(frozen=True)

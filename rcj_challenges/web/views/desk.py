@@ -12,8 +12,9 @@ from django.shortcuts import get_object_or_404, redirect
 from django.utils import timezone
 from django.utils.translation import gettext
 
+from rcj_challenges.core.errors import RcjError
 from rcj_challenges.core.sanitize import sanitize
-from rcj_challenges.web import jobs
+from rcj_challenges.web import jobs, seasons
 from rcj_challenges.web.accounts import Viewer, invite, write_audit
 from rcj_challenges.web.blobs import Blobs
 from rcj_challenges.web.config import current_site
@@ -37,9 +38,36 @@ def desk(request: HttpRequest, viewer: Viewer) -> HttpResponse:
         "groups": Group.objects.order_by("label"),
         "audit": Audit.objects.order_by("-id")[:20],
         "has_room": Blobs(current_site().folder).has_room(),
-        "season": Season.objects.filter(is_current=True).first(),
+        **_season_values(),
     }
     return page(request, "desk.html", viewer, now=now, lease=jobs.LEASE, **values)
+
+
+def _season_values() -> dict[str, Any]:
+    season = Season.objects.filter(is_current=True).first()
+    basis = None if season is None else seasons.current_basis(season)
+    values: dict[str, Any] = {"season": season, "basis": basis, "left": 0, "has_other_versions": False}
+    if basis is not None:
+        values["left"] = seasons.open_rated(basis).count()
+        values["has_other_versions"] = basis.versions != seasons.own_versions()
+    return values
+
+
+@only("organizer", post=True)
+def change_season(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
+    """Begin or end the ladder of the season, or play all its matches again with the versions of now."""
+    season = get_object_or_404(Season, is_current=True)
+    act = request.POST.get("act", "")
+    acts = {"begin": seasons.begin, "rebase": seasons.rebase, "end": seasons.end}
+    if act not in acts or (act == "end" and request.POST.get("confirm", "").strip() != season.title):
+        text = gettext("Type the title of the season to confirm.")
+        return message_page(request, 400, gettext("Not ended"), text)
+    try:
+        acts[act](season, timezone.now())
+    except RcjError as error:
+        return message_page(request, 409, gettext("The ladder cannot begin"), str(error))
+    write_audit(viewer, f"{act} season", season, "", timezone.now())
+    return redirect("desk")
 
 
 @only("organizer", post=True)
