@@ -9,8 +9,9 @@ from typing import Annotated
 
 from rcj_challenges.chassis.base import CHASSIS, Chassis
 from rcj_challenges.chassis.differential import DifferentialChassis
+from rcj_challenges.chassis.omni import OmniChassis
 
-CHASSIS.add(DifferentialChassis)
+CHASSIS.add(DifferentialChassis, OmniChassis)
 
 AnyChassis = Annotated[Chassis, CHASSIS]
 USUAL_CHASSIS: Chassis = DifferentialChassis.model_construct()

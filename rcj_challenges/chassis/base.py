@@ -10,9 +10,10 @@ from typing import Annotated, ClassVar, Literal, NamedTuple, Protocol
 
 from pydantic import Field
 
-from rcj_challenges.geometry.polygons import Point
+from rcj_challenges.geometry.polygons import Point, side
 from rcj_challenges.rules.base import Phrases, Vocabulary, Word
 from rcj_challenges.rules.fields import Positive, described
+from rcj_challenges.rules.phrasing import metres
 
 GRAVITY_MPS2 = 9.81
 """Standard gravity; the original's worlds use it too."""
@@ -134,6 +135,22 @@ class Drive(Protocol):
         """Turn the wheels as commanded, and let the grip follow the robots' yaw."""
 
 
+Shape = Literal["box", "round", "flat_front"]
+
+_SIDES = 16
+"""A round body is a prism with so many sides: MuJoCo's cylinders are less exact at poles and cost more (ADR 2)."""
+
+_FLAT_AT = 0.8
+"""Where a round body is cut for a flat front, as a share of its radius: the front is 0.6 of the diameter wide, a little
+more than the ball if that is 7.5 cm."""
+
+_JAW_M = 0.005
+"""Thickness of a jaw."""
+
+_JawDepth = Annotated[float, Field(gt=0, le=0.05)]
+_JawGap = Annotated[float, Field(gt=0, le=0.5)]
+
+
 class Chassis(Word):
     """What carries a robot. The defaults are those of the original's robots.
 
@@ -145,7 +162,11 @@ class Chassis(Word):
     MOTOR_JOINT: ClassVar = ""
 
     # Source of the defaults: reference, section 2.
-    size_m: Positive = described(0.075, "edge length or diameter of the body in m", le=0.5)
+    size_m: Positive = described(0.075, "edge length or diameter of the body in m, which is also its height", le=0.5)
+    shape: Shape = described("box", "the body seen from above; flat_front: round, cut off at the front")
+    jaws_m: tuple[_JawDepth, _JawGap] | None = described(
+        None, "how far two jaws reach ahead of the body, and the distance between them, in m", strict=False
+    )
     mass_kg: Positive = described(0.2, "mass of the body in kg", le=20)
     max_wheel_radps: Positive = described(10.0, "highest wheel speed in rad/s; faster commands are clamped", le=100)
 
@@ -159,9 +180,29 @@ class Chassis(Word):
         """How fast it drives at most."""
         return self.max_wheel_radps * max(wheel.radius_m for wheel in self.wheels())
 
+    @property
+    def front_m(self) -> float:
+        """How far ahead of its centre its body ends."""
+        return max(x for x, _ in self.body())
+
     def body(self) -> tuple[Point, ...]:
         """Return the outline of its body, convex and counter-clockwise."""
-        return box(self.size_m, self.size_m)
+        if self.shape == "box":
+            return box(self.size_m, self.size_m)
+        is_round = self.shape == "round"
+        first_rad, steps = (math.pi / _SIDES, _SIDES - 1) if is_round else (math.acos(_FLAT_AT), _SIDES - 3)
+        angles = [first_rad + 2 * (math.pi - first_rad) * step / steps for step in range(steps + 1)]
+        return tuple((self.size_m / 2 * math.cos(angle), self.size_m / 2 * math.sin(angle)) for angle in angles)
+
+    def solids(self) -> dict[str, tuple[Point, ...]]:
+        """Return the outlines of what is as high as its body, by name: convex and counter-clockwise."""
+        solids = {"body": self.body()}
+        if self.jaws_m is not None:
+            tip_m, inner_m = self.front_m + self.jaws_m[0], self.jaws_m[1] / 2
+            outer_m = inner_m + _JAW_M
+            solids["left_jaw"] = (tip_m, outer_m), (0.0, outer_m), (0.0, inner_m), (tip_m, inner_m)
+            solids["right_jaw"] = (tip_m, -inner_m), (0.0, -inner_m), (0.0, -outer_m), (tip_m, -outer_m)
+        return solids
 
     def wheels(self) -> tuple[Wheel, ...]:
         """Return its wheels by number."""
@@ -179,15 +220,23 @@ class Chassis(Word):
 
     def contradictions(self) -> Iterable[tuple[str, str]]:
         """Return the fields that contradict others, each with what is wrong."""
-        return ()
+        widest_m = self.size_m - 2 * _JAW_M
+        if self.jaws_m is not None and self.jaws_m[1] > widest_m:
+            yield "jaws_m", f"a body of {metres(self.size_m)} carries jaws up to {metres(max(0.0, widest_m))} apart"
+
+    def sticks_out(self, wheel: Wheel) -> bool:
+        """Return whether a wheel reaches beyond the body; if not, nothing touches it before the body."""
+        body = self.body()
+        edges = tuple(zip(body, (*body[1:], body[0]), strict=True))
+        return any(side(*edge, corner) < 0 for edge in edges for corner in wheel.corners())
 
     def wheel_names(self) -> tuple[WheelName, ...]:
         """Return the names of its wheels by number."""
         return tuple(wheel.name for wheel in self.wheels())
 
     def footprint(self) -> Iterable[tuple[Point, ...]]:
-        """Return convex polygons that cover body and wheels."""
-        return self.body(), *(wheel.corners() for wheel in self.wheels())
+        """Return convex polygons that cover body, jaws and wheels."""
+        return *self.solids().values(), *(wheel.corners() for wheel in self.wheels())
 
     def grips(self, friction: float) -> tuple[Grip, ...]:
         """Return its grip on a floor."""
@@ -201,6 +250,18 @@ class Chassis(Word):
     def describe(self, _phrases: Phrases) -> str:
         """Return what it is: ``a cube of 7.5 cm on two wheels; …``."""
         raise NotImplementedError
+
+    def body_words(self) -> str:
+        """Return its body in words: ``a cube of 7.5 cm``."""
+        size = metres(self.size_m)
+        words = {
+            "box": f"a cube of {size}",
+            "round": f"a round body, {size} wide and high,",
+            "flat_front": f"a round body with a flat front, {size} wide and high,",
+        }[self.shape]
+        if self.jaws_m is None:
+            return words
+        return f"{words} with jaws that reach {metres(self.jaws_m[0])} ahead, {metres(self.jaws_m[1])} apart,"
 
 
 def box(length_m: float, width_m: float) -> tuple[Point, ...]:

@@ -15,7 +15,7 @@ from rcj_challenges.core.timing import SUBSTEPS_PER_TICK, TICK_S
 from rcj_challenges.geometry.polygons import Point
 from rcj_challenges.rules.base import Phrases
 from rcj_challenges.rules.fields import Positive, described
-from rcj_challenges.rules.phrasing import metres, metres_alike
+from rcj_challenges.rules.phrasing import metres_alike
 
 
 class DifferentialChassis(Chassis):
@@ -29,12 +29,12 @@ class DifferentialChassis(Chassis):
 
     EXAMPLE = """
 kits:
-  v2: {chassis: {wheel_track_m: 0.1, max_wheel_radps: 8}}
+  v2: {chassis: {wheel_track_m: 0.1, max_wheel_radps: 8, jaws_m: [0.01, 0.05]}}
 """
     SENTENCE = (
-        "a cube of 7.5 cm on two wheels; its mass is 0.2 kg, and 0.005 kg that of each wheel. The wheels have a radius "
-        "of 2 cm, are 1 cm wide and 10 cm apart, from centre to centre; they turn at up to 8 rad/s, which drives it at "
-        "0.16 m/s"
+        "a cube of 7.5 cm with jaws that reach 1 cm ahead, 5 cm apart, on two wheels; its mass is 0.2 kg, and 0.005 kg "
+        "that of each wheel. The wheels have a radius of 2 cm, are 1 cm wide and 10 cm apart, from centre to centre; "
+        "they turn at up to 8 rad/s, which drives it at 0.16 m/s"
     )
 
     def wheels(self) -> tuple[Wheel, ...]:
@@ -44,8 +44,8 @@ kits:
         return Wheel("left", 0.0, left_m, 0.0, *size), Wheel("right", 0.0, -left_m, 0.0, *size)
 
     def footprint(self) -> Iterable[tuple[Point, ...]]:
-        """Return the cube, and the box that both wheels reach."""
-        return self.body(), box(2 * self.wheel_radius_m, self.wheel_track_m + self.wheel_width_m)
+        """Return body and jaws, and the box that both wheels reach."""
+        return *self.solids().values(), box(2 * self.wheel_radius_m, self.wheel_track_m + self.wheel_width_m)
 
     def grip_n(self, friction: float) -> tuple[float, float, float]:
         """Return the grip per wheel while it drives, per wheel while it slows or holds the robot, and across, in N.
@@ -86,7 +86,7 @@ kits:
         """Return what it is."""
         apart, radius, width = metres_alike((self.wheel_track_m, self.wheel_radius_m, self.wheel_width_m))
         return (
-            f"a cube of {metres(self.size_m)} on two wheels; its mass is {self.mass_kg:g} kg, and "
+            f"{self.body_words()} on two wheels; its mass is {self.mass_kg:g} kg, and "
             f"{self.wheel_mass_kg:g} kg that of each wheel. The wheels have a radius of {radius}, are {width} wide and "
             f"{apart} apart, from centre to centre; they turn at up to {self.max_wheel_radps:g} rad/s, which "
             f"drives it at {self.top_speed_mps:g} m/s"

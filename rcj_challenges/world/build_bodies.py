@@ -1,8 +1,8 @@
 """Builds the moving bodies: robots, balls and movable obstacles.
 
 A robot moves in the plane: it cannot tip, lean or climb (ADR 2). Its outline against ball, walls and other robots is
-the body of its chassis, and its wheels as cylinders. Its grip on the floor is dry friction in several directions, as
-tendons with friction loss; the drive of its chassis adapts their coefficients to the robot's yaw.
+the body of its chassis with its jaws, and its wheels as cylinders. Its grip on the floor is dry friction in several
+directions, as tendons with friction loss; the drive of its chassis adapts their coefficients to the robot's yaw.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import mujoco
 
-from rcj_challenges.chassis.base import GRAVITY_MPS2, Chassis, Grip, Wheel, box
+from rcj_challenges.chassis.base import GRAVITY_MPS2, Chassis, Grip, Wheel
 from rcj_challenges.geometry.polygons import Point
 from rcj_challenges.scenario.models.field import Ball, Box, Cylinder
 from rcj_challenges.world import contact
@@ -34,9 +34,11 @@ def add_robot(spec: mujoco.MjSpec, name: str, chassis: Chassis, friction: float)
     ``B1/yaw``, ``B1/left_wheel`` …; tendons ``B1/left_grip`` …
     """
     body = _add_planar_body(spec, name, chassis.height_m / 2)
-    geom = body.add_geom(name=f"{name}/body", mass=chassis.mass_kg, group=contact.GROUP_CHASSIS)
-    _shape(spec, geom, chassis.body(), chassis.height_m / 2)
-    make_solid(geom, friction)
+    for part, outline in chassis.solids().items():
+        mass_kg = chassis.mass_kg if part == "body" else 0.0
+        geom = body.add_geom(name=f"{name}/{part}", mass=mass_kg, group=contact.GROUP_CHASSIS)
+        _shape(spec, geom, outline, chassis.height_m / 2)
+        make_solid(geom, friction)
     for wheel in chassis.wheels():
         _add_wheel(body, f"{name}/{wheel.part}", wheel, chassis, friction)
     if chassis.MOTOR_JOINT:
@@ -49,9 +51,10 @@ def add_robot(spec: mujoco.MjSpec, name: str, chassis: Chassis, friction: float)
 
 def _shape(spec: mujoco.MjSpec, geom: mujoco.MjsGeom, outline: tuple[Point, ...], half_m: float) -> None:
     """Make a geom an upright prism: a box, or else a convex mesh."""
-    x, y = outline[0]
-    if outline == box(2 * x, 2 * y):
-        geom.type, geom.size = mujoco.mjtGeom.mjGEOM_BOX, [x, y, half_m]
+    (west, east), (south, north) = ((min(along), max(along)) for along in zip(*outline, strict=True))
+    if set(outline) == {(west, south), (west, north), (east, south), (east, north)}:
+        geom.type, geom.size = mujoco.mjtGeom.mjGEOM_BOX, [(east - west) / 2, (north - south) / 2, half_m]
+        geom.pos = [(west + east) / 2, (south + north) / 2, 0.0]
         return
     mesh = spec.add_mesh(name=geom.name)
     mesh.uservert = [part for x, y in outline for z in (-half_m, half_m) for part in (x, y, z)]
@@ -80,7 +83,7 @@ def add_ball_robot_contact(
 ) -> None:
     """Give the contact of a ball with a robot its own parameters."""
     softness = replace(contact.SOLIDS, rigidity=rigidity)
-    for part in ("body", *(wheel.part for wheel in chassis.wheels())):
+    for part in (*chassis.solids(), *(wheel.part for wheel in chassis.wheels() if chassis.sticks_out(wheel))):
         add_ball_contact(spec, ball, f"{robot}/{part}", softness, friction)
 
 
@@ -155,8 +158,11 @@ def _add_wheel(body: mujoco.MjsBody, name: str, wheel: Wheel, chassis: Chassis, 
         mass=mass if chassis.MOTOR_JOINT else 0,
         group=contact.GROUP_WHEELS,
     )
-    make_solid(outline, min(friction, contact.WHEEL_GLIDES))
-    outline.priority = contact.PRIORITY_WHEEL
+    if chassis.sticks_out(wheel):
+        make_solid(outline, min(friction, contact.WHEEL_GLIDES))
+        outline.priority = contact.PRIORITY_WHEEL
+    else:
+        outline.contype = outline.conaffinity = 0
 
 
 def _add_motor(body: mujoco.MjsBody) -> None:

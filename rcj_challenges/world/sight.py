@@ -140,7 +140,9 @@ class WorldSight:
             chassis = chassis_of(scenario, name)
             body = int(model.body(name).id)
             colour = self.number_of(scenario.robots[name].colour)
-            prisms.append(_Prism(chassis.body(), 0.0, chassis.height_m, colour, body, index))
+            prisms += [
+                _Prism(outline, 0.0, chassis.height_m, colour, body, index) for outline in chassis.solids().values()
+            ]
         return prisms, discs
 
     def _disc_spans(self, views: _Views) -> Iterable[_Spans]:
@@ -303,7 +305,9 @@ class _Prisms:
         self._high = np.array([one.high_m for one in prisms])
         self._colours = np.array([one.colour for one in prisms], np.uint8)
         self.body_of = {one.entity: one.body for one in prisms if one.entity >= 0}
-        self._prism_of = {one.entity: number for number, one in enumerate(prisms) if one.entity >= 0}
+        self._prisms_of = {
+            entity: [number for number, one in enumerate(prisms) if one.entity == entity] for entity in self.body_of
+        }
 
     def spans(self, views: _Views) -> _Spans:
         """Return what they cover; an eye does not see its own robot."""
@@ -320,7 +324,7 @@ class _Prisms:
         enter = self._each(np.maximum, np.where(enters, depth, -np.inf))
         leave = self._each(np.minimum, np.where(enters, np.inf, depth))
         for number, robot in enumerate(views.robots):
-            enter[self._prism_of[robot], number * views.columns : (number + 1) * views.columns] = np.inf
+            enter[self._prisms_of[robot], number * views.columns : (number + 1) * views.columns] = np.inf
         return _Spans.of(views, enter, leave, self._low, self._high, self._colours)
 
     def _each(self, better: np.ufunc, depths: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -30,13 +30,17 @@ SEEN = np.array([group in {0, contact.GROUP_FIXTURES, contact.GROUP_CHASSIS, con
                 np.uint8)  # fmt: skip
 
 
+ROUND = {"chassis": {"drive": "omni", "shape": "flat_front", "jaws_m": (0.01, 0.05)}}
 GOALS = {"blue_goal": {"colour": "purple"}, "yellow_goal": {"colour": "brown"}}
 FREE_M = 0.14
 
 
 @pytest.fixture(scope="module")
 def stage() -> Stage:
-    return Stage(obstacles=OBSTACLES, field={"goals": GOALS}, balls={"second": {"colour": "violet", "radius_m": 0.035}})
+    return Stage(
+        obstacles=OBSTACLES, field={"goals": GOALS}, balls={"second": {"colour": "violet", "radius_m": 0.035}},
+        kits={"round": ROUND}, robots={"B2": {"kit": "round"}, "Y2": {"kit": "round"}},
+    )  # fmt: skip
 
 
 def scatter(stage: Stage, rng: random.Random) -> None:
@@ -86,7 +90,7 @@ def colours_by_ray(stage: Stage, sight: WorldSight, robot: str, eye: Eye) -> np.
         if name.startswith("field/"):
             kinds[geom] = 0 if name == "field/floor" else 1
             continue
-        thing = name.removeprefix("obstacle/").removesuffix("/body")
+        thing = name.removeprefix("obstacle/").partition("/")[0]
         if thing in scenario.robots or thing in scenario.balls or thing in scenario.obstacles:
             section = next(s for s in (scenario.robots, scenario.balls, scenario.obstacles) if thing in s)
             kinds[geom] = 3 + sight.number_of(section[thing].colour)

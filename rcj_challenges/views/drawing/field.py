@@ -254,8 +254,10 @@ def _robots(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) ->
             paper.polygon(turned(box(2 * noise_m[0], 2 * noise_m[1]), at, 0.0), _NOISE_BOX, f"{name} starts in here")
         for wheel in kit.chassis.wheels():
             paper.polygon(turned(wheel.corners(), at, pose[2]), 'fill="#212529"')
-        paper.polygon(turned(kit.chassis.body(), at, pose[2]), f'fill="{hex_of(robot.colour)}" stroke="#212529"', name)
-        reach, wide = (size_m / 2 if kit.looks_along == "+x" else -size_m / 2), size_m * 0.16
+        for part, outline in reversed(kit.chassis.solids().items()):
+            fill = hex_of(robot.colour) if part == "body" else "#212529"
+            paper.polygon(turned(outline, at, pose[2]), f'fill="{fill}" stroke="#212529"', name)
+        reach, wide = (kit.chassis.front_m if kit.looks_along == "+x" else -size_m / 2), size_m * 0.16
         nose = [(reach * 0.95, 0.0), (reach * 0.55, wide), (reach * 0.55, -wide)]
         paper.polygon(turned(nose, at, pose[2]), f'fill="rgb{ink}"', "its front")
         paper.keep_free(at, size_m * 0.7)

@@ -100,7 +100,7 @@ def _entity(scenario: Scenario, name: str) -> dict[str, Any]:
 def _robot(scenario: Scenario, name: str) -> dict[str, Any]:
     robot = scenario.robots[name]
     kit = kit_of(scenario, name)
-    chassis = kit.chassis
+    chassis, solids = kit.chassis, kit.chassis.solids()
     seat = next((seat for seat, entrant in scenario.entrants.items() if name in entrant.robots), None)
     return {
         "name": name,
@@ -112,7 +112,9 @@ def _robot(scenario: Scenario, name: str) -> dict[str, Any]:
         "front": 1 if kit.looks_along == "+x" else -1,
         "size_m": chassis.size_m,
         "height_m": chassis.height_m,
-        "body": chassis.body(),
+        "front_m": chassis.front_m,
+        "body": solids.pop("body"),
+        "jaws": list(solids.values()),
         "wheels": [wheel._asdict() for wheel in chassis.wheels()],
     }
 

@@ -19,7 +19,6 @@ from rcj_challenges.views.replay.things import zone_colour
 from rcj_challenges.views.video.camera import FOV_RAD
 from rcj_challenges.views.video.footage import Footage
 from rcj_challenges.views.video.text import text_mask
-from rcj_challenges.world import contact
 from rcj_challenges.world.build import build_spec
 from rcj_challenges.world.build_field import FIELD, OBSTACLE
 
@@ -153,7 +152,7 @@ def _dress(spec: Any, entity: Mapping[str, Any], floor: Any) -> None:
         dark, body = rgb(PALETTE["dark"]), spec.body(name)
         half_m, top_m, front = entity["size_m"] / 2, entity["height_m"] / 2, entity["front"]
         for geom in body.geoms:
-            _paint(geom, colour if geom.group == contact.GROUP_CHASSIS else dark)
+            _paint(geom, colour if geom.name == f"{name}/body" else dark)
         if spec.geom(f"{name}/body").type == mujoco.mjtGeom.mjGEOM_BOX:
             _add_box(body, (0, 0, -0.64 * top_m), (half_m + 0.0003, half_m + 0.0003, 0.36 * top_m), dark)
         else:

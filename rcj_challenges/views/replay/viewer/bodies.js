@@ -37,6 +37,15 @@ const Bodies = {
     );
   },
 
+  /** How far a robot's body reaches towards its front, beside its middle. */
+  reach({ body, front }, y) {
+    const crossings = body.map(([ax, ay], index) => {
+      const [bx, by] = body[(index + 1) % body.length];
+      return (ay - y) * (by - y) > 0 || ay === by ? -Infinity : front * (ax + ((bx - ax) * (y - ay)) / (by - ay));
+    });
+    return Math.max(...crossings);
+  },
+
   robot(entity) {
     const colour = Colours.rgb(entity.colour);
     const size = entity.size_m, half = size / 2, top = entity.height_m / 2, low = entity.height_m * 0.36;
@@ -44,12 +53,14 @@ const Bodies = {
     // A dark base, the team's colour above it, a lid with a bright arrow that shows the front.
     mesh.prism(entity.body, -top, low - top, () => PALETTE.dark, PALETTE.dark);
     const face = ([x]) => (x * entity.front > 0.9 ? Colours.mix(colour, PALETTE.dark, 0.55) : colour);
+    for (const jaw of entity.jaws) mesh.prism(jaw, -top, top, () => PALETTE.dark, PALETTE.dark);
     mesh.prism(entity.body, low - top, top, face, Colours.mix(colour, [1, 1, 1], 0.08));
-    const tip = (half - 0.002) * entity.front, foot = (half - 0.014) * entity.front, wide = 0.016 * entity.front;
+    const ahead = entity.front > 0 ? entity.front_m : half;
+    const tip = (ahead - 0.002) * entity.front, foot = (ahead - 0.014) * entity.front, wide = 0.016 * entity.front;
     const z = top + 0.0007, up = [0, 0, 1];
     mesh.triangle([[tip, 0, z], [foot, wide, z], [foot, -wide, z]], [up, up, up], PALETTE.mark);
     for (const side of [-1, 1]) {
-      mesh.box([(half + 0.001) * entity.front, side * size * 0.2, entity.height_m * 0.14], [0.004, size * 0.15, size * 0.15], 0, [0.93, 0.96, 1]);
+      mesh.box([(Bodies.reach(entity, side * size * 0.2) + 0.001) * entity.front, side * size * 0.2, entity.height_m * 0.14], [0.004, size * 0.15, size * 0.15], 0, [0.93, 0.96, 1]);
     }
     for (const { x_m, y_m, yaw_rad, radius_m, width_m } of entity.wheels) {
       const axle = [-Math.sin(yaw_rad), Math.cos(yaw_rad), 0];

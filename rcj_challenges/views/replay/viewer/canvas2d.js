@@ -92,9 +92,11 @@ class Canvas2d {
       const along = [Math.cos(yaw_rad) * radius_m, Math.sin(yaw_rad) * radius_m];
       this.shape({ points: [-1, 1].map((way) => [x_m + way * along[0], y_m + way * along[1]]), line: PALETTE.dark, width: width_m, alpha: 1 });
     }
+    for (const jaw of entity.jaws) this.shape({ points: jaw, fill: PALETTE.dark, alpha: 1 });
     this.shape({ points: entity.body, fill: colour, alpha: 1 });
     pen.shadowColor = "transparent";
-    const tip = half * entity.front, foot = (half - 0.014) * entity.front;
+    const ahead = entity.front > 0 ? entity.front_m : half;
+    const tip = ahead * entity.front, foot = (ahead - 0.014) * entity.front;
     this.shape({ points: [[tip, 0], [foot, 0.016], [foot, -0.016]], fill: PALETTE.mark, alpha: 1 });
     // Letters are drawn in pixels: fonts of some hundredths of a unit come out ragged.
     const { a, b, e, f } = pen.getTransform();

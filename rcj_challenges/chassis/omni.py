@@ -1,0 +1,218 @@
+"""The chassis ``omni``: a body on wheels with rollers, which pull along their rims and slip freely across.
+
+A wheel has no joint of its own: one joint per robot always turns at 1 rad/s, and a wheel's speed is the coefficient of
+that joint in the slip of its grip. So all wheels of a robot cost one degree of freedom, and as many grips as they are.
+"""
+
+import math
+from collections.abc import Iterable, Sequence
+from itertools import combinations
+from struct import Struct
+from typing import Literal
+
+from pydantic import Field
+
+from rcj_challenges.chassis.base import GRAVITY_MPS2, YAW, Chassis, Drive, Grip, Mount, Physics, Shape, Wheel
+from rcj_challenges.core.timing import TICK_S
+from rcj_challenges.geometry.polygons import side
+from rcj_challenges.rules.base import Phrases
+from rcj_challenges.rules.fields import Positive, described
+from rcj_challenges.rules.phrasing import degrees, listed, metres_alike
+
+_LEAST_SPAN = 0.2
+"""Twice the area of the largest triangle of wheels on a circle of radius 1; that of three even wheels is 2.6. With
+less, a wheel slips a lot for what little it moves the robot in some direction."""
+
+_POSITION_GAIN_PS = 10.0
+"""As of the differential drive."""
+
+_ARRIVED_RAD = 1e-6
+
+
+class OmniChassis(Chassis):
+    """A body on wheels with rollers: it drives in every direction, whichever way it looks."""
+
+    drive: Literal["omni"]
+    shape: Shape = described("round", "the body seen from above; flat_front: round, cut off at the front")
+    max_wheel_radps: Positive = described(12.5, "highest wheel speed in rad/s; faster commands are clamped", le=100)
+    # Source: those of most small-size robots (grSim, Parsian.ini); they leave the front free. The wheels fit into the
+    # body, and their rims move as fast as those of the original's robot.
+    wheels_at_rad: tuple[float, ...] = Field(
+        (1.0472, 2.3562, 3.927, 5.236), strict=False, min_length=3, max_length=8,
+        description="where wheels 0, 1, … are, counter-clockwise from the front in rad; they drive counter-clockwise",
+    )  # fmt: skip
+    wheel_ring_m: Positive = described(0.028, "distance of the wheels from the centre in m", le=0.5)
+    wheel_radius_m: Positive = described(0.016, "radius of the wheels in m", le=0.2)
+    wheel_width_m: Positive = described(0.008, "width of the wheels in m", le=0.1)
+    wheel_mass_kg: Positive = described(0.005, "mass of each wheel in kg", le=1)
+    # With half, the usual four wheels accelerate with 0.39 g ahead and 0.3 g sideways, two tyres with 0.33 g ahead.
+    grip: Positive = described(0.5, "friction of the rollers as a share of that of tyres", le=1)
+
+    MOTOR_JOINT = "motor"
+    EXAMPLE = """
+kits:
+  v2:
+    chassis: {drive: omni, shape: flat_front, jaws_m: [0.005, 0.05]}
+    devices:
+      left wheel motor: {device: motor, wheel: 0}
+      rear left motor: {device: motor, wheel: 1}
+      rear right motor: {device: motor, wheel: 2}
+      right wheel motor: {device: motor, wheel: 3}
+      left wheel sensor: {device: wheel_sensor, wheel: 0}
+      right wheel sensor: {device: wheel_sensor, wheel: 3}
+"""
+    SENTENCE = (
+        "a round body with a flat front, 7.5 cm wide and high, with jaws that reach 0.5 cm ahead, 5 cm apart, on 4 "
+        "omni wheels at 60°, 135°, 225° and 300°, counter-clockwise from its front; its mass is 0.2 kg, and 0.005 kg "
+        "that of each wheel. The wheels have a radius of 1.6 cm, are 0.8 cm wide and 2.8 cm from the centre, and hold "
+        "with 50 % of the friction of tyres; they turn at up to 12.5 rad/s, forward is counter-clockwise around the "
+        "robot; at their best they drive it at 0.283 m/s"
+    )
+
+    def wheels(self) -> tuple[Wheel, ...]:
+        """Return its wheels, which drive counter-clockwise around it."""
+        size = self.wheel_radius_m, self.wheel_width_m, self.wheel_mass_kg
+        ring_m = self.wheel_ring_m
+        return tuple(
+            Wheel(number, ring_m * math.cos(at), ring_m * math.sin(at), at + math.pi / 2, *size)
+            for number, at in enumerate(self.wheels_at_rad)
+        )
+
+    @property
+    def top_speed_mps(self) -> float:
+        """How fast it drives at most, in the direction in which no wheel has to turn fast."""
+        steepest = min(max(abs(math.sin(at - math.radians(way))) for at in self.wheels_at_rad) for way in range(180))
+        return self.max_wheel_radps * self.wheel_radius_m / max(steepest, _LEAST_SPAN)
+
+    def contradictions(self) -> Iterable[tuple[str, str]]:
+        """Return the fields that contradict others: wheels that cannot drive it in every direction and turn it."""
+        yield from super().contradictions()
+        places = [(math.cos(at), math.sin(at)) for at in self.wheels_at_rad]
+        if all(abs(side(*three)) < _LEAST_SPAN for three in combinations(places, 3)):
+            yield (
+                "wheels_at_rad",
+                "no three of these wheels stand in different directions, so they cannot drive it both ways and turn it",
+            )
+
+    def grips(self, friction: float) -> tuple[Grip, ...]:
+        """Return the grip along each wheel: its share of the weight; the rollers have none across."""
+        wheels = self.wheels()
+        weight_n = (self.mass_kg + len(wheels) * self.wheel_mass_kg) * GRAVITY_MPS2
+        slip = {"x": 1.0, "y": 0.0, "yaw": self.wheel_ring_m, self.MOTOR_JOINT: 0.0}
+        return tuple(
+            Grip(f"{wheel.name}_grip", self.grip * friction * weight_n / len(wheels), slip) for wheel in wheels
+        )
+
+    @classmethod
+    def make_drive(cls, physics: Physics, mounts: Sequence[Mount]) -> Drive:
+        """Return what drives all robots with such wheels in a half."""
+        return OmniDrive(physics, [(mount, mount.chassis) for mount in mounts if isinstance(mount.chassis, cls)])
+
+    def describe(self, _phrases: Phrases) -> str:
+        """Return what it is."""
+        radius, width, ring = metres_alike((self.wheel_radius_m, self.wheel_width_m, self.wheel_ring_m))
+        places = listed([degrees(at) for at in self.wheels_at_rad], "and")
+        return (
+            f"{self.body_words()} on {len(self.wheels_at_rad)} omni wheels at {places}, counter-clockwise from its "
+            f"front; its mass is {self.mass_kg:g} kg, and {self.wheel_mass_kg:g} kg that of each wheel. The wheels "
+            f"have a radius of {radius}, are {width} wide and {ring} from the centre, and hold with "
+            f"{100 * self.grip:g} % of the friction of tyres; they turn at up to {self.max_wheel_radps:g} rad/s, "
+            f"forward is counter-clockwise around the robot; at their best they drive it at {self.top_speed_mps:.3g} "
+            f"m/s"
+        )
+
+
+class _Robot:
+    """The wheels of one robot and their commands.
+
+    Attributes:
+        rows: of each wheel cosine and sine of its direction, its arm, and minus how fast its rim moves.
+        targets_rad: ``inf``: by velocity; else the angle to go to and hold.
+        stopped: whether the robot is held, or has been taken off the field.
+    """
+
+    def __init__(self, mount: Mount, chassis: OmniChassis, coefficient_bytes: int) -> None:
+        wheels = chassis.wheels()
+        self.at, self.turned = mount.at, mount.turned
+        self.first_byte = coefficient_bytes * mount.coefficient
+        self.write = Struct(f"{4 * len(wheels)}d").pack_into
+        self.rows = [(math.cos(one.yaw_rad), math.sin(one.yaw_rad), chassis.wheel_ring_m, 0.0) for one in wheels]
+        self.radius_m = chassis.wheel_radius_m
+        self.turns_radps = [0.0] * len(wheels)
+        self.commanded_radps = [0.0] * len(wheels)
+        self.targets_rad = [math.inf] * len(wheels)
+        self.stopped = False
+
+    def turn(self, wheel: int, radps: float) -> None:
+        """Let a wheel turn from now on."""
+        if self.turns_radps[wheel] != radps:
+            self.turns_radps[wheel] = radps
+            cos, sin, arm_m, _ = self.rows[wheel]
+            self.rows[wheel] = cos, sin, arm_m, -self.radius_m * radps
+
+
+class OmniDrive:
+    """The wheels of all robots with omni wheels."""
+
+    def __init__(self, physics: Physics, robots: Sequence[tuple[Mount, OmniChassis]]) -> None:
+        self._qpos, self._qvel, self._turned_rad = physics.qpos, physics.qvel, physics.turned_rad
+        self._coefficients = physics.coefficients
+        self._robots = {mount.robot: _Robot(mount, chassis, physics.coefficients.itemsize) for mount, chassis in robots}
+
+    def reset(self) -> None:
+        """Hold every wheel where it is: none has been commanded yet."""
+        for one in self._robots.values():
+            one.stopped = False
+            for wheel in range(len(one.rows)):
+                self._command(one, wheel, 0.0, math.inf)
+
+    def set_wheel(self, robot: int, wheel: int, velocity_radps: float, position_rad: float) -> None:
+        """Command a wheel: by velocity (position ``inf``), or to an angle at this velocity at most."""
+        self._command(self._robots[robot], wheel, velocity_radps, position_rad)
+
+    def set_stopped(self, robot: int, *, stopped: bool) -> None:
+        """Brake the wheels of a robot that is held or taken off the field; let them go on as commanded afterwards."""
+        one = self._robots[robot]
+        if one.stopped != stopped:
+            one.stopped = stopped
+            for wheel in range(len(one.rows)):
+                self._command(one, wheel, one.commanded_radps[wheel], one.targets_rad[wheel])
+
+    def before_substep(self, substep: int) -> None:
+        """Turn the wheels as commanded, and let the grip follow the robots' yaw."""
+        qpos, coefficients = self._qpos, self._coefficients
+        if substep == 0:
+            self._begin_tick()
+        for one in self._robots.values():
+            yaw = qpos[one.at + YAW]
+            c, s = math.cos(yaw), math.sin(yaw)
+            numbers: list[float] = []
+            for cos, sin, arm_m, rolls_mps in one.rows:
+                numbers += c * cos - s * sin, s * cos + c * sin, arm_m, rolls_mps
+            one.write(coefficients, one.first_byte, *numbers)
+
+    def _begin_tick(self) -> None:
+        turned_rad = self._turned_rad
+        for one in self._robots.values():
+            self._qvel[one.at + YAW + 1] = 1.0
+            if not one.stopped:
+                for wheel, target_rad in enumerate(one.targets_rad):
+                    if target_rad != math.inf:
+                        self._steer(one, wheel, target_rad)
+            for at, radps in enumerate(one.turns_radps, one.turned):
+                if radps:
+                    turned_rad[at] += radps * TICK_S
+
+    def _steer(self, one: _Robot, wheel: int, target_rad: float) -> None:
+        """Turn a wheel that goes to an angle; set one that has arrived on it."""
+        at, limit_radps = one.turned + wheel, abs(one.commanded_radps[wheel])
+        left_rad = target_rad - self._turned_rad[at]
+        if abs(left_rad) <= _ARRIVED_RAD:
+            self._turned_rad[at] = target_rad
+            one.turn(wheel, 0.0)
+        else:
+            one.turn(wheel, max(-limit_radps, min(limit_radps, _POSITION_GAIN_PS * left_rad)))
+
+    def _command(self, one: _Robot, wheel: int, velocity_radps: float, target_rad: float) -> None:
+        one.commanded_radps[wheel], one.targets_rad[wheel] = velocity_radps, target_rad
+        one.turn(wheel, velocity_radps if target_rad == math.inf and not one.stopped else 0.0)
