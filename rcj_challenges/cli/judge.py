@@ -159,8 +159,7 @@ def _as_json(judged: _Judged) -> dict[str, Any]:
 
 def _lines(judged: _Judged, *, has_other_rules: bool) -> Iterator[str]:
     """Yield the lines about a judgement: scores, then each event that differs."""
-    from rcj_challenges.views.naming import changes_sides
-    from rcj_challenges.views.score_lines import score_line
+    from rcj_challenges.views.naming import changes_sides, score_line
     from rcj_challenges.views.scoreboard import ranking_lines
 
     result, judgement, scenario = judged.result, judged.judgement, judged.scenario

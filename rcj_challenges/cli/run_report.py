@@ -122,8 +122,7 @@ def has_ticks(outcome: PlayedMatch) -> bool:
 
 def score_lines(scenario: Scenario, result: dict[str, Any]) -> list[str]:
     """The score, and a line for each place of the ranking."""
-    from rcj_challenges.views.naming import changes_sides
-    from rcj_challenges.views.score_lines import score_line
+    from rcj_challenges.views.naming import changes_sides, score_line
     from rcj_challenges.views.scoreboard import ranking_lines
 
     names = {seat: entrant["name"] for seat, entrant in result["entrants"].items()}

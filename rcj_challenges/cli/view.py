@@ -46,8 +46,8 @@ def _list_records(out: Path) -> None:
     from rich.table import Column, Table
 
     from rcj_challenges.views.console import console_for
+    from rcj_challenges.views.naming import score_line
     from rcj_challenges.views.replay.browse import list_runs
-    from rcj_challenges.views.score_lines import score_line
 
     table = Table(Column("record", no_wrap=True), "started", "scenario", "score")
     rows: list[tuple[str, str, str, str]] = []

@@ -10,9 +10,9 @@ from rcj_challenges.core.play import HalfInfo, RefereeOutput
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.views.naming import score_so_far, shown_names, team_names
 from rcj_challenges.views.payloads import extra_payload_text
 from rcj_challenges.views.reasons import Reasons
-from rcj_challenges.views.score_lines import score_so_far, shown_names, team_names
 from rcj_challenges.views.sentences import clock
 from rcj_challenges.views.timeline import TimelineBuilder, TimelineEvent
 
@@ -22,23 +22,14 @@ _MAX_UNANNOUNCED = 20
 
 @dataclass(frozen=True, slots=True)
 class Remark:
-    """One line of a commentary.
-
-    Attributes:
-        text: safe in a terminal.
-        seat: the seat whose score changed; empty if none did.
-    """
+    """One line of a commentary, safe in a terminal; ``seat``: whose score changed, empty if none did."""
 
     text: str
     seat: str = ""
 
 
 class Commentator:
-    """Turns outputs into remarks.
-
-    Attributes:
-        colours: by seat, the colour of its first robot, a CSS name.
-    """
+    """Turns outputs into remarks; ``colours``: by seat, that of its first robot, a CSS name."""
 
     def __init__(self, scenario: Scenario) -> None:
         self._builder = TimelineBuilder(scenario, _MAX_UNANNOUNCED)

@@ -1,4 +1,4 @@
-"""The console for people: it replaces letters that its encoding lacks, and stops writing when its reader is gone."""
+"""The console for people: it replaces characters that its encoding lacks, and stops writing when its reader is gone."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class PatientConsole(Console):
     """
 
     def render(self, renderable: RenderableType, options: ConsoleOptions | None = None) -> Iterable[Segment]:
-        """Return what is printed, in pieces."""
+        """Yield pieces of output."""
         for piece in super().render(renderable, options):
             yield piece if piece.is_control else piece._replace(text=sanitize_lines(piece.text))
 

@@ -1,16 +1,18 @@
-"""Names of teams that are shown side by side: two teams may have the same name."""
+"""Names of teams that are shown side by side: two teams may have the same name; and scores as lines of text."""
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
 
+from rcj_challenges.core.amounts import number_words
+from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.core.sanitize import sanitize
 from rcj_challenges.records.result import RunResult
 from rcj_challenges.scenario.models.scenario import Scenario
 
 _LONGEST = 32
-"""How many letters of a name are shown; names that differ only after these are also made distinct."""
+"""How many characters of a name are shown; names that differ only after these are also made distinct."""
 
 
 def changes_sides(scenario: Scenario) -> bool:
@@ -32,3 +34,30 @@ def distinct_names(names: Mapping[str, str], *, sides_change: bool = False) -> d
         team: f"{name} ({team}{first})" if several[sanitize(name)[:_LONGEST]] > 1 else name
         for team, name in names.items()
     }
+
+
+def score_line(names: Mapping[str, str], scores: Mapping[str, int | float], *, sides_change: bool = False) -> str:
+    """Return ``Hanse 2 : 1 Alster`` for two seats, ``Hanse 21`` for one, in the order of the first half."""
+    titles = shown_names(names, sides_change=sides_change)
+    if len(scores) == 2:
+        (first, first_score), (second, second_score) = scores.items()
+        return f"{titles[first]} {number_words(first_score)} : {number_words(second_score)} {titles[second]}"
+    return ", ".join(f"{titles[seat]} {number_words(score)}" for seat, score in scores.items())
+
+
+def score_so_far(half: HalfInfo, scores: Mapping[str, int | float]) -> str:
+    """Return the `score_line` within a half, teams in the order of the first half as in the result and on pages."""
+    seat_of = {team: seat for seat, team in half.teams.items()}
+    changed = any(team != seat for seat, team in half.teams.items())
+    return score_line(team_names(half), {team: scores[seat_of[team]] for team in half.teams}, sides_change=changed)
+
+
+def team_names(half: HalfInfo) -> dict[str, str]:
+    """Return the teams' names by their seats of the first half."""
+    seat_of = {team: seat for seat, team in half.teams.items()}
+    return {team: half.team_names[seat_of[team]] for team in half.teams}
+
+
+def shown_names(names: Mapping[str, str], *, sides_change: bool = False) -> dict[str, str]:
+    """Return the names by seat as a line may show them."""
+    return distinct_names({seat: sanitize(name, 32) for seat, name in names.items()}, sides_change=sides_change)

@@ -20,7 +20,7 @@ from rcj_challenges.core.timing import TICK_S, s_from_ticks
 from rcj_challenges.match.observers import Observer, Progress
 from rcj_challenges.scenario.models.scenario import RankByCounter, RankByScore, RankByTime, Scenario
 from rcj_challenges.views.commentary import Commentator, Remark
-from rcj_challenges.views.score_lines import score_so_far, shown_names, team_names
+from rcj_challenges.views.naming import score_so_far, shown_names, team_names
 from rcj_challenges.views.sentences import clock, fault_line
 
 Criterion = RankByScore | RankByTime | RankByCounter
@@ -85,8 +85,7 @@ def ranking_lines(
     sides_change: bool = False,
 ) -> list[str]:
     """Return ``place 1: Hanse, score 4, time 9.248 s`` for each team, best first; nothing if the score decides."""
-    titles = shown_names(names, sides_change=sides_change)
-    rows = ranking_rows(rank, titles, ranking)
+    rows = ranking_rows(rank, shown_names(names, sides_change=sides_change), ranking)
     return [f"place {place}: {team}, {values}" for place, team, values in rows]
 
 
@@ -110,7 +109,7 @@ def ranking_rows(
 
 
 def pace(progress: Progress) -> str:
-    """Return how fast it is played, and when that will be over."""
+    """Return the speed, and the time until the end."""
     return f"{progress.factor:.0f} x real time, done in about {progress.remaining_s:.0f} s"
 
 
@@ -126,7 +125,7 @@ class PrintedLines(Observer):
         self._console = console
 
     def printed(self, robot: str, text: str) -> None:
-        """Show the output of a program."""
+
         for line in text.splitlines():
             self._print(f"{robot} | {sanitize(line.expandtabs(4), 2000)}")
 
@@ -146,17 +145,16 @@ class _Commented(PrintedLines):
         self._commentator = Commentator(scenario)
 
     def half_started(self, half: HalfInfo) -> None:
-        """Begin a half."""
         self._commentator.begin(half)
 
     def after_tick(self, snapshot: Snapshot, output: RefereeOutput) -> None:
-        """Show the remarks about a tick."""
+
         if output.events or output.firings or output.changes:
             for remark in self._commentator.remarks(output):
                 self._show(remark)
 
     def after_last_tick(self, output: RefereeOutput, half: HalfInfo) -> None:
-        """Show the remarks about the rules after the last tick."""
+
         for remark in self._commentator.remarks(output):
             self._show(remark)
 
@@ -175,18 +173,18 @@ class PlainLines(_Commented):
         console.print(scenario.title, markup=False, highlight=False, soft_wrap=True)
 
     def half_started(self, half: HalfInfo) -> None:
-        """Print the half and the team of each seat."""
+
         super().half_started(half)
         self._print(f"half {half.half} of {half.halves}  {_seats(half)}")
 
     def progressed(self, progress: Progress) -> None:
-        """Print time, score and speed."""
+
         if progress.clock_ticks < progress.half.ticks:
             line = score_so_far(progress.half, progress.scores)
             self._print(f"{clock(s_from_ticks(progress.clock_ticks)):>7}  {line}  ({pace(progress)})")
 
     def fault(self, fault: Fault) -> None:
-        """Print the fault."""
+
         self._print(fault_line(fault))
 
 
@@ -204,21 +202,21 @@ class Scoreboard(_Commented):
         self._live = Live(console=console, auto_refresh=False, transient=True)
 
     def half_started(self, half: HalfInfo) -> None:
-        """Put the board up."""
+
         super().half_started(half)
         self._live.start()
         self._draw(Progress(half, 0, 0, dict(half.scores), "play", 0.0, 0.0))
 
     def progressed(self, progress: Progress) -> None:
-        """Draw the board again."""
+
         self._draw(progress)
 
     def fault(self, fault: Fault) -> None:
-        """Add the fault to the events; the next drawing shows it."""
+
         self._events.append(Text(fault_line(fault), style="red", no_wrap=True, overflow="ellipsis"))
 
     def finished(self, result: dict[str, Any]) -> None:
-        """Take the board down."""
+
         self._live.stop()
 
     def _show(self, remark: Remark) -> None:

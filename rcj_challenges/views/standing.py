@@ -54,7 +54,7 @@ class RankingCounters:
         return {team: [counted_for(self._scenario, team, name, halves) for name in self._names] for team in teams}
 
     def _tally(self, counters: Mapping[str, Any]) -> Tally:
-        """Return what this half adds, without its time: only counters are shown."""
+        """Return the counters of this half, without its time."""
         return Tally(counters, self._seats, time_s=0.0, began=self._began)
 
 

@@ -37,9 +37,7 @@ class TimelineEvent:
         tick: when it happened; for a program's failure the tick in which it failed: the referee learns of it in the
             next one.
         name: of the event; `POINTS` for points without one.
-        payload: of the event.
         cause: the firing that emitted it; None for a program's failure, or if the log has lost it.
-        fault: of a program, if this is one.
         is_first: whether it is the first event of its cause: the score changes once, also by a rule with several.
         score: by team, after its cause; without one, after the tick.
     """
@@ -61,14 +59,11 @@ class TimelineEvent:
 
 @dataclass(frozen=True, slots=True)
 class TickNews:
-    """What a tick adds to a timeline.
+    """What a tick adds to a timeline; None is no change.
 
     Attributes:
         events: in order, points without an event last.
-        phase: of the referee, if it changed.
-        held: robots that rules hold, if that changed.
-        score: by team, if it changed.
-        counted: what the counters that rank count for each team, if one of them changed.
+        counted: the counters that rank, by team.
     """
 
     events: tuple[TimelineEvent, ...] = ()
@@ -86,10 +81,7 @@ class HalfTimeline:
         half: from 1.
         teams: by seat.
         first_score: by team, as the half begins.
-        phases: of the referee.
-        held: robots that rules hold.
-        scores: by team.
-        counted: what the counters that rank count for each team.
+        counted: the counters that rank, by team.
     """
 
     half: int
@@ -103,23 +95,14 @@ class HalfTimeline:
 
 @dataclass
 class Timeline:
-    """A run.
-
-    Attributes:
-        halves: by number.
-        events: of all halves, in order.
-    """
+    """A run: halves by number, and the events of all halves, in order."""
 
     halves: dict[int, HalfTimeline] = field(default_factory=dict)
     events: list[TimelineEvent] = field(default_factory=list)
 
 
 class TimelineBuilder:
-    """Builds a timeline from the referee's output, tick by tick.
-
-    Attributes:
-        timeline: what was added so far.
-    """
+    """Builds a timeline from the referee's output, tick by tick."""
 
     def __init__(self, scenario: Scenario, max_unannounced: int = MAX_UNANNOUNCED) -> None:
         """Begin a run; of points without an event, the first ones of each rule and half are in the timeline."""

@@ -3,33 +3,42 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from rcj_challenges.core.play import Pose2
+from rcj_challenges.rules.base import Word
 from rcj_challenges.rules.phrasing import degrees
 from rcj_challenges.scenario.kit_devices import kit_of
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.outlines import extent, obstacle_outline
 from rcj_challenges.scenario.positions import start_noise_m, start_pose
-from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.roster import Roster, with_each
 from rcj_challenges.scenario.rule_effects import spots_set_at_start, spots_set_by_rules
 from rcj_challenges.scenario.shapes import (
     FORWARD_M,
     Point,
     box,
+    corners_of,
     floor_of,
+    floor_outline,
     forward_mark,
     goal_floor,
+    middle,
     point_words,
     turned,
+    visible_outline,
     zone_outline,
+    zone_words,
 )
-from rcj_challenges.views.drawing.distances import measured_distances
+from rcj_challenges.scenario.walk import walk
 from rcj_challenges.views.drawing.paper import MARKER_PX, Entry, Paper, Section
 from rcj_challenges.views.drawing.placement_areas import Area, first_poses, flipped, placement_areas
-from rcj_challenges.views.drawing.zones import BLACK, corner_inside, draw_zones
 from rcj_challenges.views.palette import PALETTE, hex_of, rgb, text_on
 
+_BLACK = "#161c24"
+# Dark enough for white numbers; none of these is near orange.
+_ZONE_COLOURS = ("#7048e8", "#0b7285", "#c2255c", "#447007", "#9c36b5", "#4263eb", "#2b5f6b", "#a61e4d")
 _PX_PER_M = 290.0  # of a field of the usual size
 _MAX_PX = (480.0, 720.0)  # across and up: of a larger field the scale is smaller, and texts keep their size
 _MARGIN_PX = 50.0
@@ -50,13 +59,7 @@ _PLACED = "a rule puts it when a half starts"
 
 
 class Picture(NamedTuple):
-    """A drawing of the field and its legend.
-
-    Attributes:
-        paper: the drawing.
-        title: of both.
-        sections: of the legend; some may be empty.
-    """
+    """A drawing of the field and its legend, some of whose sections may be empty."""
 
     paper: Paper
     title: str
@@ -87,7 +90,7 @@ def picture_of(scenario: Scenario, roster: Roster) -> Picture:
     poses = first_poses(scenario, roster)
     _ground(paper, scenario)
     sections = [
-        draw_zones(paper, scenario),
+        _zones(paper, scenario),
         _placement_areas(paper, scenario, roster, poses),
         _distances(paper, scenario, roster),
         _gates(paper, scenario),
@@ -100,7 +103,7 @@ def picture_of(scenario: Scenario, roster: Roster) -> Picture:
 
 
 def _mark_m(paper: Paper, usual_m: float) -> float:
-    """Return how large a mark is, in m of the paper's scale, that has a size on a field of the usual size."""
+    """Return the size of a mark in m of the paper's scale, by its size on a field of the usual size."""
     return usual_m * _PX_PER_M / paper.scale
 
 
@@ -123,6 +126,42 @@ def _ground(paper: Paper, scenario: Scenario) -> None:
         paper.text_px(paper.px((x, 0))[0], paper.height_px - 5, f"x {x:g}", "axis")
     for y in (-h, 0.0, h):
         paper.text_px(_MARGIN_PX / 2, paper.px((0, y))[1] + 4, f"y {y:g}", "axis")
+
+
+def _zones(paper: Paper, scenario: Scenario) -> Section:
+    entries: list[Entry] = []
+    for k, (name, zone) in enumerate(scenario.zones.items()):
+        marker = _ZONE_COLOURS[k % len(_ZONE_COLOURS)]
+        colour, marker = (hex_of(zone.colour), _BLACK) if zone.colour else (marker, marker)
+        dash = "" if zone.drawn else ' stroke-dasharray="6 4"'
+        style = f'fill="{colour}" fill-opacity="0.06" stroke="{colour}" stroke-width="1.5"{dash}'
+        area = visible_outline(zone, scenario.field, paper.bounds)
+        if zone.inverted:
+            whole = corners_of(*paper.bounds)
+            both = " ".join(paper.outline(outline) for outline in (whole, area) if outline)
+            paper.path(both, f'{style} fill-rule="evenodd"', f"all but {name}")
+            area = area or whole
+        else:
+            paper.polygon(area, style, name)
+        number = paper.new_number() if area else ""  # what lies beside the paper is only in the legend
+        if area:
+            on_floor = floor_outline(zone, scenario.field)
+            paper.mark(_corner_inside(paper, on_floor if _has_room(paper, on_floor) else area), number, name, marker)
+        entries.append(Entry(f"{name}: {zone_words(zone)}", number, marker))
+    return "Zones (m; dashed: not drawn on the field)", entries
+
+
+def _has_room(paper: Paper, area: list[Point]) -> bool:
+    xs, ys = [x for x, _ in area], [y for _, y in area]
+    return bool(area) and min(max(xs) - min(xs), max(ys) - min(ys)) * paper.scale > MARKER_PX
+
+
+def _corner_inside(paper: Paper, area: list[Point]) -> Point:
+    """Return a place for a marker inside an area, near its upper left corner."""
+    x, y = min(area, key=lambda point: point[0] - point[1])
+    to_x, to_y = middle(area)
+    step_m = 0.8 * MARKER_PX / paper.scale
+    return x + max(-step_m, min(step_m, to_x - x)), y + max(-step_m, min(step_m, to_y - y))
 
 
 def _placement_areas(paper: Paper, scenario: Scenario, roster: Roster, poses: dict[str, Pose2 | None]) -> Section:
@@ -150,7 +189,7 @@ def _draw_area(paper: Paper, scenario: Scenario, area: Area, title: str, number:
             if not outline:
                 return
             paper.polygon(outline, _PUT_AREA, f"{title} anywhere in here")
-            place = corner_inside(paper, outline)
+            place = _corner_inside(paper, outline)
         case (at,):
             dot_m = _mark_m(paper, _DOT_M)
             width_m, height_m = (2 * max(noise, dot_m) for noise in area.noise_m)
@@ -166,14 +205,29 @@ def _draw_area(paper: Paper, scenario: Scenario, area: Area, title: str, number:
 
 
 def _distances(paper: Paper, scenario: Scenario, roster: Roster) -> Section:
+    """Draw the distances that rules measure, each once; spots that rules set are where they are when a half starts."""
     remembered, nowhere = spots_set_by_rules(scenario), spots_set_at_start(scenario)
-    found = measured_distances(scenario, roster)
-    for distance in found:
-        if distance.name not in nowhere:
-            colour = _PUT if distance.name in remembered else "#495057"
+    entries: list[Entry] = []
+    for radius_m, name, centre_m in dict.fromkeys(_measured(scenario, roster)):
+        words = f"from {name or point_words(centre_m)}"
+        if name not in nowhere:
+            colour = _PUT if name in remembered else "#495057"
             style = f'fill="none" stroke="{colour}" stroke-dasharray="1 4" {_WITHIN_WALLS} class="distance"'
-            paper.circle(distance.centre_m, distance.radius_m, style, distance.words(" m"))
-    return "Distances that rules measure (m)", [Entry(distance.words()) for distance in found]
+            paper.circle(centre_m, radius_m, style, f"{radius_m:g} m {words}")
+        entries.append(Entry(f"{radius_m:g} {words}"))
+    return "Distances that rules measure (m)", entries
+
+
+def _measured(scenario: Scenario, roster: Roster) -> Iterator[tuple[float, str, Point]]:
+    """Yield the distances that rules measure, in m: each with the spot's name (empty for a point) and its place."""
+    for rule in scenario.rules.values():
+        words = (word for word, _ in walk(rule) if isinstance(word, Word))
+        for origin, radius_m in (pair for word in words for pair in word.distances_m()):
+            if not isinstance(origin, str):
+                yield radius_m, "", origin
+                continue
+            spots = (name for name in roster.may_be(with_each(origin, rule.for_each)) if name in scenario.spots)
+            yield from ((radius_m, name, (scenario.spots[name].x_m, scenario.spots[name].y_m)) for name in spots)
 
 
 def _gates(paper: Paper, scenario: Scenario) -> Section:
@@ -215,8 +269,8 @@ def _obstacles(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None])
         at, reach_px = ((west + east) / 2, (south + north) / 2), max(east - west, north - south) / 2 * paper.scale
         number = paper.new_number()
         beside_px = reach_px + _BESIDE_PX if reach_px < MARKER_PX else 0.0  # it would hide a small one
-        paper.mark(at, number, name, BLACK, offset_px=(0.0, -beside_px))
-        entries.append(Entry(f"{name}: {point_words(at)}", number, BLACK))
+        paper.mark(at, number, name, _BLACK, offset_px=(0.0, -beside_px))
+        entries.append(Entry(f"{name}: {point_words(at)}", number, _BLACK))
     return "Obstacles (m)", entries
 
 
@@ -232,7 +286,7 @@ def _spots(paper: Paper, scenario: Scenario) -> Section:
         stroke = f'stroke="{_PUT if is_set else "#212529"}" stroke-width="2"'
         paper.line((at[0] - reach_m, at[1]), (at[0] + reach_m, at[1]), stroke, name)
         paper.line((at[0], at[1] - reach_m), (at[0], at[1] + reach_m), stroke, name)
-        number, colour = paper.new_number(), _PUT_MARKER if is_set else BLACK
+        number, colour = paper.new_number(), _PUT_MARKER if is_set else _BLACK
         paper.mark(at, number, name, colour, offset_px=(_BESIDE_PX, -_BESIDE_PX))
         words = " when a half starts; rules set it" if is_set else ""
         entries.append(Entry(f"{name}: {_numbers(at)}{words}", number, colour))
@@ -267,10 +321,10 @@ def _robots(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) ->
             paper.text_px(x, y + 5, name, "number" if ink == rgb(PALETTE["mark"]) else "number dark")
         else:
             number = paper.new_number()
-            paper.mark(at, number, name, BLACK, offset_px=(0.0, size_m * 0.7 * paper.scale + _BESIDE_PX))
+            paper.mark(at, number, name, _BLACK, offset_px=(0.0, size_m * 0.7 * paper.scale + _BESIDE_PX))
         noise = f", ± {noise_m[0]:g}, {noise_m[1]:g}" if shifts else ""
         boxes = boxes or shifts
-        entries.append(Entry(f"{name}: {_numbers(at)}, turned by {degrees(pose[2])}{noise}", number, BLACK))
+        entries.append(Entry(f"{name}: {_numbers(at)}, turned by {degrees(pose[2])}{noise}", number, _BLACK))
     if boxes:
         entries.append(Entry("chance shifts a start within its box (±)", sample=_NOISE_BOX))
     return "Robots at the start (m)", entries
@@ -287,8 +341,8 @@ def _balls(paper: Paper, scenario: Scenario, poses: dict[str, Pose2 | None]) -> 
         paper.circle(at, ball.radius_m, f'fill="{hex_of(ball.colour)}" stroke="#212529"', name)
         paper.keep_free(at, ball.radius_m)
         reach_px = ball.radius_m * paper.scale * 0.7 + _BESIDE_PX
-        paper.mark(at, number, name, BLACK, offset_px=(-reach_px, -reach_px))
-        entries.append(Entry(f"{name}: {_numbers(at)}", number, BLACK))
+        paper.mark(at, number, name, _BLACK, offset_px=(-reach_px, -reach_px))
+        entries.append(Entry(f"{name}: {_numbers(at)}", number, _BLACK))
     return "Balls at the start (m)", entries
 
 

@@ -40,7 +40,6 @@ class Entry(NamedTuple):
     """A line of the legend.
 
     Attributes:
-        text: its words.
         number: the marker that it explains; empty: none.
         colour: of that marker.
         sample: SVG attributes of a small box that shows the line or area that it explains; empty: none.
@@ -118,7 +117,7 @@ class Paper:
         self._bodies.append((self.px(centre), radius_m * self.scale))
 
     def new_number(self) -> str:
-        """Return the next number for markers."""
+        """Return the next number of a marker."""
         self._numbers += 1
         return str(self._numbers)
 

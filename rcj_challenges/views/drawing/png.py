@@ -26,16 +26,13 @@ class PngMissingError(DiagnosticError):
 
 
 def png_from_svg(picture: str) -> bytes:
-    """Return a drawing as PNG, twice as many pixels each way as its SVG has units.
-
-    Where no font is found (`written_with`) it has no words.
+    """Return a drawing as PNG; where no font is found (`written_with`) it has no words.
 
     Raises:
         PngMissingError: the extra is not installed.
     """
-    renderer = _renderer()
-    family = written_with()
-    return bytes(renderer.svg_to_bytes(svg_string=picture, zoom=ZOOM, background="#ffffff", sans_serif_family=family))
+    to_bytes, family = _renderer().svg_to_bytes, written_with()
+    return bytes(to_bytes(svg_string=picture, zoom=ZOOM, background="#ffffff", sans_serif_family=family))
 
 
 @cache

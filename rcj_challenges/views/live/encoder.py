@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from rcj_challenges.core.play import Fault, HalfInfo, RefereeOutput, Snapshot
+from rcj_challenges.core.play import HalfInfo, RefereeOutput, Snapshot
 from rcj_challenges.core.timing import TICK_S, ticks_from_s
 from rcj_challenges.match.observers import Observer
 from rcj_challenges.records.reflog import events_of
@@ -23,8 +23,8 @@ from rcj_challenges.views.live.pace import Pace
 from rcj_challenges.views.live.sensor_feed import HalfSensorFeed
 from rcj_challenges.views.naming import changes_sides, distinct_names
 from rcj_challenges.views.replay.events import EventFacts, half_facts
-from rcj_challenges.views.replay.packing import FINEST_M, put_at_start, rounded_poses, units
-from rcj_challenges.views.replay.page import fault_detail, team_facts
+from rcj_challenges.views.replay.packing import FINEST_M, place_at_start, rounded_poses, units
+from rcj_challenges.views.replay.page import fault_facts, team_facts
 from rcj_challenges.views.replay.things import visible_things
 from rcj_challenges.views.timeline import TimelineBuilder
 
@@ -56,8 +56,8 @@ def live_facts(scenario: Scenario, titles: dict[str, str], seed: int) -> dict[st
 
 
 def _unit_m(scenario: Scenario) -> float:
-    reach_m = max(scenario.field.width_m, scenario.field.length_m) / 2 + _SEEN_BEYOND_M
-    return max(FINEST_M, reach_m / 32_767)
+    half_m = max(scenario.field.width_m, scenario.field.length_m) / 2
+    return max(FINEST_M, (half_m + _SEEN_BEYOND_M) / 32_767)
 
 
 class LiveObserver(Observer):
@@ -141,7 +141,7 @@ class LiveObserver(Observer):
         numbers = np.frombuffer(b"".join([row for _, row, _ in batch]), "<f4").reshape(len(batch), -1)
         judged = numbers[:, : 3 * entities].reshape(-1, entities, 3).copy()
         if first == 0 and start is not None:
-            put_at_start(judged[0], start[1].placements)  # the start is shown as the first tick finds it
+            place_at_start(judged[0], start[1].placements)  # the start is shown as the first tick finds it
         heights, uprights = numbers[:, 3 * entities : 4 * entities], numbers[:, 4 * entities :]
         channels = rounded_poses(judged, heights, uprights, self._unit_m)
         rows = np.stack(list(channels.values()), axis=1).astype("<i2").tobytes()
@@ -151,23 +151,19 @@ class LiveObserver(Observer):
     def _tick_message(self, snapshot: Snapshot, output: RefereeOutput) -> bytes:
         half = self._half
         assert half is not None  # noqa: S101 - only called within a half
-        events = events_of(snapshot, output)
-        added = self._builder.add(events, output.firings, output.changes, snapshot.faults)
-        news: dict[str, Any] = {"say": "news", "half": half.half, "tick": snapshot.tick}
-        if added.score is not None:
-            news["score"] = added.score
-        if added.counted is not None:
-            news["counted"] = added.counted
-        if added.phase is not None:
-            news["phase"] = [added.phase.phase, added.phase.waiting_for_kickoff]
-        if added.held is not None:
-            news["held"] = list(added.held.robots)
-        if output.placements and snapshot.tick:
-            news["jumps"] = sorted({placement.entity for placement in output.placements})
-        if snapshot.faults:
-            news["faults"] = [_fault(fault) for fault in snapshot.faults]
-        news["events"] = [self._event_facts.event(event, half.teams) for event in added.events]
-        return json_message(news)
+        added = self._builder.add(events_of(snapshot, output), output.firings, output.changes, snapshot.faults)
+        phase, held = added.phase, added.held
+        news = {
+            "score": added.score,
+            "counted": added.counted,
+            "phase": phase and [phase.phase, phase.waiting_for_kickoff],
+            "held": held and list(held.robots),
+            "jumps": sorted({placement.entity for placement in output.placements if snapshot.tick}) or None,
+            "faults": fault_facts(snapshot.faults) or None,
+            "events": [self._event_facts.event(event, half.teams) for event in added.events],
+        }
+        changed = {name: value for name, value in news.items() if value is not None}
+        return json_message({"say": "news", "half": half.half, "tick": snapshot.tick, **changed})
 
     def _half_facts(self, half: HalfInfo) -> dict[str, Any]:
         return {
@@ -178,7 +174,3 @@ class LiveObserver(Observer):
             "jumps": [],
             "faults": [],
         }
-
-
-def _fault(fault: Fault) -> dict[str, Any]:
-    return {"robot": fault.robot, "tick": fault.tick, "kind": fault.kind, "detail": fault_detail(fault)}

@@ -37,7 +37,7 @@ def pose_message(half: int, first_tick: int, rows: bytes) -> bytes:
 
 
 def reading_message(half: int, robot: int, rows: int, steps: bytes) -> bytes:
-    """Return what a robot's program saw and set, framed; ``steps`` are packed."""
+    """Return readings and commands of a robot's program, framed; ``steps`` are packed."""
     return struct.pack("<BIHHI", _READINGS, 8 + len(steps), half, robot, rows) + steps
 
 
@@ -71,10 +71,9 @@ class Feed:
             self._news.notify_all()
 
     def read(self, start: int, wait_s: float) -> bytes | None:
-        """Return the bytes from a place on, at most 64 KB or one chunk; waits if there are none yet.
+        """Return the bytes from a place on, at most 64 KB or one chunk, after waiting for them if there are none yet.
 
-        Returns:
-            The bytes, empty if none came within ``wait_s``, None at the end of the feed.
+        They are empty if none came within ``wait_s``, None at the end of the feed.
         """
         with self._news:
             if start >= self._size() and not self._closed:

@@ -16,7 +16,7 @@ from rcj_challenges.views.replay.sensor_blocks import columns_of, robot_facts, s
 
 Array = npt.NDArray[Any]
 
-_LETTERS_A_MESSAGE = 100_000
+_MAX_CHARACTERS = 100_000
 _GROUP_BITS, _MAX_GROUPS = 7, 5
 
 
@@ -59,14 +59,14 @@ class HalfSensorFeed:
         return b"".join([*parts, *self._lines()])
 
     def _lines(self) -> list[bytes]:
-        messages, lines, letters = [], [], 0
+        messages, lines, characters = [], [], 0
         for _ in range(len(self._printed)):
             robot, tick, text = self._printed.popleft()
             lines.append((self._robots[robot].name, tick, text))
-            letters += len(text)
-            if letters > _LETTERS_A_MESSAGE:
+            characters += len(text)
+            if characters > _MAX_CHARACTERS:
                 messages.append(self._printed_message(lines))
-                lines, letters = [], 0
+                lines, characters = [], 0
         return [*messages, self._printed_message(lines)] if lines else messages
 
     def _printed_message(self, lines: list[tuple[str, int, str]]) -> bytes:

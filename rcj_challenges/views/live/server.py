@@ -13,7 +13,7 @@ import socketserver
 import sys
 import threading
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any, ClassVar
@@ -57,8 +57,6 @@ class ServedMatch:
     Attributes:
         page: the viewer, UTF-8.
         match: identifies this match, so that a page of another one does not receive its feed.
-        feed: what happened so far.
-        pace: what may be steered.
         token: gives the right to steer.
         replay: the finished page, once there is one.
     """
@@ -68,7 +66,7 @@ class ServedMatch:
     feed: Feed
     pace: Pace
     token: str
-    replay: Path | None = field(default=None)
+    replay: Path | None = None
 
 
 class SpectatorServer(ThreadingHTTPServer):
@@ -197,7 +195,7 @@ class _Handler(BaseHTTPRequestHandler):
         served = self.server.served
         asked = parse_qs(urlsplit(self.path).query)
         start = asked.get("from", ["0"])[0]
-        if not (start.isascii() and start.isdigit() and len(start) <= _MAX_DIGITS):
+        if not _is_count(start):
             return self._refuse(400, "from: a number of bytes")
         if asked.get("match", [""])[0] != served.match:
             return self._refuse(409, "another match is played here now")
@@ -212,27 +210,20 @@ class _Handler(BaseHTTPRequestHandler):
 
     def _replay(self) -> None:
         replay = self.server.served.replay
-        try:
-            page = None if replay is None else replay.read_bytes()
-        except OSError:
-            page = None
+        page = None
+        with suppress(OSError):
+            page = replay.read_bytes() if replay else None
         if page is None:
-            self._refuse(404, "the match is not over yet, or its replay was not written")
-        else:
-            self._answer(200, page, _HTML)
+            return self._refuse(404, "the match is not over yet, or its replay was not written")
+        return self._answer(200, page, _HTML)
 
     def _steer(self) -> None:
         given = self.headers.get("Authorization", "").encode("utf-8", "replace")
         if not hmac.compare_digest(given, f"Bearer {self.server.served.token}".encode()):
-            return self._refuse(
-                403, "only the person who started the match may steer it: use the address with the token"
-            )
+            why = "only the person who started the match may steer it: use the address with the token"
+            return self._refuse(403, why)
         length = self.headers.get("Content-Length", "")
-        # Of more digits than these Python makes no number.
-        if (
-            not (length.isascii() and length.isdigit() and len(length) <= _MAX_DIGITS)
-            or int(length) > _MAX_COMMAND_BYTES
-        ):
+        if not _is_count(length) or int(length) > _MAX_COMMAND_BYTES:
             return self._refuse(413, f"a command of at most {_MAX_COMMAND_BYTES} bytes")
         try:
             apply_command(self.server.served.pace, json.loads(self.rfile.read(int(length))))
@@ -272,6 +263,11 @@ class _Handler(BaseHTTPRequestHandler):
 
     def log_message(self, format: str, *arguments: Any) -> None:  # noqa: A002 - the name that http.server gives it
         """Log nothing: the terminal belongs to the match, and addresses are private."""
+
+
+def _is_count(text: str) -> bool:
+    """Return whether a text is a whole number of so few digits that Python converts it."""
+    return text.isascii() and text.isdigit() and len(text) <= _MAX_DIGITS
 
 
 def apply_command(pace: Pace, command: Any) -> None:

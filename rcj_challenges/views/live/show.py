@@ -41,10 +41,7 @@ class LiveShow:
     Pass `observer` to the match; afterwards call `match_over`, then `linger` for as long as spectators shall be served.
     Leaving the context closes all connections.
 
-    Attributes:
-        observer: receives the match.
-        pace: how fast it runs.
-        port: where it listens, on loopback only.
+    ``port`` is on loopback only.
     """
 
     def __init__(
@@ -101,16 +98,12 @@ class LiveShow:
         self.pace.release()
         page = folder / REPLAY
         self._served.replay = page if page.is_file() else None
-        about: list[tuple[str, str]] = []
-        ranked: list[dict[str, str]] = []
-        complete = False
+        over: dict[str, Any] = {"about": [], "places": [], "complete": False}
         with suppress(RecordError):
             result = read_result(folder)
-            about, ranked = [*about_run(result), *self._no_logos], places(self._scenario, result)
-            complete = result.complete
-        has_replay = self._served.replay is not None
-        over = {"say": "over", "about": about, "places": ranked, "complete": complete, "replay": has_replay}
-        self._feed.append(json_message(over))
+            over["about"], over["places"] = [*about_run(result), *self._no_logos], places(self._scenario, result)
+            over["complete"] = result.complete
+        self._feed.append(json_message({"say": "over", **over, "replay": self._served.replay is not None}))
         self._feed.close()
 
     def linger(self, seconds: float | None) -> None:

@@ -26,9 +26,7 @@ class RunRow:
     """One record in a list.
 
     Attributes:
-        folder: of the record.
-        result: None if it cannot be read.
-        problem: why it cannot be read, else empty.
+        result: None if it cannot be read; then ``problem`` is the reason.
         score: points by team, so far if it was killed or goes on.
     """
 
@@ -85,10 +83,7 @@ def find_run(run: Path | None, out: Path) -> Path:
 
 
 def open_replay(folder: Path) -> tuple[Path, bool]:
-    """Open a record's page in the browser, after writing it if it is missing.
-
-    Returns:
-        The page's path, and whether a browser opened it (there may be none).
+    """Open a record's page in the browser, after writing it if it is missing; return its path, and whether one opened.
 
     Raises:
         RecordError: the record cannot be shown.
@@ -114,7 +109,7 @@ def playing_address(page: Path, system: str = sys.platform) -> str:
 def address_of(page: Path, system: str = sys.platform) -> str:
     """Return the address under which a browser opens a page.
 
-    Windows reads escapes in the address of a file as letters of its old code pages, and does not find a page below
+    Windows reads escapes in the address of a file as characters of its old code pages, and does not find a page below
     Jörg's folder; there it is the path itself, which has no escapes.
     """
     return str(page) if system == "win32" else page.resolve().as_uri()
@@ -131,8 +126,7 @@ def _is_record(folder: Path) -> bool:
 
 def _folders(out: Path) -> list[Path]:
     """Return the records' folders, the newest first: names begin with the time."""
-    found = filter(_is_record, out.iterdir())
-    return sorted(found, key=lambda path: path.name, reverse=True)
+    return sorted(filter(_is_record, out.iterdir()), key=lambda path: path.name, reverse=True)
 
 
 def _row(folder: Path) -> RunRow:

@@ -33,7 +33,7 @@ _UNITS = {
 
 
 def half_facts(half: HalfTimeline, ticks: int) -> dict[str, Any]:
-    """Return what changed in a half, as the page has it: a list for each thing, ``[tick, value]`` in order."""
+    """Return the changes of a half, as the page has them: a list for each thing, ``[tick, value]`` in order."""
     # A rule that counts in each tick would fill the page: of each stretch only the last value is kept.
     stretch = 1 if len(half.counted) <= _MAX_CHANGES else ticks // _MAX_CHANGES + 1
     return {
@@ -117,8 +117,7 @@ class EventFacts:
 
 def _whose(scored: Mapping[str, Score]) -> str:
     """Return the seat that gained points, or else one that lost some; empty if the score did not change."""
-    gained = (seat for seat, points in scored.items() if points > 0)
-    return next(gained, next(iter(scored), ""))
+    return next((seat for seat, points in scored.items() if points > 0), next(iter(scored), ""))
 
 
 def _kind(name: str, scored: Mapping[str, Score]) -> str:

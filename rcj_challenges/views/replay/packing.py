@@ -50,13 +50,13 @@ class Frames:
 
 
 def length_unit(*halves: HalfTrack) -> float:
-    """Return what 1 is worth for x and y in m, so that the furthest position on the field fits into int16."""
+    """Return the unit of x and y in m with which the furthest position on the field fits into int16."""
     furthest = max((_furthest(half.substeps[:, -1, :, :2]) for half in halves), default=0.0)
     return max(FINEST_M, math.ceil(furthest / (_LARGEST - 1) * 1e9) / 1e9)
 
 
 def frames_of(half: HalfTrack, unit_m: float) -> Frames:
-    """Return the frames of a half; ``unit_m`` is what 1 is worth for x and y."""
+    """Return the frames of a half; ``unit_m`` is the unit of x and y."""
     poses = half.substeps[:, -1]
     start, heights, uprights = _start(half)
     with np.errstate(invalid="ignore"):  # what a damaged file holds may be no number even for the processor
@@ -78,7 +78,7 @@ def rounded_poses(judged: Array, heights: Array, uprights: Array, unit_m: float)
         judged: ``[T, E, 3]``: x and y in m, yaw in rad.
         heights: ``[T, E]``: z in m.
         uprights: ``[T, E]``: cosine of the tilt.
-        unit_m: what 1 is worth for x and y.
+        unit_m: of x and y.
     """
     with np.errstate(invalid="ignore"):  # a damaged file may hold infinities; they are shown at the edge
         poses = judged.astype(np.float64)
@@ -92,7 +92,7 @@ def rounded_poses(judged: Array, heights: Array, uprights: Array, unit_m: float)
         }
 
 
-def put_at_start(poses: Array, placements: Iterable[Placement]) -> None:
+def place_at_start(poses: Array, placements: Iterable[Placement]) -> None:
     """Move what was placed at tick 0 to where frame 0 shows it: beyond the edge if it was taken off."""
     for placement in placements:
         off = (math.inf, 0.0, 0.0)
@@ -100,7 +100,7 @@ def put_at_start(poses: Array, placements: Iterable[Placement]) -> None:
 
 
 def units(unit_m: float) -> dict[str, float]:
-    """Return what 1 is worth in each channel, in m and rad; ``unit_m``: for x and y."""
+    """Return the unit of each channel, in m and rad; ``unit_m``: of x and y."""
     return {"x": unit_m, "y": unit_m, "yaw": TURN_RAD, "z": HEIGHT_M, "tilt": TILT_RAD}
 
 
@@ -137,5 +137,5 @@ def _start(half: HalfTrack) -> tuple[Array, Array, Array]:
     if first is None:
         return np.zeros((entities, 3)), np.zeros(entities), np.ones(entities)
     poses = np.array(first.substeps[-1], dtype=np.float64)
-    put_at_start(poses, half.placements.get(0, ()))
+    place_at_start(poses, half.placements.get(0, ()))
     return poses, np.array(first.heights), np.array(first.uprights)

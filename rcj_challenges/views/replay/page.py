@@ -5,7 +5,7 @@ from __future__ import annotations
 import base64
 import hashlib
 import json
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
@@ -75,21 +75,17 @@ def write_replay(folder: Path, run: RunRecord | None = None) -> Path:
     Raises:
         RecordError: there is nothing in the folder that could be shown.
     """
-    text = _text_of(run or read_run(folder), folder)
-    path = folder / REPLAY
-    with replaced(path) as file:
-        file.write(text.encode())
-    return path
-
-
-def _text_of(run: RunRecord, folder: Path) -> str:
+    run = run or read_run(folder)
     unit_m = length_unit(*run.halves)
     frames = [frames_of(half, unit_m) for half in run.halves]
     facts = _facts(run, frames, unit_m)
     blocks = {half.info.half: packed(moving) for half, moving in zip(run.halves, frames, strict=True)}
     more = _sensor_blocks(facts, folder)
     _add_logos(facts, folder, run.scenario.entrants)
-    return page_text(facts, blocks, more)
+    path = folder / REPLAY
+    with replaced(path) as file:
+        file.write(page_text(facts, blocks, more).encode())
+    return path
 
 
 def _sensor_blocks(facts: dict[str, Any], folder: Path) -> dict[str, str]:
@@ -134,7 +130,7 @@ def logo_address(logo: bytes) -> str:
 
 
 def no_logo(title: str, why: Exception) -> tuple[str, str]:
-    """Return what stands beside the field for a logo that is not shown."""
+    """Return the line beside the field for a logo that is not shown."""
     return "logo", f"that of {title} is not shown: {why}"
 
 
@@ -160,17 +156,13 @@ def _facts(run: RunRecord, frames: list[Frames], unit_m: float) -> dict[str, Any
 
 def _half(half: HalfTrack, frames: Frames, timeline: HalfTimeline) -> dict[str, Any]:
     info = half.info
-    faults = [fault for faults in half.faults.values() for fault in faults]
     return {
         "half": info.half,
         "ticks": half.ticks,
         "planned_ticks": info.ticks,
         **half_facts(timeline, half.ticks),
         "jumps": [list(ticks) for ticks in frames.jumps],
-        "faults": [
-            {"robot": fault.robot, "tick": fault.tick, "kind": fault.kind, "detail": fault_detail(fault)}
-            for fault in faults
-        ],
+        "faults": fault_facts(fault for faults in half.faults.values() for fault in faults),
     }
 
 
@@ -179,9 +171,17 @@ def team_facts(names: Mapping[str, str]) -> list[dict[str, str]]:
     return [{"name": team, "title": name[:_LONGEST_NAME]} for team, name in names.items()]
 
 
-def fault_detail(fault: Fault) -> str:
-    """Return the traceback of a program's failure, which ends with the error, or else one line."""
-    return (fault.traceback.rstrip() or fault.detail)[-_LONGEST_DETAIL:]
+def fault_facts(faults: Iterable[Fault]) -> list[dict[str, Any]]:
+    """Return failures of programs: as detail the traceback, which ends with the error, or else one line."""
+    return [
+        {
+            "robot": fault.robot,
+            "tick": fault.tick,
+            "kind": fault.kind,
+            "detail": (fault.traceback.rstrip() or fault.detail)[-_LONGEST_DETAIL:],
+        }
+        for fault in faults
+    ]
 
 
 def places(scenario: Scenario, result: RunResult) -> list[dict[str, str]]:
@@ -218,11 +218,7 @@ def page_text(
 ) -> str:
     """Return the page. Every part is inserted in one pass, so that no part can contain the mark of another.
 
-    Args:
-        facts: the data of the viewer, JSON-able.
-        blocks: packed poses by half.
-        more: other packed blocks by id.
-        kind: replay, live or premiere.
+    ``facts`` are JSON-able; ``blocks`` are packed poses by half, ``more`` other packed blocks by id.
     """
     viewer = files("rcj_challenges.views.replay") / "viewer"
     style = "".join((viewer / name).read_text("utf-8") for name in kind.styles)
@@ -239,8 +235,7 @@ def page_text(
         ),
         "SCRIPT": script,
     }
-    frame = (viewer / "page.html").read_text("utf-8")
-    pieces = frame.split("@")
+    pieces = (viewer / "page.html").read_text("utf-8").split("@")
     return "".join(parts.get(piece, piece) if index % 2 else piece for index, piece in enumerate(pieces))
 
 

@@ -44,7 +44,7 @@ class Column(NamedTuple):
 
 
 def sensor_facts(half: SensorHalf) -> dict[str, Any]:
-    """Return how a half's block is to be read, and which device each column belongs to."""
+    """Return the layout of a half's block: which device each column belongs to."""
     return {
         "robots": [robot_facts(track.robot) | {"rows": len(track.ticks)} for track in half.robots.values()],
         "full_at": half.full_at,
@@ -63,7 +63,7 @@ def sensor_block(half: SensorHalf) -> str:
 
 
 def output_block(half: SensorHalf) -> str:
-    """Return what programs printed as text: packed JSON, ``[robot, tick, text]`` in order."""
+    """Return the output of programs as packed JSON, ``[robot, tick, text]`` in order."""
     entries = [(name, tick, text) for name, track in half.robots.items() for tick, text in track.output]
     data = json.dumps(entries, separators=(",", ":")).encode("ascii")
     return base64.b64encode(zlib.compress(data, _ZLIB_LEVEL)).decode("ascii")
@@ -110,7 +110,7 @@ def columns_of(robot: SensedRobot) -> list[Column]:
 
 
 def speeds(ticks: Array, angles: Array) -> Array:
-    """Return how fast wheels turned since the observation before, in rad/s; NaN for the first.
+    """Return the speeds of wheels since the observation before, in rad/s; NaN for the first.
 
     Args:
         ticks: ``[N]``, of the observations.
@@ -151,7 +151,7 @@ def _floats(track: SensorTrack, at: int) -> Array:
 
 
 def _stride(device: DeviceSpec) -> int:
-    """Return how many readings there are for each that is shown."""
+    """Return the number of readings for each that is shown."""
     return max(1, -(-device.width // device_of_class(device.kind).MAX_SHOWN))
 
 

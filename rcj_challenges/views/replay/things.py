@@ -44,7 +44,7 @@ def visible_things(scenario: Scenario) -> dict[str, Any]:
         # Spots that rules set are left out: their positions are not in the record.
         "spots": [{"name": name, **spot.model_dump(mode="json")} for name, spot in fixed_spots(scenario).items()],
         "seats": [
-            {"name": name, "colour": _seat_colour(scenario, name), "letter": _letters(scenario).get(name, "")}
+            {"name": name, "colour": _seat_colour(scenario, name), "letter": _initials(scenario).get(name, "")}
             for name in scenario.entrants
         ],
         "score_counts": shows_score(scenario),
@@ -125,13 +125,10 @@ def _seat_colour(scenario: Scenario, name: str) -> str:
     return css_colour(colours[0] if colours else "grey")
 
 
-def _letters(scenario: Scenario) -> dict[str, str]:
-    """Return by seat what its robots' labels begin with, if that distinguishes seats and colours do not; else nothing.
-
-    A seat alone needs none.
-    """
-    letters = {seat: {robot[0] for robot in entrant.robots} for seat, entrant in scenario.entrants.items()}
-    different = len(set().union(*letters.values())) == len(letters)
-    if len(letters) < 2 or not different or any(len(own) != 1 for own in letters.values()):
+def _initials(scenario: Scenario) -> dict[str, str]:
+    """Return by seat the initial of its robots' labels, if that distinguishes several seats; else nothing."""
+    initials = {seat: {robot[0] for robot in entrant.robots} for seat, entrant in scenario.entrants.items()}
+    different = len(set().union(*initials.values())) == len(initials)
+    if len(initials) < 2 or not different or any(len(own) != 1 for own in initials.values()):
         return {}
-    return {seat: own.pop() for seat, own in letters.items()}
+    return {seat: own.pop() for seat, own in initials.items()}

@@ -16,7 +16,7 @@ from rcj_challenges.views.sheet.phrasebook import Phrasebook
 
 
 def length_words(scenario: Scenario) -> str:
-    """Return how long a match lasts: ``2 halves of 10 min; the teams change sides between halves``, as a sentence."""
+    """Return the length of a match: ``2 halves of 10 min; the teams change sides between halves``, as a sentence."""
     match, lengths_s = scenario.match, half_lengths_s(scenario.match)
     halves = "One half" if match.halves == 1 else f"{match.halves} halves"
     of = seconds(lengths_s[0]) if len(set(lengths_s)) == 1 else listed([seconds(one) for one in lengths_s], "and")
@@ -57,7 +57,7 @@ def _timer_words(phrases: Phrasebook, name: str, timer: Timer) -> str:
 
 
 def _kept_words(phrases: Phrasebook, kind: str, name: str, one: Counter | Flag) -> str:
-    """Return what a counter or flag is at first, if that is not 0 or unset in each half."""
+    """Return the first value of a counter or flag, if that is not 0 or unset in each half."""
     stays = one.keep == "match" and phrases.scenario.match.halves > 1
     if not one.initial and not stays:
         return ""

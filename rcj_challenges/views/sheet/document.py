@@ -51,15 +51,7 @@ class Section:
 
 @dataclass(frozen=True)
 class Sheet:
-    """A rule sheet.
-
-    Attributes:
-        title: of the challenge.
-        description: what it is about.
-        picture: the field.
-        lead: what players read, about two pages.
-        appendix: all that the referee tests, generated from the scenario.
-    """
+    """A rule sheet: the lead is what players read, about two pages; the appendix has all that the referee tests."""
 
     title: str
     description: str

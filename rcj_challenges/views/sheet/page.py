@@ -105,7 +105,7 @@ def _criterion_words(phrases: Phrasebook, criterion: RankByScore | RankByTime | 
 
 
 def _own_counter(phrases: Phrasebook, name: str) -> str:
-    """Return what of a counter counts for one team: of one kept per robot, the sum of those of its own robots."""
+    """Return the counter of one team: of one kept per robot, the sum of those of its own robots."""
     owners = phrases.owners("counter", name)
     if owners is None or not set(phrases.scenario.robots) & set(phrases.roster.expand(owners)):
         return phrases.kept("counter", name, None)

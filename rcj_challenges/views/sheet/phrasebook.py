@@ -19,8 +19,8 @@ _MEASURED_BY_SEVERAL = "what was measured"
 _MAX_NAMED = 4
 """Of a draw that decides among more places than this the list of draws has the names."""
 
-_MAX_LETTERS = 2
-"""A name of so few letters does not stand after an article: `a`, `nw`."""
+_SHORT = 2
+"""A name of so few characters does not stand after an article: `a`, `nw`."""
 
 _GROUPS_OF_ALL = ("robots", "balls", "obstacles")
 _WITHOUT_ARTICLE = frozenset(
@@ -32,11 +32,7 @@ _WITHOUT_ARTICLE = frozenset(
 class Phrasebook:
     """Writes the names of a scenario with the articles that belong to them.
 
-    Args:
-        scenario: the scenario; its references have been checked.
-        roster: its roster.
-        rule: decides what ``each`` and ``other`` are; None: no rule is described.
-        set_draws: the result of `set_from_the_start`, to compute it once.
+    The rule decides what ``each`` and ``other`` are; ``set_draws``: the result of `set_from_the_start`, if it is known.
     """
 
     def __init__(
@@ -65,7 +61,7 @@ class Phrasebook:
         if kind in ("", "robot"):
             return plain(name)
         is_bare = kind != "zone" and kind not in name.lower()
-        if is_bare or len(name) <= _MAX_LETTERS or first in _WITHOUT_ARTICLE:
+        if is_bare or len(name) <= _SHORT or first in _WITHOUT_ARTICLE:
             return f"the {kind} {quoted(name)}"
         is_proper = first == "the" or any(character.isdigit() for character in name)
         return plain(name) if is_proper else f"the {plain(name)}"
@@ -235,7 +231,7 @@ class Phrasebook:
     # --- what a name stands for in a rule ----------------------------------------------------------------------------
 
     def _touched(self, rule: Rule) -> str:
-        """Return what ``other`` is in a rule: ``the robot it touches``."""
+        """Return the words for ``other`` in a rule: ``the robot it touches``."""
         others = self.roster.others(rule, rule.for_each)
         if len(others) == 1:
             return self.thing(others[0])

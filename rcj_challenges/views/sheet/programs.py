@@ -123,7 +123,7 @@ def _values(fields: Mapping[str, Value], phrases: Phrasebook) -> Table:
 
 
 def _exactly(phrases: Phrasebook, entry: object) -> str:
-    """Return what a program must know of a value to the letter: what it compares with, and what a list holds."""
+    """Return the exact values that a program compares with, or that a list holds."""
     exactly = entry.exactly(phrases) if isinstance(entry, ValueWord) else ""
     if not isinstance(exactly, str):
         # As JSON, since 1 and true are one to Python.

@@ -13,13 +13,7 @@ from rcj_challenges.views.stats.touches import FREE_TICKS, SHOT_WITHIN_S
 
 @dataclass(frozen=True)
 class Definition:
-    """What a figure is.
-
-    Attributes:
-        title: above its column.
-        unit: of its number; empty for counts.
-        text: the definition.
-    """
+    """What a figure is: the title above its column, its unit (empty for counts), and the definition."""
 
     title: str
     unit: str

@@ -55,9 +55,7 @@ def motion_of(half: HalfTrack) -> Motion:
 def play_mask(ticks: int, phases: list[tuple[int, bool]]) -> Array:
     """Return ``[T]``: whether a tick was play: no kick-off was awaited as it began.
 
-    Args:
-        ticks: of the half.
-        phases: tick and flag of each change, in order; the flag holds for the ticks after it.
+    Phases are tick and flag of each change, in order; the flag holds for the ticks after it.
     """
     play = np.ones(ticks, bool)
     for tick, waiting in phases:

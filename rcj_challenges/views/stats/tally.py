@@ -129,7 +129,7 @@ def merge_stats(several: Iterable[Stats]) -> Stats:
 
 
 def _known_label(label: str, known: Iterable[str]) -> str:
-    """Return what a robot is called already: ``B1/Y1`` drove as yellow first in another run, where it was ``Y1/B1``."""
+    """Return the known label of a robot: ``B1/Y1`` drove as yellow first in another run, where it was ``Y1/B1``."""
     names = sorted(label.split("/"))
     return next((one for one in known if sorted(one.split("/")) == names), label)
 

@@ -25,12 +25,7 @@ Array = npt.NDArray[Any]
 
 @dataclass(frozen=True)
 class Contacts:
-    """Contacts of robots with one ball, in order of time.
-
-    Attributes:
-        substeps: counted over the half from 0.
-        robots: index of the robot.
-    """
+    """Contacts of robots with one ball, in order of time; sub-steps are counted over the half from 0."""
 
     substeps: Array
     robots: Array
@@ -100,13 +95,7 @@ class Goals:
 
 @dataclass(frozen=True)
 class Shot:
-    """A shot.
-
-    Attributes:
-        tick: of the last contact; a ball that is carried in is touched until it is over the line.
-        robot: index of the robot.
-        on_goal: whether it was between the posts.
-    """
+    """A shot; its tick is that of the last contact: a ball that is carried in is touched until it is over the line."""
 
     tick: int
     robot: int
@@ -118,12 +107,8 @@ def shots_of(
 ) -> list[Shot]:
     """Return the shots of a half with one ball.
 
-    Args:
-        contacts: of the ball.
-        places: ``[T, 2]``, its judged positions in m.
-        placed_at: ticks after which it was put elsewhere.
-        ends: by robot, the ends that it attacks.
-        goals: what there is to shoot at.
+    ``places`` are its judged positions, ``[T, 2]`` in m; ``placed_at`` are the ticks after which it was put elsewhere;
+    ``ends`` are the ends that each robot attacks.
     """
     every_tick = contacts.ticks
     touched = np.zeros(len(places) + FREE_TICKS + 2, bool)

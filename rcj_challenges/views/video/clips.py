@@ -21,12 +21,7 @@ _TIME = re.compile(r"(?:(\d{1,4}):(?=\d{2}(?:\.|$)))?(\d{1,6}(?:\.\d{1,6})?)", r
 
 @dataclass(frozen=True)
 class Clip:
-    """A part of one half.
-
-    Attributes:
-        half: its number, from 1.
-        from_s, to_s: match time in this half.
-    """
+    """A part of one half, between two match times of it."""
 
     half: int
     from_s: float
@@ -121,7 +116,7 @@ def highlights(footage: Footage, clips: list[Clip]) -> list[Clip]:
 
 
 def frame_count(clips: list[Clip], fps: float, speed: float) -> int:
-    """Return how many frames the clips have."""
+    """Return the number of frames of the clips."""
     return sum(_frames_of(clip, fps, speed) for clip in clips)
 
 

@@ -35,7 +35,6 @@ class HalfFootage:
     """One half.
 
     Attributes:
-        info: number, teams and scores at its start.
         poses: ``[1 + T, E, 4]``, x, y, yaw, z at each tick.
         jumps: ``[T, E]``: whether an entity was put elsewhere after a tick, so that it does not glide there.
     """
@@ -58,7 +57,7 @@ class HalfFootage:
 
     @property
     def ticks(self) -> int:
-        """How many ticks were recorded."""
+        """The number of recorded ticks."""
         return len(self.poses) - 1
 
     @property
@@ -98,12 +97,9 @@ class Footage:
     """All of a run that can be shown.
 
     Attributes:
-        scenario, roster: what was played.
-        things: what of it is visible, as on the replay page.
+        things: as on the replay page.
         halves: those with at least one tick.
-        timeline: score, phases and counters.
         events: as on the replay page, in order.
-        titles: display name of each team.
         warnings: what is missing or damaged, a sentence each.
     """
 
@@ -163,10 +159,10 @@ class Footage:
 
     def recent_event(self, half: HalfFootage, t_s: float, for_s: float) -> dict[str, Any] | None:
         """Return the newest event within ``for_s`` before a time of a half, one that scored before all others."""
-        now = (half.info.half, half.tick_at(t_s))
+        tick = half.tick_at(t_s)
         first, last = (
-            bisect_right(self.events, key, key=lambda event: (event["half"], event["tick"]))
-            for key in ((now[0], now[1] - for_s / TICK_S), now)
+            bisect_right(self.events, (half.info.half, at), key=lambda event: (event["half"], event["tick"]))
+            for at in (tick - for_s / TICK_S, tick)
         )
         recent = self.events[first:last]
         return next((event for event in reversed(recent) if event["scored"]), recent[-1] if recent else None)

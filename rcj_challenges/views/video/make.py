@@ -101,15 +101,8 @@ def write_video(
 ) -> int:
     """Write clips as one MP4, see `mp4.opened_mp4`. Returns the number of frames.
 
-    Args:
-        draw: draws moments.
-        footage: what is shown.
-        clips: parts of it, in order.
-        path: of the file.
-        size: of what ``draw`` returns, in pixels.
-        fps: frames in a second of video.
-        speed: seconds of the match in a second of video.
-        progress: called with (frames done, frames in total) after each frame.
+    ``size`` in pixels is that of the pictures that ``draw`` returns; ``fps`` are frames, ``speed`` seconds of the match
+    in a second of video; ``progress`` is called with (frames done, frames in total) after each frame.
 
     Raises:
         VideoError: the file cannot be written.

@@ -23,8 +23,7 @@ _OPTIONS = {"preset": "veryfast", "crf": "20"}
 def opened_mp4(path: Path, size: tuple[int, int], fps: Fraction, title: str) -> Iterator[Callable[[Image.Image], None]]:
     """Open a file that gets its name when it is complete; after an error or Ctrl-C nothing is left.
 
-    Yields:
-        What adds an RGB picture; x264 compresses it in threads of its own.
+    It yields a function that adds an RGB picture; x264 compresses it in threads of its own.
 
     Raises:
         VideoError: it cannot be written.

@@ -72,7 +72,7 @@ class SceneRenderer:
 
 
 def _rolled(x_m: float, y_m: float, radius_m: float) -> tuple[float, float, float, float]:
-    """Return how a ball is turned that rolled straight from the middle of the field.
+    """Return the quaternion of a ball that rolled straight from the middle of the field.
 
     Trajectories do not hold how balls turn. This looks right in motion and needs no memory of earlier frames.
     """

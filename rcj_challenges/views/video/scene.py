@@ -175,8 +175,7 @@ def _lid(number: str, colour: Rgb, front: int) -> Any:
     As on the replay page: the number reads well from behind, and a white arrow points to the front.
     """
     lid = Image.new("RGB", (_LID_PX, _LID_PX), colour)
-    mark = rgb(PALETTE["mark"])
-    ImageDraw.Draw(lid).polygon([(40, 24), (88, 24), (64, 3)], fill=mark)
+    ImageDraw.Draw(lid).polygon([(40, 24), (88, 24), (64, 3)], fill=rgb(PALETTE["mark"]))
     mask = text_mask(number, 78, bold=True, max_width_px=_LID_PX * 0.8)
     mask = mask.crop(mask.getbbox())
     lid.paste(text_on(colour), ((_LID_PX - mask.width) // 2, 32 + (90 - mask.height) // 2), mask)
