@@ -27,13 +27,7 @@ OBSTACLE = "obstacle/"
 
 @dataclass(frozen=True)
 class Block:
-    """An upright box that cannot move.
-
-    Attributes:
-        name: of its geom.
-        centre_m, half_m: x, y and z of its centre and its half sizes in m.
-        yaw_rad: turn about the vertical.
-    """
+    """An upright box that cannot move: name of its geom, centre and half sizes along x, y and z, turn about z."""
 
     name: str
     centre_m: tuple[float, float, float]
@@ -63,28 +57,24 @@ def add_floor(spec: mujoco.MjSpec, field: FieldModel) -> None:
     set_surface(floor, *contact.ball_on_floor(field.friction))
 
 
-def add_walls(spec: mujoco.MjSpec, field: FieldModel) -> list[str]:
-    """Add walls, corner walls and goals; return the names of their geoms."""
-    blocks = list(wall_blocks(field))
-    for block in blocks:
+def add_walls(spec: mujoco.MjSpec, field: FieldModel) -> None:
+    """Add walls, corner walls and goals."""
+    for block in wall_blocks(field):
         _add_block(spec, block, field.friction)
-    return [block.name for block in blocks]
 
 
 def add_fixed_obstacle(spec: mujoco.MjSpec, name: str, obstacle: Obstacle, friction: float) -> None:
     """Add an obstacle that cannot be pushed, as the geom ``obstacle/NAME``."""
-    geom_name = OBSTACLE + name
-    if isinstance(obstacle, Cylinder):
-        x, y = obstacle.centre_m
-        geom = spec.worldbody.add_geom(
-            name=geom_name,
-            type=mujoco.mjtGeom.mjGEOM_CYLINDER,
-            pos=[x, y, obstacle.height_m / 2],
-            size=[obstacle.radius_m, obstacle.height_m / 2, 0],
-        )
-        _make_fixture(geom, friction)
+    if not isinstance(obstacle, Cylinder):
+        _add_block(spec, _obstacle_block(OBSTACLE + name, obstacle), friction)
         return
-    _add_block(spec, _obstacle_block(geom_name, obstacle), friction)
+    geom = spec.worldbody.add_geom(
+        name=OBSTACLE + name,
+        type=mujoco.mjtGeom.mjGEOM_CYLINDER,
+        pos=[*obstacle.centre_m, obstacle.height_m / 2],
+        size=[obstacle.radius_m, obstacle.height_m / 2, 0],
+    )
+    _make_fixture(geom, friction)
 
 
 def wall_blocks(field: FieldModel) -> Iterator[Block]:

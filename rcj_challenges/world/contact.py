@@ -117,7 +117,7 @@ def ball_on_solid(restitution: float, rigidity: float = SOLIDS.rigidity) -> Soft
 
 
 def ball_rigidity(ball_kg: float, robot_kg: float) -> float:
-    """Return how rigid a ball's contacts are, by its mass and that of the heaviest robot that may pin it to a wall.
+    """Return the rigidity of a ball's contacts, by its mass and that of the heaviest robot that may pin it to a wall.
 
     A contact yields to a constant push in proportion to the push, more for light bodies. With the same rigidity for
     all, a ball of 5 g that a robot of 1.5 kg pins sank into the wall by 19 mm (ADR 2). So the lighter the ball is

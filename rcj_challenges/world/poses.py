@@ -21,20 +21,13 @@ class Poses:
     """Poses of all robots and balls at the current tick.
 
     Attributes:
-        robots: by index of the robot.
         balls: centres in m, by index of the ball; z is nominal while it rolls.
         state: MuJoCo's `qpos` of this tick, then the angles of wheels without joints.
         parked: by entity, whether it has been taken off the field.
     """
 
     def __init__(self, scenario: Scenario, roster: Roster, ground: Ground) -> None:
-        """Look up the bodies, once.
 
-        Args:
-            scenario: for nominal heights.
-            roster: order of robots and balls.
-            ground: the compiled world.
-        """
         model = ground.model
         robots = roster.entities[: roster.robots]
         balls = roster.entities[roster.robots : roster.robots + roster.balls]
@@ -57,7 +50,7 @@ class Poses:
         self.parked: tuple[bool, ...] = (False,) * len(roster.entities)
 
     def wheel_angle_at(self, robot_name: str, wheel: int) -> int:
-        """Return where the angle of a wheel stands in `state`; it grows while the wheel drives forward."""
+        """Return the place of a wheel's angle in `state`; it grows while the wheel drives forward."""
         chassis = self._chassis[robot_name]
         if chassis.MOTOR_JOINT:
             return len(self._qpos) + turned_at(self._chassis.values())[list(self._chassis).index(robot_name)] + wheel

@@ -19,7 +19,6 @@ from rcj_challenges.world import contact
 from rcj_challenges.world.ground import Ground
 from rcj_challenges.world.tables import one_by_one
 
-_ALL_GROUPS = range(6)
 _FIELDS = (
     mujoco.mjtRayDataField.mjRAYDATA_DIST,
     mujoco.mjtRayDataField.mjRAYDATA_DIR,
@@ -65,7 +64,7 @@ class WorldRays:
     """The rays of all sensors of a half."""
 
     def __init__(self, scenario: Scenario, roster: Roster, ground: Ground) -> None:
-        """Look up which geom belongs to which robot, once."""
+
         self._ground = ground
         self._tallest_m = max((2 * ball.radius_m for ball in scenario.balls.values()), default=0.0)
         model = ground.model
@@ -113,7 +112,7 @@ class WorldRays:
 
 def _flags(groups: tuple[int, ...]) -> NDArray[np.uint8]:
     """Return groups as MuJoCo's rays want them: one flag for each of six."""
-    return np.array([group in groups for group in _ALL_GROUPS], dtype=np.uint8)
+    return np.array([group in groups for group in range(6)], dtype=np.uint8)
 
 
 class _FixedRays:
@@ -162,7 +161,7 @@ class _Fan:
         self._distances = np.zeros(rays)
 
     def cast(self, count: int) -> NDArray[np.float64]:
-        """Return how far the first ``count`` rays go, in m; negative where they meet nothing. Overwritten next time."""
+        """Return the lengths of the first ``count`` rays in m (negative: nothing is met); overwritten next time."""
         distances = self._distances[:count]
         mujoco.mj_multiRay(
             self._model, self._data, self.origin, self.directions[:count].reshape(-1), self._groups, 1, self._body,

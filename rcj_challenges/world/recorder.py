@@ -10,9 +10,10 @@ from typing import Any
 
 import numpy as np
 
+from rcj_challenges.chassis.base import YAW
 from rcj_challenges.core.play import Fault, Pose2, Snapshot
 from rcj_challenges.core.timing import SUBSTEPS_PER_TICK
-from rcj_challenges.world.tables import NO_THING, ROBOT_YAW, WorldTables, one_by_one
+from rcj_challenges.world.tables import NO_THING, WorldTables, one_by_one
 
 Touches = tuple[tuple[int, int], ...]
 Numbers = tuple[float, ...]
@@ -40,8 +41,8 @@ class Recorder:
         self._unpack, self._in_float32 = _all_poses(tables, len(data.qpos))
         entities = len(tables.qpos_at)
         self._substeps = [slice(entities * substep, entities * (substep + 1)) for substep in range(SUBSTEPS_PER_TICK)]
-        turning = [entity for entity in range(len(tables.qpos_at)) if entity not in balls]
-        self._yaws_at = [tables.qpos_at[entity] + ROBOT_YAW for entity in turning]
+        turning = [entity for entity in range(entities) if entity not in balls]
+        self._yaws_at = [tables.qpos_at[entity] + YAW for entity in turning]
         # Among the numbers of all sub-steps, in which a ball has two and all else has three.
         in_row = [3 * entity + 2 - sum(ball < entity for ball in balls) for entity in turning]  # integers
         width = 3 * entities - len(balls)
@@ -92,7 +93,7 @@ class Recorder:
         return tuple(turned)
 
     def _touching(self, pattern: bytes) -> Touches:
-        """Return which things touch, from the pairs of geoms that do."""
+        """Return the things that touch, from the pairs of geoms that do."""
         touches = self._known.get(pattern)
         if touches is None:
             if len(self._known) >= _REMEMBERED:
@@ -107,9 +108,7 @@ class Recorder:
 def _all_poses(tables: WorldTables, numbers: int) -> tuple[Callable[[bytes], Numbers], Callable[..., bytes]]:
     """Return functions that read all poses from the `qpos` of all sub-steps, and pack them as x, y, yaw.
 
-    Args:
-        tables: entities stand in `qpos` in their order.
-        numbers: in `qpos`.
+    Entities stand in `qpos`, which has so many ``numbers``, in their order.
     """
     read, written, end = "", "", 0
     for entity, at in enumerate(tables.qpos_at):

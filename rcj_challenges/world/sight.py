@@ -238,7 +238,6 @@ class _Views:
     Attributes:
         x, y: [pictures], of the eyes in m.
         along_x, along_y: [pictures * columns], the ways of the rays in the frame of the field.
-        robots: whose eyes they are.
     """
 
     def __init__(self, lens: _Lens, places: Sequence[tuple[float, float, float, float]], robots: Sequence[int]) -> None:
@@ -250,7 +249,7 @@ class _Views:
         self.columns = len(lens.ahead)
 
     def towards(self, x_m: float, y_m: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Return how far along each way a point lies, times the way's squared length, and how far beside, squared."""
+        """Return the distance of a point along each way, times the way's squared length, and beside it, squared."""
         dx = np.repeat(x_m - self.x, self.columns)
         dy = np.repeat(y_m - self.y, self.columns)
         beside = dx * self.along_y - dy * self.along_x
@@ -298,9 +297,10 @@ class _Prisms:
         edges = [(one.body, *edge) for one in prisms for edge in _edges(one.corners)]
         self._body = np.array([body for body, *_ in edges])
         self._x, self._y, self._nx, self._ny = (np.array([edge[n] for edge in edges]) for n in (1, 2, 3, 4))
-        self._groups: list[tuple[int, int]] = []  # how many prisms with how many corners follow each other
-        for corners, group in groupby(prisms, key=lambda one: len(one.corners)):
-            self._groups.append((len(list(group)), corners))
+        # How many prisms with how many corners follow each other.
+        self._groups = [
+            (len(list(group)), corners) for corners, group in groupby(prisms, key=lambda one: len(one.corners))
+        ]
         self._low = np.array([one.low_m for one in prisms])
         self._high = np.array([one.high_m for one in prisms])
         self._colours = np.array([one.colour for one in prisms], np.uint8)
@@ -310,7 +310,7 @@ class _Prisms:
         }
 
     def spans(self, views: _Views) -> _Spans:
-        """Return what they cover; an eye does not see its own robot."""
+        """Return the spans that they cover; an eye does not see its own robot."""
         data = self._ground.data
         body = self._body
         x0, y0, cos, sin = data.xpos[body, 0], data.xpos[body, 1], data.xmat[body, 0], data.xmat[body, 3]

@@ -10,15 +10,13 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from rcj_challenges.chassis.base import YAW, Chassis
+from rcj_challenges.chassis.base import Chassis
 from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world.build_field import FLOOR_GEOM, OBSTACLE
 
 NO_THING = -1
 """Stands for the floor, which never counts as touched, in place of a thing's index."""
 
-ROBOT_YAW = YAW
-"""Where the yaw of a robot or an obstacle stands after its first number in `qpos` and `qvel`."""
 
 Indices = NDArray[np.intp]
 Numbers = NDArray[np.float64]
@@ -27,8 +25,7 @@ Numbers = NDArray[np.float64]
 def one_by_one(numbers: Any) -> memoryview[float]:
     """Return a view of MuJoCo's numbers for single reads and writes, which take a third of numpy's time.
 
-    Args:
-        numbers: an array of float64 in one dimension, whose memory stays where it is.
+    ``numbers`` is an array of float64 in one dimension, whose memory stays where it is.
     """
     view: Any = memoryview(numbers)
     return cast("memoryview[float]", view)
@@ -94,11 +91,11 @@ def _thing_of(model: Any, roster: Roster, geom: int) -> int:
 
 
 def turned_at(chassis: Iterable[Chassis]) -> tuple[int, ...]:
-    """Return where the angles of each robot's wheels without joints begin in `userdata`, and how many there are."""
+    """Return the places in `userdata` at which each robot's wheels without joints begin, and their number."""
     return tuple(accumulate((len(one.wheels()) if one.MOTOR_JOINT else 0 for one in chassis), initial=0))
 
 
 def reach_m(model: Any, data: Any, geoms: tuple[int, ...]) -> float:
-    """Return how far a robot's outline is at most from the centre of its body."""
+    """Return the largest distance of a robot's outline from the centre of its body."""
     centre = data.geom_xpos[geoms[0]]
     return float(max(np.linalg.norm(data.geom_xpos[geom] - centre) + model.geom_rbound[geom] for geom in geoms))

@@ -37,18 +37,11 @@ class World:
     Attributes:
         model, data: MuJoCo's. `data.xpos`, `data.xmat` and the poses of geoms and sites are up to date after `reset`,
             `place` and `step`. Geom groups: see `rcj_challenges.world.contact`.
-        tables: ids of bodies and geoms.
         parked: ``[entity] -> `` whether it has been taken off the field.
     """
 
     def __init__(self, scenario: Scenario, roster: Roster, rays: Iterable[FixedRay] = ()) -> None:
-        """Compile a scenario's world; everything stands at its start pose.
-
-        Args:
-            scenario: whose references have been checked.
-            roster: of this scenario.
-            rays: those that turn with robots, for `WorldRays`.
-        """
+        """Compile the world of a checked scenario; everything stands at its start pose. The rays turn with robots."""
         # MuJoCo would write its warnings to a file in the current folder; here they become a PhysicsFault.
         mujoco.set_mju_user_warning(_silent)
         spec = build_spec(scenario, roster)
@@ -59,7 +52,7 @@ class World:
         self.parked: list[bool] = [False] * len(roster.entities)
         self._held: frozenset[int] = frozenset()
         self._names = roster.entities
-        self._starts = _start_placements(scenario, roster)
+        self._starts = [Placement(entity, *start_pose(scenario, name)) for entity, name in enumerate(roster.entities)]
         mujoco.mj_kinematics(self.model, self.data)
         scene = Scene(self.model, self.data, self.tables, scenario, roster)
         self._drives, self._effects = make_drives(scene), make_effects(scene)
@@ -104,11 +97,8 @@ class World:
     def set_wheel(self, robot: int, wheel: int, velocity_radps: float, position_rad: float) -> None:
         """Command a wheel. The command holds until the next one, even if the robot is placed meanwhile.
 
-        Args:
-            robot: its index.
-            wheel: its number on the chassis.
-            velocity_radps: positive drives forward.
-            position_rad: ``inf`` for this velocity; else the wheel angle to go to, at this velocity at most, and hold.
+        Positive velocities drive forward. The position is ``inf`` for velocity control; else the wheel angle to go to,
+        at this velocity at most, and hold.
         """
         self._drives[robot].set_wheel(robot, wheel, velocity_radps, position_rad)
 
@@ -119,14 +109,9 @@ class World:
             self._drives[robot].set_stopped(robot, stopped=robot in self._held or self.parked[robot])
 
     def step(self, tick: int, faults: tuple[Fault, ...] = ()) -> Snapshot:
-        """Make the four sub-steps of a tick.
+        """Make the four sub-steps of a tick; return poses and touches of each, those that MuJoCo solved in it.
 
-        Args:
-            tick: the tick that they lead to.
-            faults: programs that failed since the last snapshot, to be handed on in it.
-
-        Returns:
-            Poses and touches of each sub-step; a touch is one that MuJoCo solved in that sub-step.
+        ``faults`` are of programs that failed since the last snapshot, to be handed on in it.
 
         Raises:
             PhysicsFault: MuJoCo warned of an unstable or overfull simulation.
@@ -189,14 +174,13 @@ class World:
         """
         entity, vx, vy = placement.entity, placement.vx_mps, placement.vy_mps
         if entity not in self.tables.ball_range:
-            message = f"only balls roll: {self._names[entity]!r}"
-            raise ValueError(message)
+            raise ValueError(f"only balls roll: {self._names[entity]!r}")
         above_floor_m = self._ball_rest_m[entity - self.tables.robots]
         # x, y, z, then the turning about the ball's own axes: it was just set down unturned, so they are the field's.
         self.data.qvel[self.tables.dofs[entity]] = (vx, vy, 0.0, -vy / above_floor_m, vx / above_floor_m, 0.0)
 
     def _settled_ball_heights(self) -> list[float]:
-        """Return how high each ball's centre is at rest: measured, because contacts give way a little."""
+        """Return the height of each ball's centre at rest: measured, because contacts give way a little."""
         if not self.tables.balls:
             return []
         mujoco.mj_resetData(self.model, self.data)
@@ -216,8 +200,3 @@ class World:
 
 def _silent(_: str) -> None:
     """Do nothing with MuJoCo's text; the numbers in `data.warning` are what `World.step` looks at."""
-
-
-def _start_placements(scenario: Scenario, roster: Roster) -> list[Placement]:
-    """Return the start poses of all entities, without noise."""
-    return [Placement(entity, *start_pose(scenario, name)) for entity, name in enumerate(roster.entities)]

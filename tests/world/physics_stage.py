@@ -8,12 +8,12 @@ from typing import Any
 import mujoco
 import numpy as np
 
+from rcj_challenges.chassis.base import YAW
 from rcj_challenges.core.play import Placement, Pose2, Snapshot
 from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.scenario.load import load
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.roster import Roster
-from rcj_challenges.world.tables import ROBOT_YAW
 from rcj_challenges.world.world import World
 
 FULL = 10.0
@@ -103,7 +103,7 @@ class Stage:
 
     def wheel_angles(self, name: str) -> list[float]:
         """[left, right] in rad; they grow while it drives along its +x."""
-        first = self.world.tables.qpos_at[self.index(name)] + ROBOT_YAW + 1
+        first = self.world.tables.qpos_at[self.index(name)] + YAW + 1
         return self.world.data.qpos[first : first + 2].tolist()
 
     def ray(self, origin: tuple[float, float, float], direction: tuple[float, float, float], *groups: int) -> float:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from rcj_challenges.chassis.base import Chassis, Drive, Mount, Physics
 from rcj_challenges.scenario.kit_devices import chassis_of
 from rcj_challenges.world.effects.base import Effect, Scene
@@ -14,14 +16,9 @@ from rcj_challenges.world.tables import one_by_one, turned_at
 
 def make_effects(scene: Scene) -> list[Effect]:
     """Return all effects of a world in the order in which they act, after the drives."""
-    effects = [
-        RollingFriction(scene),
-        GlidingFriction(scene),
-        CylinderContacts(scene),
-        Tunneling(scene),
-        Restitution(scene),
-    ]
-    return [effect for effect in effects if effect.is_needed]
+    kinds: tuple[Callable[[Scene], Effect], ...]
+    kinds = RollingFriction, GlidingFriction, CylinderContacts, Tunneling, Restitution
+    return [effect for kind in kinds if (effect := kind(scene)).is_needed]
 
 
 def make_drives(scene: Scene) -> list[Drive]:

@@ -12,14 +12,7 @@ from rcj_challenges.world.tables import WorldTables
 
 @dataclass(frozen=True)
 class Scene:
-    """A compiled world.
-
-    Attributes:
-        model, data: MuJoCo's, with up-to-date poses of geoms (`mj_kinematics`).
-        tables: of this model.
-        scenario: that it was built from.
-        roster: of this scenario.
-    """
+    """A compiled world: MuJoCo's ``model`` and ``data``, with up-to-date poses of geoms, and what it was built from."""
 
     model: Any
     data: Any
@@ -29,26 +22,22 @@ class Scene:
 
 
 class Effect:
-    """A physical effect that MuJoCo lacks, or computes differently. Each hook is optional."""
+    """A physical effect that MuJoCo lacks, or computes differently. Each hook is optional.
 
-    @property
-    def is_needed(self) -> bool:
-        """Whether it can have an effect in this world."""
-        return True
+    Attributes:
+        is_needed: whether it can have an effect in this world.
+    """
+
+    is_needed = True
 
     def reset(self) -> None:
         """Reset commands at the beginning of a half."""
 
     def before_substep(self, substep: int) -> None:
-        """Act on the state from which MuJoCo steps.
-
-        Args:
-            substep: 0 to 3 within the tick.
-        """
+        """Act on the state from which MuJoCo steps; sub-steps are 0 to 3 within the tick."""
 
     def after_substep(self, pattern: bytes) -> None:
         """Act on the state to which MuJoCo has stepped.
 
-        Args:
-            pattern: the geoms of all contacts, as `data.contact.geom` has them in its memory.
+        ``pattern`` is the geoms of all contacts, as `data.contact.geom` has them in its memory.
         """

@@ -22,7 +22,7 @@ class CylinderContacts(Effect):
     """All round obstacles, fixed and movable."""
 
     def __init__(self, scene: Scene) -> None:
-        """Find them."""
+
         model, data, tables = scene.model, scene.data, scene.tables
         obstacles, entities = scene.scenario.obstacles, scene.roster.entities
         self._options, self._qpos = model.opt, one_by_one(data.qpos)
@@ -36,14 +36,9 @@ class CylinderContacts(Effect):
         self._movable = [
             (tables.qpos_at[entities.index(name)], one.radius_m) for name, one in round_ones.items() if one.movable
         ]
-
-    @property
-    def is_needed(self) -> bool:
-        """Whether there are any."""
-        return bool(self._fixed or self._movable)
+        self.is_needed = bool(self._fixed or self._movable)
 
     def before_substep(self, _substep: int) -> None:
-        """Set how many contact points MuJoCo looks for, from the current positions."""
         self._options.disableflags = self._several | _ONE_POINT if self._any_near() else self._several
 
     def _any_near(self) -> bool:

@@ -49,14 +49,9 @@ class GlidingFriction(Effect):
             friction_n = self._limits_n[first]
             if friction_n > 0.0:  # without friction there is nothing to divide
                 self._obstacles.append((first, friction_n, friction_n / mass_kg * SUBSTEP_S))
-
-    @property
-    def is_needed(self) -> bool:
-        """Whether there are movable obstacles with friction."""
-        return bool(self._obstacles)
+        self.is_needed = bool(self._obstacles)
 
     def before_substep(self, _substep: int) -> None:
-        """Divide the friction by the current velocities."""
         qvel, limits_n = self._qvel, self._limits_n
         for first, friction_n, stops_mps in self._obstacles:
             x, y = abs(qvel[first]), abs(qvel[first + 1])
@@ -76,7 +71,7 @@ class RollingFriction(Effect):
     """
 
     def __init__(self, scene: Scene) -> None:
-        """Find the balls that slow down."""
+
         data, tables, balls = scene.data, scene.tables, scene.scenario.balls
         self._qvel, self._forces_n = one_by_one(data.qvel), one_by_one(data.qfrc_applied)
         self._balls = [
@@ -84,11 +79,7 @@ class RollingFriction(Effect):
             for entity, ball in zip(tables.ball_range, balls.values(), strict=True)
             if ball.slows_mps2 is not None
         ]
-
-    @property
-    def is_needed(self) -> bool:
-        """Whether a ball slows down."""
-        return bool(self._balls)
+        self.is_needed = bool(self._balls)
 
     def before_substep(self, substep: int) -> None:
         """Apply to each ball the force that slows it down; stop one that would come to rest in this tick."""

@@ -14,11 +14,12 @@ from typing import Any
 
 import numpy as np
 
+from rcj_challenges.chassis.base import YAW
 from rcj_challenges.core.amounts import add_up
 from rcj_challenges.core.timing import SUBSTEP_S
 from rcj_challenges.world import contact
 from rcj_challenges.world.effects.base import Effect, Scene
-from rcj_challenges.world.tables import ROBOT_YAW, one_by_one
+from rcj_challenges.world.tables import one_by_one
 
 _SPUN_BY = 5 / 2
 """An impulse at the surface changes the speed of the surface, by turning, so many times as much as the ball's."""
@@ -44,20 +45,20 @@ class _Recoil:
     """
 
     def __init__(self, scene: Scene, entity: int) -> None:
-        """Find the obstacle."""
+
         model, data, tables = scene.model, scene.data, scene.tables
         self._qpos, self._qvel = one_by_one(data.qpos), one_by_one(data.qvel)
         self._qacc, self._limits_n = one_by_one(data.qacc), one_by_one(model.dof_frictionloss)
         self._at, self._first = tables.qpos_at[entity], int(tables.dofs[entity][0])
         # Mass along x and y, moment of inertia about the vertical through its middle.
-        self._inertias: list[float] = model.dof_M0[self._first : self._first + ROBOT_YAW + 1].tolist()
+        self._inertias: list[float] = model.dof_M0[self._first : self._first + YAW + 1].tolist()
 
     def speed_mps(self, point: Vector, way: Vector) -> float:
-        """Return how fast the obstacle's surface moves in a direction, at a point of the field."""
+        """Return the speed of the obstacle's surface in a direction, at a point of the field."""
         return add_up(self._qvel[self._first + k] * arm for k, arm in enumerate(self._arms(point, way)))
 
     def yields_per_kg(self, point: Vector, way: Vector) -> float:
-        """Return how fast its surface moves per impulse, in m/s for each N·s, excluding degrees held by friction."""
+        """Return the speed of its surface per impulse, in m/s for each N·s, excluding degrees held by friction."""
         given = 0.0
         for k, arm in enumerate(self._arms(point, way)):
             inertia = self._inertias[k]
@@ -75,7 +76,7 @@ class _Recoil:
             self._qvel[at] = math.copysign(max(0.0, abs(pushed) - stopped), pushed)
 
     def _arms(self, point: Vector, way: Vector) -> Vector:
-        """Return what a vector at a point does along x, along y and about the vertical."""
+        """Return the effect of a vector at a point along x, along y and about the vertical."""
         x, y = point[0] - self._qpos[self._at], point[1] - self._qpos[self._at + 1]
         return way[0], way[1], x * way[1] - y * way[0]
 
@@ -88,7 +89,7 @@ class Restitution(Effect):
     """Balls at walls and obstacles."""
 
     def __init__(self, scene: Scene) -> None:
-        """Find balls, fixtures and movable obstacles."""
+
         model, data, tables = scene.model, scene.data, scene.tables
         balls, field = scene.scenario.balls, scene.scenario.field
         self._data, self._friction = data, min(field.friction, contact.BALL_ON_SOLID_FRICTION)
@@ -113,11 +114,7 @@ class Restitution(Effect):
         self._known: dict[bytes, tuple[Bounce, ...]] = {b"": ()}
 
     def after_substep(self, pattern: bytes) -> None:
-        """Correct the bounces of this sub-step.
 
-        Args:
-            pattern: the geoms of all contacts, as `data.contact.geom` has them in its memory.
-        """
         bounces = self._known.get(pattern)
         if bounces is None:
             bounces = self._find(pattern)
@@ -127,7 +124,7 @@ class Restitution(Effect):
                 self._mend(touch, ball, towards, obstacle)
 
     def _find(self, pattern: bytes) -> tuple[Bounce, ...]:
-        """Return which contacts to look at.
+        """Return the contacts to look at.
 
         They are those of balls that touch one fixture, or one movable obstacle that nothing else touches, and, except
         for the floor, nothing else: other contacts may drive a ball off a wall, or hold an obstacle against it.

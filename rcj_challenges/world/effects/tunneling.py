@@ -32,7 +32,7 @@ class Tunneling(Effect):
     """Balls that can sink too deep into something, within a sub-step, to be pushed out on the near side."""
 
     def __init__(self, scene: Scene) -> None:
-        """Find them."""
+
         model, data, tables = scene.model, scene.data, scene.tables
         balls, obstacles = scene.scenario.balls, scene.scenario.obstacles.values()
         self._model, self._data = model, data
@@ -47,14 +47,9 @@ class Tunneling(Effect):
         ]
         self._solids = np.array([group in _SOLIDS for group in range(6)], dtype=np.uint8)
         self._geom, self._normal = np.zeros(1, dtype=np.int32), np.zeros(3)
-
-    @property
-    def is_needed(self) -> bool:
-        """Whether there are any."""
-        return bool(self._balls)
+        self.is_needed = bool(self._balls)
 
     def after_substep(self, _pattern: bytes) -> None:
-        """Stop balls that have just gone into or through something."""
         qvel = self._qvel
         for body, at, first, radius_m, stops_m in self._balls:
             x, y, z = (qvel[first + axis] * SUBSTEP_S for axis in range(3))
