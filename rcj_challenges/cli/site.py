@@ -5,11 +5,13 @@ from __future__ import annotations
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
+from urllib.request import urlopen
 
 import typer
 
 from rcj_challenges.cli.app import ORGANIZE, Command, Group
-from rcj_challenges.core.errors import RcjError
+from rcj_challenges.core.errors import RcjError, format_error
+from rcj_challenges.core.sanitize import sanitize
 
 if TYPE_CHECKING:
     from rcj_challenges.web.config import SiteConfig
@@ -26,6 +28,7 @@ site_app = typer.Typer(
 )
 
 _DEMO_TEAMS = 4
+_TIMEOUT_S = 60
 _MATCH_FOLDER = "rcj_soccer_team_blue"
 """What the sample teams for a match have; those for challenges have others."""
 
@@ -142,3 +145,44 @@ def migrate(folder: Folder) -> None:
 
     done = bring_up_to_date(config)
     typer.echo("\n".join(done) if done else "the database is up to date")
+
+
+@site_app.command(
+    "rate", cls=Command, epilog="rcj-challenge site rate http://club.lan:8000/api/v1/seasons/1/results --check"
+)
+def rate(
+    results: Annotated[str, typer.Argument(metavar="FILE|ADDRESS", help="The results that a site publishes.")],
+    check: Annotated[bool, typer.Option("--check", help="Only compare the table and the seeds with them.")] = False,
+) -> None:
+    """Compute the table of a ladder from its published results.
+
+    Exit status: 0: as published; 2: the published table or seeds are not those that follow from the results.
+    """
+    from pydantic import ValidationError
+
+    from rcj_challenges.web.ladder.published import Results, ensure_consistent, table_of
+
+    try:
+        published = Results.model_validate_json(_read(results))
+        table = table_of(published)
+    except (ValidationError, ValueError) as error:
+        message = f"{sanitize(results)}: these are no results of a season"
+        raise RcjError(message, "give the address that the page of the ladder links to", code="bad-results") from error
+    if not check:
+        for row in table:
+            place = "placing" if row.rank is None else f"{row.rank} ({row.low}-{row.high})"
+            typer.echo(f"{place:>14}  {row.value:5} ±{1.96 * row.sd:<4.0f} {row.games:5}  {row.digest[:16]}")
+    ensure_consistent(published, table)
+    if check:
+        typer.echo(f"as published: {len(table)} programs, {len(published.matches)} matches")
+
+
+def _read(results: str) -> bytes:
+    try:
+        if results.startswith(("http://", "https://")):
+            with urlopen(results, timeout=_TIMEOUT_S) as answer:  # noqa: S310 - of these two kinds
+                return bytes(answer.read())
+        return Path(results).read_bytes()
+    except OSError as error:
+        message = f"{sanitize(results)}: {format_error(error)}"
+        raise RcjError(message, "give a file or an address with http or https", code="cannot-open") from error

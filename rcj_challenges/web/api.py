@@ -13,8 +13,10 @@ from ninja import NinjaAPI, Schema, Status
 from ninja.security import HttpBearer
 
 from rcj_challenges.web.accounts import team_of_code
+from rcj_challenges.web.ladder.published import Results
 from rcj_challenges.web.models import Entry, Season, Submission, Team
 from rcj_challenges.web.receiving import RefusedError, ensure_may_upload, receive
+from rcj_challenges.web.tables import published
 from rcj_challenges.web.views.team import begun, progress_of
 
 
@@ -111,6 +113,16 @@ def look_up(request: HttpRequest, pk: int) -> Status[dict[str, Any]]:
         return Status(404, {"code": "unknown-submission", "message": "this team has no submission with this number"})
     is_active = Entry.objects.filter(active=found).exists()
     return Status(200, {**_receipt(found), **progress_of(found), "is_active": is_active, "report": found.report})
+
+
+@api.get("seasons/{pk}/results", auth=None, response={200: Results, 404: Problem})
+def season_results(request: HttpRequest, pk: int) -> Status[Results | dict[str, str]]:  # noqa: ARG001 - the name is the library's
+    """Return all that the table of a season follows from, and the table."""
+    season = Season.objects.filter(pk=pk).first()
+    results = None if season is None else published(season)
+    if results is None:
+        return Status(404, {"code": "no-ladder", "message": "there is no season with this number that has begun"})
+    return Status(200, results)
 
 
 @api.get("me", response=Me)

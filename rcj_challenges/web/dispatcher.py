@@ -174,6 +174,7 @@ class Dispatcher:
             if time.monotonic() >= self._cleans_at:
                 self._cleans_at = time.monotonic() + _CLEAN_UP_S
                 jobs.clean_up(now)
+                seasons.drop_records(now)
         with self._lock:
             for claim in lost & self._held:
                 if claim in self._processes:

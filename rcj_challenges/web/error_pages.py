@@ -10,6 +10,19 @@ PAGES: dict[str, str] = {
     "no-file": "No archive came with the request.\n\nChoose a ZIP, or send it as the body.",
     "no-season": "No season is open, so nothing can be handed in.\n\nWait until the organizers announce one.",
     "no-team": "The team has been deleted, so it can hand in nothing.\n\nAsk its mentor.",
+    "bad-results": (
+        "`site rate` reads the results of a season as a site publishes them, at `/api/v1/seasons/N/results`.\n\n"
+        "Give that address, or a file with what it answers."
+    ),
+    "table-differs": (
+        "The table that was published is not the one that follows from the published matches: one of the two was "
+        "changed.\n\nAsk the organizers. `site rate` without `--check` prints the table that follows."
+    ),
+    "seeds-differ": (
+        "The seeds of a season follow from its secret, whose hash was published at its begin. Those that were published "
+        "do not.\n\nAsk the organizers."
+    ),
+    "no-ladder": "The season does not exist, or its ladder has not begun.\n\nTake the number from the page of the ladder.",
     "not-for-two": (
         "A ladder is played by two teams against each other, `blue` and `yellow`. The season has another scenario.\n\n"
         "Choose a scenario such as `match` for it."

@@ -36,7 +36,7 @@ def playing_now(season: Season) -> dict[str, list[Submission]]:
     """Return the submissions that play now, by the digest of their programs."""
     entries = Entry.objects.filter(season=season, active__isnull=False, team__deleted_at=None).order_by("team")
     found: dict[str, list[Submission]] = defaultdict(list)
-    for entry in entries.select_related("active__team__group"):
+    for entry in entries.select_related("active__team__group").defer("active__report"):
         assert entry.active is not None  # noqa: S101 - filtered
         found[entry.active.digest].append(entry.active)
     return dict(found)

@@ -13,6 +13,7 @@ from django.utils import timezone, translation
 from django.utils.functional import SimpleLazyObject
 from jinja2 import Environment, StrictUndefined
 
+from rcj_challenges.core.amounts import plain
 from rcj_challenges.core.sanitize import sanitize, sanitize_block
 from rcj_challenges.web.accounts import Viewer, viewer_of
 from rcj_challenges.web.config import current_site
@@ -25,7 +26,13 @@ def environment(**options: Any) -> Environment:
     options |= {"autoescape": True, "trim_blocks": True, "lstrip_blocks": True, "undefined": StrictUndefined}
     made = Environment(extensions=["jinja2.ext.i18n"], **options)  # noqa: S701 - it is on
     made.install_gettext_callables(translation.gettext, translation.ngettext, newstyle=True)  # type: ignore[attr-defined]
-    made.filters |= {"time": format_time, "shown": sanitize, "block": sanitize_block, "bytes": _format_bytes}
+    made.filters |= {
+        "time": format_time,
+        "shown": sanitize,
+        "block": sanitize_block,
+        "bytes": _format_bytes,
+        "score": plain,
+    }
     made.globals |= {"url": reverse, "site_title": current_site().title}
     return made
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
-import hmac
 import secrets
 import shutil
 from collections.abc import Iterable, Mapping
@@ -15,13 +13,16 @@ from django.utils.translation import gettext
 
 from rcj_challenges.records.result import deciding, versions
 from rcj_challenges.web import jobs
-from rcj_challenges.web.blobs import record_folder
+from rcj_challenges.web.blobs import match_folder, record_folder
 from rcj_challenges.web.config import current_site
 from rcj_challenges.web.errors import SiteError
+from rcj_challenges.web.ladder import published
 from rcj_challenges.web.models import Basis, Job, JobState, Match, MatchKind, Season, Submission, Team
 
 _SECRET_BYTES = 32
-_SEED_BYTES = 4
+_RECORDS_OF_A_TEAM = 20
+_RECORD_S = 3600.0
+"""How long at least a record is kept, so that one that was made again can be seen, in s."""
 _DELETED = "a team was deleted"
 SIDES = ("blue", "yellow")
 
@@ -49,7 +50,7 @@ def begin(season: Season, now: datetime) -> None:
     """
     scenario = _kept_scenario(season)
     secret = secrets.token_hex(_SECRET_BYTES)
-    pinned = {"begun_at": now, "secret": secret, "secret_hash": hashlib.sha256(secret.encode()).hexdigest()}
+    pinned = {"begun_at": now, "secret": secret, "secret_hash": published.secret_hash(secret)}
     with jobs.writing():
         if Season.objects.filter(pk=season.pk, begun_at=None).update(**pinned):
             Basis.objects.create(season=season, scenario=scenario, versions=own_versions(), made_at=now)
@@ -75,7 +76,7 @@ def rebase(season: Season, now: datetime) -> None:
         if running is None or before is None:
             return
         rated = Match.objects.filter(basis=before, kind=MatchKind.RATED).select_related("blue", "yellow")
-        matches = list(rated.order_by("number"))
+        matches = list(rated.defer("blue__report", "yellow__report").order_by("number"))
         Match.objects.filter(basis=before, played_at=None, void="").delete()
         Basis.objects.filter(season=season, is_whole=False).delete()
         basis = Basis.objects.create(
@@ -102,9 +103,8 @@ def _kept_scenario(season: Season) -> str:
 
 
 def seed_of(secret: str, kind: str, number: int) -> int:
-    """Return the seed of a match: the first bytes of HMAC-SHA-256 of its number, with the secret of its season."""
-    use = str(number) if kind == MatchKind.RATED else f"{kind}/{number}"
-    return int.from_bytes(hmac.digest(secret.encode(), use.encode(), "sha256")[:_SEED_BYTES], "big")
+    """Return the seed of a match."""
+    return published.seed_of(secret, str(number) if kind == MatchKind.RATED else f"{kind}/{number}")
 
 
 def add_matches(
@@ -165,6 +165,18 @@ def void(matches: QuerySet[Match], reason: str) -> None:
     waiting = Job.objects.filter(match__in=matches).exclude(state=JobState.DONE)
     waiting.update(state=JobState.DONE, worker="", lease_until=None)  # late results are then dropped
     matches.update(void=reason)
+
+
+def drop_records(now: datetime) -> None:
+    """Remove records but the last of each team; a match whose record is gone can be played again bit for bit."""
+    site = current_site().folder
+    kept: set[str] = set()
+    for team in Team.objects.filter(deleted_at=None):
+        theirs = Match.objects.filter(Q(blue__team=team) | Q(yellow__team=team), played_at__isnull=False)
+        kept |= {str(pk) for pk in theirs.order_by("-played_at").values_list("pk", flat=True)[:_RECORDS_OF_A_TEAM]}
+    for record in (match_folder(site) / "records").glob("*"):
+        if record.name not in kept and record.stat().st_mtime < now.timestamp() - _RECORD_S:
+            shutil.rmtree(record, ignore_errors=True)
 
 
 def forget(team: Team) -> None:

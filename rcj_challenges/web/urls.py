@@ -6,7 +6,7 @@ from django.contrib import admin
 from django.urls import path
 
 from rcj_challenges.web.api import api
-from rcj_challenges.web.views import desk, mentor, public, team
+from rcj_challenges.web.views import desk, ladder, mentor, public, team
 
 handler404 = public.not_found
 urlpatterns = [
@@ -19,6 +19,13 @@ urlpatterns = [
     path("privacy", public.privacy, name="privacy"),
     path("help", public.help_page, name="help"),
     path("healthz", public.healthz, name="healthz"),
+    path("ladder", ladder.ladder, name="ladder"),
+    path("seasons/<int:pk>", ladder.ladder, name="season"),
+    path("teams/<int:pk>", ladder.team, name="ladder_team"),
+    path("matches/<int:pk>", ladder.match, name="match"),
+    path("matches/<int:pk>/replay", ladder.match_replay, name="match_replay"),
+    path("matches/<int:pk>/log/<str:robot>", ladder.match_log, name="match_log"),
+    path("matches/<int:pk>/again", ladder.match_again, name="match_again"),
     path("my", team.my, name="my"),
     path("my/upload", team.upload, name="upload"),
     path("my/submissions/<int:pk>", team.submission, name="submission"),
@@ -35,6 +42,7 @@ urlpatterns = [
     path("group/teams/<int:pk>/delete", mentor.delete_team, name="delete_team"),
     path("desk", desk.desk, name="desk"),
     path("desk/jobs/<int:pk>/again", desk.job_again, name="job_again"),
+    path("desk/matches/<int:pk>/void", desk.void_match, name="void_match"),
     path("desk/teams/<int:pk>/release", desk.release_name, name="release_name"),
     path("desk/season", desk.change_season, name="change_season"),
     path("desk/invite", desk.new_invite, name="new_invite"),

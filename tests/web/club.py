@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import json
 from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING, Any
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
     from django.test import Client
 
 REPLAY = "replay-Y-1.html"
+SIDES = ("blue", "yellow")
 ROLES = ("anonymous", "team", "other team", "mentor", "other mentor", "organizer")
 
 
@@ -44,12 +46,16 @@ class Club:
         clients: by role.
         teams: ``own`` belongs to the team and the mentor, ``foreign`` to the others, ``deleted`` was the mentor's.
         submissions: of these teams: rejected, with a report and a replay.
+        practice: a match of each of these teams against itself.
+        rated: a match of own and foreign.
         codes: of their cards.
     """
 
     clients: dict[str, Client]
     teams: dict[str, Any]
     submissions: dict[str, Any]
+    practice: dict[str, Any]
+    rated: Any
     codes: dict[str, str]
 
 
@@ -90,14 +96,50 @@ def make_submission(config: SiteConfig, team: Any, text: str = "Traceback", **fi
     return made
 
 
+def make_match(config: SiteConfig, blue: Any, yellow: Any, kind: str = "rated", number: int = 1) -> Any:
+    """Store a match that was played on the basis of the season, with a record in which all robots printed something."""
+    from rcj_challenges.web.blobs import record_folder
+    from rcj_challenges.web.models import Basis, Match, Season
+
+    basis, _ = Basis.objects.get_or_create(season=Season.objects.get(), scenario="s", versions={"v": "1"}, made_at=NOW)
+    Season.objects.update(begun_at=NOW)
+    made = Match.objects.create(
+        basis=basis, kind=kind, number=number, blue=blue, yellow=yellow, seed=1, made_at=NOW, played_at=NOW,
+        blue_goals=2, yellow_goals=1, digest="e" * 64,
+        faults=[{"robot": f"{side[0].upper()}1", "team": side, "half": 1, "tick": 3, "kind": "crash"} for side in SIDES],
+    )  # fmt: skip
+    folder = record_folder(config.folder, made)
+    (folder / "logs").mkdir(parents=True)
+    halves = [{"half": 1, "sides": {side: side for side in SIDES}, "faults": []}]
+    teams = [{"name": side, "title": side, "logo": f"data:{side}"} for side in SIDES]
+    facts = json.dumps({"halves": halves, "events": [], "teams": teams, "title": "Match", "about": [["", "Match"]]})
+    (folder / "replay.html").write_text(f'<script id="facts">{facts}</script>', encoding="utf-8")
+    (folder / "result.json").write_text(json.dumps({"halves": halves}), encoding="utf-8")
+    entrants = {side: {"robots": {f"{side[0].upper()}1": None}} for side in SIDES}
+    (folder / "scenario.json").write_text(json.dumps({"entrants": entrants}), encoding="utf-8")
+    for side, one in (("blue", blue), ("yellow", yellow)):
+        (folder / "logs" / f"{side[0].upper()}1.log").write_text(f"Secret of {one.team_id}", encoding="utf-8")
+    return made
+
+
 def make_club(config: SiteConfig) -> Club:
     """Make it on the site that this process works on."""
-    from rcj_challenges.web.models import Account, Group, Role
+    from rcj_challenges.web.models import Account, Entry, Group, Role
 
     made = {name: make_team(f"Secret {name}", "School 2" if name == "foreign" else "School 1") for name in _TEAMS}
     teams = {name: team for name, (team, _) in made.items()}
     codes = {name: code for name, (_, code) in made.items()}
     submissions = {name: make_submission(config, team) for name, team in teams.items()}
+    practice = {
+        name: make_match(config, one, one, "practice", number) for number, (name, one) in enumerate(submissions.items())
+    }
+    playing = [
+        make_submission(config, teams[name], state="accepted", level="passed", digest=64 * name[0], report=None)
+        for name in ("own", "foreign")
+    ]
+    for one in playing:
+        Entry.objects.create(team=one.team, season=one.season, active=one)
+    rated = make_match(config, *playing)
     clients = {role: new_client() for role in ROLES}
     for role, owner in (("team", "own"), ("other team", "foreign")):
         assert clients[role].post("/enter", {"code": codes[owner]}).status_code == 302
@@ -108,7 +150,7 @@ def make_club(config: SiteConfig) -> Club:
         clients[role].force_login(Account.objects.create(name=role, role=kind, group=group, password="!"))  # noqa: S106
     gone = {"confirm": "Secret deleted", "reason": "1"}
     assert clients["mentor"].post(f"/group/teams/{teams['deleted'].pk}/delete", gone).status_code == 302
-    return Club(clients, teams, submissions, codes)
+    return Club(clients, teams, submissions, practice, rated, codes)
 
 
 _TEAMS = ("own", "foreign", "deleted")

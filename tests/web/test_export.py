@@ -32,6 +32,7 @@ def test_export_is_a_folder_that_a_tournament_takes(site: SiteConfig, tmp_path: 
     from rcj_challenges.web.models import Entry, Season, State, Submission
 
     club = make_club(site)
+    Entry.objects.all().delete()
     blobs = Blobs(site.folder)
     teams = [make_team(f"Team {letter}")[0] for letter in "ABC"]
     for number, team in enumerate(teams):

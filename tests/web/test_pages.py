@@ -75,12 +75,24 @@ def pages(club: Club) -> dict[str, str]:
     from rcj_challenges.web.models import Submission
 
     own = club.teams["own"].pk
+    rated = f"/matches/{club.rated.pk}"
     mine = [f"/my/submissions/{one.pk}" for one in Submission.objects.filter(team=own)]
     addresses = {
-        "anonymous": ["/", "/enter", "/login", "/help", "/privacy", "/nowhere", "/invite/x"],
-        "team": ["/", "/my", *mine],
+        "anonymous": [
+            "/",
+            "/enter",
+            "/login",
+            "/help",
+            "/privacy",
+            "/nowhere",
+            "/invite/x",
+            "/ladder",
+            f"/teams/{own}",
+            rated,
+        ],
+        "team": ["/", "/my", rated, f"/matches/{club.practice['own'].pk}", *mine],
         "mentor": ["/group", f"/group/teams/{own}", mine[0]],
-        "organizer": ["/desk", "/group"],
+        "organizer": ["/desk", "/group", rated],
     }
     found = {f"{role} {one}": club.clients[role].get(one) for role, some in addresses.items() for one in some}
     found["mentor cards"] = club.clients["mentor"].post("/group/teams/new", {"names": "0\n1"})
@@ -96,7 +108,7 @@ def test_every_text_passes_through_the_translation(club: Club, monkeypatch: pyte
     shown = pages(club)
     assert sum(text.count("⟦") for text in shown.values()) > 300
     data = re.compile(
-        r"⟦.*?⟧|SHA-256|XXXX-XXXX-XXXX|Test club|Traceback|\bUTC|CES?T|\b[kM]B\b|Secret \w+|School \d|https?:\S*|[0-9A-Z]{4}(-[0-9A-Z]{4})+",
+        r"⟦.*?⟧|SHA-256|XXXX-XXXX-XXXX|Test club|Traceback|\bUTC|CES?T|\b[kM]B\b|Secret \w+|School \d|Team \d|https?:\S*|[0-9A-Z]{4}(-[0-9A-Z]{4})+",
         re.DOTALL,
     )
     texts = {name: data.sub("", "\n".join(read(text).texts)) for name, text in shown.items()}

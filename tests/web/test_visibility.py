@@ -27,6 +27,14 @@ TABLE: dict[str, tuple[str, str, set[str]]] = {
     "privacy": ("GET", "", ALL),
     "help": ("GET", "", ALL),
     "healthz": ("GET", "", ALL),
+    "ladder": ("GET", "", ALL),
+    "season": ("GET", "season", ALL),
+    "ladder_team": ("GET", "team", ALL),
+    "match": ("GET", "practice", READERS),
+    "match_replay": ("GET", "practice", READERS),
+    "match_log": ("GET", "practice", READERS),
+    "match_again": ("POST", "practice", READERS),
+    "void_match": ("POST", "match", ORGANIZER),
     "my": ("GET", "", TEAMS),
     "upload": ("POST", "", TEAMS),
     "submission": ("GET", "submission", READERS),
@@ -49,7 +57,7 @@ TABLE: dict[str, tuple[str, str, set[str]]] = {
     "export": ("GET", "", ORGANIZER),
     "leave": ("POST", "", ALL),
 }
-INTERFACE = {"api-root", "openapi-json", "hand_in", "look_up", "me"}
+INTERFACE = {"api-root", "openapi-json", "hand_in", "look_up", "me", "season_results"}
 MIRRORED = {"team": "other team", "mentor": "other mentor"}
 """Roles as seen from an object of the foreign team."""
 
@@ -84,10 +92,13 @@ def test_every_route_has_a_line_in_the_table_and_every_line_a_route(site: SiteCo
 def answered(club: Club, role: str, name: str, owner: str) -> tuple[bool, Any]:
     """Return whether an address lets a role pass, and the answer."""
     method, kind, _ = TABLE[name]
-    pk = {"submission": club.submissions[owner].pk, "team": club.teams[owner].pk, "job": 1}.get(kind)
+    one = {"submission": club.submissions, "team": club.teams, "practice": club.practice}.get(kind)
+    pk = one[owner].pk if one is not None else club.rated.pk if kind == "match" else 1
     arguments = {"code": {"code": "AAAA"}, "": {}}.get(kind, {"pk": pk})
     if name == "replay":
         arguments["name"] = REPLAY
+    if name == "match_log":
+        arguments["robot"] = "B1"
     client = club.clients[role]
     answer = client.generic(method, reverse(name, kwargs=arguments))
     sent_away = answer.status_code == 302 and answer["Location"] in {"/enter", "/login"}
@@ -102,9 +113,10 @@ def test_route_opens_for_the_roles_of_the_table_only(club: Club, name: str):
 
     Job.objects.create(pk=1, kind="check", key="k", not_before=NOW, created_at=NOW)
     kind, roles = TABLE[name][1:]
-    owners = ("own", "foreign", "deleted") if kind in {"team", "submission"} else ("own",)
+    owners = ("own", "foreign", "deleted") if kind in {"team", "submission", "practice"} else ("own",)
     for owner in owners:
-        seen_as = {MIRRORED.get(role, role) for role in roles} if owner == "foreign" else roles
+        is_mirrored = owner == "foreign" and roles != ALL
+        seen_as = {MIRRORED.get(role, role) for role in roles} if is_mirrored else roles
         expected = NONE if owner == "deleted" else seen_as
         opened = set()
         for role in ROLES if name != "leave" else ("anonymous",):
@@ -119,9 +131,27 @@ def test_route_opens_for_the_roles_of_the_table_only(club: Club, name: str):
         assert opened == (expected if name != "leave" else {"anonymous"}), owner
 
 
+def test_rated_match_is_for_all_and_what_programs_printed_for_their_own_team_only(club: Club):
+    match = club.rated
+    readers = {"blue": READERS, "yellow": {"other team", "other mentor", "organizer"}}
+    for role, client in club.clients.items():
+        page = client.get(f"/matches/{match.pk}")
+        replay = client.get(f"/matches/{match.pk}/replay")
+        assert (page.status_code, replay.status_code) == (200, 200)
+        assert b"Secret" not in page.content
+        assert b"data:blue" not in replay.content  # the name and the logo are not released
+        assert "sandbox allow-scripts" in replay["Content-Security-Policy"]
+        for side, robot in (("blue", "B1"), ("yellow", "Y1")):
+            answer = client.get(f"/matches/{match.pk}/log/{robot}")
+            assert answer.status_code == (200 if role in readers[side] else 404)
+            assert (f"/log/{robot}".encode() in page.content) == (role in readers[side])
+
+
 def test_other_lists_show_no_team_of_another_group_and_no_name_that_is_not_released(club: Club):
-    pages = {role: client.get("/").content for role, client in club.clients.items()}
-    assert [role for role, body in pages.items() if b"Secret" in body] == []
+    team = f"/teams/{club.teams['own'].pk}"
+    for address in ("/", "/ladder", team, f"/matches/{club.practice['own'].pk}"):
+        pages = {role: client.get(address).content for role, client in club.clients.items()}
+        assert [role for role, body in pages.items() if b"Secret" in body] == []
     assert b"Secret foreign" not in club.clients["mentor"].get("/group").content
     assert b"Secret foreign" in club.clients["organizer"].get("/group").content
     assert b"Secret deleted" not in club.clients["organizer"].get("/group").content
@@ -145,7 +175,9 @@ def test_lists_of_organizers_open_for_organizers_only_and_delete_nothing(club: C
             break
     # The catalogue of the calendar's words is in every copy of the library.
     assert {role: found for role, found in opened.items() if role != "organizer" and found != {"jsi18n"}} == {}
-    assert {"web_submission_changelist", "web_submission_change", "web_season_add"} <= opened["organizer"]
+    assert {"web_match_changelist", "web_submission_changelist", "web_submission_change", "web_season_add"} <= opened[
+        "organizer"
+    ]
     assert [name for name in opened["organizer"] if name.endswith("_delete")] == []
     assert [name for name in opened["organizer"] if name.startswith("web_submission") and "add" in name] == []
 

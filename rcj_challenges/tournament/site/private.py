@@ -6,7 +6,7 @@ Of a match only what is released is in it, and of the other side nothing that th
 from __future__ import annotations
 
 import json
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
@@ -87,18 +87,28 @@ def _write(tree: Tree, match: MatchView, team: str, folder: str) -> None:
 
 def _robots(record: Path, result: Mapping[str, Any], match: MatchView, team: str) -> frozenset[tuple[int, str]]:
     """Return (half, robot) for each robot that a team's programs drove."""
+    sides: dict[str, Side] = {side.seat: side for side in match.fixture.sides}
+    return driven(record, result, lambda seat, robot: seat in sides and team == driver(sides[seat], robot))
+
+
+def driven(record: Path, result: Mapping[str, Any], is_own: Callable[[str, str], bool]) -> frozenset[tuple[int, str]]:
+    """Return (half, robot) for each robot that some programs drove.
+
+    Args:
+        record: folder of the match.
+        result: its ``result.json``.
+        is_own: whether they drove a robot for the team of a seat of the first half.
+    """
     try:
         entrants = json.loads((record / SCENARIO).read_text("utf-8"))["entrants"]
     except (OSError, ValueError, KeyError, TypeError):
         return frozenset()
-    sides: dict[str, Side] = {side.seat: side for side in match.fixture.sides}
     return frozenset(
         (half["half"], robot)
         for half in result.get("halves", ())
         for seat, first_seat in half["sides"].items()
-        if first_seat in sides
         for robot in entrants.get(seat, {}).get("robots", {})
-        if team == driver(sides[first_seat], robot)
+        if is_own(first_seat, robot)
     )
 
 

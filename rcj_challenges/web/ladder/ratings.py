@@ -93,6 +93,10 @@ class Fit:
     games: Ints
     tie: float
 
+    def value_of(self, digest: str) -> int:
+        """The strength of a program in points."""
+        return MEAN + _rounded(self.strengths[self.digests.index(digest)] * POINTS)
+
 
 def fit(results: Iterable[Result], predecessors: Mapping[str, str | None]) -> Fit:
     """Fit the strengths of programs to results.
@@ -134,7 +138,7 @@ def standings(fitted: Fit, shown: Collection[str]) -> list[Rating]:
         shown: those that play now; each must be in the fit.
     """
     rows = [i for i, digest in enumerate(fitted.digests) if digest in shown]
-    values = {i: MEAN + _rounded(fitted.strengths[i] * POINTS) for i in rows}
+    values = {i: fitted.value_of(fitted.digests[i]) for i in rows}
     sds = dict(zip(rows, _centred_sds(fitted, rows), strict=True))
     ranked = [i for i in rows if sds[i] < PLACED_SD and fitted.games[i] >= PLACEMENTS]
     intervals = dict(zip(ranked, _rank_intervals(fitted, ranked), strict=True))

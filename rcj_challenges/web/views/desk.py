@@ -19,7 +19,7 @@ from rcj_challenges.web.accounts import Viewer, invite, write_audit
 from rcj_challenges.web.blobs import Blobs
 from rcj_challenges.web.config import current_site
 from rcj_challenges.web.files import FileAnswer
-from rcj_challenges.web.models import Audit, Entry, Group, Job, JobState, Role, Season, Team, Worker
+from rcj_challenges.web.models import Audit, Entry, Group, Job, JobState, Match, MatchKind, Role, Season, Team, Worker
 from rcj_challenges.web.pages import message_page, page, public_address
 from rcj_challenges.web.views.guards import only
 
@@ -68,6 +68,19 @@ def change_season(request: HttpRequest, viewer: Viewer) -> HttpResponseBase:
         return message_page(request, 409, gettext("The ladder cannot begin"), str(error))
     write_audit(viewer, f"{act} season", season, "", timezone.now())
     return redirect("desk")
+
+
+@only("organizer", post=True)
+def void_match(request: HttpRequest, viewer: Viewer, pk: int) -> HttpResponseBase:
+    """Let a rated match not count, for a reason that all can read."""
+    found = get_object_or_404(Match, pk=pk, kind=MatchKind.RATED)
+    reason = sanitize(request.POST.get("reason", "").strip(), 200)
+    if not reason:
+        return message_page(request, 400, gettext("No reason"), gettext("Write why the match does not count."))
+    with jobs.writing():
+        seasons.void(Match.objects.filter(pk=pk), reason)
+        write_audit(viewer, "void match", f"match {found.number}", reason, timezone.now())
+    return redirect("match", pk=pk)
 
 
 @only("organizer", post=True)

@@ -35,7 +35,7 @@ _REPORT_POLICY = {
     "img-src": ["data:"],
     "sandbox": ["allow-scripts"],
 }
-_REPLAY_POLICY = {**_REPORT_POLICY, "script-src": ["'unsafe-inline'"], "img-src": ["data:", "blob:"]}
+REPLAY_POLICY = {**_REPORT_POLICY, "script-src": ["'unsafe-inline'"], "img-src": ["data:", "blob:"]}
 """Both run in an origin of their own, so that their inline scripts and styles reach nothing of the site."""
 _IS_REPLAY = re.compile(r"replay-[A-Za-z0-9_-]{1,60}\.html")
 
@@ -169,7 +169,7 @@ def report(request: HttpRequest, pk: int) -> HttpResponseBase:
 
 
 @require_GET
-@csp(_REPLAY_POLICY)  # type: ignore[arg-type]  # views take numbers, too
+@csp(REPLAY_POLICY)  # type: ignore[arg-type]  # views take numbers, too
 def replay(request: HttpRequest, pk: int, name: str) -> HttpResponseBase:
     """Return a replay of the check, in an origin of its own: its script reaches nothing of the site."""
     _, found = seen_submission(request, pk)

@@ -1,0 +1,126 @@
+"""The results of a season as they are published, and what anyone can recompute of them."""
+
+from __future__ import annotations
+
+import hashlib
+import hmac
+from itertools import zip_longest
+
+from pydantic import BaseModel
+
+from rcj_challenges.web.errors import SiteError
+from rcj_challenges.web.ladder.ratings import Rating, Result, fit, standings
+
+_SEED_BYTES = 4
+_SHOWN = 5
+
+
+class Program(BaseModel):
+    """A program of the season.
+
+    Attributes:
+        digest: over its files.
+        follows: the one that its team handed in before.
+        plays: whether it plays now, and so is in the table.
+    """
+
+    digest: str
+    follows: str | None
+    plays: bool
+
+
+class PlayedMatch(BaseModel):
+    """A rated match, as it is published; one that is void does not count."""
+
+    number: int
+    seed: int
+    blue: str
+    yellow: str
+    score: tuple[float, float]
+    digest: str
+    void: str
+
+
+class Row(BaseModel):
+    """A program in the table; without a rank it is placing."""
+
+    digest: str
+    value: int
+    sd: int
+    games: int
+    rank: int | None
+    low: int | None
+    high: int | None
+
+
+class Results(BaseModel):
+    """All that the table of a season follows from, and the table.
+
+    Attributes:
+        season: its title.
+        scenario: hash of the scenario with all settings.
+        versions: with which it is played.
+        secret_hash: SHA-256 of the secret, known since the season began.
+        secret: from which seeds follow; None until the season has ended.
+        programs: all that were accepted.
+        matches: all that were played.
+        table: the best program first.
+    """
+
+    season: str
+    scenario: str
+    versions: dict[str, str]
+    secret_hash: str
+    secret: str | None
+    programs: list[Program]
+    matches: list[PlayedMatch]
+    table: list[Row]
+
+
+def seed_of(secret: str, use: str) -> int:
+    """Return the seed of a match: the first bytes of HMAC-SHA-256 of its number, with the secret of its season."""
+    return int.from_bytes(hmac.digest(secret.encode(), use.encode(), "sha256")[:_SEED_BYTES], "big")
+
+
+def secret_hash(secret: str) -> str:
+    """Return what is published of a secret when a season begins."""
+    return hashlib.sha256(secret.encode()).hexdigest()
+
+
+def row_of(rating: Rating) -> Row:
+    """Return the row of a rating."""
+    return Row.model_validate(rating, from_attributes=True)
+
+
+def table_of(results: Results) -> list[Row]:
+    """Compute the table from the matches.
+
+    Raises:
+        ValueError: a match or a program names a program that is not among them.
+    """
+    counted = [Result(one.blue, one.yellow, *one.score) for one in results.matches if not one.void]
+    fitted = fit(counted, {one.digest: one.follows for one in results.programs})
+    return [row_of(rating) for rating in standings(fitted, {one.digest for one in results.programs if one.plays})]
+
+
+def ensure_consistent(results: Results, table: list[Row]) -> None:
+    """Refuse results whose table or seeds do not follow from their matches.
+
+    Args:
+        results: as published.
+        table: as computed from them.
+
+    Raises:
+        SiteError: they differ. Seeds are compared once the secret is published.
+    """
+    differing = [row.digest[:16] for row, published in zip_longest(table, results.table) if row != published and row]
+    if table != results.table:
+        message = f"the published table does not follow from the results: {', '.join(differing[:_SHOWN]) or 'its end'}"
+        raise SiteError(message, "ask the organizers for the reason", code="table-differs")
+    secret = results.secret
+    if secret is None:
+        return
+    wrong = [one.number for one in results.matches if one.seed != seed_of(secret, str(one.number))]
+    if secret_hash(secret) != results.secret_hash or wrong:
+        message = f"the seeds of matches do not follow from the secret: {', '.join(map(str, wrong[:_SHOWN]))}"
+        raise SiteError(message, "ask the organizers for the reason", code="seeds-differ")

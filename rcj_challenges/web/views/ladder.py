@@ -1,0 +1,179 @@
+"""Pages of the ladder for all: the table, the programs of a team, and matches with their replays."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+from csp.decorators import csp
+from django.db.models import Q
+from django.http import Http404, HttpRequest, HttpResponse, HttpResponseBase
+from django.shortcuts import get_object_or_404, redirect
+from django.utils import timezone
+from django.utils.translation import gettext
+from django.views.decorators.http import require_GET, require_POST
+
+from rcj_challenges.records.folder import LOGS, REPLAY, RESULT
+from rcj_challenges.web import jobs, matchmaking, seasons, tables
+from rcj_challenges.web.accounts import Viewer, viewer_of
+from rcj_challenges.web.blobs import record_folder
+from rcj_challenges.web.config import current_site
+from rcj_challenges.web.models import Job, JobState, Match, MatchKind, Season, State, Submission, Team
+from rcj_challenges.web.pages import message_page, page
+from rcj_challenges.web.views.guards import plain
+from rcj_challenges.web.views.team import REPLAY_POLICY
+
+_ROWS = 100
+_CROSS = 12
+_MATCHES = 50
+_MAX_AGAIN = 20
+"""Replays that are made again at a time: more would delay the ladder."""
+
+
+@require_GET
+def ladder(request: HttpRequest, pk: int = 0) -> HttpResponse:
+    """Show the table of a season, of the current one without a number."""
+    season = get_object_or_404(Season, pk=pk) if pk else Season.objects.filter(is_current=True).first()
+    basis = None if season is None else seasons.shown_basis(season)
+    others = Season.objects.filter(begun_at__isnull=False).exclude(pk=season.pk if season else 0).order_by("-begun_at")
+    values: dict[str, Any] = {"season": season, "others": others, "rows": [], "cross": [], "number": 1, "is_last": True}
+    if season is not None and basis is not None:
+        number = max(1, int(text)) if (text := request.GET.get("page", "1")[:4]).isdecimal() else 1
+        playing, records = matchmaking.playing_now(season), tables.records_of(basis)
+        table, _ = tables.table_of(basis)
+        rows = [
+            {"row": row, "teams": [one.team for one in playing[row.digest]],
+             "record": sum(records[row.digest].values(), Counter())}
+            for row in table
+        ]  # fmt: skip
+        values |= {"rows": rows[_ROWS * (number - 1) : _ROWS * number], "number": number,
+                   "is_last": len(rows) <= _ROWS * number, "cross": rows[:_CROSS], "records": records}  # fmt: skip
+    return page(request, "ladder.html", **values)
+
+
+@require_GET
+def team(request: HttpRequest, pk: int) -> HttpResponse:
+    """Show the programs of a team with their ratings, its opponents and its last matches."""
+    found = get_object_or_404(Team.objects.select_related("group"), pk=pk, deleted_at=None)
+    season = Season.objects.filter(is_current=True).first()
+    basis = None if season is None else seasons.shown_basis(season)
+    values: dict[str, Any] = {"team": found, "versions": [], "matches": [], "season": season}
+    if basis is not None:
+        records, playing = tables.records_of(basis), matchmaking.playing_now(basis.season)
+        _, fitted = tables.table_of(basis)
+        accepted = Submission.objects.filter(team=found, season=season, state=State.ACCEPTED).defer("report")
+        values["versions"] = [
+            {"submission": one, "value": fitted.value_of(one.digest), "plays": one in playing.get(one.digest, ()),
+             "record": sum(records[one.digest].values(), Counter())}
+            for one in accepted[:_MATCHES]
+        ]  # fmt: skip
+        theirs = Match.objects.filter(Q(blue__team=found) | Q(yellow__team=found), basis=basis, kind=MatchKind.RATED)
+        values["matches"] = _with_sides(theirs.filter(played_at__isnull=False).order_by("-played_at"))[:_MATCHES]
+    return page(request, "ladder_team.html", **values)
+
+
+def _with_sides(matches: Any) -> Any:
+    return matches.select_related("basis__season", "blue__team", "yellow__team").defer("blue__report", "yellow__report")
+
+
+def _seen_match(request: HttpRequest, pk: int) -> tuple[Viewer, Match, list[str]]:
+    """Return a match that the viewer may see, and the sides whose details it may see.
+
+    Raises:
+        Http404: there is none, or it is practice of other teams.
+    """
+    viewer = viewer_of(request)
+    match = _with_sides(Match.objects).filter(pk=pk, played_at__isnull=False).first()
+    if match is None:
+        raise Http404
+    own = [side for side in seasons.SIDES if viewer.may_see(getattr(match, side).team)]
+    if match.kind == MatchKind.PRACTICE and not own:
+        raise Http404
+    return viewer, match, own
+
+
+@require_GET
+def match(request: HttpRequest, pk: int) -> HttpResponse:
+    """Show a match: its result, faults by kind, and what the viewer's own programs printed."""
+    viewer, found, own = _seen_match(request, pk)
+    again = Job.objects.filter(key=f"again/{pk}").exclude(state=JobState.DONE).first()
+    record = record_folder(current_site().folder, found)
+    values: dict[str, Any] = {"match": found, "own": own, "again": again, "has_replay": (record / REPLAY).is_file(),
+              "logs": sorted(_own_logs(record, own)), "can_repeat": _can_repeat(found)}  # fmt: skip
+    return page(request, "match.html", viewer, **values)
+
+
+def _can_repeat(found: Match) -> bool:
+    return not (found.blue.is_deleted or found.yellow.is_deleted)
+
+
+def _own_robots(record: Path, own: list[str]) -> frozenset[tuple[int, str]]:
+    from rcj_challenges.tournament.site.private import driven  # noqa: PLC0415 - loads the code of matches
+
+    try:
+        result = json.loads((record / RESULT).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return frozenset()
+    return driven(record, result, lambda seat, _: seat in own)
+
+
+def _own_logs(record: Path, own: list[str]) -> dict[str, str]:
+    """Return what programs of the viewer's side printed, by robot."""
+    from rcj_challenges.tournament.site.private import own_log  # noqa: PLC0415 - loads the code of matches
+
+    robots = _own_robots(record, own) if own else frozenset()
+    halves = {half for half, _ in robots}
+    found = {}
+    for robot in {robot for _, robot in robots}:
+        try:
+            text = (record / LOGS / f"{robot}.log").read_text(encoding="utf-8", errors="replace")
+        except OSError:
+            continue
+        if mine := own_log(text, halves, [half for half in halves if (half, robot) in robots]):
+            found[robot] = mine
+    return found
+
+
+@require_GET
+def match_log(request: HttpRequest, pk: int, robot: str) -> HttpResponse:
+    """Return what a program of the viewer's side printed."""
+    _, found, own = _seen_match(request, pk)
+    logs = _own_logs(record_folder(current_site().folder, found), own)
+    if robot not in logs:
+        raise Http404
+    return plain(logs[robot])
+
+
+@require_GET
+@csp(REPLAY_POLICY)  # type: ignore[arg-type]  # views take numbers, too
+def match_replay(request: HttpRequest, pk: int) -> HttpResponseBase:
+    """Return the replay in an origin of its own, with details of the viewer's own programs only."""
+    from rcj_challenges.tournament.site.public import public_facts, read_replay  # noqa: PLC0415 - as above
+    from rcj_challenges.views.replay.page import page_text  # noqa: PLC0415
+
+    _, found, own = _seen_match(request, pk)
+    record = record_folder(current_site().folder, found)
+    try:
+        replay = read_replay((record / REPLAY).read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise Http404 from error
+    facts = public_facts(replay.facts, _own_robots(record, own))
+    for shown in facts["teams"]:
+        if not getattr(found, shown["name"]).team.is_name_public:
+            shown.pop("logo", None)
+    return HttpResponse(page_text(facts, replay.poses, {}))
+
+
+@require_POST
+def match_again(request: HttpRequest, pk: int) -> HttpResponseBase:
+    """Play a match again, bit for bit, whose replay is no longer kept."""
+    _, found, _ = _seen_match(request, pk)
+    with jobs.writing():
+        waiting = Job.objects.filter(kind="again", state=JobState.QUEUED).count()
+        if waiting >= _MAX_AGAIN or not _can_repeat(found):
+            text = gettext("Too many are waiting, or the programs are gone. Try again later.")
+            return message_page(request, 409, gettext("Not now"), text)
+        seasons.enqueue(found, "again", timezone.now())
+    return redirect("match", pk=pk)
