@@ -5,7 +5,7 @@ from typing import Any, Literal, cast
 
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.core.traffic import Packet
-from rcj_challenges.devices.base import Carrier, Fitted, Phrases
+from rcj_challenges.devices.base import Fitted, Phrases, RobotSetup
 from rcj_challenges.devices.noise import Noise
 from rcj_challenges.devices.poses import Vector
 from rcj_challenges.devices.receivers import ANY_CHANNEL, Receiver, ReceiverDevice
@@ -35,12 +35,10 @@ robots:
 """
     SENTENCE = "infra-red receiver of the ball, up to 2 m (noise: standard deviation 2.86° of the direction)"
 
-    def facts(self, _carrier: Carrier) -> dict[str, Any]:
-        """Return what a program can ask without stepping."""
+    def facts(self, _setup: RobotSetup) -> dict[str, Any]:
         return {"channel": self.channel, "range": self.range_m, "refused_channels": []}
 
     def describe(self, phrases: Phrases) -> str:
-        """Return what it is."""
         balls = phrases.balls_with_infrared()
         if not balls:
             return "infrared receiver, which receives nothing, because no ball sends infrared signals"
@@ -53,13 +51,13 @@ class BallReceiver:
     """A receiver of the balls' infra-red with its range, its noise and its payload."""
 
     def __init__(self, receiver: Receiver, fitted: Fitted, balls: int, half: HalfInfo) -> None:
-        """Join a receiver and its settings; its noise has two draws a tick for each of so many balls."""
+        """Join a receiver and its settings; its noise has two draws a tick for each ball."""
         device = cast("BallReceiverDevice", fitted.device)
         is_noisy = device.strength_noise > 0 or device.direction_noise_rad > 0
         self.receiver = receiver
         self.robot = receiver.robot
         self.range_square_m2 = device.range_m**2
-        self._payload = PAYLOADS[fitted.carrier.messages]
+        self._payload = PAYLOADS[fitted.setup.messages]
         self._channel = device.channel
         self._strength_noise = device.strength_noise
         self._direction_noise_rad = device.direction_noise_rad
@@ -70,12 +68,12 @@ class BallReceiver:
         """Whether it is enabled, and tuned to the balls."""
         return self.receiver.period_ticks > 0 and self.receiver.channel in (self._channel, ANY_CHANNEL)
 
-    def hear(self, tick: int, ball: int, square_m2: float, direction: Vector) -> None:
-        """Take the packet of a ball at this squared distance and in this direction of the robot's frame."""
+    def receive(self, tick: int, ball: int, square_m2: float, direction: Vector) -> None:
+        """Receive the packet of a ball at this squared distance and in this direction of the robot's frame."""
         strength = 1 / square_m2
         if self._noise is not None:
             strength, direction = self._disturbed(self._noise.numbers(tick), ball, strength, direction)
-        self.receiver.hear(Packet(self.receiver.device, self._payload, strength, direction))
+        self.receiver.receive(Packet(self.receiver.device, self._payload, strength, direction))
 
     def _disturbed(
         self, errors: list[float], ball: int, strength: float, direction: Vector

@@ -27,18 +27,16 @@ DEVICES = Vocabulary("device")
 
 
 @dataclass(frozen=True)
-class Carrier:
-    """What a device may have to know of its robot.
+class RobotSetup:
+    """What a device needs of its robot.
 
     Attributes:
-        chassis: its body and its wheels.
         messages: form of the referee's packets, as in the kit.
         packet_every_ticks: how often the referee sends one.
         max_packet_bytes: of the largest radio packet.
-        own_channel: of its team's radio.
-        foreign_channels: those of other teams.
-        referee_channels: those on which the referee speaks to it.
-        open_channels: those on which the referee listens to it.
+        own_channel, foreign_channels: of its team's radio, and of those of other teams.
+        referee_channels: those on which the referee sends to it.
+        open_channels: those on which the referee receives from it.
     """
 
     chassis: Chassis
@@ -57,25 +55,21 @@ class Fitted:
 
     Attributes:
         robot: index of the robot in the roster.
-        robot_name: ``Y1``.
         device: its entry in the scenario.
         spec: what the program is given of it.
-        carrier: its robot.
     """
 
     robot: int
     robot_name: str
     device: "Device"
     spec: DeviceSpec
-    carrier: Carrier
+    setup: RobotSetup
 
 
 class FixedRay(NamedTuple):
     """A horizontal ray that turns with its robot.
 
     Attributes:
-        robot_name: whose body it is fixed to.
-        device_name: of the device that it belongs to.
         bearing_rad: counter-clockwise from the front.
         offset_m: where it starts, from the centre along the bearing.
         above_centre_m: how much higher than the centre of its body.
@@ -107,7 +101,7 @@ class RayFan(Protocol):
     directions: "NDArray[np.float64]"
 
     def cast(self, count: int) -> "NDArray[np.float64]":
-        """Return how far the first ``count`` rays go, in m; negative where they meet nothing. Overwritten next time."""
+        """Return the lengths of the first ``count`` rays in m (negative: nothing is met); overwritten next time."""
 
 
 @dataclass(frozen=True)
@@ -163,16 +157,12 @@ class Sight(Protocol):
 
 
 class Joints(Protocol):
-    """Angles and places of this tick.
-
-    Attributes:
-        state: all of them.
-    """
+    """Angles and places of this tick."""
 
     state: list[float]
 
     def wheel_angle_at(self, robot_name: str, wheel: int) -> int:
-        """Return where the angle of a wheel stands in `state`; it grows while the wheel drives forward."""
+        """Return the place of a wheel's angle in `state`; it grows while the wheel drives forward."""
 
 
 class Wheels(Protocol):
@@ -184,13 +174,7 @@ class Wheels(Protocol):
 
 @dataclass(frozen=True)
 class SensorContext:
-    """What sensors are made of in one half.
-
-    Attributes:
-        half: for the noise.
-        rays: into the world.
-        joints: refreshed every tick.
-    """
+    """What sensors are made of in one half; the joints are refreshed every tick."""
 
     half: HalfInfo
     rays: Rays
@@ -201,7 +185,7 @@ class Phrases(Protocol):
     """What a device's line on the rule sheet needs of the scenario; the sheet implements it."""
 
     def balls_with_infrared(self) -> str:
-        """Return which balls send infra-red: ``the ball``, ``all balls``; empty: none."""
+        """Return the balls that send infra-red: ``the ball``, ``all balls``; empty: none."""
 
 
 class Sensor:
@@ -228,7 +212,7 @@ class Sensor:
 
     @classmethod
     def reader(cls, sensors: Sequence[Self]) -> Reader:
-        """Return what reads some sensors of one robot; common kinds do it in one loop (ADR 10)."""
+        """Return a function that reads some sensors of one robot; common kinds do it in one loop (ADR 10)."""
         if len(sensors) == 1:
             return sensors[0].read
 
@@ -276,15 +260,15 @@ class Device(Word):
         """How many numbers a sample has."""
         return self.WIDTH
 
-    def facts(self, _carrier: Carrier) -> dict[str, Any]:
-        """Return what a program can ask without stepping, JSON-able."""
+    def facts(self, _setup: RobotSetup) -> dict[str, Any]:
+        """Return the values that a program can ask for without stepping, JSON-able."""
         return {}
 
     def contradictions(self, _chassis: Chassis) -> Iterable[tuple[str, str]]:
         """Return the fields that contradict others or the robot's chassis, each with what is wrong."""
         return ()
 
-    def fixed_ray(self, _robot_name: str, _name: str, _carrier: Carrier) -> FixedRay | None:
+    def fixed_ray(self, _robot_name: str, _name: str, _setup: RobotSetup) -> FixedRay | None:
         """Return the ray that it has the world carry along."""
         return None
 
@@ -298,5 +282,5 @@ class Device(Word):
         return None
 
     def describe(self, phrases: Phrases) -> str:
-        """Return what it is, with its range and its noise."""
+        """Return its words on the rule sheet, with its range and its noise."""
         raise NotImplementedError

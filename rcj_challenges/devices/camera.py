@@ -13,7 +13,7 @@ from pydantic import Field
 from rcj_challenges.chassis.base import Chassis
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.core.timing import TICK_S
-from rcj_challenges.devices.base import Carrier, Device, Eye, Fitted, Phrases
+from rcj_challenges.devices.base import Device, Eye, Fitted, Phrases, RobotSetup
 from rcj_challenges.devices.noise import sensor_stream
 from rcj_challenges.rules.fields import NotNegative, Positive, described
 from rcj_challenges.rules.phrasing import degrees, metres
@@ -70,17 +70,14 @@ robots:
             self.below_horizon,
         )  # fmt: skip
 
-    def facts(self, _carrier: Carrier) -> dict[str, Any]:
-        """Return what a program can ask without stepping."""
+    def facts(self, _setup: RobotSetup) -> dict[str, Any]:
         return {"width": self.width, "height": self.height, "fov": self.field_of_view_rad, "near": NEAR_M}
 
     def contradictions(self, _chassis: Chassis) -> Iterator[tuple[str, str]]:
-        """Yield fields that contradict others, each with what is wrong."""
         if self.light[0] > self.light[1]:
             yield "light", "the smallest brightness stands first"
 
     def describe(self, _phrases: Phrases) -> str:
-        """Return what it is."""
         where = f"bearing {degrees(self.bearing_rad)}, {degrees(self.field_of_view_rad)} wide"
         if self.field_of_view_rad >= math.pi:
             where += " as a panorama"
@@ -97,11 +94,8 @@ robots:
 
     def lit(self, palette: Sequence[Rgb], half: HalfInfo, fitted: Fitted) -> bytes:
         """Return the beginning of its pictures in a half: the colours in the light that is drawn for it."""
-        low, high = self.light
-        share = (
-            low
-            if low == high
-            else low + (high - low) * float(sensor_stream(half, fitted.robot_name, fitted.spec.name).random())
-        )
+        share, high = self.light
+        if share != high:
+            share += (high - share) * float(sensor_stream(half, fitted.robot_name, fitted.spec.name).random())
         parts = bytes(min(_FULL, int(part * share)) for colour in palette for part in colour)
         return bytes([len(palette)]) + parts

@@ -1,10 +1,9 @@
 """The device ``compass``."""
 
 import math
-from collections.abc import Sequence
-from typing import Literal, Self
+from typing import Literal
 
-from rcj_challenges.devices.base import Device, Fitted, Phrases, Reader, Sensor, SensorContext
+from rcj_challenges.devices.base import Device, Fitted, Phrases, Sensor, SensorContext
 from rcj_challenges.devices.noise import Noise
 from rcj_challenges.devices.poses import RobotPose
 from rcj_challenges.devices.wording import noise_words, order_words
@@ -30,11 +29,9 @@ robots:
     SENTENCE = "direction of north (noise: standard deviation 1.15°)"
 
     def make_sensor(self, fitted: Fitted, context: SensorContext) -> Sensor:
-        """Return the sensor of this device."""
         return CompassSensor(self, fitted, context)
 
     def describe(self, _phrases: Phrases) -> str:
-        """Return what it is."""
         noise = noise_words(degrees(self.noise_rad) if self.noise_rad else "")
         return f"direction of north{order_words(self.frame, ', given as [left, up, ahead]')}{noise}"
 
@@ -44,30 +41,16 @@ class CompassSensor(Sensor):
 
     def __init__(self, device: CompassDevice, fitted: Fitted, context: SensorContext) -> None:
         super().__init__(fitted.spec)
-        self.is_legacy = device.frame == "legacy"
+        self._is_legacy = device.frame == "legacy"
         self._noise_rad = device.noise_rad
-        self.noise = Noise.of(fitted, context.half) if device.noise_rad else None
-
-    @classmethod
-    def reader(cls, sensors: Sequence[Self]) -> Reader:
-        """Return what reads the sensors of a robot; the usual one has neither noise nor the legacy frame."""
-        first, *others = sensors
-        if others or first.noise is not None or first.is_legacy:
-            return super().reader(sensors)
-        slot = first.slot
-
-        def read(_tick: int, pose: RobotPose, values: list[float]) -> None:
-            values[slot], values[slot + 1], values[slot + 2] = pose.north()
-
-        return read
+        self._noise = Noise.of(fitted, context.half) if device.noise_rad else None
 
     def read(self, tick: int, pose: RobotPose, values: list[float]) -> None:
-        """Write the sample of a tick into the robot's numbers."""
         forward, left, up = pose.north()
-        if self.noise is not None:
-            forward, left = _turned(forward, left, self._noise_rad * self.noise.numbers(tick)[0])
+        if self._noise is not None:
+            forward, left = _turned(forward, left, self._noise_rad * self._noise.numbers(tick)[0])
         slot = self.slot
-        shown = (left, up, forward) if self.is_legacy else (forward, left, up)
+        shown = (left, up, forward) if self._is_legacy else (forward, left, up)
         values[slot], values[slot + 1], values[slot + 2] = shown
 
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from rcj_challenges.chassis.base import Chassis
 from rcj_challenges.core.timing import TICK_S
-from rcj_challenges.devices.base import Carrier, Device, Fitted, Phrases, Sensor, SensorContext
+from rcj_challenges.devices.base import Device, Fitted, Phrases, RobotSetup, Sensor, SensorContext
 from rcj_challenges.devices.noise import Noise
 from rcj_challenges.devices.poses import RobotPose
 from rcj_challenges.devices.wording import noise_words, order_words
@@ -61,7 +61,6 @@ robots:
 
     @property
     def numbers(self) -> int:
-        """How many numbers a sample has."""
         return self.points
 
     @property
@@ -82,8 +81,7 @@ robots:
             return 0.0, 0.0
         return self.field_of_view_rad / 2, -self.field_of_view_rad / (self.points - 1)
 
-    def facts(self, _carrier: Carrier) -> dict[str, Any]:
-        """Return what a program can ask without stepping."""
+    def facts(self, _setup: RobotSetup) -> dict[str, Any]:
         first_rad, step_rad = self.bearings
         return {
             "horizontal_resolution": self.points,
@@ -103,16 +101,13 @@ robots:
         }
 
     def contradictions(self, _chassis: Chassis) -> Iterator[tuple[str, str]]:
-        """Yield fields that contradict others, each with what is wrong."""
         if self.min_range_m >= self.max_range_m:
             yield "min_range_m", "must be less than max_range_m"
 
     def make_sensor(self, fitted: Fitted, context: SensorContext) -> Sensor:
-        """Return the sensor of this device."""
         return LidarSensor(self, fitted, context)
 
     def describe(self, _phrases: Phrases) -> str:
-        """Return what it is."""
         turning = f", turning at {self.frequency_hz:g} Hz" if self.rotating else ""
         noise = noise_words(metres(self.noise_m) if self.noise_m else "")
         order = order_words(self.frame, ", its points given as [left, up, ahead]")
@@ -124,11 +119,8 @@ robots:
     def _sweep(self) -> str:
         if self.points == 1:
             return "straight ahead"  # whatever its field of view is
-        return (
-            "clockwise from the front"
-            if self.is_full_turn
-            else f"over {degrees(self.field_of_view_rad)} from left to right"
-        )
+        over = f"over {degrees(self.field_of_view_rad)} from left to right"
+        return "clockwise from the front" if self.is_full_turn else over
 
 
 class Sector(NamedTuple):
@@ -145,7 +137,6 @@ class LidarSensor(Sensor):
     BLANK = 0.0  # a cell that the rays have not reached yet; source: reference, 4.2
 
     def __init__(self, device: LidarDevice, fitted: Fitted, context: SensorContext) -> None:
-        """Lay out the ring of rays in the robot's frame."""
         import numpy as np
 
         super().__init__(fitted.spec)
@@ -164,18 +155,16 @@ class LidarSensor(Sensor):
         self._whole = Sector(slice(None), self._forward, self._left)
         # Where in its clockwise turn from the front the head passes each cell, in turns.
         self._passed_at = (-bearings / (2 * math.pi)) % 1.0
-        self._above_centre_m = device.height_m - fitted.carrier.chassis.height_m / 2
+        self._above_centre_m = device.height_m - fitted.setup.chassis.height_m / 2
         self._noise = Noise.of(fitted, context.half, device.points) if device.noise_m else None
         self._fan = context.rays.fan(fitted.robot_name, device.height_m, device.max_range_m, device.points)
 
     def clear(self, values: list[float]) -> None:
-        """Forget all readings and begin the turn at the front."""
         super().clear(values)
         self._cells[:] = self.BLANK
         self._turns = 0.0
 
     def set_frequency(self, frequency_hz: float) -> None:
-        """Set how fast the head turns, within its bounds."""
         if math.isfinite(frequency_hz):
             lowest, highest = self._bounds_hz
             self._frequency_hz = min(highest, max(lowest, frequency_hz))

@@ -6,7 +6,7 @@ from typing import Any, Literal
 
 from rcj_challenges.chassis.base import WHEEL_NAMES, Chassis, WheelName, wheel_words
 from rcj_challenges.core.traffic import MotorCommand
-from rcj_challenges.devices.base import Carrier, Device, Fitted, Phrases, Wheels
+from rcj_challenges.devices.base import Device, Fitted, Phrases, RobotSetup, Wheels
 from rcj_challenges.rules.fields import OneOrMinusOne, described
 
 _BY_VELOCITY = math.inf
@@ -31,16 +31,13 @@ robots:
 """
     SENTENCE = "motor of the left wheel, positive speeds drive forward"
 
-    def facts(self, carrier: Carrier) -> dict[str, Any]:
-        """Return what a program can ask without stepping."""
-        return {"max_velocity": carrier.chassis.max_wheel_radps}
+    def facts(self, setup: RobotSetup) -> dict[str, Any]:
+        return {"max_velocity": setup.chassis.max_wheel_radps}
 
     def contradictions(self, chassis: Chassis) -> Iterable[tuple[str, str]]:
-        """Return a wheel that the chassis lacks."""
         return chassis.lacking(self.wheel)
 
     def describe(self, _phrases: Phrases) -> str:
-        """Return what it is."""
         way = "forward" if self.direction == 1 else "backward"
         return f"motor of {wheel_words(self.wheel)}, positive speeds drive {way}"
 
@@ -49,14 +46,13 @@ class Motors:
     """The motors of one robot. A wheel that was never commanded stays braked, as the world left it."""
 
     def __init__(self, robot: int, fitted: Sequence[Fitted], wheels: Wheels) -> None:
-        """Find the motors of a robot, by its index, among its devices."""
         self._robot = robot
         self._wheels = wheels
         self._motors = {
             one.spec.index: (
-                one.carrier.chassis.number_of(one.device.wheel),
+                one.setup.chassis.number_of(one.device.wheel),
                 one.device.direction,
-                one.carrier.chassis.max_wheel_radps,
+                one.setup.chassis.max_wheel_radps,
             )
             for one in fitted
             if isinstance(one.device, MotorDevice)

@@ -37,13 +37,9 @@ class Noise:
         self, half: HalfInfo, devices: Sequence[tuple[str, str]], draws_per_tick: int = 1,
         scale: NDArray[np.float64] | float = 1.0,
     ) -> None:  # fmt: skip
-        """Open the streams.
+        """Open a stream for each device, (robot, device) by name.
 
-        Args:
-            half: for seed and number of the half.
-            devices: (robot, device) by name, one stream each.
-            draws_per_tick: how many numbers each device uses in a tick.
-            scale: what a row is multiplied by: one number, or one for each of its draws.
+        Each uses so many numbers in a tick; a row is multiplied by ``scale``: one number, or one for each of its draws.
         """
         import numpy as np
 

@@ -38,7 +38,7 @@ class RobotPose:
     __slots__ = ("_nominal_z", "cos", "parked", "rotation", "sin", "tipped", "x", "y", "z")
 
     def __init__(self, nominal_z: float) -> None:
-        """Build the pose of a robot whose centre is at the height ``nominal_z`` in m while it stands."""
+
         self._nominal_z = nominal_z
         self.x = self.y = 0.0
         self.z = nominal_z

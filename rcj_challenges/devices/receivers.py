@@ -6,9 +6,8 @@ from rcj_challenges.core.traffic import Packet
 from rcj_challenges.devices.base import Device
 
 ANY_CHANNEL = -1
-"""What a receiver is set to that hears all channels of its kind (Webots: -1): those of its team and the referee's, or
-the balls'; those of another team stay silent. No emitter may send on all of them: among
-them is the referee's."""
+"""The channel of a receiver of all channels of its kind (Webots: -1): those of its team and the referee's, or
+the balls', but not those of another team. No emitter may send on all of them: among them is the referee's."""
 
 QUEUE_PACKETS = 16_384
 """Packets that wait for a program that does not look: with five a tick, those of 105 s."""
@@ -28,11 +27,7 @@ class ReceiverDevice(Device):
 
 
 class Queue:
-    """First in, first out; when memory runs out the oldest packets are dropped.
-
-    Attributes:
-        put: appends a packet.
-    """
+    """First in, first out; when memory runs out the oldest packets are dropped. `put` appends a packet."""
 
     __slots__ = ("_packets", "put")
 
@@ -67,16 +62,14 @@ class Receiver:
     Attributes:
         robot: index of the robot.
         device: index of the receiver among its robot's devices.
-        channel: what it listens to now.
-        range_m: how far it hears, in m.
         period_ticks: 0 while disabled.
-        hear: takes a packet that arrived at this tick. Another function after `set_period`: look it up again then.
+        receive: takes a packet that arrived at this tick. Another function after `set_period`: look it up again then.
     """
 
-    __slots__ = ("_held", "_next", "_queue", "channel", "device", "hear", "period_ticks", "range_m", "robot")
+    __slots__ = ("_held", "_next", "_queue", "channel", "device", "period_ticks", "range_m", "receive", "robot")
 
     def __init__(self, robot: int, device: int, channel: int, range_m: float, queue: Queue) -> None:
-        """Build a receiver that delivers into its robot's queue."""
+
         self.robot = robot
         self.device = device
         self.channel = channel
@@ -85,7 +78,7 @@ class Receiver:
         self._next = 0
         self._queue = queue
         self._held = Queue()
-        self.hear: Callable[[Packet], None] = _ignore
+        self.receive: Callable[[Packet], None] = _ignore
 
     def set_period(self, period_ticks: int, now: int) -> None:
         """Set the sampling period; 0 makes it deaf and drops what it has not delivered."""
@@ -95,12 +88,12 @@ class Receiver:
         self._next = now + period_ticks
         if not period_ticks:
             self._held.take()
-            self.hear = _ignore
+            self.receive = _ignore
         elif period_ticks == 1:  # from now on nothing is held back: what is goes before all that comes
             self._hand_over()
-            self.hear = self._queue.put
+            self.receive = self._queue.put
         else:
-            self.hear = self._held.put
+            self.receive = self._held.put
 
     @property
     def slow(self) -> bool:
@@ -108,7 +101,7 @@ class Receiver:
         return self.period_ticks > 1
 
     def deliver(self, tick: int) -> None:
-        """At a sampling tick, hand over what arrived since the last. To be called each tick, after all `hear`."""
+        """At a sampling tick, hand over what arrived since the last. To be called each tick, after all `receive`."""
         if self.period_ticks and tick >= self._next:
             self._next = tick + self.period_ticks
             self._hand_over()

@@ -8,7 +8,7 @@ import math
 from collections.abc import Sequence
 from typing import Any, Literal, Self, cast
 
-from rcj_challenges.devices.base import Carrier, Device, Fitted, FixedRay, Phrases, Reader, Sensor, SensorContext
+from rcj_challenges.devices.base import Device, Fitted, FixedRay, Phrases, Reader, RobotSetup, Sensor, SensorContext
 from rcj_challenges.devices.noise import Noise
 from rcj_challenges.devices.poses import RobotPose
 from rcj_challenges.devices.wording import noise_words, percent_words
@@ -60,22 +60,18 @@ robots:
         "without an echo of what it meets at 22.5° or more off the perpendicular"
     )
 
-    def facts(self, _carrier: Carrier) -> dict[str, Any]:
-        """Return what a program can ask without stepping."""
+    def facts(self, _setup: RobotSetup) -> dict[str, Any]:
         return {"min_value": 0.0, "max_value": 1000.0 * self.range_m, "bearing_rad": self.bearing_rad}
 
-    def fixed_ray(self, robot_name: str, name: str, carrier: Carrier) -> FixedRay:
-        """Return its ray."""
-        return FixedRay(robot_name, name, self.bearing_rad, self.offset_m, self.height_m - carrier.chassis.height_m / 2)
+    def fixed_ray(self, robot_name: str, name: str, setup: RobotSetup) -> FixedRay:
+        return FixedRay(robot_name, name, self.bearing_rad, self.offset_m, self.height_m - setup.chassis.height_m / 2)
 
     @classmethod
     def make_sensors(cls, fitted: Sequence[Fitted], context: SensorContext) -> "Sequence[SonarSensor]":
-        """Return all sonars of a half, which share their echoes."""
         echoes = Echoes(fitted, context)
         return [SonarSensor(number, one, echoes, context) for number, one in enumerate(fitted)]
 
     def describe(self, _phrases: Phrases) -> str:
-        """Return what it is."""
         noise = noise_words(percent_words(self.noise, "the value from 1 m on, less when nearer"))
         if self.noise and self.range_m < NOISE_FULL_FROM_M:
             # It never measures as far as where the noise stops growing: the figure that holds is that of its own range.
@@ -111,7 +107,7 @@ class Echoes:
         self.errors: list[float] = []
 
     def measure(self, tick: int) -> None:
-        """Measure all rays."""
+
         self.tick = tick
         self.rays = self._fixed.measure()
         self.errors = self._noise.numbers(tick)
@@ -137,7 +133,6 @@ class SonarSensor(Sensor):
 
     @classmethod
     def reader(cls, sensors: Sequence[Self]) -> Reader:
-        """Return what reads the sonars of a robot in one loop."""
         echoes, rows = sensors[0].echoes, [sensor.row for sensor in sensors]
         full_from_m, mm_per_m = NOISE_FULL_FROM_M, _MM_PER_M
 

@@ -2,12 +2,12 @@
 
 from typing import Any, Literal
 
-from rcj_challenges.devices.base import Carrier, Phrases
+from rcj_challenges.devices.base import Phrases, RobotSetup
 from rcj_challenges.devices.receivers import ReceiverDevice
 from rcj_challenges.rules.fields import described
 
 RANGE_M = 10.0
-"""How far it hears. Source: reference, 4.1."""
+"""Source: reference, 4.1."""
 
 
 class SupervisorReceiverDevice(ReceiverDevice):
@@ -22,13 +22,11 @@ robots:
 """
     SENTENCE = "receiver of the referee's packets, channel 1"
 
-    def facts(self, carrier: Carrier) -> dict[str, Any]:
-        """Return what a program can ask without stepping."""
-        facts = {"channel": self.channel, "range": RANGE_M, "refused_channels": list(carrier.foreign_channels)}
-        if carrier.messages == "2021":  # what is sent after a tick is received in the next one
-            facts["silent_ticks"] = carrier.packet_every_ticks
+    def facts(self, setup: RobotSetup) -> dict[str, Any]:
+        facts = {"channel": self.channel, "range": RANGE_M, "refused_channels": list(setup.foreign_channels)}
+        if setup.messages == "2021":  # what is sent after a tick is received in the next one
+            facts["silent_ticks"] = setup.packet_every_ticks
         return facts
 
     def describe(self, _phrases: Phrases) -> str:
-        """Return what it is."""
         return f"receiver of the referee's packets, channel {self.channel}"

@@ -4,7 +4,7 @@ from collections import deque
 from typing import Any, Literal
 
 from rcj_challenges.core.timing import TICK_MS, TICK_S
-from rcj_challenges.devices.base import Carrier, Device, Phrases
+from rcj_challenges.devices.base import Device, Phrases, RobotSetup
 from rcj_challenges.devices.receivers import ANY_CHANNEL
 from rcj_challenges.rules.fields import Positive, described
 from rcj_challenges.rules.phrasing import counted, metres
@@ -43,22 +43,20 @@ robots:
 """
     SENTENCE = "team radio, sends up to 10 m far, 9600 baud (38.4 bytes in a tick)"
 
-    def facts(self, carrier: Carrier) -> dict[str, Any]:
-        """Return what a program can ask without stepping."""
-        heard_by_referee = {"referee_channels": list(carrier.open_channels)} if carrier.open_channels else {}
+    def facts(self, setup: RobotSetup) -> dict[str, Any]:
+        open_to_referee = {"referee_channels": list(setup.open_channels)} if setup.open_channels else {}
         return {
-            **heard_by_referee,
-            "channel": carrier.own_channel,
+            **open_to_referee,
+            "channel": setup.own_channel,
             "range": self.range_m,
             "baud_rate": self.baud,
-            "max_packet_bytes": carrier.max_packet_bytes,
+            "max_packet_bytes": setup.max_packet_bytes,
             "refused_channels": sorted(
-                {ANY_CHANNEL, *carrier.foreign_channels, *carrier.referee_channels} - {*carrier.open_channels}
+                {ANY_CHANNEL, *setup.foreign_channels, *setup.referee_channels} - {*setup.open_channels}
             ),
         }
 
     def describe(self, _phrases: Phrases) -> str:
-        """Return what it is."""
         in_a_tick = f"{counted(self.baud * TICK_S / _BITS_PER_BYTE, 'byte')} in a tick"
         return f"team radio, sends up to {metres(self.range_m)} far, {self.baud} baud ({in_a_tick})"
 
@@ -70,13 +68,11 @@ class Emitter:
 
     Attributes:
         robot: index of the robot.
-        range_m: how far it is heard, in m.
-        waiting: (tick of arrival, channel, data) of what has not arrived.
-        to_referee: (tick of arrival, data) of what the referee has not heard.
+        waiting: (tick of arrival, channel, data) of packets that have not arrived.
+        to_referee: (tick of arrival, data) of packets that the referee has not received.
     """
 
     def __init__(self, robot: int, range_m: float, baud: int, max_packet_bytes: int) -> None:
-        """Build an emitter that has nothing to send."""
         self.robot = robot
         self.range_m = range_m
         self._per_tick = baud * TICK_MS
@@ -94,9 +90,9 @@ class Emitter:
             self.waiting.append((self._arrival(data, now), channel, data))
 
     def send_to_referee(self, data: bytes, now: int) -> None:
-        """Queue a packet for the referee: it is on the air as any other, and no robot hears it.
+        """Queue a packet for the referee: it is on the air as any other, and no robot receives it.
 
-        Its backlog is one of its own: the referee hears one message a tick, which must not silence the team's radio.
+        Its backlog is one of its own: the referee receives one message a tick, which must not block the team's radio.
         """
         if self._has_room(data, len(self.to_referee), self._bytes_to_referee):
             self._bytes_to_referee += len(data)

@@ -2,7 +2,7 @@
 
 from typing import Any, Literal
 
-from rcj_challenges.devices.base import Carrier, Phrases
+from rcj_challenges.devices.base import Phrases, RobotSetup
 from rcj_challenges.devices.receivers import ReceiverDevice
 from rcj_challenges.rules.fields import Positive, described
 from rcj_challenges.rules.phrasing import metres
@@ -21,14 +21,12 @@ robots:
 """
     SENTENCE = "team radio, receives from up to 0.5 m"
 
-    def facts(self, carrier: Carrier) -> dict[str, Any]:
-        """Return what a program can ask without stepping."""
+    def facts(self, setup: RobotSetup) -> dict[str, Any]:
         return {
-            "channel": carrier.own_channel,
+            "channel": setup.own_channel,
             "range": self.range_m,
-            "refused_channels": list(carrier.foreign_channels),
+            "refused_channels": list(setup.foreign_channels),
         }
 
     def describe(self, _phrases: Phrases) -> str:
-        """Return what it is."""
         return f"team radio, receives from up to {metres(self.range_m)}"

@@ -29,15 +29,12 @@ robots:
     SENTENCE = "angle of the left wheel in rad, grows while the robot drives forward"
 
     def make_sensor(self, fitted: Fitted, context: SensorContext) -> Sensor:
-        """Return the sensor of this device."""
         return WheelSensor(self, fitted, context)
 
     def contradictions(self, chassis: Chassis) -> Iterable[tuple[str, str]]:
-        """Return a wheel that the chassis lacks."""
         return chassis.lacking(self.wheel)
 
     def describe(self, _phrases: Phrases) -> str:
-        """Return what it is."""
         driving = "forward" if self.direction == 1 else "backward"
         return f"angle of {wheel_words(self.wheel)} in rad, grows while the robot drives {driving}"
 
@@ -53,12 +50,11 @@ class WheelSensor(Sensor):
     def __init__(self, device: WheelSensorDevice, fitted: Fitted, context: SensorContext) -> None:
         super().__init__(fitted.spec)
         self.joints = context.joints
-        number = fitted.carrier.chassis.number_of(device.wheel)
+        number = fitted.setup.chassis.number_of(device.wheel)
         self.row = (self.slot, context.joints.wheel_angle_at(fitted.robot_name, number), device.direction)
 
     @classmethod
     def reader(cls, sensors: Sequence[Self]) -> Reader:
-        """Return what reads the sensors of a robot in one loop."""
         joints, rows = sensors[0].joints, [sensor.row for sensor in sensors]
 
         def read(_tick: int, _pose: RobotPose, values: list[float]) -> None:

@@ -15,5 +15,5 @@ def percent_words(share: float, of: str) -> str:
 
 
 def order_words(frame: str, legacy: str) -> str:
-    """Return in which order numbers are given, where that is not the usual one."""
+    """Return the order in which numbers are given, where that is not the usual one."""
     return f"{legacy} as in the worlds of 2021" if frame == "legacy" else ""

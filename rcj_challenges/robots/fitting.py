@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rcj_challenges.core.traffic import DeviceSpec, RobotSpec
-from rcj_challenges.devices.base import Carrier, Fitted, FixedRay
+from rcj_challenges.devices.base import Fitted, FixedRay, RobotSetup
 from rcj_challenges.devices.supervisor_receiver import SupervisorReceiverDevice
 from rcj_challenges.robots.channels import listening_channels, team_channels
 from rcj_challenges.scenario.kit_devices import devices_of, kit_of, referee_listens
@@ -29,7 +29,7 @@ def fit(scenario: Scenario, roster: Roster) -> list[Fitted]:
         name = roster.entities[robot]
         devices = devices_of(scenario, name)
         kit = kit_of(scenario, name)
-        carrier = Carrier(
+        setup = RobotSetup(
             chassis=kit.chassis,
             messages=kit.messages,
             packet_every_ticks=kit.packet_every_ticks,
@@ -47,16 +47,16 @@ def fit(scenario: Scenario, roster: Roster) -> list[Fitted]:
                 index=index,
                 slot=slot if device.numbers else -1,
                 width=device.numbers,
-                facts=device.facts(carrier),
+                facts=device.facts(setup),
             )
             slot += device.numbers
-            fitted.append(Fitted(robot, name, device, spec, carrier))
+            fitted.append(Fitted(robot, name, device, spec, setup))
     return fitted
 
 
 def fixed_rays(fitted: Sequence[Fitted]) -> list[FixedRay]:
     """Return the rays that the world carries along for devices, in their order."""
-    rays = (one.device.fixed_ray(one.robot_name, one.spec.name, one.carrier) for one in fitted)
+    rays = (one.device.fixed_ray(one.robot_name, one.spec.name, one.setup) for one in fitted)
     return [ray for ray in rays if ray is not None]
 
 

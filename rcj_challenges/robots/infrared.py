@@ -56,4 +56,4 @@ class Infrared:
                         break
                     distance = math.sqrt(square)
                     direction = pose.to_frame(dx / distance, dy / distance, dz / distance)
-                receiver.hear(tick, ball, square, direction)
+                receiver.receive(tick, ball, square, direction)

@@ -91,8 +91,8 @@ class RefereeRadio:
     def carry(self) -> None:
         """Bring what was said after the last tick to the receivers that listen."""
         for said in self._in_the_air:
-            for hear, packet in self._deliveries.get(said) or self._addressed(said):
-                hear(packet)
+            for receive, packet in self._deliveries.get(said) or self._addressed(said):
+                receive(packet)
         self._in_the_air = ()
 
     def _official(self, poses: Poses, *, waiting: bool) -> bytes:
@@ -114,7 +114,7 @@ class RefereeRadio:
         data, robots = said
         hearing = [one for one in self._listening if robots is None or one.robot in robots]
         packets = {one.device: Packet(one.device, data, STRENGTH, DIRECTION) for one in hearing}
-        delivery = [(receiver.hear, packets[receiver.device]) for receiver in hearing]
+        delivery = [(receiver.receive, packets[receiver.device]) for receiver in hearing]
         self._deliveries[said] = delivery
         return delivery
 

@@ -57,4 +57,4 @@ def _spread(emitter: Emitter, arriving: list[tuple[int, bytes]], listeners: list
         inverse = 1 / math.sqrt(square)
         direction = pose.to_frame(dx * inverse, dy * inverse, dz * inverse)
         for _, data in heard:
-            receiver.hear(Packet(receiver.device, data, 1 / square, direction))
+            receiver.receive(Packet(receiver.device, data, 1 / square, direction))

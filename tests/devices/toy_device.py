@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 from typing import Any, Literal
 
-from rcj_challenges.devices.base import DEVICES, Carrier, Device, Fitted, Phrases, Sensor, SensorContext
+from rcj_challenges.devices.base import DEVICES, Device, Fitted, Phrases, RobotSetup, Sensor, SensorContext
 from rcj_challenges.devices.noise import Noise
 from rcj_challenges.devices.poses import RobotPose
 from rcj_challenges.devices.wording import noise_words
@@ -28,7 +28,7 @@ robots:
   B1: {devices: {midline: {device: midline, noise_m: 0.001}}}
 """
 
-    def facts(self, _carrier: Carrier) -> dict[str, Any]:
+    def facts(self, _setup: RobotSetup) -> dict[str, Any]:
         """Return what a program can ask without stepping."""
         return {"is_noisy": self.noise_m > 0}
 
