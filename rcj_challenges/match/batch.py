@@ -52,12 +52,7 @@ class MatchProcess(subprocess.Popen[str]):
 
 @dataclass(frozen=True)
 class Job:
-    """One match to be played.
-
-    Attributes:
-        seed: of the match.
-        arguments: of ``rcj-challenge run``, without seed and output format.
-    """
+    """One match to be played; the arguments of ``rcj-challenge run`` are without seed and output format."""
 
     seed: int
     arguments: tuple[str, ...]
@@ -104,7 +99,6 @@ class Outcome:
     """The outcome of a job.
 
     Attributes:
-        job: the job.
         result: as in ``result.json``; None if the match could not be played.
         complaint: what its process wrote to stderr, if it could not.
         wrong_input: True if the input was wrong, so that a retry is useless.
@@ -133,10 +127,7 @@ def play_many(jobs: Sequence[Job], at_once: int, on_done: Callable[[Outcome], No
     running ones are interrupted and keep their records; ``on_done`` has been called with all outcomes before. If this
     process is killed, they end as on Ctrl-C.
 
-    Args:
-        jobs: what to play.
-        at_once: how many processes at a time.
-        on_done: called in this thread with each outcome as it comes.
+    ``on_done`` is called in this thread with each outcome as it comes.
 
     Raises:
         KeyboardInterrupt: after the running matches have been ended.

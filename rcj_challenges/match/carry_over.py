@@ -24,20 +24,14 @@ class CarryOver:
     """
 
     def __init__(self, scenario: Scenario) -> None:
-        """Begin a match with 0 points."""
+
         self.scores: dict[str, Score] = dict.fromkeys(scenario.entrants, 0)
         self.kept: dict[str, Any] = {}
         self._scenario = scenario
         self._tallies: list[Tally] = []
 
     def add(self, half: HalfInfo, referee: Referee, ticks: int) -> None:
-        """Add a half that is over.
-
-        Args:
-            half: as the referee got it.
-            referee: that judged it.
-            ticks: how many were judged.
-        """
+        """Add a half that is over; so many ticks of it were judged."""
         self.scores = by_team(referee.scores, half.teams)
         self.kept = dict(referee.kept)
         began = half.kept.get("counters", {})

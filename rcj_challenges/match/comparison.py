@@ -19,7 +19,7 @@ _SEED_STEP, _MAX_SEEDS = 5, 1000
 
 
 def gains(new: Result, old: Result, team: str, rank: Rank) -> tuple[Score, ...]:
-    """Return by how much a result is better, by criterion; of scores, the lead over the best opponent is compared."""
+    """Return the gain of a result by criterion; of scores, the lead over the best opponent is compared."""
     compared = zip(rank, _values(new, team, rank), _values(old, team, rank), strict=True)
     return tuple(round_score(sign(criterion) * (before - now)) for criterion, now, before in compared)
 
@@ -74,7 +74,7 @@ def sign_test(better: int, worse: int, equal: int) -> dict[str, Any]:
 
 
 def _needed_seeds(played: int, differ: int, share: float) -> int | None:
-    """Return how many seeds would show a difference of this size in 7 of 10 cases."""
+    """Return the number of seeds that would show a difference of this size in 7 of 10 cases."""
     for seeds in range((played // _SEED_STEP + 1) * _SEED_STEP, _MAX_SEEDS + 1, _SEED_STEP):
         tested = round(seeds * differ / played)
         if binom.sf(binom.isf(_SIGNIFICANT / 2, tested, 0.5), tested, share) >= _POWER:

@@ -12,7 +12,7 @@ class Driver(Protocol):
     """What drives one robot: a program in a process, or a stand-in in tests."""
 
     def collect(self) -> Request | Fault:
-        """Wait for its next request, or learn that it failed."""
+        """Wait for its next request, or for its fault."""
 
     def collect_soon(self) -> Request | Fault | None:
         """Return the request if it is here or comes at once; None: `collect` has to wait for it."""
@@ -20,5 +20,5 @@ class Driver(Protocol):
     def release(self, observation: Observation) -> None:
         """Let its ``step`` return."""
 
-    def overstepped(self, tick: int) -> Fault | None:
+    def limit_fault(self, tick: int) -> Fault | None:
         """Return a fault if its threads use more than they may during a long ``step``."""

@@ -17,10 +17,6 @@ if TYPE_CHECKING:
 def load_stage(load: Callable[[str], Any] = import_module, system: str = sys.platform) -> Callable[..., HalfStage]:
     """Return `rcj_challenges.match.stage.build_stage`.
 
-    Args:
-        load: imports a module.
-        system: as `sys.platform` calls it.
-
     Raises:
         HostError: MuJoCo or numpy cannot be loaded on this computer.
     """

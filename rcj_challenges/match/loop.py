@@ -20,7 +20,6 @@ class LoopResult:
     """How a half ended.
 
     Attributes:
-        ticks: how many were judged.
         ended: None if the time was up, else the reason of the rule that ended it, or the match when it was over.
         ends_match: whether that rule ended the whole match.
         closing: the output of the rules of ``half_ended`` after the last tick.
@@ -32,7 +31,7 @@ class LoopResult:
     closing: RefereeOutput
 
 
-_LOOKED_AFTER_EVERY = 64
+_LIMITS_EVERY = 64
 """Ticks between checks of programs in longer steps."""
 
 OnTick = Callable[[Snapshot, RefereeOutput, bytes, bytes], None]
@@ -56,7 +55,6 @@ class TickLoop:
 
     Attributes:
         on_tick: called with every judged tick, while the programs compute the next.
-        on_fault: called for programs that fail.
         before_tick: called before each simulated tick, when all programs that were due have answered. It may wait:
             that does not count towards limits, and no program computes meanwhile.
         tick: the last one that was judged.
@@ -112,7 +110,7 @@ class TickLoop:
     def _one_tick(self, tick: int) -> RefereeOutput:
         stage = self.stage
         if self._later:
-            self._apply_what_was_late(tick)
+            self._apply_late_requests(tick)
         faults, self._faults = tuple(self._faults), []
         snapshot = stage.world.step(tick, faults)
         messages = stage.devices.messages_to_referee(tick)
@@ -130,8 +128,8 @@ class TickLoop:
         due = self._sense_and_release(tick, plays_on=should_continue(stage.referee, output, tick, self.half))
         self.on_tick(snapshot, output, state, stage.world.poses_bytes())
         self._collect(due)
-        if tick % _LOOKED_AFTER_EVERY == 0:
-            self._look_after_those_away(tick)
+        if tick % _LIMITS_EVERY == 0:
+            self._check_long_steps(tick)
         return output
 
     def _hold(self, output: RefereeOutput) -> None:
@@ -140,9 +138,9 @@ class TickLoop:
         world = self.stage.world
         world.hold_robots(range(world.tables.robots) if output.robots_held else output.held)
 
-    def _look_after_those_away(self, tick: int) -> None:
+    def _check_long_steps(self, tick: int) -> None:
         for robot, due in list(self._due.items()):
-            fault = self._alive[robot].overstepped(tick) if due > tick + _LOOKED_AFTER_EVERY else None
+            fault = self._alive[robot].limit_fault(tick) if due > tick + _LIMITS_EVERY else None
             if fault is not None:
                 self._take(robot, fault)
 
@@ -187,7 +185,7 @@ class TickLoop:
         else:
             self.stage.devices.apply(robot, answer)
 
-    def _apply_what_was_late(self, tick: int) -> None:
+    def _apply_late_requests(self, tick: int) -> None:
         """Requests of programs that slept take effect at the tick at which they woke up."""
         for begins, robot, request in self._later:
             if begins < tick:

@@ -16,11 +16,9 @@ class Progress:
     """How far a match is.
 
     Attributes:
-        half: what is being played.
         tick: ticks of this half that are judged.
         clock_ticks: those of them that count for its length; the clock stops in some phases.
         scores: by seat.
-        phase: phase of the referee.
         factor: simulated time over wall time, since the first tick of the half; 0 if that is not known yet.
         remaining_s: estimated wall time to the end of the match in s.
     """
@@ -39,7 +37,6 @@ class ProgramTimes:
     """The time charged to one program in a half (`TimeBudget`); it differs from run to run.
 
     Attributes:
-        robot: whose program.
         steps: how many times it called ``step``.
         started_s: until its first ``step``, in s; 0: it never called it.
         waited_s: for all its later steps together, in s.
@@ -83,8 +80,7 @@ class Observer:
     def before_tick(self, tick: int) -> float:
         """A tick is about to be simulated. The one call that may wait: programs that are due have all answered.
 
-        Returns:
-            How long it waited in s, which does not count as time of the match.
+        Return the time in s that it waited, which does not count as time of the match.
         """
         return 0.0
 
@@ -123,9 +119,9 @@ class ObserverGroup(Observer):
     )
 
     def sensing(self, half: HalfInfo, robots: Sequence[SensedRobot]) -> Sequence[SensorListener]:
-        """Return the listeners of all."""
+
         return [listener for observer in self.observers for listener in observer.sensing(half, robots)]
 
     def before_tick(self, tick: int) -> float:
-        """Return how long all waited together in s."""
+
         return add_up([observer.before_tick(tick) for observer in self.observers])

@@ -24,8 +24,7 @@ class TickEffects:
     """Writes the record of a half, calls observers, shows programs' output, and keeps the pace of the clock.
 
     Attributes:
-        later_ticks: how long the halves after it are.
-        referee: for the scores and the clock.
+        later_ticks: of the halves after it.
         show_output: robots of the pool whose output is shown.
         real_time: True: no tick is judged before its time on a clock that starts with the first one.
     """

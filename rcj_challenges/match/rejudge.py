@@ -28,14 +28,7 @@ class MisfitError(DiagnosticError):
     """A record with other participants than the scenario, which therefore cannot judge it."""
 
     def __init__(self, scenario: Scenario, what: str, played: Sequence[str], wanted: Sequence[str]) -> None:
-        """Compare the participants.
 
-        Args:
-            scenario: that was to judge.
-            what: must be the same.
-            played: in the match.
-            wanted: by the scenario.
-        """
         lists = f"the match had {', '.join(played)}, the scenario has {', '.join(wanted)}"
         differ = lists if set(played) != set(wanted) else f"their order differs: {lists}"
         message = f"the scenario {scenario.id!r} cannot judge this match: {what} must be the same; {differ}"
@@ -48,8 +41,6 @@ class JudgedHalf:
     """One half, as far as it could be judged.
 
     Attributes:
-        half: 1-based.
-        ticks: how many were judged.
         ended: the reason of the rule that ended it; None if none did.
         complete: False if the recorded poses end before these rules end the half.
     """
@@ -66,9 +57,7 @@ class Judgement:
 
     Attributes:
         scores: points by team.
-        ranking: as in ``result.json``.
-        events: as in ``result.json``, in order.
-        halves: those that were judged.
+        ranking, events: as in ``result.json``.
         complete: whether all halves that these rules require were judged to their end.
     """
 
@@ -81,13 +70,7 @@ class Judgement:
 
 @dataclass(frozen=True)
 class Difference:
-    """An event in which two judgements differ.
-
-    Attributes:
-        half, tick: when.
-        event: its name.
-        before, after: its payload; None where there is no such event.
-    """
+    """An event in which two judgements differ, with its payload in both; None where there is no such event."""
 
     half: int
     tick: int
@@ -111,10 +94,6 @@ def rejudge(trajectory: Trajectory, scenario: Scenario) -> Judgement:
     """Judge a recorded match by the rules of a scenario; scores and what is kept pass from half to half by these.
 
     The poses stay those that were recorded: placements of these rules have no effect on them.
-
-    Args:
-        trajectory: of the match.
-        scenario: that it was played by, or one with the same robots, balls, obstacles and entrants.
 
     Raises:
         MisfitError: match and scenario have different participants.
@@ -142,12 +121,7 @@ def rejudge(trajectory: Trajectory, scenario: Scenario) -> Judgement:
 
 @dataclass(frozen=True)
 class Recorded:
-    """The verdict in the record of a match, as far as its poses go.
-
-    Attributes:
-        scores: points by team.
-        events: as in ``result.json``, in order.
-    """
+    """The verdict in the record of a match, as far as its poses go: points by team, events as in ``result.json``."""
 
     scores: dict[str, Score]
     events: list[dict[str, Any]]
@@ -157,12 +131,7 @@ def recorded(trajectory: Trajectory, log: RefereeLog, scores: Mapping[str, Score
     """Return the data to be compared with a judgement.
 
     Of a match that was killed, or is still played, poses are written later than the referee's log, and the score when
-    a half is over: events and score are taken from the log, up to the last pose.
-
-    Args:
-        trajectory: of the match.
-        log: of the referee.
-        scores: by team, from ``result.json``.
+    a half is over: events and score are taken from the log, up to the last pose. ``scores`` are those in the result.
     """
     points = dict(scores)
     if not trajectory.finished:
@@ -173,12 +142,7 @@ def recorded(trajectory: Trajectory, log: RefereeLog, scores: Mapping[str, Score
 
 
 def differences(before: Sequence[Mapping[str, Any]], after: Sequence[Mapping[str, Any]]) -> list[Difference]:
-    """Return the events that are only in one list, or have different payloads, in the order of time.
-
-    Args:
-        before: as in ``result.json``.
-        after: the same, of the other judgement.
-    """
+    """Return the events, as in ``result.json``, that are only in one list, or have different payloads, by time."""
     found: list[Difference] = []
     first, second = _by_moment(before), _by_moment(after)
     for half, tick, name in first | second:
@@ -201,10 +165,10 @@ def _by_moment(events: Iterable[Mapping[str, Any]]) -> dict[tuple[int, int, str]
 
 
 def _must_fit(trajectory: Trajectory, scenario: Scenario, roster: Roster) -> None:
-    """Raise if scenario and match have different participants.
+    """Compare the participants.
 
     Raises:
-        MisfitError: other things or entrants took part.
+        MisfitError: scenario and match have different ones.
     """
     seats = set(scenario.entrants)
     there = (trajectory.entities, trajectory.robots, trajectory.balls, trajectory.things)

@@ -36,10 +36,8 @@ class MatchPlan:
     """Everything that decides a match, and where its record goes.
 
     Attributes:
-        loaded: the scenario.
         teams: by seat of the first half; a SuperTeam has a team for each robot of the seat.
         team_names: as shown and logged, by seat of the first half; overrides what the teams call themselves.
-        seed: of all random streams.
         match_id: as printed in MATCH_START.
         out: the folder in which the record's folder is made.
         record_name: name of the record's folder; left out: time and scenario.
@@ -64,7 +62,7 @@ class MatchPlan:
     record_sensors: bool = False
 
     def name_of(self, team: str) -> str:
-        """Return what a team is called."""
+        """Return the name of a team."""
         return self.team_names.get(team) or self.teams[team].name
 
     @property
@@ -78,7 +76,6 @@ class PlayedMatch:
     """A match that is over, or was interrupted.
 
     Attributes:
-        folder: of its record.
         result: as in ``result.json``.
         notes: by robot: what the module ``controller`` refused or ignored of its program's calls.
     """
@@ -92,7 +89,6 @@ class MatchInterruptedError(KeyboardInterrupt):
     """Ctrl-C during a match, or while its end was shown. Its record is closed and contains everything that was played.
 
     Attributes:
-        played: as far as it went.
         trouble: why the record could not be closed properly; empty if it was.
     """
 
@@ -200,7 +196,7 @@ class _MatchRunner:
             )
             record.begin_half(half)
             self._observer.half_started(half)
-            recording.tell(self._observer, half)
+            recording.attach(self._observer, half)
             outcome = TickLoop(stage, half, effects.after_tick, self._observer.fault, self._before_tick).play()
             record.end_half(outcome.closing, outcome.ended)
             pool.finish(

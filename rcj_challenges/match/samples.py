@@ -19,12 +19,7 @@ def sample_team(scenario: Scenario, seat: str, bases: Sequence[Scenario] = ()) -
 
     That is the team made for this scenario; else one made for a scenario that it extends, if the seat's robots have
     the same kits there, since a program of one kit cannot drive another; else one of the match's, unless the scenario
-    gives robots of the match another kit.
-
-    Args:
-        scenario: what is played.
-        seat: one of its entrants.
-        bases: the scenarios that it extends, the nearest first.
+    gives robots of the match another kit. ``bases`` are the scenarios that it extends, the nearest first.
     """
     alike = [base.id for base in bases if not other_kits(scenario, base, seat)]
     fits = all(not other_kits(scenario, base, seat, either_message=True) for base in bases)
@@ -43,13 +38,7 @@ def has_sample_team(scenario: Scenario) -> bool:
 def other_kits(scenario: Scenario, base: Scenario, seat: str, *, either_message: bool = False) -> dict[str, str]:
     """Return the robots of a seat that have another kit, or other packets, in what is extended: that kit by robot.
 
-    A robot that the base lacks has the kit "none" there.
-
-    Args:
-        scenario: what is played.
-        base: what it extends.
-        seat: one of its entrants.
-        either_message: whether the messages v2.1 and v2.2 count as the same.
+    A robot that the base lacks has the kit "none" there. ``either_message``: v2.1 and v2.2 count as the same.
     """
     alike = {"v2.1", "v2.2"} if either_message else set()
     return {
@@ -60,10 +49,7 @@ def other_kits(scenario: Scenario, base: Scenario, seat: str, *, either_message:
 
 
 def _radio_layout(scenario: Scenario, robot: str, alike: Collection[str]) -> tuple[str, str, tuple[str, ...], bool]:
-    """Return what a program depends on in its robot's kit: the kit's name, and the layout of packets.
-
-    Versions of messages that are ``alike`` count as the same.
-    """
+    """Return the name of a robot's kit, and the layout of its packets; messages that are ``alike`` count as one."""
     kit = kit_of(scenario, robot)
     return (
         scenario.robots[robot].kit,

@@ -18,8 +18,6 @@ from rcj_challenges.records.writer import RecordWriter
 from rcj_challenges.scenario.kit_devices import devices_of
 from rcj_challenges.scenario.models.scenario import Scenario
 
-_READ_BYTES = 1 << 16
-
 
 class LogTail:
     """The text appended to a program's log from now on, without the match's heading of a half."""
@@ -32,22 +30,14 @@ class LogTail:
         self._file: io.FileIO | None = None
 
     def new_text(self) -> str:
-        """Return what was appended since the last call."""
+        """Return the text appended since the last call."""
         try:
             if self._file is None:
                 self._file = io.FileIO(self._path)
                 self._file.seek(self._at)
-            chunk = self._file.read(_READ_BYTES)
-            while len(chunk) and len(chunk) % _READ_BYTES == 0:
-                more = self._file.read(_READ_BYTES)
-                chunk += more
-                if not more:
-                    break
+            text = self._decoder.decode(self._file.readall())
         except OSError:
             return ""
-        if not chunk:
-            return ""
-        text = self._decoder.decode(chunk)
         if text and not self._headed:
             self._headed = True
             text = text.partition("\n")[2]
@@ -63,7 +53,7 @@ class LoggingDriver(Driver, Protocol):
     """A driver with a log: a program."""
 
     def keep_output(self) -> int:
-        """Append its output so far to its log; return how many bytes were appended."""
+        """Append its output so far to its log; return the number of bytes appended."""
 
 
 class _RecordedDriver:
@@ -75,19 +65,19 @@ class _RecordedDriver:
         self._writer = writer
         self._tail = tail
         self._log_bytes = 0
-        self.overstepped = driver.overstepped
+        self.limit_fault = driver.limit_fault
 
     def release(self, observation: Observation) -> None:
-        """Let its ``step`` return."""
+
         self._writer.record_observation(self._number, observation)
         self._driver.release(observation)
 
     def collect(self) -> Request | Fault:
-        """Wait for its next request, or learn that it failed."""
+
         return self._recorded(self._driver.collect())
 
     def collect_soon(self) -> Request | Fault | None:
-        """Return its next request if it is here already."""
+
         answer = self._driver.collect_soon()
         return None if answer is None else self._recorded(answer)
 
@@ -112,15 +102,7 @@ class SensorRecording:
     def __init__(
         self, scenario: Scenario, record: RecordWriter, half: int, specs: Mapping[int, RobotSpec], *, sensors: bool
     ) -> None:
-        """Prepare it, before the programs are launched.
-
-        Args:
-            scenario: which devices receive balls, and how many balls there are.
-            record: of the run.
-            half: 1-based.
-            specs: of the robots, by index.
-            sensors: whether all that programs see and set is recorded; what they print always is.
-        """
+        """Prepare it, before the programs are launched; without ``sensors`` only their output is recorded."""
         self._numbers = {robot: number for number, robot in enumerate(specs)}
         self._tails = [LogTail(record.logs / f"{spec.name}.log") for spec in specs.values()]
         self._robots = _sensed(scenario, specs) if sensors else [SensedRobot(spec.name) for spec in specs.values()]
@@ -134,7 +116,7 @@ class SensorRecording:
             for robot, driver in drivers.items()
         }
 
-    def tell(self, observer: Observer, half: HalfInfo) -> None:
+    def attach(self, observer: Observer, half: HalfInfo) -> None:
         """Pass on the data recorded from now on to an observer."""
         self._writer.set_listeners(observer.sensing(half, self._robots))
 
@@ -150,15 +132,9 @@ class SensorRecording:
 
 def _sensed(scenario: Scenario, specs: Mapping[int, RobotSpec]) -> Sequence[SensedRobot]:
     balls = sum(ball.emits for ball in scenario.balls.values())  # integers
-    return [
-        SensedRobot.of(
-            spec,
-            [
-                name
-                for name, device in devices_of(scenario, spec.name).items()
-                if isinstance(device, BallReceiverDevice)
-            ],
-            balls,
-        )
-        for spec in specs.values()
-    ]
+    robots = []
+    for spec in specs.values():
+        devices = devices_of(scenario, spec.name).items()
+        receivers = [name for name, device in devices if isinstance(device, BallReceiverDevice)]
+        robots.append(SensedRobot.of(spec, receivers, balls))
+    return robots

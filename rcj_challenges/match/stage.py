@@ -17,14 +17,7 @@ from rcj_challenges.world.world import World
 
 @dataclass
 class HalfStage:
-    """All that takes part in a half.
-
-    Attributes:
-        world: the physics, fresh.
-        referee: the rules, fresh.
-        devices: the robots' devices.
-        drivers: by robot index; robots without one stand braked.
-    """
+    """All that takes part in a half; drivers are by robot index, robots without one stand braked."""
 
     world: World
     referee: Referee
@@ -33,13 +26,6 @@ class HalfStage:
 
 
 def build_stage(scenario: Scenario, roster: Roster, half: HalfInfo, drivers: Mapping[int, Driver]) -> HalfStage:
-    """Compile a scenario's world, and set up referee and devices for one half in it.
-
-    Args:
-        scenario: whose references have been checked.
-        roster: of this scenario.
-        half: what is to be played.
-        drivers: by robot index.
-    """
+    """Compile the world of a checked scenario, and set up referee and devices for one half in it."""
     world = World(scenario, roster, fixed_rays(fit(scenario, roster)))
     return HalfStage(world, Referee(scenario, roster, half), DeviceManager(scenario, roster, world, half), drivers)

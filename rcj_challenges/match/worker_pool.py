@@ -63,11 +63,7 @@ class WorkerPool(Generic[Outcome]):
     """
 
     def __init__(self, max_processes: int) -> None:
-        """Create a pool without processes.
 
-        Args:
-            max_processes: how many run at a time, at least 1.
-        """
         self._executor = ThreadPoolExecutor(max_workers=max(1, max_processes))
         self._pending: dict[Future[Outcome], Job[Any, Outcome]] = {}
         self._lock = threading.Lock()
@@ -151,12 +147,9 @@ class WorkerPool(Generic[Outcome]):
 def run_all(
     jobs: Iterable[Job[Any, Outcome]], max_processes: int, on_outcome: Callable[[Outcome], None]
 ) -> list[Outcome]:
-    """Run jobs, a few at a time, and return their outcomes in the order of the jobs.
+    """Run jobs, no object twice, a few at a time, and return their outcomes in the order of the jobs.
 
-    Args:
-        jobs: no object twice.
-        max_processes: how many run at a time.
-        on_outcome: called in this thread with each outcome as it comes.
+    ``on_outcome`` is called in this thread with each outcome as it comes.
 
     Raises:
         KeyboardInterrupt: after the running processes have been ended.
@@ -176,8 +169,6 @@ def run_all(
 def python_command(code: str, *arguments: str) -> list[str]:
     """Return the command of a Python that imports nothing from the current folder, where submissions may lie.
 
-    Args:
-        code: what it runs; ``sys.argv[1]`` is the folder of this package.
-        arguments: that follow.
+    In the code ``sys.argv[1]`` is the folder of this package; the arguments follow.
     """
     return [sys.executable, "-P", "-c", code, str(_PACKAGE), *arguments]

@@ -217,7 +217,7 @@ class Program:
             self._is_suspended = True
             self._process.suspend()
 
-    def overstepped(self, tick: int) -> Fault | None:
+    def limit_fault(self, tick: int) -> Fault | None:
         """Check its limits while the match, at ``tick``, does not wait for it; end it if it exceeds one."""
         if self.fault is not None:  # found out when another one had no room
             return self.fault

@@ -24,37 +24,33 @@ class Cameras:
     def __init__(
         self, fitted: Sequence[Fitted], make_sight: Callable[[], Sight], half: HalfInfo, queues: dict[int, Queue]
     ) -> None:
-        self._all = [one for one in fitted if isinstance(one.device, CameraDevice)]
+        self._all = [(one, one.device) for one in fitted if isinstance(one.device, CameraDevice)]
         self._queues = queues
         self._period: dict[tuple[int, int], int] = {}
         self._on: list[tuple[Fitted, CameraDevice, int]] = []
         if self._all:
             self._sight = make_sight()
-            self._head = {
-                (one.robot, one.spec.index): one.device.lit(self._sight.palette, half, one)
-                for one in self._all
-                if isinstance(one.device, CameraDevice)
-            }
+            palette = self._sight.palette
+            self._head = {(one.robot, one.spec.index): camera.lit(palette, half, one) for one, camera in self._all}
 
     def set_period(self, robot: int, device: int, period_ticks: int) -> bool:
         """Let a camera take pictures at its rate, or every so many ticks if that is less often; 0 switches it off.
 
-        Returns:
-            False if the device is no camera.
+        Return whether the device is a camera.
         """
-        if not any((one.robot, one.spec.index) == (robot, device) for one in self._all):
+        if not any((one.robot, one.spec.index) == (robot, device) for one, _ in self._all):
             return False
         self._period[robot, device] = period_ticks
         self._on = [
-            (one, one.device, max(one.device.every_ticks, period))
-            for one in self._all
-            if isinstance(one.device, CameraDevice) and (period := self._period.get((one.robot, one.spec.index), 0))
+            (one, camera, max(camera.every_ticks, period))
+            for one, camera in self._all
+            if (period := self._period.get((one.robot, one.spec.index), 0))
         ]
         return True
 
     def silence(self, robot: int) -> None:
         """Switch off the cameras of a robot."""
-        for one in self._all:
+        for one, _ in self._all:
             if one.robot == robot:
                 self.set_period(robot, one.spec.index, 0)
 

@@ -23,9 +23,9 @@ def team_channels(scenario: Scenario) -> dict[str, int]:
     """Return the team radio channel of each driven robot, by its name.
 
     A team is an entrant: all its robots share its ``radio_channel``, whatever their colour. In a match that is blue
-    2 and yellow 3; in a challenge with one entrant that drives both colours they all hear each other, for they are
-    one team. Two entrants never share a channel, nor does one have the referee's: an entrant that names a channel
-    already taken gets the next free one.
+    2 and yellow 3; in a challenge with one entrant that drives both colours they are one team, and all receive
+    each other's packets. Two entrants never share a channel, nor does one have the referee's: an entrant that names a
+    channel already taken gets the next free one.
     """
     owners = entrant_of(scenario)
     referee = referee_channels(scenario)
@@ -39,16 +39,16 @@ def team_channels(scenario: Scenario) -> dict[str, int]:
 
 
 def listening_channels(scenario: Scenario, devices: Iterable[Device]) -> tuple[int, ...]:
-    """Return the channels on which the referee hears a robot with these devices, if it listens at all.
+    """Return the channels on which the referee receives from a robot with these devices, if it receives at all.
 
-    They are those on which it speaks to that robot, or to any, if this one has no receiver for it.
+    They are those on which it sends to that robot, or to any, if this one has no receiver for it.
     """
     own = tuple(device.channel for device in devices if isinstance(device, SupervisorReceiverDevice))
     return own or tuple(sorted(referee_channels(scenario)))
 
 
 def referee_channels(scenario: Scenario) -> set[int]:
-    """Return all channels on which a referee speaks to some robot."""
+    """Return all channels on which a referee sends to some robot."""
     kits = (device for kit in scenario.kits.values() for device in kit.devices.values())
     robots = (device for robot in scenario.robots.values() for device in robot.devices.values())
     return {device.channel for device in chain(kits, robots) if isinstance(device, SupervisorReceiverDevice)}

@@ -61,7 +61,7 @@ def fixed_rays(fitted: Sequence[Fitted]) -> list[FixedRay]:
 
 
 def robot_specs(scenario: Scenario, roster: Roster, fitted: Sequence[Fitted]) -> dict[int, RobotSpec]:
-    """Return what each driven robot's program is given when it starts, by index of the robot."""
+    """Return the data of each driven robot's program at its start, by index of the robot."""
     specs = {}
     for robot in driven_robots(scenario, roster):
         name = roster.entities[robot]

@@ -20,7 +20,7 @@ class Infrared:
     """
 
     def __init__(self, scenario: Scenario, roster: Roster, rays: Rays, receivers: list[BallReceiver]) -> None:
-        """Find the balls that send."""
+
         self._all_receivers = receivers
         self._receivers: dict[int, list[BallReceiver]] = {}
         self._rays = rays

@@ -27,11 +27,7 @@ from rcj_challenges.world.sight import WorldSight
 
 
 class DeviceManager:
-    """What programs can read and set, for one half.
-
-    Attributes:
-        specs: what each program is given when it starts, by index of its robot; idle robots are absent.
-    """
+    """What programs can read and set, for one half; ``specs`` are by index of the robot, idle ones are absent."""
 
     def __init__(self, scenario: Scenario, roster: Roster, world: Ground, half: HalfInfo) -> None:
         """Fit all robots; the world was compiled with the `fixed_rays` of their devices."""
@@ -56,7 +52,7 @@ class DeviceManager:
     def begin(self, output: RefereeOutput) -> None:
         """Start the half: the world stands as placed at tick 0, and ``output`` is that of tick 0."""
         self._poses.refresh()
-        self._radio.speak(0, output, self._poses)
+        self._radio.transmit(0, output, self._poses)
 
     def apply(self, robot: int, request: Request) -> None:
         """Carry out a program's request now: it takes effect in the physics that follows."""
@@ -78,7 +74,7 @@ class DeviceManager:
                 self._radio.send(robot, device, channel, data, self._tick)
 
     def silence(self, robot: int) -> None:
-        """End a robot's part: its program is dead. Wheels at velocity 0, nothing sent or heard any more."""
+        """End a robot's part: its program is dead. Wheels at velocity 0, nothing sent or received any more."""
         self._silent.add(robot)
         self._motors[robot].stop()
         self._radio.silence(robot)
@@ -97,13 +93,9 @@ class DeviceManager:
             self.finish_sensing(robot)
 
     def begin_sensing(self, tick: int, output: RefereeOutput) -> None:
-        """Begin sensing the world after the placements of ``tick``; deliver radio packets.
+        """Begin sensing the world after the placements of ``tick``, for all robots at once; deliver radio packets.
 
-        This is what has to be done for all robots at once: `finish_sensing` does the rest, robot by robot.
-
-        Args:
-            tick: counts up by one from call to call, beginning at 1.
-            output: the output of this tick; programs receive it at the next.
+        Ticks count up by one from call to call, beginning at 1. Programs receive the output of a tick at the next.
         """
         self._tick = tick
         poses = self._poses
@@ -114,7 +106,7 @@ class DeviceManager:
         for sensors in self._uneven:
             sensors.choose(tick)
         self._radio.carry(tick, poses)
-        self._radio.speak(tick, output, poses)
+        self._radio.transmit(tick, output, poses)
         self._cameras.expose(tick, poses)
 
     def finish_sensing(self, robot: int) -> None:
@@ -126,7 +118,7 @@ class DeviceManager:
         self._radio.carry_infrared(robot, self._tick, self._poses)
 
     def observe(self, robot: int, tick: int, over: bool = False) -> Observation:
-        """Return what a program gets when its step ends at ``tick``; its queue is empty afterwards."""
+        """Return the observation of a program whose step ends at ``tick``; its queue is empty afterwards."""
         return Observation(tick, self._sensors[robot].values.copy(), self._queues[robot].take(), over)
 
     def _set_period(self, robot: int, device: int, period_ticks: int) -> None:

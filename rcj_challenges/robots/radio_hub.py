@@ -32,7 +32,7 @@ class RadioHub:
         fitted: Sequence[Fitted],
         queues: dict[int, Queue],
     ) -> None:
-        """Build and connect all emitters and receivers, which deliver into their robots' queues."""
+
         self._receivers: dict[tuple[int, int], Receiver] = {}
         self._slow: dict[int, list[Receiver]] = {}  # by robot; robots without one are absent
         self._emitters: dict[tuple[int, int], Emitter] = {}
@@ -90,17 +90,17 @@ class RadioHub:
             emitter.send(channel, data, now)
 
     def messages_to_referee(self, tick: int, poses: Poses) -> tuple[tuple[int, str], ...]:
-        """Return what the referee hears at ``tick``: of each robot on the field its next message that has arrived."""
+        """Return the messages to the referee at ``tick``: of each robot on the field its next one that has arrived."""
         if not self._referees:  # as in all matches
             return ()
-        heard: dict[int, str] = {}
+        received: dict[int, str] = {}
         for robot, device in self._referees:
             emitter = self._emitters[robot, device]
             if poses.robots[robot].parked:
                 emitter.clear()
-            elif robot not in heard and (data := emitter.messages_to_referee(tick)) is not None:
-                heard[robot] = message_text(data)
-        return tuple(heard.items())
+            elif robot not in received and (data := emitter.messages_to_referee(tick)) is not None:
+                received[robot] = message_text(data)
+        return tuple(received.items())
 
     def silence(self, robot: int) -> None:
         """Drop all unsent packets of a robot's emitters, and switch off its receivers."""
@@ -121,10 +121,10 @@ class RadioHub:
         for referee in self._referee:
             referee.retune()
 
-    def speak(self, tick: int, output: RefereeOutput, poses: Poses) -> None:
+    def transmit(self, tick: int, output: RefereeOutput, poses: Poses) -> None:
         """Send the referee's packets after its output of ``tick``."""
         for referee in self._referee:
-            referee.speak(tick, output, poses)
+            referee.transmit(tick, output, poses)
 
     def carry(self, tick: int, poses: Poses) -> None:
         """Deliver the referee's and the teams' packets that arrive at ``tick``."""
@@ -133,7 +133,7 @@ class RadioHub:
         self._team.carry(tick, poses)
 
     def carry_infrared(self, robot: int, tick: int, poses: Poses) -> None:
-        """Bring the balls' packets of ``tick`` to a robot; then its slow receivers deliver what they have heard."""
+        """Bring the balls' packets of ``tick`` to a robot; then its slow receivers deliver what they have received."""
         self._infrared.send(robot, tick, poses)
         if self._slow:
             for receiver in self._slow.get(robot, ()):
@@ -145,7 +145,7 @@ class RadioHub:
 def _referee_radios(
     scenario: Scenario, roster: Roster, radios: list[tuple[Fitted, Receiver]]
 ) -> list[RefereeRadio]:  # fmt: skip
-    """Return one transmitter for each kit in use. It speaks on the channels of its robots' supervisor receivers."""
+    """Return one transmitter for each kit in use. It sends on the channels of its robots' supervisor receivers."""
     channels: dict[int, set[int]] = {}
     for one, _ in radios:
         if isinstance(one.device, SupervisorReceiverDevice):

@@ -63,7 +63,7 @@ class RobotSensors:
     """
 
     def __init__(self, sensors: Mapping[int, Sensor], values: int, pose: RobotPose) -> None:
-        """Fit the sensors of a robot, by index of the device; its devices have so many ``values``."""
+        """Build them from the sensors by index of the device; the devices have so many ``values``."""
         self.values = [math.nan] * values
         self._sensors = sensors
         self._pose = pose
@@ -89,7 +89,7 @@ class RobotSensors:
             self.choose(now)
 
     def set_frequency(self, device: int, frequency_hz: float) -> None:
-        """Set how fast a sensor turns, if it does."""
+        """Set the frequency of a sensor that turns."""
         if device in self._sensors:
             self._sensors[device].set_frequency(frequency_hz)
 
@@ -100,7 +100,7 @@ class RobotSensors:
         self.choose(now)
 
     def choose(self, tick: int) -> None:
-        """Look up which sensors are due at ``tick``. To be called once per tick at most."""
+        """Look up the sensors that are due at ``tick``. To be called once per tick at most."""
         self._choose(self._schedule.due(tick))
 
     def _choose(self, due: Sequence[int]) -> None:

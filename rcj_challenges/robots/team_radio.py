@@ -13,17 +13,15 @@ from rcj_challenges.world.poses import Poses
 class TeamRadio:
     """All emitters to all radio receivers of the same team.
 
-    Receivers of the referee's packets are radios too: one that a program sets to its team's channel hears the team.
+    Receivers of the referee's packets are radios too: one that a program sets to its team's channel receives
+    the team's packets.
     """
 
     def __init__(self, emitters: list[Emitter], receivers: list[Receiver], teams: dict[int, str]) -> None:
         """Connect emitters and receivers, in the order of robots; ``teams`` has the entrant that drives each robot."""
         self._links = [
-            (
-                emitter,
-                [r for r in receivers if r.robot != emitter.robot and teams[r.robot] == teams[emitter.robot]],
-            )
-            for emitter in emitters
+            (one, [r for r in receivers if r.robot != one.robot and teams[r.robot] == teams[one.robot]])
+            for one in emitters
         ]
 
     def carry(self, tick: int, poses: Poses) -> None:
@@ -43,12 +41,9 @@ def _spread(emitter: Emitter, arriving: list[tuple[int, bytes]], listeners: list
     source = poses.robots[emitter.robot]
     for receiver in listeners:
         # Every other receiver is the referee's: whether it listens at all is asked before where it is.
-        if receiver.channel == ANY_CHANNEL:
-            heard = arriving
-        else:
-            heard = [packet for packet in arriving if packet[0] == receiver.channel]
+        received = [packet for packet in arriving if receiver.channel in (packet[0], ANY_CHANNEL)]
         pose = poses.robots[receiver.robot]
-        if not heard or not receiver.period_ticks or pose.parked:
+        if not received or not receiver.period_ticks or pose.parked:
             continue
         dx, dy, dz = source.x - pose.x, source.y - pose.y, source.z - pose.z
         square = dx * dx + dy * dy + dz * dz
@@ -56,5 +51,5 @@ def _spread(emitter: Emitter, arriving: list[tuple[int, bytes]], listeners: list
             continue
         inverse = 1 / math.sqrt(square)
         direction = pose.to_frame(dx * inverse, dy * inverse, dz * inverse)
-        for _, data in heard:
+        for _, data in received:
             receiver.receive(Packet(receiver.device, data, 1 / square, direction))

@@ -95,7 +95,7 @@ class StandIn:
     def release(self, observation):
         pass
 
-    def overstepped(self, tick):
+    def limit_fault(self, tick):
         return None
 
 

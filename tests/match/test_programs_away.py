@@ -16,7 +16,7 @@ class Away(StandIn):
         super().__init__(ticks)
         self.looked_at = []
 
-    def overstepped(self, tick):
+    def limit_fault(self, tick):
         self.looked_at.append(tick)
         return FAULT if tick == 128 else None
 

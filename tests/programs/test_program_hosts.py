@@ -125,7 +125,7 @@ def test_the_program_that_filled_the_temporary_folder_is_ended_and_the_match_goe
         assert fault.detail.endswith("; the temporary folder was full of what Y1 had written")
         # Its fault is reported when its turn comes, or when its absence is noticed.
         greedy.release(Observation(1, values_at(1), []))
-        assert greedy.collect() is greedy.overstepped(1)
+        assert greedy.collect() is greedy.limit_fault(1)
         assert (greedy.fault.kind, greedy.fault.detail) == (
             "output_flood",
             "the program wrote more than its share, 0.1 MB, until the temporary folder was full",

@@ -60,7 +60,7 @@ class Puppet:
         """Hear what its devices say; there must be a packet or a number for each."""
         assert len(observation.values) == self.spec.values
 
-    def overstepped(self, tick: int) -> Fault | None:
+    def limit_fault(self, tick: int) -> Fault | None:
         """Say that it takes no more than it may."""
         return None
 
