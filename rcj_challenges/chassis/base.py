@@ -200,9 +200,20 @@ class Chassis(Word):
         if self.jaws_m is not None:
             tip_m, inner_m = self.front_m + self.jaws_m[0], self.jaws_m[1] / 2
             outer_m = inner_m + _JAW_M
-            solids["left_jaw"] = (tip_m, outer_m), (0.0, outer_m), (0.0, inner_m), (tip_m, inner_m)
-            solids["right_jaw"] = (tip_m, -inner_m), (0.0, -inner_m), (0.0, -outer_m), (tip_m, -outer_m)
+            foot_m = self._reach_m(outer_m)
+            solids["left_jaw"] = (tip_m, outer_m), (foot_m, outer_m), (foot_m, inner_m), (tip_m, inner_m)
+            solids["right_jaw"] = (tip_m, -inner_m), (foot_m, -inner_m), (foot_m, -outer_m), (tip_m, -outer_m)
         return solids
+
+    def _reach_m(self, beside_m: float) -> float:
+        """Return how far ahead the body ends beside its middle; 0 outside of it."""
+        body = self.body()
+        crossed = (
+            ax + (bx - ax) * (beside_m - ay) / (by - ay)
+            for (ax, ay), (bx, by) in zip(body, (*body[1:], body[0]), strict=True)
+            if min(ay, by) <= beside_m <= max(ay, by) and ay != by
+        )
+        return max(crossed, default=0.0)
 
     def wheels(self) -> tuple[Wheel, ...]:
         """Return its wheels by number."""
