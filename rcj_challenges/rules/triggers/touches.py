@@ -108,7 +108,8 @@ expect:
 
     def describe(self, phrases: Phrases) -> str:
         again = f", and again every {seconds(self.every_s)} while they touch" if self.every_s else ""
-        return f"{phrases.any_of(self.entity)} touches {phrases.another_of(self.other, than=self.entity)}{again}"
+        one = f" (again after {seconds(self.apart_s)} apart)" if self.apart_s != APART_S else ""
+        return f"{phrases.any_of(self.entity)} touches {phrases.another_of(self.other, than=self.entity)}{one}{again}"
 
 
 class TouchTracker(TickTracker):
