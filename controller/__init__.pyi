@@ -439,7 +439,10 @@ class Motion:
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class Motor(Device):
-    """A wheel's motor. Braked (it holds position 0) until ``setPosition(float('inf'))`` lets it turn freely."""
+    """A motor. It holds position 0 until ``setPosition(float('inf'))`` lets it turn without end, at the velocity set.
+
+    A kicker is linear: ``setPosition(0.04)`` shoots with the velocity set, in m/s, and ``setPosition(0)`` rearms it.
+    """
     ROTATIONAL: int
     LINEAR: int
     def setPosition(self, position: float) -> None:
@@ -452,7 +455,7 @@ class Motor(Device):
             ``motor.setPosition(float("inf"))`` once at the start, before ``setVelocity``.
         """
     def setVelocity(self, velocity: float) -> None:
-        """Set the velocity in rad/s; beyond the maximum (10 rad/s) it is clamped. Positive drives forward.
+        """Set the velocity in rad/s; beyond the maximum (10 rad/s of a wheel) it is clamped. Positive drives forward.
 
         Raises:
             TypeError: no number was given.
@@ -511,7 +514,7 @@ class Motor(Device):
     def getMultiplier(self) -> float:
         """Return 1: the motor turns the wheel directly."""
     def getType(self) -> int:
-        """Return ``Motor.ROTATIONAL``."""
+        """Return ``Motor.ROTATIONAL``, of a kicker ``Motor.LINEAR``."""
     target_position: float
     velocity: float
     target_velocity: float

@@ -21,6 +21,12 @@ GRAVITY_MPS2 = 9.81
 YAW = 2
 """Where the yaw stands after x and y, in `qpos` and `qvel`; the joints of wheels follow."""
 
+FRONT_M = 0.04
+"""Width of what a robot has at its front: a ball whose centre is ahead of it is at the front."""
+
+ROUNDING_M = 0.005
+"""How much further back a ball may be that touches a round body beside its middle."""
+
 WheelName = Literal["left", "right"] | Annotated[int, Field(ge=0)]
 """How a motor names its wheel; inside, wheels are numbered."""
 WHEEL_NAMES = ": left (the robot's +y side) or right; of a chassis without such wheels its number, from 0"
@@ -273,6 +279,19 @@ class Chassis(Word):
         if self.jaws_m is None:
             return words
         return f"{words} with jaws that reach {metres(self.jaws_m[0])} ahead, {metres(self.jaws_m[1])} apart,"
+
+
+def is_at_front(front_m: float, ahead_m: float, aside_m: float, radius_m: float, within_m: float) -> bool:
+    """Return whether a ball is at the front of a robot.
+
+    Args:
+        front_m: how far ahead of the robot's centre its body ends.
+        ahead_m: the ball's centre, ahead of the robot's.
+        aside_m: how far left of the robot's middle it is.
+        radius_m: of the ball.
+        within_m: how large the gap may be. Beside the middle of a round body there may be less than none.
+    """
+    return abs(aside_m) <= FRONT_M / 2 and -ROUNDING_M <= ahead_m - front_m - radius_m <= within_m
 
 
 def box(length_m: float, width_m: float) -> tuple[Point, ...]:

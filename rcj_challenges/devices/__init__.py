@@ -14,7 +14,9 @@ from rcj_challenges.devices.ball_receiver import BallReceiverDevice
 from rcj_challenges.devices.base import DEVICES, Device
 from rcj_challenges.devices.camera import CameraDevice
 from rcj_challenges.devices.compass import CompassDevice
+from rcj_challenges.devices.dribbler import DribblerDevice
 from rcj_challenges.devices.gps import GpsDevice
+from rcj_challenges.devices.kicker import KickerDevice
 from rcj_challenges.devices.lidar import LidarDevice
 from rcj_challenges.devices.motor import MotorDevice
 from rcj_challenges.devices.sonar import SonarDevice
@@ -35,6 +37,8 @@ DEVICES.add(
     TeamEmitterDevice,
     LidarDevice,
     CameraDevice,
+    KickerDevice,
+    DribblerDevice,
 )
 
 AnyDevice = Annotated[Device, DEVICES]

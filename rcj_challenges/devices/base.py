@@ -165,11 +165,28 @@ class Joints(Protocol):
         """Return the place of a wheel's angle in `state`; it grows while the wheel drives forward."""
 
 
-class Wheels(Protocol):
+class Movers(Protocol):
     """What motors drive."""
 
     def set_wheel(self, robot: int, wheel: int, velocity_radps: float, position_rad: float) -> None:
         """Command a wheel by its number; positive drives forward; position ``inf``: by velocity."""
+
+    def set_tool(self, robot: int, name: str, velocity: float, position: float) -> None:
+        """Command what is no wheel by the name of its device."""
+
+
+class Motion(NamedTuple):
+    """How a motor is commanded.
+
+    Attributes:
+        command: given velocity and position.
+        direction: what both are multiplied by before, 1 or -1.
+        limit: the highest velocity.
+    """
+
+    command: Callable[[float, float], None]
+    direction: int
+    limit: float
 
 
 @dataclass(frozen=True)
@@ -279,6 +296,10 @@ class Device(Word):
 
     def make_sensor(self, _fitted: Fitted, _context: SensorContext) -> Sensor | None:
         """Return the sensor of this device; None if it is none."""
+        return None
+
+    def make_motion(self, _fitted: Fitted, _movers: Movers) -> Motion | None:
+        """Return how it is commanded as a motor; None if it is none."""
         return None
 
     def describe(self, phrases: Phrases) -> str:

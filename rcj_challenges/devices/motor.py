@@ -2,11 +2,12 @@
 
 import math
 from collections.abc import Iterable, Sequence
+from functools import partial
 from typing import Any, Literal
 
 from rcj_challenges.chassis.base import WHEEL_NAMES, Chassis, WheelName, wheel_words
 from rcj_challenges.core.traffic import MotorCommand
-from rcj_challenges.devices.base import Device, Fitted, Phrases, RobotSetup, Wheels
+from rcj_challenges.devices.base import Device, Fitted, Motion, Movers, Phrases, RobotSetup
 from rcj_challenges.rules.fields import OneOrMinusOne, described
 
 _BY_VELOCITY = math.inf
@@ -37,6 +38,11 @@ robots:
     def contradictions(self, chassis: Chassis) -> Iterable[tuple[str, str]]:
         return chassis.lacking(self.wheel)
 
+    def make_motion(self, fitted: Fitted, movers: Movers) -> Motion:
+        chassis = fitted.setup.chassis
+        command = partial(movers.set_wheel, fitted.robot, chassis.number_of(self.wheel))
+        return Motion(command, self.direction, chassis.max_wheel_radps)
+
     def describe(self, _phrases: Phrases) -> str:
         way = "forward" if self.direction == 1 else "backward"
         return f"motor of {wheel_words(self.wheel)}, positive speeds drive {way}"
@@ -45,31 +51,22 @@ robots:
 class Motors:
     """The motors of one robot. A wheel that was never commanded stays braked, as the world left it."""
 
-    def __init__(self, robot: int, fitted: Sequence[Fitted], wheels: Wheels) -> None:
-        self._robot = robot
-        self._wheels = wheels
-        self._motors = {
-            one.spec.index: (
-                one.setup.chassis.number_of(one.device.wheel),
-                one.device.direction,
-                one.setup.chassis.max_wheel_radps,
-            )
-            for one in fitted
-            if isinstance(one.device, MotorDevice)
-        }
+    def __init__(self, fitted: Sequence[Fitted], movers: Movers) -> None:
+        """Find the motors among the devices of a robot."""
+        motions = ((one.spec.index, one.device.make_motion(one, movers)) for one in fitted)
+        self._motions = {index: motion for index, motion in motions if motion is not None}
 
     def command(self, command: MotorCommand) -> None:
         """Set a motor: clamped to its top speed; a command that is not a number is ignored."""
         device, velocity, position = command
-        motor = self._motors.get(device)
-        if motor is None or velocity != velocity or position != position:  # noqa: PLR0124 - NaN, at every command
+        motion = self._motions.get(device)
+        if motion is None or velocity != velocity or position != position:  # noqa: PLR0124 - NaN, at every command
             return
-        wheel, direction, limit = motor
+        set_motor, direction, limit = motion
         velocity = direction * (velocity if -limit <= velocity <= limit else math.copysign(limit, velocity))
-        target = _BY_VELOCITY if math.isinf(position) else direction * position
-        self._wheels.set_wheel(self._robot, wheel, velocity, target)
+        set_motor(velocity, _BY_VELOCITY if math.isinf(position) else direction * position)
 
     def stop(self) -> None:
-        """Command all wheels velocity 0."""
-        for wheel, _, _ in self._motors.values():
-            self._wheels.set_wheel(self._robot, wheel, 0.0, _BY_VELOCITY)
+        """Command all motors velocity 0."""
+        for motion in self._motions.values():
+            motion.command(0.0, _BY_VELOCITY)

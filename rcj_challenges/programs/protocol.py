@@ -90,8 +90,12 @@ class Codec:
         self._values = spec.values
         self._form = Struct(f"{_OBSERVATION}{spec.values}d")
         self._accepts = {device.index: device_of_class(device.kind).ACCEPTS for device in spec.devices}
-        self._motors = frozenset(device for device, lists in self._accepts.items() if "motors" in lists)
-        self._max_velocity = spec.max_velocity_radps * (1 + _SPEED_TOLERANCE)
+        # By motor, the highest velocity that it may be asked for.
+        self._motors = {
+            device.index: float(device.facts.get("max_velocity", spec.max_velocity_radps)) * (1 + _SPEED_TOLERANCE)
+            for device in spec.devices
+            if "motors" in self._accepts[device.index]
+        }
         self._message_bytes = message_bytes
         self._first_packet: Packet | None = None
         self._first_bytes = b""
@@ -183,10 +187,10 @@ class Codec:
          left, left_radps, left_to, right, right_radps, right_to) = _BOTH_WHEELS.unpack(body)  # fmt: skip
         if advance < 1 or motors != 2 or sampling or channels or frequencies or emissions:
             return None
-        most, known = self._max_velocity, self._motors
-        if left not in known or not (abs(left_radps) <= most and left_to > -math.inf):
+        most = self._motors
+        if not (abs(left_radps) <= most.get(left, -1.0) and left_to > -math.inf):
             return None
-        if right not in known or not (abs(right_radps) <= most and right_to > -math.inf):
+        if not (abs(right_radps) <= most.get(right, -1.0) and right_to > -math.inf):
             return None
         return Request(
             advance, missed, (MotorCommand(left, left_radps, left_to), MotorCommand(right, right_radps, right_to))
@@ -196,7 +200,7 @@ class Codec:
         commands = []
         for device, velocity, position in _MOTOR.iter_unpack(settings):
             # The bounds are written so that NaN is within none.
-            if device not in self._motors or not (abs(velocity) <= self._max_velocity and position > -math.inf):
+            if not (abs(velocity) <= self._motors.get(device, -1.0) and position > -math.inf):
                 raise ProtocolError(self._what_is_wrong(device, velocity, position))
             commands.append(MotorCommand(device, velocity, position))
         return tuple(commands)
@@ -204,9 +208,9 @@ class Codec:
     def _what_is_wrong(self, device: int, velocity: float, position: float) -> str:
         if device not in self._motors:
             return f"device {device} is not a motor"
-        if not abs(velocity) <= self._max_velocity:
-            return f"device {device}: a velocity of {velocity:g} rad/s"
-        return f"device {device}: a position of {position:g} rad"
+        if not abs(velocity) <= self._motors[device]:
+            return f"device {device}: a velocity of {velocity:g}"
+        return f"device {device}: a position of {position:g}"
 
     def _sampling(self, device: int, period_ticks: int) -> tuple[int, int]:
         self._must_be(device, "sampling", "a sensor")

@@ -45,7 +45,7 @@ class DeviceManager:
         self._uneven: list[RobotSensors] = []
         self._radio = RadioHub(scenario, roster, rays, half, fitted, self._queues)
         self._cameras = Cameras(fitted, lambda: WorldSight(scenario, roster, world), half, self._queues)
-        self._motors = {robot: Motors(robot, [one for one in fitted if one.robot == robot], world) for robot in robots}
+        self._motors = {robot: Motors([one for one in fitted if one.robot == robot], world) for robot in robots}
         self._silent: set[int] = set()
         self._tick = 0
 

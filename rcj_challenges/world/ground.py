@@ -30,3 +30,6 @@ class Ground(Protocol):
 
     def set_wheel(self, robot: int, wheel: int, velocity_radps: float, position_rad: float) -> None:
         """Command a wheel by its number; positive drives forward; position ``inf``: by velocity."""
+
+    def set_tool(self, robot: int, name: str, velocity: float, position: float) -> None:
+        """Command what is no wheel by the name of its device."""

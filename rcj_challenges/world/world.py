@@ -9,6 +9,7 @@ from typing import Any
 import mujoco
 import numpy as np
 
+from rcj_challenges.chassis.base import Drive
 from rcj_challenges.core.play import Fault, Placement, Snapshot
 from rcj_challenges.core.timing import SUBSTEPS_PER_TICK
 from rcj_challenges.devices.base import FixedRay
@@ -18,6 +19,7 @@ from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world.build import build_spec
 from rcj_challenges.world.effects import make_drives, make_effects
 from rcj_challenges.world.effects.base import Effect, Scene
+from rcj_challenges.world.effects.tools import Tools
 from rcj_challenges.world.errors import PhysicsFault
 from rcj_challenges.world.rays import add_fixed_rays
 from rcj_challenges.world.recorder import Recorder
@@ -57,6 +59,9 @@ class World:
         scene = Scene(self.model, self.data, self.tables, scenario, roster)
         self._drives, self._effects = make_drives(scene), make_effects(scene)
         self._kinds = list(dict.fromkeys(self._drives))
+        tools = [one for one in self._effects if isinstance(one, Tools)]
+        self._tools = {key: one for one in tools for key in one.tools}
+        self._stopping: list[list[Drive | Tools]] = [[drive, *tools] for drive in self._drives]
         self._before_substep = [one.before_substep for one in self._kinds] + [
             one.before_substep for one in self._effects if type(one).before_substep is not Effect.before_substep
         ]
@@ -102,11 +107,15 @@ class World:
         """
         self._drives[robot].set_wheel(robot, wheel, velocity_radps, position_rad)
 
+    def set_tool(self, robot: int, name: str, velocity: float, position: float) -> None:
+        """Command what is no wheel, such as a kicker, by the name of its device. Nothing happens while it is held."""
+        self._tools[robot, name].command((robot, name), velocity, position)
+
     def hold_robots(self, held: Collection[int]) -> None:
         """Brake the wheels of these robots until they are released; release all others. Commands act after that."""
         self._held = frozenset(held)
         for robot in range(self.tables.robots):
-            self._drives[robot].set_stopped(robot, stopped=robot in self._held or self.parked[robot])
+            self._stop(robot)
 
     def step(self, tick: int, faults: tuple[Fault, ...] = ()) -> Snapshot:
         """Make the four sub-steps of a tick; return poses and touches of each, those that MuJoCo solved in it.
@@ -144,11 +153,16 @@ class World:
         """Return the poses of the latest snapshot as `Recorder.poses` has them: the record's part of it."""
         return self._recorder.poses
 
+    def _stop(self, robot: int) -> None:
+        """Brake a robot that is held or parked; release any other."""
+        for one in self._stopping[robot]:
+            one.set_stopped(robot, stopped=robot in self._held or self.parked[robot])
+
     def _set_down(self, placement: Placement) -> None:
         entity = placement.entity
         self.parked[entity] = placement.parked
         if entity < self.tables.robots:
-            self._drives[entity].set_stopped(entity, stopped=placement.parked or entity in self._held)
+            self._stop(entity)
         x, y, yaw = placement.x_m, placement.y_m, placement.yaw_rad
         if placement.parked:
             x, y, yaw = PARKING_X_M + entity * PARKING_GAP_M, 0.0, 0.0

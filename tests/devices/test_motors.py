@@ -8,15 +8,16 @@ from typing import Any
 
 import pytest
 
+from rcj_challenges.world.world import World
 from tests.devices.device_bench import Bench
 
 
 class Wheels:
     """Stands in for the world's wheels and remembers their commands."""
 
-    def __init__(self, bench: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.commanded: dict[tuple[int, int], tuple[float, float]] = {}
-        monkeypatch.setattr(bench.world, "set_wheel", self.set_wheel)
+        monkeypatch.setattr(World, "set_wheel", lambda _world, *command: self.set_wheel(*command))
 
     def set_wheel(self, robot: int, wheel: int, velocity_radps: float, position_rad: float) -> None:
         self.commanded[robot, wheel] = (velocity_radps, position_rad)
@@ -25,8 +26,8 @@ class Wheels:
 @pytest.fixture
 def wheels(monkeypatch: pytest.MonkeyPatch) -> Callable[..., tuple[Bench, Wheels]]:
     def make(*args: Any) -> tuple[Bench, Wheels]:
-        bench = Bench(*args)
-        return bench, Wheels(bench, monkeypatch)
+        found = Wheels(monkeypatch)
+        return Bench(*args), found
 
     return make
 

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from rcj_challenges.programs.pipes import FrameBuffer
 from rcj_challenges.programs.processes import PROGRAM_SIDE
 from rcj_challenges.programs.protocol import Codec, Ended, ProtocolError, hello_frame
-from rcj_challenges.core.traffic import MotorCommand, Observation, Packet, Request
+from rcj_challenges.core.traffic import DeviceSpec, MotorCommand, Observation, Packet, Request, RobotSpec
 
 sys.path.insert(0, str(PROGRAM_SIDE))  # before the package of the same name that editors read
 from controller import _boot, _connection, _wire  # type: ignore[import-not-found]  # the program's end, as programs import it
@@ -260,10 +260,10 @@ def test_a_request_that_is_cut_or_followed_by_more_is_refused(request: Request, 
     ("request_", "says"),
     [
         (GOOD._replace(advance_ticks=0), "a request to advance by 0 ticks"),
-        (GOOD._replace(motors=(MotorCommand(0, math.nan, 0.0),)), "device 0: a velocity of nan rad/s"),
-        (GOOD._replace(motors=(MotorCommand(0, math.inf, 0.0),)), "device 0: a velocity of inf rad/s"),
-        (GOOD._replace(motors=(MotorCommand(1, -10.1, 0.0),)), "device 1: a velocity of -10.1 rad/s"),
-        (GOOD._replace(motors=(MotorCommand(0, 1.0, math.nan),)), "device 0: a position of nan rad"),
+        (GOOD._replace(motors=(MotorCommand(0, math.nan, 0.0),)), "device 0: a velocity of nan"),
+        (GOOD._replace(motors=(MotorCommand(0, math.inf, 0.0),)), "device 0: a velocity of inf"),
+        (GOOD._replace(motors=(MotorCommand(1, -10.1, 0.0),)), "device 1: a velocity of -10.1"),
+        (GOOD._replace(motors=(MotorCommand(0, 1.0, math.nan),)), "device 0: a position of nan"),
         (GOOD._replace(motors=(MotorCommand(4, 1.0, 0.0),)), "device 4 is not a motor"),
         (GOOD._replace(motors=(MotorCommand(99, 1.0, 0.0),)), "device 99 is not a motor"),
         (GOOD._replace(sampling=((0, 1),)), "device 0 is not a sensor"),
@@ -279,6 +279,21 @@ def test_an_impossible_request_is_refused_with_a_reason(request_: Request, says:
     with pytest.raises(ProtocolError) as caught:
         CODEC.decode(body_of(sent_by_program(0, request_)), 0)
     assert str(caught.value) == says
+
+
+@pytest.mark.parametrize(("device", "most"), [(0, 0.8), (1, 50.0), (2, 10.0)])
+def test_each_motor_has_a_limit_of_its_own(device: int, most: float) -> None:
+    facts: tuple[dict[str, float], ...] = {"max_velocity": 0.8}, {"max_velocity": 50.0}, {}
+    motors = tuple(DeviceSpec(str(at), "motor", at, -1, 0, fact) for at, fact in enumerate(facts))
+    codec = Codec(RobotSpec("B1", motors, 0, "bytes"), MESSAGE_BYTES)
+    for velocity, is_taken in ((most, True), (-most, True), (most * 1.01, False)):
+        request = Request(1, motors=(MotorCommand(device, velocity, math.inf),))
+        body = body_of(sent_by_program(0, request))
+        if is_taken:
+            assert codec.decode(body, 0) == request
+        else:
+            with pytest.raises(ProtocolError, match=f"device {device}: a velocity of "):
+                codec.decode(body, 0)
 
 
 def test_a_request_that_answers_another_tick_is_refused() -> None:

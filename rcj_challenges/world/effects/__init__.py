@@ -8,7 +8,9 @@ from rcj_challenges.chassis.base import Chassis, Drive, Mount, Physics
 from rcj_challenges.scenario.kit_devices import chassis_of
 from rcj_challenges.world.effects.base import Effect, Scene
 from rcj_challenges.world.effects.cylinder_contacts import CylinderContacts
+from rcj_challenges.world.effects.dribbler import Dribblers
 from rcj_challenges.world.effects.friction import GlidingFriction, RollingFriction
+from rcj_challenges.world.effects.kicker import Kickers
 from rcj_challenges.world.effects.restitution import Restitution
 from rcj_challenges.world.effects.tunneling import Tunneling
 from rcj_challenges.world.tables import one_by_one, turned_at
@@ -17,7 +19,7 @@ from rcj_challenges.world.tables import one_by_one, turned_at
 def make_effects(scene: Scene) -> list[Effect]:
     """Return all effects of a world in the order in which they act, after the drives."""
     kinds: tuple[Callable[[Scene], Effect], ...]
-    kinds = RollingFriction, GlidingFriction, CylinderContacts, Tunneling, Restitution
+    kinds = RollingFriction, GlidingFriction, CylinderContacts, Tunneling, Restitution, Kickers, Dribblers
     return [effect for kind in kinds if (effect := kind(scene)).is_needed]
 
 

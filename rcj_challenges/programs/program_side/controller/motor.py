@@ -1,4 +1,4 @@
-"""The wheels' motors."""
+"""Motors: of wheels, dribblers and kickers."""
 
 from __future__ import annotations
 
@@ -16,7 +16,10 @@ _MORE_THAN_ROUNDING = 1 + 1e-9
 
 
 class Motor(Device):
-    """A wheel's motor. Braked (it holds position 0) until ``setPosition(float('inf'))`` lets it turn freely."""
+    """A motor. It holds position 0 until ``setPosition(float('inf'))`` lets it turn without end, at the velocity set.
+
+    A kicker is linear: ``setPosition(0.04)`` shoots with the velocity set, in m/s, and ``setPosition(0)`` rearms it.
+    """
 
     ROTATIONAL, LINEAR = 0, 1
 
@@ -24,6 +27,7 @@ class Motor(Device):
         super()._rcj_set_up(connection, spec)
         self._rcj_max_velocity = float(self._rcj_facts.get("max_velocity", connection.spec["max_velocity_radps"]))
         self._rcj_velocity = self._rcj_max_velocity
+        self._rcj_is_linear = bool(self._rcj_facts.get("is_linear"))
         self._rcj_position = 0.0
         self._rcj_commanded = False
         self._rcj_acceleration = -1.0
@@ -50,7 +54,7 @@ class Motor(Device):
         self._rcj_command(self._rcj_velocity, math.inf if math.isinf(asked) else asked)
 
     def setVelocity(self, velocity: float) -> None:
-        """Set the velocity in rad/s; beyond the maximum (10 rad/s) it is clamped. Positive drives forward.
+        """Set the velocity in rad/s; beyond the maximum (10 rad/s of a wheel) it is clamped. Positive drives forward.
 
         Raises:
             TypeError: no number was given.
@@ -72,7 +76,7 @@ class Motor(Device):
                 self._rcj_warned_of_speed = True
                 complain(
                     f"Warning: {self._rcj_name!r}: the velocity {asked:.10g} is beyond the maximum of "
-                    f"{self._rcj_max_velocity:g} rad/s, which is taken instead.",
+                    f"{self._rcj_max_velocity:g} {'m/s' if self._rcj_is_linear else 'rad/s'}, which is taken instead.",
                     "ask for less",
                 )
             asked = math.copysign(self._rcj_max_velocity, asked)
@@ -214,8 +218,8 @@ class Motor(Device):
         return 1.0
 
     def getType(self) -> int:
-        """Return ``Motor.ROTATIONAL``."""
-        return self.ROTATIONAL
+        """Return ``Motor.ROTATIONAL``, of a kicker ``Motor.LINEAR``."""
+        return self.LINEAR if self._rcj_is_linear else self.ROTATIONAL
 
     target_position = property(getTargetPosition, setPosition)
     velocity = property(getVelocity, setVelocity)
