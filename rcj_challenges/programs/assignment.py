@@ -15,8 +15,6 @@ class PoolPlan:
     """The conditions of all programs of a half.
 
     Attributes:
-        limits: what each may use.
-        half: 1-based.
         match_seed: their randomness derives from it.
         logs: folder of ``<robot>.log``; made if it is not there.
         sandbox: ``auto``, ``strict`` or ``off``.
@@ -35,14 +33,7 @@ class PoolPlan:
 
 @dataclass(frozen=True)
 class Assignment:
-    """A program and its robot.
-
-    Attributes:
-        spec: the robot as its program will see it.
-        team: whose program it is.
-        entry: its path inside the team's folder, from `Team.entry_for`.
-        plan: its conditions.
-    """
+    """A program and its robot; ``entry`` is its path inside the team's folder, from `Team.entry_for`."""
 
     spec: RobotSpec
     team: Team

@@ -23,7 +23,7 @@ def program_place(assignment: Assignment, unpacked: Path) -> tuple[Path, Path]:
 
 
 def debugger_settings() -> dict[str, Any] | None:
-    """Return what a debugged program's process needs to wait for an editor; None: ``breakpoint()`` has the terminal.
+    """Return the settings with which a debugged program waits for an editor; None: ``breakpoint()`` has the terminal.
 
     None without debugpy, or if the user sets ``PYTHONBREAKPOINT``.
     """

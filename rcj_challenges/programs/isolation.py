@@ -58,10 +58,7 @@ class IsolationError(RcjError):
 def active_layers(sandbox: str, platform: str = sys.platform) -> tuple[str, ...]:
     """Return the layers that programs get on this platform.
 
-    Args:
-        sandbox: ``auto`` takes what there is, ``strict`` refuses to go without one, ``off`` takes only what keeps
-            runs tidy.
-        platform: as ``sys.platform`` names it.
+    ``auto`` takes what there is, ``strict`` refuses to go without one, ``off`` takes only what keeps runs tidy.
 
     Raises:
         IsolationError: ``strict``, and layers are missing; or no such sandbox.
@@ -156,7 +153,7 @@ def _file_settings(private: Path) -> dict[str, Any]:
 
 
 def _user_tasks(limits: Limits) -> int:
-    """Return how many threads the user may have with this program's; 0: no limit. Root has none."""
+    """Return the number of threads that the user may have with this program's; 0: no limit. Root has none."""
     if sys.platform != "linux" or os.geteuid() == 0 or not process_stats.tasks_of_user():
         return 0
     return process_stats.tasks_of_user() + _CROWD * limits.processes
@@ -184,7 +181,7 @@ def message_bytes(limits: Limits) -> int:
 
 
 def output_bytes(limits: Limits) -> int:
-    """Return what a program may print in a half, in bytes."""
+    """Return the most that a program may print in a half, in bytes."""
     return megabytes(limits.output_mb)
 
 

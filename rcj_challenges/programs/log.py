@@ -42,10 +42,7 @@ class ProgramLog:
     def __init__(self, path: Path, most_bytes: int, temporary: Path) -> None:
         """Open it, at its end; its folder is made if it is not there.
 
-        Args:
-            path: of the file.
-            most_bytes: of the program's output that are taken over.
-            temporary: an existing folder for the file that the program writes into.
+        So many bytes of the program's output are taken over; the file that the program writes into is in ``temporary``.
 
         Raises:
             OSError: it cannot be written.
@@ -70,7 +67,7 @@ class ProgramLog:
         self._decoder = codecs.getincrementaldecoder("utf-8")("replace")
 
     def output_bytes(self) -> int:
-        """Return how much the program had printed when that was last taken over; 0 when closed."""
+        """Return the size of the output when that was last taken over; 0 when closed."""
         if self.fd < 0:
             return 0
         return self._taken_bytes + max(0, self._seen_bytes - self._at)
@@ -99,7 +96,7 @@ class ProgramLog:
         self._write(text.encode("utf-8", "replace"))
 
     def new_text(self) -> str:
-        """Return what was appended since the last call; also after it is closed."""
+        """Return the text appended since the last call; also after it is closed."""
         self.take_over()
         if self.fd >= 0 and self._size_bytes() == self._shown:
             return ""
@@ -161,7 +158,7 @@ class ProgramLog:
 
 
 def _place_of_dump(tail: bytes) -> int:
-    """Return where the dump of a dying interpreter begins in the end of a log; -1: there is none."""
+    """Return the place of a dying interpreter's dump in the end of a log; -1: there is none."""
     at = tail.rfind(_DUMP_BEGINS)
     if at < 0 and (of_windows := _DUMP_OF_WINDOWS.search(tail)):
         return of_windows.start()

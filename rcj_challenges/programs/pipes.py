@@ -20,7 +20,7 @@ MOMENT_S = 0.0002
 """How long a side is polled before we sleep until it answers: sleeping and waking take longer than most programs
 compute (ADR 10)."""
 
-_LOOKS_LEFT_OUT = 16
+_SKIPPED_POLLS = 16
 """After a side has not answered within `MOMENT_S`, the next so many waits sleep at once; then it is polled again."""
 
 _CHUNK = 1 << 16
@@ -66,11 +66,7 @@ class Channel(Protocol):
 
 
 class FrameBuffer:
-    """Puts frames together from the pieces in which they arrive.
-
-    Attributes:
-        held: what has arrived and was not given out.
-    """
+    """Puts frames together from the pieces in which they arrive. `held` has arrived and was not given out."""
 
     def __init__(self, limit_bytes: int) -> None:
         self._limit_bytes = limit_bytes
@@ -112,7 +108,7 @@ class PolledPipes:
         self._buffer = FrameBuffer(limit_bytes)
         self._unsent = b""
         self._broken = False
-        self._looks_left_out = 0
+        self._polls_to_skip = 0
 
     def send(self, frame: bytes) -> None:
         """See `Channel`. What the pipe does not take at once is sent while receiving."""
@@ -158,15 +154,15 @@ class PolledPipes:
         body = self.receive_now()
         if body is not None or self._unsent:
             return body
-        if self._looks_left_out:
-            self._looks_left_out -= 1
+        if self._polls_to_skip:
+            self._polls_to_skip -= 1
             return None
         give_up = time.perf_counter() + MOMENT_S
         while body is None and time.perf_counter() < give_up:
             _let_others_run()
             body = self.receive_now()
         if body is None:
-            self._looks_left_out = _LOOKS_LEFT_OUT
+            self._polls_to_skip = _SKIPPED_POLLS
         return body
 
     def register(self, poll: select.poll) -> None:
@@ -187,7 +183,7 @@ class PolledPipes:
                     body = self.receive_now()
                     if body is not None:
                         if time.perf_counter() - began < MOMENT_S:
-                            self._looks_left_out = 0
+                            self._polls_to_skip = 0
                         return body
                 else:
                     self._unsent = self._left_of(self._unsent)

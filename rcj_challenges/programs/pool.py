@@ -74,7 +74,7 @@ class ProgramPool:
         return math.inf if plan.debug else _MAX_HELD_UP * charged_s
 
     def finish(self, last: Mapping[str, Observation]) -> None:
-        """Tell programs that the match is over, give them about 1 s together to clean up, then end all.
+        """Let the last ``step`` of programs return, give them about 1 s together to clean up, then end all.
 
         ``last`` has, by robot, the observation with which ``step`` returns -1.
         """

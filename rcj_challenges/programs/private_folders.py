@@ -58,7 +58,7 @@ class PrivateFolders:
 
 @functools.cache
 def remove_left_overs_once() -> None:
-    """Remove what dead matches left in the temporary folder, the first time that this process asks for it."""
+    """Remove the leftovers of dead matches from the temporary folder, at the first call in this process."""
     remove_left_overs(Path(tempfile.gettempdir()))
 
 

@@ -15,7 +15,7 @@ _LINKS_OF_A_FOLDER = 2  # itself and its parent; each further one is a folder in
 
 
 def threads_of(pid: int) -> int:
-    """Return how many threads a process has; 0 if that is unknown, or if there is no such process."""
+    """Return the number of threads of a process; 0 if that is unknown, or if there is no such process."""
     try:
         return max(0, os.stat(f"/proc/{pid}/task").st_nlink - _LINKS_OF_A_FOLDER)  # noqa: PTH116 - called while a match waits
     except OSError:
@@ -37,7 +37,7 @@ def has_lost_main_thread(pid: int) -> bool:
 
 @functools.cache
 def tasks_of_user() -> int:
-    """Return how many threads all processes of this process's user had when this was first asked; 0: not known.
+    """Return the number of threads of all processes of this user at the first call; 0: not known.
 
     ``RLIMIT_NPROC`` counts all of them together, so a limit for one program can only be one above what there is.
     """
@@ -51,7 +51,7 @@ def tasks_of_user() -> int:
 
 
 def process_times(pid: int) -> ProcessTimes | None:
-    """Return what the kernel counted for a process until now; None if that is unknown (Windows: the job object knows).
+    """Return the kernel's counts for a process until now; None if they are unknown (Windows: the job object has them).
 
     A thread's numbers lag behind by up to 10 ms while it computes; those of a thread that waits are exact.
     """
@@ -72,7 +72,7 @@ def _processor_clock(pid: int) -> int:
 
 
 def _thread_times(pid: int) -> dict[int, ThreadTimes] | None:
-    """Return what the kernel counted for each thread; None if it does not count."""
+    """Return the kernel's counts for each thread; None if it does not count."""
     times = {}
     for thread in os.listdir(f"/proc/{pid}/task"):  # noqa: PTH208 - a match waits
         with contextlib.suppress(FileNotFoundError, ProcessLookupError):
@@ -91,7 +91,7 @@ def is_runnable(pid: int, thread: int) -> bool:
 
 
 def held_up_here_s() -> float:
-    """Return for how long this thread was ready to compute and had no processor, in s; 0 if that is unknown."""
+    """Return the time in which this thread was ready to compute and had no processor, in s; 0 if it is unknown."""
     if sys.platform == "linux":
         with contextlib.suppress(OSError, ValueError, IndexError), open("/proc/thread-self/schedstat", "rb") as file:  # noqa: PTH123
             return int(file.read().split()[1]) / 1e9

@@ -43,8 +43,7 @@ class Ends:
     """The parent's ends of the pipes to a process.
 
     Attributes:
-        read_fd: for frames from the process.
-        write_fd: for frames to the process.
+        read_fd, write_fd: for frames from the process, and to it.
         lifeline_fd: the process notices when it closes, and writes its traceback when it is written to. None where the
             kernel ends it and a signal requests the traceback.
     """
@@ -100,11 +99,11 @@ class Process:
         self._looked_at_pid = self._innermost_pid()
 
     def threads(self) -> int:
-        """Return how many threads it has; 0 if that is unknown."""
+        """Return its number of threads; 0 if that is unknown."""
         return process_stats.threads_of(self._pid_to_look_at()) if sys.platform == "linux" else 0
 
     def times(self) -> ProcessTimes | None:
-        """Return what the kernel counted for it until now; None if that is unknown."""
+        """Return the kernel's counts for it until now; None if they are unknown."""
         if sys.platform == "win32":
             with contextlib.suppress(OSError):
                 return ProcessTimes(self._job.computed_s(), None)
@@ -130,7 +129,7 @@ class Process:
                 os.kill(self._innermost_pid(), number)
 
     def nameless_bytes(self, output_fd: int, folder: Path, *, in_memory: bool) -> float:
-        """Return what it holds in files that it has deleted and still uses (`scratch.nameless_bytes`).
+        """Return the size of files that it has deleted and still uses (`scratch.nameless_bytes`).
 
         Infinite if it has lost its main thread: then the system does not show its open files.
         """
@@ -309,7 +308,7 @@ def is_cpu_limit(status: int, cpu_s: float, limit_s: float) -> bool:
 
 
 def describe_status(status: int) -> str:
-    """Return in words what the exit status of a crash means."""
+    """Return the meaning of the exit status of a crash in words."""
     if status < 0:
         with contextlib.suppress(ValueError):
             name = signal.Signals(-status).name

@@ -35,11 +35,11 @@ BACKGROUND_S = 20.0
 otherwise the threads of one team could keep all processors from the match until ``processor_s`` ends them."""
 
 _SLICE_S = 0.25  # how often a program is checked while the match waits for it
-_LOOKS_PER_STEP_LIMIT = 8
-_LOG_LOOKED_AT_EVERY = 16  # requests
-_FOLDER_LOOKED_AT_EVERY = 256  # ticks; walking through a folder takes 100 µs and more
-_MEMORY_LOOKED_AT_EVERY = 1024  # ticks; so does reading what a process has in its memory
-_TOO_MUCH_TO_WAIT = 2.0
+_CHECKS_PER_STEP_LIMIT = 8
+_LOG_CHECK_EVERY = 16  # requests
+_FOLDER_CHECK_EVERY = 256  # ticks; walking through a folder takes 100 µs and more
+_MEMORY_CHECK_EVERY = 1024  # ticks; so does reading what a process has in its memory
+_TOLERATED_BETWEEN = 2.0
 """A program's use is checked when it calls ``step``, at ticks that are the same in every run: there its limits count.
 It is also checked by wall time, or it could fill a disk in between: there this many times the limits count."""
 _OUTPUT_SLACK_BYTES = 65_536  # what the interpreter and the match itself add to a log
@@ -59,7 +59,6 @@ class Sharing:
     Attributes:
         place: in the temporary folder, where each has its private folder.
         share_bytes: when it is full, programs that have written more than this have filled it.
-        programs: all of them.
         wait_budget: of the match for all of them together.
     """
 
@@ -70,12 +69,7 @@ class Sharing:
 
 
 class Program:
-    """A team's program in its own process. After its first `Fault` it is gone until the next half.
-
-    Attributes:
-        fault: how it failed; None while it has not.
-        budget: what time it is charged.
-    """
+    """A team's program in its own process. After its first `Fault` it is gone until the next half."""
 
     def __init__(self, assignment: Assignment) -> None:
         self._assignment = assignment
@@ -96,7 +90,7 @@ class Program:
         self._sharing = Sharing(Path(), math.inf, (), WaitBudget(math.inf))
         self._folder: Path | None = None
         self._log: ProgramLog | None = None
-        self._look_at_s, self._look_at_tick = _SLICE_S, 0
+        self._check_at_s, self._check_at_tick = _SLICE_S, 0
         self._process: processes.Process | None = None
         self._channel: TimedChannel | None = None
         self._lifeline_fd: int | None = None
@@ -112,7 +106,7 @@ class Program:
 
     @property
     def requests(self) -> int:
-        """How many times it has called ``step``."""
+        """The number of its calls of ``step``."""
         return self._requests
 
     @property
@@ -173,7 +167,7 @@ class Program:
             return self._broken(error)
 
     def collect_soon(self) -> Request | Fault | None:
-        """Return what `collect` would if it is here, or comes at once; None: `collect` has to wait for it."""
+        """Return the result of `collect` if it is here, or comes at once; None: `collect` has to wait for it."""
         channel = self._channel
         if channel is None or not self._requests:
             return None
@@ -195,19 +189,19 @@ class Program:
         self._requests += 1
         if isinstance(answer, Ended):
             return self._ended(answer.kind, answer.detail, answer.traceback)
-        trespass = None
-        if self._tick >= self._look_at_tick:
-            closely = self._look_at_tick % _MEMORY_LOOKED_AT_EVERY == 0
-            self._look_at_tick = (self._tick // _FOLDER_LOOKED_AT_EVERY + 1) * _FOLDER_LOOKED_AT_EVERY
-            trespass = self._trespass(closely=closely)
-        elif self._requests % _LOG_LOOKED_AT_EVERY == 0:
-            trespass = self._prints_too_much()
+        violation = None
+        if self._tick >= self._check_at_tick:
+            closely = self._check_at_tick % _MEMORY_CHECK_EVERY == 0
+            self._check_at_tick = (self._tick // _FOLDER_CHECK_EVERY + 1) * _FOLDER_CHECK_EVERY
+            violation = self._violation(closely=closely)
+        elif self._requests % _LOG_CHECK_EVERY == 0:
+            violation = self._prints_too_much()
             self.budget.settle()
         # Since its folder was looked through it may have had time to write much.
-        if trespass is None and self.budget.waited_s >= self._look_at_s:
-            trespass = self._trespass(_TOO_MUCH_TO_WAIT)
-        if trespass is not None:
-            return self._fail(*trespass)
+        if violation is None and self.budget.waited_s >= self._check_at_s:
+            violation = self._violation(_TOLERATED_BETWEEN)
+        if violation is not None:
+            return self._fail(*violation)
         if self.budget.background_s > BACKGROUND_S:
             self._suspend()
         return answer
@@ -224,11 +218,11 @@ class Program:
         self.budget.settle()
         if self.budget.background_s > BACKGROUND_S:
             self._suspend()
-        trespass = self._trespass()
-        if trespass is None:
+        violation = self._violation()
+        if violation is None:
             return None
         self._tick = tick
-        return self._fail(*trespass)
+        return self._fail(*violation)
 
     def _broken(self, error: Exception) -> Fault:
         if isinstance(error, ChannelClosedError):
@@ -238,7 +232,7 @@ class Program:
         return self._fail("protocol", f"the program sent an invalid message: {error}")
 
     def finish(self, observation: Observation) -> None:
-        """Tell the program that the match is over: its ``step`` returns -1, then it may clean up until `close`."""
+        """Let its ``step`` return -1, because the match is over; then it may clean up until `close`."""
         if self._channel is not None and not self._is_over:
             self._is_over = True
             self.budget.close()
@@ -286,14 +280,14 @@ class Program:
             scratch.remove(folder)
 
     def keep_output(self) -> int:
-        """Put into its log what it has printed until now; return how many bytes the log has got in all."""
+        """Put into its log what it has printed until now; return the size of all that the log has got."""
         if self._log is None:
             return 0
         self._log.take_over()
         return self._log.written_bytes
 
     def new_output(self) -> str:
-        """Return what it printed since the last call."""
+        """Return the output since the last call."""
         return self._log.new_text() if self._log is not None else ""
 
     def _start(self, layers: tuple[str, ...], log_fd: int, place: Path) -> None:
@@ -317,17 +311,13 @@ class Program:
         self._channel = TimedChannel(channel, self.budget)
 
     def _setup(self, root: Path, layers: tuple[str, ...]) -> dict[str, Any]:
-        """Return what the process needs to know beyond the robot."""
+        """Return the settings of the process beyond the robot."""
         plan = self._assignment.plan
         folder, entry = debugging.program_place(self._assignment, root)
         return {
             "half": plan.half,
             "seed": stream_seed(plan.match_seed, f"program/{self.name}/half{plan.half}"),
-            "program": {
-                "root": str(folder),
-                "entry": str(entry),
-                "site": processes.site_folders(),
-            },
+            "program": {"root": str(folder), "entry": str(entry), "site": processes.site_folders()},
             "limits": isolation.limit_settings(self._limits, layers, root.parent, portable=self._portable),
             "layers": isolation.set_by_process(layers, portable=self._portable),
             "debug": self._is_debugged,
@@ -336,13 +326,13 @@ class Program:
 
     def _wait(self, channel: TimedChannel) -> bytes | None:
         """Return the program's next message, None if it reached a limit. All other programs are charged meanwhile."""
-        longest_s = min(_SLICE_S, self._limits.step_s / _LOOKS_PER_STEP_LIMIT)
+        longest_s = min(_SLICE_S, self._limits.step_s / _CHECKS_PER_STEP_LIMIT)
         slice_s = min(MEASURED_AFTER_S, longest_s)
         channel.look(math.inf)  # since the last look the match did something else: no program is charged for that
         while (body := channel.receive(0.0)) is None:
             if self.budget.exceeded is not None:
                 return None
-            if self.budget.waited_s >= self._look_at_s and self._trespass(_TOO_MUCH_TO_WAIT) is not None:
+            if self.budget.waited_s >= self._check_at_s and self._violation(_TOLERATED_BETWEEN) is not None:
                 return None
             # Processes that it started may hold its pipes open after its end. Its last message may still be on its way.
             if self.has_ended():
@@ -357,9 +347,9 @@ class Program:
 
     def _too_slow(self) -> Fault:
         limits = self._limits
-        trespass = self._trespass()
-        if trespass is not None:
-            return self._fail(*trespass)
+        violation = self._violation()
+        if violation is not None:
+            return self._fail(*violation)
         kind = self.budget.exceeded or "step_timeout"
         detail = {
             "start_timeout": f"the program used more than {limits.start_s:g} s until its first step",
@@ -380,27 +370,25 @@ class Program:
         return self._ended("exit", f"the program ended itself (exit status {status})")
 
     def _ended(self, kind: str, detail: str, traceback: str = "", *, timed: bool = False) -> Fault:
-        """Return how a program ended, or what made it end: at the system's limit for files a flood ends in a crash.
+        """Return the fault of a program that has ended: at the system's limit for files a flood ends in a crash.
 
         Its threads do not count: how many of them have ended by now is another thing in each run.
         """
-        trespass = self._prints_too_much() or self._writes_too_much()
-        if trespass is not None:
-            return self._fail(*trespass)
+        violation = self._prints_too_much() or self._writes_too_much()
+        if violation is not None:
+            return self._fail(*violation)
         if _NO_ROOM.search(detail + traceback):
-            greedy = self._end_greedy()
+            ended = self._end_all_over_share()
             if self.fault is not None:
                 return self.fault
-            detail += f"; the temporary folder was full of what {', '.join(greedy)} had written" if greedy else ""
+            detail += f"; the temporary folder was full of what {', '.join(ended)} had written" if ended else ""
         return self._fail(kind, detail, traceback, timed=timed)
 
-    def _end_greedy(self) -> list[str]:
-        """End the programs that have filled the temporary folder, if that is as full as this one says.
+    def _end_all_over_share(self) -> list[str]:
+        """End the programs that have filled the temporary folder, if it is full; return their names.
 
-        This one is ended first, so that files which it only held open take no room.
-
-        Returns:
-            Their names; none if there is room, because a program's message may be false.
+        A program's message may be false: then there is room. This one is ended first, so that files which it only held
+        open take none.
 
         Raises:
             HostError: it is full, and no program has written more than its share.
@@ -409,25 +397,23 @@ class Program:
         try:
             scratch.ensure_room(self._sharing.place)
         except OSError as error:
-            greedy = [program.name for program in self._sharing.programs if program.end_if_greedy(self._tick)]
-            if not greedy:
+            ended = [program.name for program in self._sharing.programs if program.end_if_over_share(self._tick)]
+            if not ended:
                 raise DiskFullError from error
-            return greedy
+            return ended
         return []
 
-    def end_if_greedy(self, tick: int) -> bool:
+    def end_if_over_share(self, tick: int) -> bool:
         """End it if it has written more than its share of the full temporary folder; return whether it has."""
         share_bytes = self._sharing.share_bytes
         if self.fault is not None or self._folder is None or not self._has_written_more_than(self._folder, share_bytes):
             return False
         self._tick = tick
-        self._fail(
-            "output_flood",
-            f"the program wrote more than its share, {share_bytes / 1e6:.1f} MB, until the temporary folder was full",
-        )
+        share = f"its share, {share_bytes / 1e6:.1f} MB"
+        self._fail("output_flood", f"the program wrote more than {share}, until the temporary folder was full")
         return True
 
-    def _trespass(self, times: float = 1.0, *, closely: bool = True) -> tuple[str, str] | None:
+    def _violation(self, times: float = 1.0, *, closely: bool = True) -> tuple[str, str] | None:
         """Return kind and detail of the fault if it exceeds so many times one of its limits, else None."""
         return self._prints_too_much(times) or self._holds_too_much(times, closely=closely)
 
@@ -442,7 +428,7 @@ class Program:
         """Return whether its folder holds too much, it runs too many threads or has lost its main thread. Slow."""
         if self._is_debugged or self._process is None:
             return None
-        self._look_at_s = self.budget.waited_s + _SLICE_S
+        self._check_at_s = self.budget.waited_s + _SLICE_S
         if self._process.has_lost_main_thread():
             return "exit", "the program's main thread ended while other threads kept running"
         written = self._writes_too_much(times, closely=closely)
@@ -461,12 +447,10 @@ class Program:
         return "output_flood", f"the program wrote more than {self._limits.scratch_mb:g} MB into its folder"
 
     def _has_written_more_than(self, folder: Path, limit_bytes: float, *, closely: bool = True) -> bool:
-        nameless = 0.0
         if self._process is not None:
-            nameless = self._process.nameless_bytes(
-                -1 if self._log is None else self._log.fd, folder, in_memory=closely
-            )
-        return scratch.has_more_than(folder, limit_bytes - nameless)
+            log_fd = -1 if self._log is None else self._log.fd
+            limit_bytes -= self._process.nameless_bytes(log_fd, folder, in_memory=closely)
+        return scratch.has_more_than(folder, limit_bytes)
 
     def _fail(self, kind: str, detail: str, traceback: str = "", *, timed: bool = False) -> Fault:
         self.kill()

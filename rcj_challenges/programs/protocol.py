@@ -48,7 +48,7 @@ _NOTES = Struct("<BI")
 
 _ADDRESS = re.compile(r"\b0x[0-9a-fA-F]{6,}")
 _SPEED_TOLERANCE = 1e-9
-_MAX_TRACEBACK = 20_000  # letters
+_MAX_TRACEBACK = 20_000  # characters
 
 
 class ProtocolError(ValueError):
@@ -80,11 +80,7 @@ def hello_frame(spec: RobotSpec, setup: dict[str, Any]) -> bytes:
 
 
 class Codec:
-    """Encodes observations for one robot and decodes its program's messages.
-
-    Attributes:
-        notes: that its messages brought.
-    """
+    """Encodes observations for one robot and decodes its program's messages; ``notes`` came with them."""
 
     def __init__(self, spec: RobotSpec, message_bytes: int) -> None:
         self._values = spec.values
@@ -120,7 +116,7 @@ class Codec:
         return form.pack(length, OBSERVATION, tick, flags, self._values, len(packets), *values) + tail
 
     def decode(self, body: bytes, tick: int) -> Request | Ended:
-        """Return what a message, a frame without its length, asks for in answer to the observation of ``tick``.
+        """Return the request or farewell in a message (a frame without its length) that answers ``tick``.
 
         Raises:
             ProtocolError: it is not as the protocol demands.
@@ -255,7 +251,7 @@ def _packed(packet: Packet) -> bytes:
 
 
 class _Tail:
-    """The part of a message of variable size, read piece by piece; ``at`` tells how much has been taken."""
+    """The part of a message of variable size, read piece by piece; ``at`` is the size of what has been taken."""
 
     def __init__(self, body: bytes, at: int) -> None:
         self._body = body
@@ -274,11 +270,10 @@ def _other_than_request(body: bytes, tick: int) -> Ended:
     """Return a farewell; anything else is refused."""
     if not body:
         raise ProtocolError("an empty message")
-    if body[0] == REQUEST and len(body) >= _REQUEST_BEGINS.size:
-        _, answered = _REQUEST_BEGINS.unpack_from(body)
-        raise ProtocolError(f"a request that answers tick {answered} at tick {tick}")
     if body[0] == REQUEST:
-        raise ProtocolError(f"a request of {counted(len(body), 'byte')}")
+        if len(body) < _REQUEST_BEGINS.size:
+            raise ProtocolError(f"a request of {counted(len(body), 'byte')}")
+        raise ProtocolError(f"a request that answers tick {_REQUEST_BEGINS.unpack_from(body)[1]} at tick {tick}")
     if body[0] != FAULT:
         raise ProtocolError(f"a message of unknown type {body[0]}")
     try:
@@ -297,12 +292,12 @@ def _note(code: str, subject: str, message: str, help_: str) -> Note:
 
 
 def one_line(text: str) -> str:
-    """Return text from a program as one harmless line: no control characters, no addresses, at most 1000 letters."""
+    """Return text from a program as one harmless line: no control characters, no addresses, at most 1000 characters."""
     return _without_addresses(" ".join(_printable(text, keep="").split()))[:1_000]
 
 
 def _printable(text: str, keep: str) -> str:
-    return "".join(letter if letter in keep or unicodedata.category(letter)[0] != "C" else " " for letter in text)
+    return "".join(one if one in keep or unicodedata.category(one)[0] != "C" else " " for one in text)
 
 
 def _without_addresses(text: str) -> str:

@@ -19,7 +19,7 @@ _ENTRY_BYTES = 4096
 """What an entry counts at least: files cost a block and an inode even when they are empty."""
 
 _LONGEST_PATH = 512
-"""Letters of a path below the private folder. No honest program needs more, and soon no system call accepts more."""
+"""Characters of a path below the private folder. No honest program needs more, and soon no system call accepts more."""
 
 _ROOM_BYTES = 1_000_000
 """More than a program writes at once, than a page of some teams needs, and a replay of ten seconds."""
@@ -46,7 +46,7 @@ def ensure_room(folder: Path) -> None:
 
 
 def share_bytes(folder: Path, sharers: int) -> float:
-    """Return how much each of several may write into a folder's disk until it is full; infinite if it is full already.
+    """Return the share of each of several in what a folder's disk still takes; infinite if it is full already.
 
     When it is full (`ensure_room`) and only they have written, at least one of them has written more than this.
     """
@@ -62,7 +62,7 @@ def has_more_than(folder: Path, limit_bytes: float) -> bool:
 
 
 def bytes_below(folder: Path, enough_bytes: float) -> float:
-    """Return what all files below a folder take; infinite if something in it cannot be looked at.
+    """Return the size of all files below a folder; infinite if something in it cannot be looked at.
 
     The folder may change meanwhile. Counting ends where there are more than ``enough_bytes``.
     """
@@ -98,17 +98,13 @@ def _entry_bytes(entry: os.DirEntry[str]) -> int:
 
 
 def nameless_bytes(pid: int, output_fd: int, folder: Path, *, in_memory: bool = True) -> float:
-    """Return what a process holds in files and folders that have no name any more (Linux; elsewhere 0).
+    """Return the size of a process's open files and folders that have no name any more (Linux; elsewhere 0).
 
-    Its threads must share one table of open files, which the layer ``system_calls`` enforces.
+    Its threads must share one table of open files, which the layer ``system_calls`` enforces. The file of its output,
+    open here as ``output_fd``, is counted elsewhere.
 
-    Infinite if there is one that is only mapped into its memory, because its size is unknown.
-
-    Args:
-        pid: of the process.
-        output_fd: open here: the file of its output, which is counted elsewhere.
-        folder: its private one.
-        in_memory: whether to look for such ones too, which takes longer than all the rest.
+    Infinite if there is one of its private folder that is only mapped into its memory, because its size is unknown; to
+    look for these too takes longer than all the rest.
     """
     total = 0
     if sys.platform == "linux":
@@ -175,12 +171,11 @@ def remove(folder: Path) -> None:
 
 
 def _brought_up(path: str, place: str) -> str:
-    try:
+    with contextlib.suppress(OSError):
         os.chmod(path, 0o700)  # noqa: PTH101
         os.rename(path, place)  # noqa: PTH104
-    except OSError:
-        return path
-    return place
+        return place
+    return path
 
 
 def _leads_elsewhere(folder: Path) -> bool:

@@ -27,12 +27,11 @@ _QUIET_SHARE = 0.01
 
 
 class ThreadTimes(NamedTuple):
-    """What the kernel counted for one thread until now.
+    """The kernel's counts for one thread until now.
 
     Attributes:
-        running_s: how long it has computed, in s.
-        ready_s: how long it was ready to compute but waited for a processor, in s. The current wait is not included
-        yet.
+        running_s: for how long it has computed.
+        ready_s: for how long it was ready but waited for a processor, without the current wait.
         runs: how many times it was given a processor.
     """
 
@@ -42,10 +41,10 @@ class ThreadTimes(NamedTuple):
 
 
 class ProcessTimes(NamedTuple):
-    """What the kernel counted for one process until now.
+    """The kernel's counts for one process until now.
 
     Attributes:
-        cpu_s: CPU time of all threads, ended ones included, in s.
+        cpu_s: of all threads, ended ones included.
         threads: by number; None if the system does not report ready times.
     """
 
@@ -79,10 +78,8 @@ class TimeBudget:
     ) -> None:
         """Open a budget before the program is launched.
 
-        Args:
-            limits: what it may be charged.
-            read: returns what the kernel counted until now; None if that is unknown.
-            is_runnable: whether a thread runs or waits for a processor at this moment.
+        ``read`` returns the kernel's counts, None if they are unknown; ``is_runnable`` whether a thread runs or waits
+        for a processor at this moment.
         """
         self._limits = limits
         self._read = read
@@ -105,9 +102,8 @@ class TimeBudget:
     def answered(self, now_s: float, lost_s: float = 0.0) -> None:
         """End an interval that is measured, or the first one: the program has answered.
 
-        Args:
-            now_s: when that was noticed, of ``time.perf_counter``.
-            lost_s: of the time since the last look, what the match itself stood still or waited for a processor.
+        ``now_s`` is that of ``time.perf_counter``; in ``lost_s`` since the last look the match itself stood still or
+        waited for a processor.
         """
         if self._is_closed:
             return
@@ -198,12 +194,7 @@ class TimeBudget:
 
 
 class _Measurement:
-    """CPU and idle time of a program since this was made.
-
-    Attributes:
-        last: the last reading.
-        charge_s: CPU plus idle time, in s.
-    """
+    """CPU and idle time of a program since this was made; ``charge_s`` is their sum."""
 
     def __init__(self, first: ProcessTimes, quiet: _QuietTime) -> None:
         self._first = first
@@ -243,7 +234,7 @@ class _Measurement:
         self._seen.update(self.last.threads or {})
 
     def _longest_s(self, cpu_s: float) -> float:
-        """Return for how long at least one thread ran or was ready."""
+        """Return the time in which at least one thread ran or was ready."""
         firsts = self._first.threads or {}
         longest_s = seen_s = 0.0
         for thread, times in self._seen.items():

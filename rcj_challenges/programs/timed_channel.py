@@ -19,7 +19,7 @@ class TimedChannel:
     """
 
     def __init__(self, channel: Channel, budget: TimeBudget) -> None:
-        """Take over a channel whose program was just launched: its first frame is awaited."""
+
         self.channel = channel
         self.budget = budget
         self.is_awaited = True

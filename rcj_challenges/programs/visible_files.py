@@ -22,12 +22,7 @@ _LIBRARIES = ("/lib", "/lib32", "/lib64", "/usr/lib", "/usr/lib32", "/usr/lib64"
 _MORE_LIBRARIES = ("/gnu/store", "/etc/ld.so.cache")
 # What the C library, OpenBLAS and `zoneinfo` ask the system: how many processors there are, how memory is given out,
 # time zones. None of it reveals other processes.
-_SYSTEM = (
-    "/proc/cpuinfo",
-    "/proc/sys/vm/overcommit_memory",
-    "/sys/devices/system/cpu",
-    "/usr/share/zoneinfo",
-)
+_SYSTEM = ("/proc/cpuinfo", "/proc/sys/vm/overcommit_memory", "/sys/devices/system/cpu", "/usr/share/zoneinfo")
 
 DEVICES = ("/dev/null", "/dev/zero", "/dev/full", "/dev/random", "/dev/urandom")
 """May be read and written."""
@@ -43,7 +38,7 @@ def readable() -> tuple[str, ...]:
 
 
 def standard_library() -> list[str]:
-    """Return where the interpreter's own modules are: its folder, and an archive of them if there is one."""
+    """Return the places of the interpreter's own modules: its folder, and an archive of them if there is one."""
     archives = [entry for entry in sys.path if entry.endswith(".zip") and entry.startswith(sys.base_prefix)]
     return [str(Path(os.__file__).parent), *archives]
 
@@ -61,16 +56,7 @@ def is_too_wide(path: str, protected: tuple[str, ...]) -> bool:
 
 def _protected() -> tuple[str, ...]:
     """Return the folders in which people and this match have their things."""
-    places = (
-        "/",
-        "/home",
-        "/root",
-        "/etc",
-        "/var",
-        "/run",
-        "/proc",
-        *_own_places(),
-    )
+    places = ("/", "/home", "/root", "/etc", "/var", "/run", "/proc", *_own_places())
     return tuple(os.path.realpath(place) for place in places)
 
 

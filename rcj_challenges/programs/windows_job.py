@@ -111,7 +111,7 @@ if sys.platform == "win32":
                 self._handle = 0
 
     def startup_info(inherited: list[int]) -> subprocess.STARTUPINFO:
-        """Return what makes a new process inherit exactly these file descriptors, and its standard streams."""
+        """Return settings that let a new process inherit only these file descriptors and its standard streams."""
         handles = [msvcrt.get_osfhandle(fd) for fd in inherited]
         for handle in handles:
             os.set_handle_inheritable(handle, True)

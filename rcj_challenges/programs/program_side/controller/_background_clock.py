@@ -40,11 +40,7 @@ _HAS_FINE_CPU_TIMES = sys.platform != "win32"  # Windows updates CPU times only 
 
 
 class BackgroundClock:
-    """How far the clock of the threads that do not step is ahead.
-
-    Attributes:
-        in_match: whether the program is inside ``step``.
-    """
+    """How far the clock of the threads that do not step is ahead; ``in_match``: whether the program is in ``step``."""
 
     def __init__(self) -> None:
         self.in_match = False
@@ -56,7 +52,7 @@ class BackgroundClock:
         self._readings = 0
 
     def read_ns(self) -> int:
-        """Return how far it is ahead, in ns; this counts as a reading."""
+        """Return its lead in ns; this counts as a reading."""
         if not self.in_match:
             self._readings += 1
             if self._readings % _READINGS == 0:
@@ -68,11 +64,11 @@ class BackgroundClock:
         return self.ahead_ns()
 
     def ahead_ns(self) -> int:
-        """Return how far it is ahead, in ns."""
+        """Return its lead in ns."""
         return self._ahead_ns + self._standing_ns()
 
     def _standing_ns(self) -> int:
-        """Return what real time counts that is not added up yet, in ns."""
+        """Return the real time that counts and is not added up yet, in ns."""
         if self.in_match:
             return 0
         now_s = real_monotonic()
@@ -81,10 +77,9 @@ class BackgroundClock:
         return max(0, int((now_s - self._counts_from_s) * 1e9))
 
     def place(self) -> tuple[Any, ...]:
-        """Return where the thread that steps is now, and when that is; for `compare`, after a real wait.
+        """Return the present place of the thread that steps, for `compare`, after a real wait.
 
-        Returns:
-            Ticks begun, its frame and the instruction in it, real time in s, processor time of the process in s.
+        It is: ticks begun, its frame and the instruction in it, real time in s, processor time of the process in s.
         """
         frame = sys._current_frames().get(self._stepping)  # noqa: SLF001 - it is documented
         at = None if frame is None else frame.f_lasti

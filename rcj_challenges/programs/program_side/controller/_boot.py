@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from ._hooks import Patch
 
 _RESERVE_BYTES = 4 << 20  # of addresses, never touched; Python 3.14 needs more than 1 MB to report an error
-_MAX_LETTERS = 2_000  # letters
+_MAX_CHARACTERS = 2_000
 _SWITCH_S = 0.000_2
 """How long a thread may compute while the stepping thread is ready to run, which happens twice in a step. With Python's
 default of 5 ms, a thread that computes for ever would use up more than a half allows."""
@@ -125,7 +125,7 @@ class Boot:
         code = left.code
         if type(code) is str:
             _print_quietly(code)
-            self._ended("exit", f"the program called sys.exit: {code[:_MAX_LETTERS]}")
+            self._ended("exit", f"the program called sys.exit: {code[:_MAX_CHARACTERS]}")
         else:
             self._ended("exit", f"the program called sys.exit({'' if code is None else _text_of(code)})")
 
@@ -217,7 +217,7 @@ def _debugger_quit(left: SystemExit) -> bool:
 
 def _text_of(code: object) -> str:
     try:
-        return str(code)[:_MAX_LETTERS]
+        return str(code)[:_MAX_CHARACTERS]
     except BaseException:  # noqa: BLE001 - it may raise anything
         return "…"
 

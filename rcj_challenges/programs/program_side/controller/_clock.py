@@ -42,12 +42,7 @@ _real_sleep = time.sleep
 
 
 class Clock:
-    """Simulated time of one program.
-
-    Attributes:
-        beside: what the clock of its other threads is ahead.
-        step_began: the program is inside ``step`` until the next tick begins.
-    """
+    """Simulated time of one program; ``beside`` is the lead of the clock of its other threads."""
 
     def __init__(self, tick_ns: int) -> None:
         self._tick_ns = tick_ns
@@ -100,7 +95,7 @@ class Clock:
         return True
 
     def others_s(self) -> float:
-        """Return what threads that do not step measure waits by, in s."""
+        """Return the time by which threads that do not step measure waits, in s."""
         return (self._tick_began_ns + self._since_ns + self.beside.ahead_ns()) / 1e9
 
     def sleep(self, seconds: float) -> None:
@@ -133,7 +128,7 @@ class Clock:
         self.beside.caught_up(passed_ns)
 
     def missed_ticks(self) -> int:
-        """Return how many whole ticks passed since the last observation by sleeping and reading."""
+        """Return the number of whole ticks that passed since the last observation by sleeping and reading."""
         return self._since_ns // self._tick_ns
 
     def tick_began(self, tick: int) -> None:
@@ -205,7 +200,7 @@ def _patch_of_named_clocks(clock: Clock) -> None:
 
 
 def dates_of(clock: Clock) -> Callable[[Any], None]:
-    """Return what replaces the classes of the module ``datetime`` by ones that show ``clock``.
+    """Return a patch that replaces the classes of the module ``datetime`` by ones that show ``clock``.
 
     The classes stay interchangeable with the real ones: instances of either pass for instances of both.
     """
@@ -240,13 +235,7 @@ def dates_of(clock: Clock) -> Callable[[Any], None]:
             return kind_of(real)(real.__name__, (real,), names)  # type: ignore[no-any-return]
 
         module.date = replaced(real_date, {"today": classmethod(today)})
-        module.datetime = replaced(
-            real_datetime,
-            {
-                "now": classmethod(now),
-                "utcnow": classmethod(utcnow),
-                "today": classmethod(utcnow),
-            },
-        )
+        methods = {"now": classmethod(now), "utcnow": classmethod(utcnow), "today": classmethod(utcnow)}
+        module.datetime = replaced(real_datetime, methods)
 
     return replace

@@ -150,7 +150,7 @@ def watch(lifeline_fd: int, memory_bytes: int, on_memory: Callable[[], None]) ->
 
 
 def _memory_watch(fd: int, limit_bytes: int) -> Callable[[], bool | None]:
-    """Return what waits a moment, then says whether the process holds more than it may; None: ``fd`` has to be read."""
+    """Return a function that waits a moment and returns whether memory is over the limit; None: ``fd`` is readable."""
     import resource
     import select
 

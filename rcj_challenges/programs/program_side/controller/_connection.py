@@ -75,12 +75,7 @@ class PacketQueue:
 
 
 class Samples:
-    """The last two samples of a sensor that the program could see.
-
-    Attributes:
-        latest: the sample that is shown now.
-        before: the one that was shown before it.
-    """
+    """The last two samples of a sensor that the program could see."""
 
     __slots__ = ("_begin", "_period", "before", "latest")
 
@@ -107,7 +102,6 @@ class Connection:
     """The robot's side of the exchange with the match.
 
     Attributes:
-        spec: the robot, as the match described it.
         root: folder of the team's files; empty until it is known.
         numbers: the latest observation: six numbers of its head, then those of all devices, as of ``tick``. Those of a
             lidar stand packed in one piece: they are many, and seldom looked at.
@@ -116,7 +110,6 @@ class Connection:
         queues: unread packets by the index of the receiver.
         devices: all devices of the robot by name, once it is made.
         motors: settings for the next request, by the motor's index: index, velocity in rad/s, position in rad.
-        message_bytes: of the largest radio packet.
     """
 
     def __init__(self, wire: Wire, hello: dict[str, Any], clock: Any, output: Any) -> None:
@@ -197,7 +190,7 @@ class Connection:
             self._followed[device] = Samples((self.tick, self.numbers), (self.previous_tick, self.previous))
 
     def before_sample(self, device: int) -> tuple[int, tuple[Any, ...]]:
-        """Return how many ticks there were between the last two samples, and the numbers of the first; 0 if none."""
+        """Return the ticks between the last two samples, and the numbers of the first; 0 if none."""
         samples = self._followed.get(device)
         if samples is None:
             return self.tick - self.previous_tick, self.previous
@@ -209,7 +202,7 @@ class Connection:
         self._channels[device] = channel
 
     def spin(self, device: int, frequency_hz: float) -> None:
-        """Set how fast the head of a lidar turns."""
+        """Set the frequency of a lidar's head."""
         self._has_others = True
         self._frequencies[device] = frequency_hz
 
@@ -338,7 +331,7 @@ class Connection:
             self._has_others = True  # the exchange is to look here for its request
 
     def is_within_step(self) -> bool:
-        """Return whether a step was begun that has not ended: until then no other can be taken."""
+        """Return whether a step was begun that has not ended: no other can be taken before."""
         return self._begun is not None
 
     def end(self) -> bool:
@@ -399,7 +392,7 @@ class Connection:
 
 
 def _layout(devices: list[dict[str, Any]]) -> tuple[str, dict[int, int]]:
-    """Return how the numbers of all devices stand in an observation, and where those of each slot come to stand."""
+    """Return the layout of all devices' numbers in an observation, and the place of each slot's."""
     form, place_of, place = "", {}, HEAD_FIELDS
     for device in sorted(devices, key=lambda device: device["slot"]):
         width = device["width"]

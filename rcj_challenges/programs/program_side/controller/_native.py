@@ -31,7 +31,7 @@ def libc() -> Any:
 
 
 def checked(result: int) -> int:
-    """Return what a call of the C library returned.
+    """Return the result of a call of the C library.
 
     Raises:
         OSError: it was -1.

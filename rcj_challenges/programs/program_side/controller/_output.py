@@ -18,11 +18,8 @@ class Output:
     def __init__(self, limit_bytes: int, on_flood: Callable[[], None], names: list[tuple[str, str]]) -> None:
         """Take the place of the program's streams.
 
-        Args:
-            limit_bytes: what may be printed.
-            on_flood: what to do when more is printed.
-            names: folders of this computer and their replacements in the log, so that warnings, tracebacks and the
-                program's own messages show paths as in the submission, the same in every match.
+        ``names`` are folders of this computer and their replacements in the log: warnings, tracebacks and the program's
+        own messages show paths as in the submission, the same in every match.
         """
         self.printed_bytes = 0
         self._names = [(os.fsencode(path), os.fsencode(short)) for path, short in names]
@@ -40,7 +37,7 @@ class Output:
         return min(size, room)
 
     def with_short_paths(self, data: bytes | memoryview) -> bytes | memoryview:
-        """Return what is printed, with short names of folders."""
+        """Return printed text with short names of folders."""
         text = bytes(data)
         for path, short in self._names:
             if path in text:

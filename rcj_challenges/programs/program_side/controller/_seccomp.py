@@ -121,7 +121,7 @@ def filter_for(machine: str, pid: int) -> list[Instruction]:
 
 
 def _conditions(pid: int) -> dict[str, list[Instruction]]:
-    """Return how calls are judged that are allowed in part: instructions that end in an answer."""
+    """Return instructions for calls that are allowed in part; they end in an answer."""
     return {
         "open": _truncating(1),
         "openat": _truncating(2),

@@ -38,7 +38,7 @@ class Seeds:
 
 
 def seed_random(seeds: Seeds) -> Callable[[Any], None]:
-    """Return what makes the module ``random`` draw its seeds, where none is given, from ``seeds``."""
+    """Return a patch: the module ``random`` draws its seeds, where none is given, from ``seeds``."""
 
     def patch(module: Any) -> None:
         real_seed = module.Random.seed
@@ -54,7 +54,7 @@ def seed_random(seeds: Seeds) -> Callable[[Any], None]:
 
 
 def seed_numpy_entropy(seeds: Seeds) -> Callable[[Any], None]:
-    """Return what gives ``numpy.random.bit_generator`` its entropy: all unseeded generators of numpy ask there."""
+    """Return a patch: ``numpy.random.bit_generator``, where all unseeded generators of numpy ask, uses ``seeds``."""
 
     def patch(module: Any) -> None:
         module.randbits = seeds.bits
@@ -63,7 +63,7 @@ def seed_numpy_entropy(seeds: Seeds) -> Callable[[Any], None]:
 
 
 def seed_numpy_global(seeds: Seeds) -> Callable[[Any], None]:
-    """Return what makes ``numpy.random.seed()`` without argument draw from ``seeds``."""
+    """Return a patch: ``numpy.random.seed()`` without argument draws from ``seeds``."""
 
     def patch(module: Any) -> None:
         real_seed = module.seed

@@ -26,14 +26,14 @@ def short_names(team_root: str, site_folders: list[str]) -> list[tuple[str, str]
     shown += [(place, "python") for place in (os.path.dirname(os.__file__), sys.executable) if place]
     # In /usr or C:\Python311 it reveals nothing about this computer, and is a part of too many other paths.
     shown += [(place, "python") for place in (sys.prefix, sys.base_prefix) if place.count(os.sep) > _COMMON_DEPTH]
-    # The debugger writes them in small letters on Windows.
+    # The debugger writes them in lower case on Windows.
     shown += [(small, short) for path, short in shown if (small := os.path.normcase(path)) != path]
     # Errors quote paths, and there backslashes are doubled.
     return shown + [(path.replace("\\", "\\\\"), short) for path, short in shown if "\\" in path]
 
 
 def describe(error: BaseException, team_root: str, names: list[tuple[str, str]]) -> tuple[str, str]:
-    """Return what went wrong in one line, and the traceback of the program's own lines."""
+    """Return the error in one line, and the traceback of the program's own lines."""
     try:
         report = _with_standard_library(_describe, error, team_root + os.sep)
         for path, short in names:
@@ -136,14 +136,14 @@ def _suggest_name(error: BaseException) -> None:
         error.args = (f"{error}. Did you mean: '{near[0]}'?",)
 
 
-def _with_standard_library(tell: Callable[[BaseException, str], tuple[str, str]], *of: Any) -> tuple[str, str]:
+def _with_standard_library(call: Callable[[BaseException, str], tuple[str, str]], *of: Any) -> tuple[str, str]:
     """Call what uses modules of the standard library, which import others when they like: none of the team's files."""
     standard = os.path.dirname(os.__file__)
     kept = sys.path[:]
     sys.path[:] = [path for path in kept if isinstance(path, str) and path.startswith(standard)]
     theirs = {key: sys.modules.pop(key) for key in [*sys.modules] if _is_in_the_way(key, standard)}
     try:
-        return tell(*of)
+        return call(*of)
     finally:
         sys.path[:] = kept
         sys.modules.update(theirs)

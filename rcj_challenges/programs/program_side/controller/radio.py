@@ -25,7 +25,6 @@ class NoPacketError(RuntimeError, AttributeError):
     """
 
     def __init__(self, message: str) -> None:
-        """Tell what is missing."""
         super().__init__(message)
         self.name = None  # else Python suggests the getter, which also fails
 
