@@ -26,11 +26,7 @@ _HEAD = struct.Struct("<4sI")
 
 
 class ChunkWriter:
-    """Writes a file of chunks.
-
-    Attributes:
-        size_bytes: of all that was appended.
-    """
+    """Writes a file of chunks; ``size_bytes`` is that of all that was appended."""
 
     def __init__(self, path: Path, header: Mapping[str, Any], level: int) -> None:
         """Create the file; the header is JSON-able, level 0 of zlib's compression packs nothing.
@@ -42,13 +38,13 @@ class ChunkWriter:
         self._pending = bytearray(json_line({"record": RECORD_VERSION, **header}))
         self.size_bytes = len(self._pending)
         self._file = path.open("xb", buffering=0)
-        self._write()
+        write_all(self._file, self._pending)
 
     def append(self, chunk: bytes) -> None:
         """Append a chunk that was made by `pack`."""
         self.size_bytes += len(chunk)
         self._pending += chunk
-        self._write()
+        write_all(self._file, self._pending)
 
     def pack(self, head: Mapping[str, Any], body: bytes = b"") -> bytes:
         """Return a chunk of a JSON-able head and any bytes."""
@@ -58,20 +54,15 @@ class ChunkWriter:
     def close(self) -> None:
         """Write what is left, and close the file. Can be called again."""
         if not self._file.closed:
-            self._write()
+            write_all(self._file, self._pending)
             self._file.close()
-
-    def _write(self) -> None:
-        write_all(self._file, self._pending)
 
 
 @dataclass(frozen=True)
 class Chunks:
-    """The readable part of a file of chunks.
+    """The readable part of a file of chunks, each with its head and bytes.
 
     Attributes:
-        header: of the file.
-        chunks: head and bytes of each.
         is_cut_off: whether the last chunk is not whole, as a kill leaves it.
         is_damaged: whether something else is wrong behind the last of them.
     """
@@ -97,8 +88,8 @@ def read_chunks(path: Path) -> Chunks:
         if type(version) is not int:
             raise TypeError("no version")
     except (KeyError, TypeError, ValueError) as error:
-        message = f"{path.parent.name}: {path.name} is not a file of this package, or damaged"
-        raise RecordError("record-damaged", message, "copy the whole record again") from error
+        what = f"{path.parent.name}: {path.name} is not a file of this package, or damaged"
+        raise RecordError.damaged(what) from error
     check_version(version, path.parent.name)
     chunks: list[tuple[dict[str, Any], bytes]] = []
     is_cut_off = is_damaged = False

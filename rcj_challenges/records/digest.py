@@ -6,7 +6,7 @@ key nor a moved field changes it. Params are left out: their values stand where 
 same wherever a number is asked for, but not in a text, event or broadcast, where programs see the difference.
 
 ``states`` hashes for each half its number, for each tick the judged state (qpos, qvel as little-endian float64), and
-each event with its tick, without the time of day and without messages for people. Each part stands behind a letter and
+each event with its tick, without the time of day and without messages for people. Each part stands behind its kind and
 its length, so that no two runs share a stream of bytes.
 """
 
@@ -69,8 +69,7 @@ class StatesDigest:
     def __init__(self) -> None:
         self._sha = hashlib.sha256(f"rcj-challenges states {_STATES_VERSION}\n".encode("ascii"))
         self._pending = bytearray()
-        self._state_bytes = -1
-        self._state_head = b""
+        self._state_bytes, self._state_head = -1, b""
 
     def half(self, half: int) -> None:
         """A half begins."""
@@ -100,5 +99,5 @@ class StatesDigest:
         self._pending.clear()
         return self._sha.hexdigest()
 
-    def _frame(self, letter: bytes, data: bytes) -> None:
-        self._pending += letter + len(data).to_bytes(4, "little") + data
+    def _frame(self, kind: bytes, data: bytes) -> None:
+        self._pending += kind + len(data).to_bytes(4, "little") + data

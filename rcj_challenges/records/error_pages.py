@@ -39,7 +39,7 @@ PAGES: dict[str, str] = {
         "Records are in runs/ unless --out named another folder; rcj-challenge view --list shows them."
     ),
     "ambiguous-record": (
-        "Several records begin with what was given.\n\nGive more letters of the name, or the folder of the record."
+        "Several records begin with what was given.\n\nGive more characters of the name, or the folder of the record."
     ),
     "cannot-write-record": (
         "The record of a match cannot be written on this computer.\n\n"

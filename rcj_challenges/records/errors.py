@@ -15,8 +15,12 @@ class RecordError(DiagnosticError):
     """A record that is missing, damaged, foreign, or of another version."""
 
     def __init__(self, code: str, message: str, help_: str = "") -> None:
-        """Create an error; its code is stable over versions, message and help are one line each."""
         super().__init__(Diagnostic(code, message, help_))
+
+    @classmethod
+    def damaged(cls, what: str) -> Self:
+        """Return the error for a damaged file; ``what`` is the message, which begins with the record's folder."""
+        return cls("record-damaged", what, COPY_AGAIN)
 
     @property
     def message(self) -> str:
@@ -36,6 +40,8 @@ class UnwritableError(RecordError, HostError):
         message = f"the record cannot be written: {sanitize(error.filename)}: {format_error(error)}"
         return cls("cannot-write-record", message, help_)
 
+
+COPY_AGAIN = "copy the whole record again"
 
 _HELD_HELP = "close the program that may have it open, or give a folder with --out in which you may write"
 _HELP = {

@@ -14,7 +14,7 @@ from typing import Any, BinaryIO
 from rcj_challenges.core.errors import format_error, is_held
 from rcj_challenges.core.files import open_without_waiting
 from rcj_challenges.core.sanitize import sanitize
-from rcj_challenges.records.errors import RecordError
+from rcj_challenges.records.errors import COPY_AGAIN, RecordError
 
 RECORD_VERSION = 2
 """Version of everything in the folder; another one is refused."""
@@ -46,12 +46,12 @@ def check_version(record: int, name: str) -> None:
     Raises:
         RecordError: it is older or newer than what this package reads.
     """
+    message = f"{name}: its record has version {record}, this package reads version {RECORD_VERSION}"
     if record > RECORD_VERSION:
-        message = f"{name}: its record has version {record}, this package reads version {RECORD_VERSION}"
         raise RecordError("record-too-new", message, "read it with a newer rcj-challenges")
     if record < RECORD_VERSION:
-        message = f"{name}: its record has version {record}, this package reads version {RECORD_VERSION} only"
-        raise RecordError("record-too-old", message, "play the match again; its replay.html still opens in a browser")
+        help_ = "play the match again; its replay.html still opens in a browser"
+        raise RecordError("record-too-old", f"{message} only", help_)
 
 
 def open_file(path: Path, max_bytes: int = MAX_FILE_BYTES) -> BinaryIO:
@@ -69,11 +69,10 @@ def open_file(path: Path, max_bytes: int = MAX_FILE_BYTES) -> BinaryIO:
         return file
     file.close()
     if stat.S_ISREG(found.st_mode):
-        size = f"{found.st_size / 1e6:.0f} MB, more than {max_bytes / 1e6:.0f}"
-        message = f"{path.parent.name}: {path.name} has {size}"
+        message = f"{path.parent.name}: {path.name} has {found.st_size / 1e6:.0f} MB, more than {max_bytes / 1e6:.0f}"
         raise RecordError("record-too-large", message, "no run writes such a file: copy the whole record again")
     message = f"{path.parent.name}: {path.name} is a pipe or a device, not a file"
-    raise RecordError("record-not-a-file", message, "copy the whole record again")
+    raise RecordError("record-not-a-file", message, COPY_AGAIN)
 
 
 def read_file(path: Path, max_bytes: int = MAX_FILE_BYTES) -> bytes:

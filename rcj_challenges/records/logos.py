@@ -44,7 +44,7 @@ def logo_of(files: Mapping[PurePosixPath, bytes]) -> bytes | None:
 
 
 def logo_path(folder: Path, team: str) -> Path:
-    """Return where a record keeps a team's logo; ``team`` is the seat of its first half."""
+    """Return the path of a team's logo in a record; ``team`` is the seat of its first half."""
     return folder / f"logo-{team}.png"
 
 

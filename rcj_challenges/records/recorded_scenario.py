@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from rcj_challenges.core.errors import format_error
-from rcj_challenges.records.errors import RecordError
+from rcj_challenges.records.errors import COPY_AGAIN, RecordError
 from rcj_challenges.records.folder import SCENARIO, UNRESOLVED, read_file
 from rcj_challenges.records.lines import parsed
 from rcj_challenges.scenario.errors import ScenarioError, place_of
@@ -27,21 +27,16 @@ def read_scenario(folder: Path) -> Scenario:
             raise TypeError("not an object")
         return load_resolved(data).scenario
     except FileNotFoundError:
-        raise RecordError("record-incomplete", f"{folder.name}: {SCENARIO} is missing", _COPY_AGAIN) from None
+        raise RecordError("record-incomplete", f"{folder.name}: {SCENARIO} is missing", COPY_AGAIN) from None
     except OSError as error:
         message = f"{folder.name}: {SCENARIO} cannot be read: {format_error(error)}"
         raise RecordError("record-unreadable", message) from error
     except ScenarioError as error:
         first = error.diagnostics[0]
         what = f"{place_of(first).path}: {first.message}" if place_of(first).path else first.message
-        message = f"{folder.name}: {SCENARIO} is not as the run wrote it: {what}"
-        raise RecordError("record-damaged", message, _COPY_AGAIN) from error
+        raise RecordError.damaged(f"{folder.name}: {SCENARIO} is not as the run wrote it: {what}") from error
     except (TypeError, ValueError, RecursionError) as error:
-        message = f"{folder.name}: {SCENARIO} is damaged: it is not the scenario of a run"
-        raise RecordError("record-damaged", message, _COPY_AGAIN) from error
-
-
-_COPY_AGAIN = "copy the whole record again"
+        raise RecordError.damaged(f"{folder.name}: {SCENARIO} is damaged: it is not the scenario of a run") from error
 
 
 def read_unresolved(folder: Path) -> dict[str, Any]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass
 from itertools import groupby
 from pathlib import Path
 from typing import Any
@@ -34,13 +34,7 @@ _MAX_NUMBER = 1e300
 
 @dataclass(frozen=True)
 class LoggedTick:
-    """The entries of one tick in the log, in order.
-
-    Attributes:
-        half: from 1.
-        tick: of the half.
-        events, firings, changes: as in the referee's `RefereeOutput`, the faults of programs among the events.
-    """
+    """The entries of one tick in the log, as in the referee's `RefereeOutput`; faults are among the events."""
 
     half: int
     tick: int
@@ -51,22 +45,18 @@ class LoggedTick:
 
 @dataclass(frozen=True)
 class RefereeLog:
-    """A log, as far as it can be read.
+    """A log, as far as it can be read: the ticks with at least one line, in order."""
 
-    Attributes:
-        ticks: those with at least one line, in order.
-        damaged_lines: how many lines could not be read.
-    """
-
-    ticks: tuple[LoggedTick, ...] = field(default=())
+    ticks: tuple[LoggedTick, ...] = ()
     damaged_lines: int = 0
 
     @property
     def damage(self) -> str:
-        """How many lines are damaged, in words without a full stop; empty if none is."""
-        damaged = self.damaged_lines
-        lines = f"{counted(damaged, 'line')} of the referee's log {'is' if damaged == 1 else 'are'} damaged"
-        return lines if damaged else ""
+        """The number of damaged lines, in words without a full stop; empty if none is."""
+        verb = "is" if self.damaged_lines == 1 else "are"
+        return (
+            f"{counted(self.damaged_lines, 'line')} of the referee's log {verb} damaged" if self.damaged_lines else ""
+        )
 
     def up_to(self, ticks: Mapping[int, int]) -> RefereeLog:
         """Return the part up to a tick of each half; of other halves nothing."""
@@ -81,8 +71,9 @@ class RefereeLog:
         """Return the last score by team, also of a match that was killed; ``first`` is that of its beginning."""
         found = ((one.half, change) for one in reversed(self.ticks) for change in one.changes)
         half, last = next(((half, change) for half, change in found if isinstance(change, ScoreChange)), (0, None))
-        teams = teams_in(half) if last is not None else {}
-        scores = {teams.get(seat, seat): points for seat, points in last.scores.items()} if last is not None else {}
+        if last is None:
+            return dict(first)
+        scores = {teams_in(half).get(seat, seat): points for seat, points in last.scores.items()}
         return dict(first) | {team: points for team, points in scores.items() if team in first}
 
 
@@ -120,8 +111,7 @@ def firing_line(half: int, firing: Firing) -> dict[str, Any]:
     for key in ("other", "place"):
         if line[key] is None:
             del line[key]
-    settling = line.pop("settling")
-    if settling:
+    if settling := line.pop("settling"):
         line["pass"] = settling
     return line
 
@@ -135,10 +125,9 @@ def read_referee_log(folder: Path) -> RefereeLog:
     Raises:
         RecordError: it is not a regular file, or too large.
     """
-    path = folder / REFEREE_LOG
     entries: list[tuple[int, int, Entry]] = []
     damaged = 0
-    for text in read_file(path).splitlines() if path.exists() else ():
+    for text in read_file(folder / REFEREE_LOG).splitlines() if (folder / REFEREE_LOG).exists() else ():
         try:
             line = parsed(text)
             entry = _entry(line)
@@ -152,15 +141,10 @@ def _by_tick(entries: Sequence[tuple[int, int, Entry]]) -> tuple[LoggedTick, ...
     ticks = []
     for (half, tick), group in groupby(entries, key=lambda one: one[:2]):
         found = [entry for _, _, entry in group]
-        ticks.append(
-            LoggedTick(
-                half,
-                tick,
-                tuple(one for one in found if isinstance(one, Event)),
-                tuple(one for one in found if isinstance(one, Firing)),
-                tuple(one for one in found if not isinstance(one, Event | Firing)),
-            )
-        )
+        events = tuple(one for one in found if isinstance(one, Event))
+        firings = tuple(one for one in found if isinstance(one, Firing))
+        changes = tuple(one for one in found if not isinstance(one, Event | Firing))
+        ticks.append(LoggedTick(half, tick, events, firings, changes))
     return tuple(ticks)
 
 
@@ -189,8 +173,7 @@ def _entry(line: Any) -> Entry:
         case "score":
             return ScoreChange(tick, _points(line["scores"]))
         case "counted":
-            counters = _mapping(line["counters"])
-            return CountersChange(tick, {name: _counter(value) for name, value in counters.items()})
+            return CountersChange(tick, {name: _counter(value) for name, value in _mapping(line["counters"]).items()})
         case "held":
             return HeldChange(tick, tuple(map(_text, line["robots"])))
     raise ValueError("a line of another kind")

@@ -30,25 +30,13 @@ def events_of(snapshot: Snapshot, output: RefereeOutput) -> tuple[Event, ...]:
 
 def reflog_lines(events: Iterable[Event], datetime: str) -> bytes:
     """Return lines of ``reflog.jsonl``; ``datetime`` is the wall clock in UTC."""
-    return b"".join(
-        json_line(
-            {
-                "datetime": datetime,
-                "matchtime": s_from_ticks(event.tick),
-                "event": event.name,
-                "payload": event.payload,
-            }
-        )
-        for event in events
-    )
+    return b"".join(json_line({"datetime": datetime, **_fields(event)}) for event in events)
 
 
 def event_line(half: int, event: Event) -> dict[str, Any]:
     """Return one event as it stands in ``referee.jsonl`` and ``result.json``."""
-    return {
-        "half": half,
-        "tick": event.tick,
-        "matchtime": s_from_ticks(event.tick),
-        "event": event.name,
-        "payload": event.payload,
-    }
+    return {"half": half, "tick": event.tick, **_fields(event)}
+
+
+def _fields(event: Event) -> dict[str, Any]:
+    return {"matchtime": s_from_ticks(event.tick), "event": event.name, "payload": event.payload}

@@ -14,7 +14,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from rcj_challenges.core.amounts import Score
 from rcj_challenges.core.errors import format_error
-from rcj_challenges.records.errors import RecordError
+from rcj_challenges.records.errors import COPY_AGAIN, RecordError
 from rcj_challenges.records.folder import RESULT, check_version, read_file
 from rcj_challenges.records.lines import parsed
 
@@ -47,9 +47,8 @@ class EntrantResult(_Part):
     programs: str = _described(
         "SHA-256 of the files of its programs, hexadecimal; for a SuperTeam, over those of its members"
     )
-    members: list[MemberResult] = Field(
-        default=[],
-        description="for a SuperTeam: the team of each robot, in the order of the entrant's robots; otherwise empty",
+    members: list[MemberResult] = _described(
+        "for a SuperTeam: the team of each robot, in the order of the entrant's robots; otherwise empty", default=[]
     )
 
 
@@ -63,7 +62,7 @@ class HalfResult(_Part):
     ended: str | None = _described(
         "the reason of the rule that ended it, or the match with it; null: its time was up, or it is not complete"
     )
-    complete: bool = Field(default=True, description="whether it was played to its end")
+    complete: bool = _described("whether it was played to its end", default=True)
 
 
 class RankResult(_Part):
@@ -128,7 +127,7 @@ class RunResult(_Part):
     match_id: int = _described("number of the match, as in MATCH_START")
     entrants: dict[str, EntrantResult] = _described("the teams, by their seat of the first half")
     score: dict[str, Score] = _described("points by team")
-    ranking: list[RankResult] = Field(default=[], description="the teams, best first; empty while it is not complete")
+    ranking: list[RankResult] = _described("the teams, best first; empty while it is not complete", default=[])
     halves: list[HalfResult] = _described("the halves that are over, and one that was interrupted")
     events: list[EventResult] = _described("all events, in order")
     faults: list[FaultResult] = _described("programs that failed, in order")
@@ -170,9 +169,8 @@ class RunResult(_Part):
 
 def versions() -> Versions:
     """Return the platform of this run, without host, user and paths."""
-    found = {key: _package_version(package) for key, package in _PACKAGES.items()}
     return Versions(
-        **found,
+        **{key: _package_version(package) for key, package in _PACKAGES.items()},
         python=f"{platform.python_implementation()} {platform.python_version()}",
         system=platform.system(),
         machine=platform.machine(),
@@ -180,7 +178,7 @@ def versions() -> Versions:
 
 
 def deciding(versions: Mapping[str, str]) -> dict[str, str]:
-    """Return what decides the bits of a result, of all versions: of Python only the implementation."""
+    """Return the versions that decide the bits of a result: of Python only the implementation."""
     return {**versions, "python": versions["python"].partition(" ")[0]} if "python" in versions else dict(versions)
 
 
@@ -199,15 +197,14 @@ def read_result(folder: Path) -> RunResult:
     Raises:
         RecordError: there is none, it is damaged, or it was written by a newer version.
     """
-    path = folder / RESULT
     try:
-        data = parsed(read_file(path))
+        data = parsed(read_file(folder / RESULT))
     except FileNotFoundError:
         message = f"{folder.name}: no record of a run ({RESULT} is missing)"
         raise RecordError("record-incomplete", message, "give the folder of a record") from None
     except (OSError, ValueError) as error:
         message = f"{folder.name}: {RESULT} cannot be read: {format_error(error)}"
-        raise RecordError("record-unreadable", message, "copy the whole record again") from error
+        raise RecordError("record-unreadable", message, COPY_AGAIN) from error
     record = data.get("record") if isinstance(data, dict) else None
     if type(record) is int:
         check_version(record, folder.name)
@@ -216,8 +213,7 @@ def read_result(folder: Path) -> RunResult:
     except ValidationError as error:
         first = error.errors()[0]
         where = ".".join(map(str, first["loc"])) or "the file"
-        message = f"{folder.name}: {RESULT} is damaged: {where}: {first['msg']}"
-        raise RecordError("record-damaged", message, "copy the whole record again") from error
+        raise RecordError.damaged(f"{folder.name}: {RESULT} is damaged: {where}: {first['msg']}") from error
 
 
 _TIME_FAULTS = frozenset({"start_timeout", "step_timeout", "half_timeout"})

@@ -26,10 +26,7 @@ class RunRecord:
     """A run, as far as it can be read.
 
     Attributes:
-        result: ``result.json``.
-        scenario: as it was played.
         halves: those with at least one tick; at least one.
-        log: of the referee.
         problems: sentences about what is missing or damaged; empty if all is well.
     """
 
@@ -55,14 +52,15 @@ def read_run(folder: Path) -> RunRecord:
     scenario = read_scenario(folder)
     trajectory = Trajectory.read(folder)
     if trajectory.entities != Roster.of(scenario).entities:
-        message = f"{folder.name}: {TRAJECTORY} belongs to another scenario than {SCENARIO}"
-        raise RecordError("record-damaged", message, "copy the whole record again")
+        raise RecordError.damaged(f"{folder.name}: {TRAJECTORY} belongs to another scenario than {SCENARIO}")
     halves = tuple(half for half in trajectory.halves if half.ticks)
     for half in halves:
-        _check_seats(half, scenario, folder)
+        if set(half.info.teams) != set(scenario.entrants):
+            what = f"{folder.name}: half {half.info.half} was played by other seats than the scenario has"
+            raise RecordError.damaged(what)
     if not halves:
         if trajectory.damage:
-            raise RecordError("record-damaged", f"{folder.name}: {trajectory.damage}", "copy the whole record again")
+            raise RecordError.damaged(f"{folder.name}: {trajectory.damage}")
         how = "match was over" if result.complete else "run was stopped"
         raise RecordError("record-empty", f"{folder.name}: the {how} before its first tick: there is nothing to show")
     problems = []
@@ -81,9 +79,3 @@ def read_run(folder: Path) -> RunRecord:
 
 def _extent(halves: Iterable[HalfTrack]) -> str:
     return ", ".join(f"{s_from_ticks(half.ticks):.1f} s of half {half.info.half}" for half in halves)
-
-
-def _check_seats(half: HalfTrack, scenario: Scenario, folder: Path) -> None:
-    if set(half.info.teams) != set(scenario.entrants):
-        message = f"{folder.name}: half {half.info.half} was played by other seats than the scenario has"
-        raise RecordError("record-damaged", message, "copy the whole record again")

@@ -52,11 +52,9 @@ class SensedRobot:
     """The recorded data of one robot.
 
     Attributes:
-        name: ``B1``.
         devices: all of its devices, as its program knows them; none if only what it prints is recorded.
-        values: how many numbers an observation has.
-        ball_receivers: names of the receivers for balls.
-        packets: how many of the ball's packets an observation is recorded with: the last ones.
+        values: number of values in an observation.
+        packets: number of the ball's packets that are recorded with an observation: the last ones.
     """
 
     name: str
@@ -72,7 +70,7 @@ class SensedRobot:
 
     @classmethod
     def of(cls, spec: RobotSpec, ball_receivers: Sequence[str], balls: int) -> Self:
-        """Return all that can be recorded of a robot; ``balls`` is how many of them may be received at once."""
+        """Return all that can be recorded of a robot; ``balls`` is the number that may be received at once."""
         return cls(spec.name, spec.devices, spec.values, tuple(ball_receivers), balls if ball_receivers else 0)
 
 
@@ -105,8 +103,7 @@ class SensorListener(Protocol):
 
 class _Rows:
     def __init__(self, robot: SensedRobot) -> None:
-        receivers = {device.index for device in robot.devices if device.name in robot.ball_receivers}
-        self._ball_receivers = receivers
+        self._ball_receivers = {device.index for device in robot.devices if device.name in robot.ball_receivers}
         self._packets = robot.packets
         self._motor_at = {device.index: at for at, device in enumerate(robot.motors)}
         self._motors = [math.nan] * len(robot.motors)
@@ -221,12 +218,11 @@ class SensorTrack:
     """The observations and actions of one robot's program in one half; ``N`` observations.
 
     Attributes:
-        robot: its devices.
-        ticks: ``[N]``, at which tick each observation was made.
+        ticks: ``[N]``, the tick of each observation.
         values: ``[N, values]``, float64, as the program got them; NaN before the first sample.
         packets: ``[N, packets, 4]``, strength and direction of the ball's packets, the newest last.
         motors: ``[N, motors]``, velocities in rad/s that it set on the observation.
-        output: what it printed: tick of the observation before, text.
+        output: printed text, with the tick of the observation before.
     """
 
     robot: SensedRobot
@@ -253,8 +249,6 @@ class SensorHalf:
     """The sensor recording of one half.
 
     Attributes:
-        half: 1-based.
-        robots: by name.
         full_at: the tick from which on nothing is recorded because the file had reached its size; None: all is there.
         damaged: whether the file ends in the middle, or something in it cannot be read; what came before is here.
     """
@@ -281,8 +275,8 @@ def read_sensors(folder: Path) -> dict[int, SensorHalf]:
         try:
             half = _read(path)
         except DAMAGE as error:
-            message = f"{folder.name}: {SENSORS}/{path.name} is not a sensor recording: {error}"
-            raise RecordError("record-damaged", message, "copy the whole record again") from error
+            what = f"{folder.name}: {SENSORS}/{path.name} is not a sensor recording: {error}"
+            raise RecordError.damaged(what) from error
         found[half.half] = half
     return dict(sorted(found.items()))
 
@@ -307,9 +301,7 @@ def _read(path: Path) -> SensorHalf:
     tracks = {}
     for robot, blocks, printed in zip(robots, rows, output, strict=True):
         every = np.concatenate(blocks)
-        tick, values, packets, motors = (
-            np.ascontiguousarray(every[name]) for name in ("tick", "values", "packets", "motors")
-        )
+        tick, values, packets, motors = (np.ascontiguousarray(every[name]) for name in every.dtype.names or ())
         tracks[robot.name] = SensorTrack(robot, tick, values, packets, motors, tuple(printed))
     return SensorHalf(int(found.header["half"]), tracks, full_at, found.is_cut_off or found.is_damaged)
 

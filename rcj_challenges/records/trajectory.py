@@ -59,11 +59,7 @@ def row_dtype(entities: int) -> np.dtype[np.void]:
 
 
 class TrajectoryWriter:
-    """Appends the halves of a run, tick by tick.
-
-    Attributes:
-        ticks: of the half, that were appended.
-    """
+    """Appends the halves of a run, tick by tick; ``ticks`` is the number of those of the half."""
 
     def __init__(self, folder: Path, scenario_id: str, seed: int, roster: Roster) -> None:
         """Create the file in the folder of a run.
@@ -101,7 +97,7 @@ class TrajectoryWriter:
 
         Args:
             snapshot: what the referee saw.
-            placements: what it put elsewhere.
+            placements: what the referee moved.
             poses: those of the snapshot as they are written; left out: made here, which takes longer than all the rest.
 
         Raises:
@@ -119,14 +115,11 @@ class TrajectoryWriter:
 
     def _append_row(self, snapshot: Snapshot, poses: bytes) -> None:
         touches = snapshot.touches
-        if touches == _NO_TOUCHES:
-            counts = (0, 0, 0, 0)
-        else:
-            counts = tuple(map(len, touches))  # type: ignore[assignment]
+        if touches != _NO_TOUCHES:
             numbers = [*chain.from_iterable(chain.from_iterable(touches))]
             self._touches += struct.pack(f"<{len(numbers)}H", *numbers)
         self._rows += poses or self._pack_poses(*chain.from_iterable(chain.from_iterable(snapshot.substeps)))
-        self._rows += self._pack_rest(*snapshot.heights, *snapshot.uprights, *counts)
+        self._rows += self._pack_rest(*snapshot.heights, *snapshot.uprights, *map(len, touches))
         self.ticks = snapshot.tick
 
     def close(self) -> None:
@@ -170,16 +163,15 @@ class HalfTrack:
     """One half. ``T`` ticks (row ``i`` is tick ``i + 1``), ``E`` entities; metres and radians, float32.
 
     Attributes:
-        info: the half's facts, as the referee got them.
         start: the snapshot of tick 0, None if the run was killed before it was written.
         substeps: ``[T, 4, E, 3]``, x, y, yaw.
         heights: ``[T, E]``, z of the centre.
         uprights: ``[T, E]``, cosine of the tilt.
-        touch_counts: ``[T, 4]``, how many pairs touched in each sub-step.
+        touch_counts: ``[T, 4]``, number of pairs that touched in each sub-step.
         touch_pairs: ``[N, 2]``, pairs of thing indices, one after the other.
-        placements: what was put elsewhere after a tick, by tick.
-        faults: programs that failed, by the tick in which the referee learned of it.
-        messages: what robots sent to the referee by radio, by the tick in which it arrived: (entity, text).
+        placements: what the referee moved after a tick, by tick.
+        faults: of programs, by the tick in which the referee learned of it.
+        messages: to the referee by radio, by the tick in which they arrived: (entity, text).
     """
 
     info: HalfInfo
@@ -195,7 +187,7 @@ class HalfTrack:
 
     @property
     def ticks(self) -> int:
-        """How many ticks there are."""
+        """Number of ticks."""
         return len(self.substeps)
 
     def snapshots(self) -> Iterator[Snapshot]:
@@ -233,10 +225,9 @@ class Trajectory:
 
     Attributes:
         entities: robots, balls, movable obstacles, in this order.
-        robots, balls: how many of the entities are robots; how many are balls.
+        robots, balls: number of robots; of balls.
         things: the entities, then fixed obstacles, then ``walls``: what touches are pairs of.
         finished: False if the run was killed or is still played.
-        halves: those that were begun.
         damage: what is wrong after the last half, in words; empty if the file is intact.
     """
 
@@ -268,8 +259,7 @@ class Trajectory:
         """
         trajectory = cls.read(folder)
         if trajectory.damage:
-            message = f"{folder.name}: {trajectory.damage}"
-            raise RecordError("record-damaged", message, "copy the whole record again")
+            raise RecordError.damaged(f"{folder.name}: {trajectory.damage}")
         return trajectory
 
     @classmethod
@@ -305,7 +295,7 @@ class Trajectory:
 def _halves(
     chunks: Iterable[tuple[dict[str, Any], bytes]], entities: int, things: int
 ) -> tuple[tuple[HalfTrack, ...], int]:
-    """Return the halves that chunks hold, up to the first that does not fit, and how many chunks that are."""
+    """Return the halves that chunks hold, up to the first that does not fit, and the number of their chunks."""
     halves: list[_HalfReader] = []
     read = 0
     try:
@@ -352,9 +342,7 @@ class _HalfReader:
         if key == "start":
             lengths = {len(found.heights), len(found.uprights), *map(len, found.substeps)}
             things = chain.from_iterable(chain.from_iterable(found.touches))
-            fits = (
-                bool(found.substeps) and lengths == {self._entities} and all(0 <= one < self._things for one in things)
-            )
+            fits = lengths == {self._entities} and all(0 <= one < self._things for one in things) and found.substeps
         elif key == "placements":
             fits = all(0 <= one.entity < self._entities for one in found)
         else:
@@ -397,4 +385,4 @@ _NOTES: Mapping[str, Callable[[Any], Any]] = {
     "faults": lambda failed: _adapter(tuple[Fault, ...]).validate_python(failed),
     "told": lambda sent: _adapter(tuple[tuple[int, str], ...]).validate_python(sent),
 }
-"""How each kind of note is read."""
+"""The parser of each kind of note."""

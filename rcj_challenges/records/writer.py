@@ -47,11 +47,10 @@ class RunHeader:
 
     Attributes:
         scenario: resolved: presets, parameters and command line worked in.
-        seed: of all random streams.
-        team_names: name of each team, by its seat of the first half.
+        team_names: by the seat of the first half.
         programs: hash of each team's files, by its seat of the first half.
         match_id: as in MATCH_START.
-        sandbox: how programs are isolated, JSON-able.
+        sandbox: isolation of programs, JSON-able.
         marks: what makes this run special, such as ``debug``.
         members: of each SuperTeam, by its seat of the first half.
         unresolved: the scenario before its params took their places, for judging with other values; empty: not kept.
@@ -82,17 +81,12 @@ class RecordWriter:
     """
 
     def __init__(
-        self,
-        out: Path,
-        header: RunHeader,
-        *,
-        name: str | None = None,
-        now: Callable[[], datetime] = utc_now,
+        self, out: Path, header: RunHeader, *, name: str | None = None, now: Callable[[], datetime] = utc_now
     ) -> None:
-        """Make the folder; write the scenario and an incomplete result.
+        """Make the folder of the run in ``out``; write the scenario and an incomplete result.
 
         Args:
-            out: the folder in which the run's folder is made (``runs``).
+            out: ``runs``.
             header: the facts before the start.
             name: of the run's folder; left out: time and scenario. A number is added if it exists.
             now: the wall clock, for the name and for ``datetime`` in the reflog.
@@ -160,7 +154,7 @@ class RecordWriter:
 
         Args:
             snapshot: what the referee saw.
-            output: its answer; the placements are carried out after the snapshot.
+            output: its answer; placements are carried out after the snapshot.
             state: the judged qpos and qvel as little-endian float64.
             poses: those of the snapshot as little-endian float32 ``[sub-step][entity][3]``; left out: made here.
         """
@@ -220,16 +214,8 @@ class RecordWriter:
     def _close_half(self, half: HalfInfo, ended: str | None, *, complete: bool) -> None:
         # An interruption in here closes it a second time.
         if half.half not in [one["half"] for one in self._halves]:
-            self._halves.append(
-                {
-                    "half": half.half,
-                    "sides": dict(half.teams),
-                    "score": dict(self._scores),
-                    "ticks": self._trajectory.ticks,
-                    "ended": ended,
-                    "complete": complete,
-                }
-            )
+            facts = {"half": half.half, "sides": dict(half.teams), "score": dict(self._scores)}
+            self._halves.append(facts | {"ticks": self._trajectory.ticks, "ended": ended, "complete": complete})
         self._half = None
 
     def _log(
