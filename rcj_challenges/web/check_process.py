@@ -38,6 +38,8 @@ def work() -> None:
             _work(request)
     except RcjError as error:
         _write({"error": str(error)})
+    except KeyboardInterrupt:  # the dispatcher has ended, or has the answer already
+        sys.exit(1)
 
 
 def _work(request: dict[str, Any]) -> None:

@@ -16,13 +16,14 @@ SMALLEST = {
     "sensing_cost": ["--ticks", "50"],
     "referee_cost": ["--ticks", "100", "--repeats", "1", "--json"],
     "inputs": ["zones", "--json"],
+    "club": ["--minutes", "0.5", "--teams", "4", "--half-s", "2", "--json"],
     "challenges": ["--rounds", "1", "--json"],
     "watching": ["--rounds", "1", "--json"],
     "tournament": ["--quick", "--json"],
     "__main__": ["--quick", "--json"],
 }
-"""How each is started; the last four measure no less than what their bars are about."""
-WITH_BARS = {"challenges", "watching", "tournament", "__main__"}
+"""How each is started; the last five measure no less than what their bars are about."""
+WITH_BARS = {"challenges", "club", "watching", "tournament", "__main__"}
 NO_BENCHMARKS = {"__init__", "rows"}
 
 
