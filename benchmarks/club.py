@@ -134,7 +134,8 @@ def play(folder: Path, minutes: float, teams: int, half_s: float) -> list[Row]:
         differing = _played_again(site)
     finally:
         site.end()
-    checked = subprocess.run([*_COMMAND, "rate", str(folder / "results.json"), "--check"], check=False)
+    command = [*_COMMAND, "rate", str(folder / "results.json"), "--check"]
+    checked = subprocess.run(command, stdout=subprocess.DEVNULL, check=False)
     return _rows(results, minutes, checked.returncode, differing)
 
 
