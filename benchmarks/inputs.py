@@ -34,7 +34,7 @@ MAX_S = 5.0
 _FOLDER = "rcj_soccer_team_blue"
 _ENTRY = f"{_FOLDER}/{_FOLDER}.py"
 _PROGRAM = b"from controller import Robot\nrobot = Robot()\nwhile robot.step(32) != -1:\n    pass\n"
-_HEAD = "schema_version: 1\nid: large\ntitle: Large\nextends: match\n"
+_HEAD = "schema_version: 2\nid: large\ntitle: Large\nextends: match\n"
 _LETTERS = str.maketrans("0123456789", "qrstuvwxyz")
 
 

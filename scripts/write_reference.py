@@ -32,13 +32,12 @@ from rcj_challenges.rules.kick import Kick
 from rcj_challenges.rules.mirror import Mirror
 from rcj_challenges.rules.places import PLACES, At
 from rcj_challenges.rules.triggers import TRIGGERS, AnyTrigger
-from rcj_challenges.rules.values import BOUNDS, VALUES, Bound, Lasts, Points, Value
+from rcj_challenges.rules.values import VALUES, Amount, Lasts, Value
 from rcj_challenges.rules.values.counter import CounterValue
 from rcj_challenges.rules.values.draw import DrawValue
 from rcj_challenges.rules.values.flag import FlagValue
-from rcj_challenges.rules.values.highest import HighestOfOthers
-from rcj_challenges.rules.values.lowest import LowestOfOthers
-from rcj_challenges.rules.values.term import Term
+from rcj_challenges.rules.values.folded import Several
+from rcj_challenges.rules.values.number import NumberValue
 from rcj_challenges.scenario.json_schema import keywords, sentence_of
 from rcj_challenges.scenario.models import field, places, robots, scenario, state
 from rcj_challenges.scenario.shape import bare, fields, is_model, is_union, members, tags, without_none
@@ -49,7 +48,6 @@ WORDS = ROOT / "docs" / "words"
 VOCABULARIES: dict[str, Vocabulary] = {
     "places": PLACES,
     "values": VALUES,
-    "limits": BOUNDS,
     "triggers": TRIGGERS,
     "conditions": CONDITIONS,
     "actions": ACTIONS,
@@ -57,7 +55,7 @@ VOCABULARIES: dict[str, Vocabulary] = {
     "devices": DEVICES,
 }
 """The words with an example of their own, by kind."""
-STAGE = """schema_version: 1
+STAGE = """schema_version: 2
 id: example
 title: An example
 extends: soccersim_v2
@@ -248,20 +246,12 @@ CHAPTERS = (
     Chapter("Actions", "What a rule does, in order, when it fires.", _tagged(AnyAction), "actions", "action"),
     Chapter(
         "Values",
-        "A payload or a broadcast may contain literals and any of these values, except `lowest`, `highest` and "
-        "`weight`. "
-        "`points` and `count` accept numbers, `counter`, `flag`, `timer`, times given by `word` "
-        "(in whole "
-        "seconds, rounded down, unless `fraction: true` is given), `distance` (0 while it is null), `way`, "
-        "`told` (0 if it is not a number), and `draw` and `word` if they are numbers; or a list of these to be "
-        "summed, each with an optional `weight` beside its own keys. Conditions compare with numbers, "
-        "`counter`, `lowest` and `highest`.",
-        (
-            *_tagged(Value),
-            Word("lowest", LowestOfOthers, own_example=False),
-            Word("highest", HighestOfOthers, own_example=False),
-            Word("weight", Term, own_example=False),
-        ),
+        "A payload or a broadcast may contain literals and any of these values. Wherever a rule has a *number*, it "
+        "may be any of them but `position_of`, `held` and `last_touch`; a flag is 1 or 0. What stands beside such a "
+        "value is described under `otherwise`. What does not exist is *none*: the distance to what is off the field, "
+        "a message that never came, the lowest of nobody. Calculating with none gives none; no comparison with it "
+        "holds; an action whose number is none does nothing; programs receive null.",
+        (*_tagged(Value), Word("otherwise", NumberValue, own_example=False)),
         "values",
     ),
     Chapter(
@@ -344,10 +334,10 @@ def page() -> str:
 
 def _table(model: type[BaseModel], tag: str) -> Iterator[str]:
     rows = []
-    shapes = fields(model)
+    shapes, beside = fields(model), NumberValue.model_fields
     for name, info in model.model_fields.items():
         key = info.alias or name
-        if key == tag:
+        if key == tag or (model is not NumberValue and issubclass(model, NumberValue) and name in beside):
             continue
         kind = _type_text(shapes[key]) + _bounds(info, shapes[key])
         rows.append(f"| `{key}` | {kind} | {_default(info)} | {info.description or ''} |")
@@ -360,12 +350,9 @@ def _table(model: type[BaseModel], tag: str) -> Iterator[str]:
 _NAMED: tuple[tuple[Any, str], ...] = (
     (Names, "name, or list of names"), (Name, "name"), (EventName, "event"), (DurationS, "duration in s"),
     (Point, "[x, y] in m"), (Colour, "colour"), (Value, "value"),
-    (Bound, "number, or {counter, lowest or highest: NAME}"),
-    (Lasts, "duration in s, or {draw: NAME}"),
-    (
-        Points,
-        "number, {counter, flag, draw, timer, way or word: NAME}, {distance: [A, B]}, or list of weighted parts",
-    ),
+    (Amount, "[number](#values)"), (Lasts, "duration in s, or [number](#values)"),
+    (Several, "[value](#values), or list of numbers"),
+    (fields(Kick)["speed_mps"], "number, [lowest, highest], or [number](#values)"),
     (At, "[where](#where-things-go)"),
     (Facing, "`start`, `keep`, yaw in rad, {towards: …}, or {random: true}"),
     (AnyTrigger, "[trigger](#triggers)"), (AnyCondition, "[condition](#conditions)"),

@@ -40,7 +40,7 @@ def small_scenario(robots_per_team: int = 3, halves: int = 2, half_s: float = 60
         for seat, end, colour in zip(_SEATS, ("positive_y", "negative_y"), ("#2563eb", "#eab308"), strict=True)
     }
     fields = {
-        "schema_version": 1,
+        "schema_version": 2,
         "id": "small",
         "title": "A small match",
         "match": {"halves": halves, "half_s": half_s, "swap_sides": True},

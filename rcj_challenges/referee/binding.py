@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.referee.placement import PlacementJob, compile_placement
 from rcj_challenges.referee.placement_board import PlacementBoard
@@ -14,13 +13,11 @@ from rcj_challenges.referee.scope import NameScope
 from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.binder import Binder
 from rcj_challenges.rules.effects import Places, PlacesLayout
-from rcj_challenges.rules.fields import Name, Names, Point, Scalar
+from rcj_challenges.rules.fields import Names, Point, Scalar
 from rcj_challenges.rules.mirror import Mirror
-from rcj_challenges.rules.values import Lasts, duration_s
-from rcj_challenges.scenario.positions import centre_of, on_floor
+from rcj_challenges.scenario.positions import on_floor
 from rcj_challenges.scenario.rule_effects import alternatives
 from rcj_challenges.tracking.bound_rules import BoundRule, TriggerBinding
-from rcj_challenges.tracking.state import Clock
 from rcj_challenges.tracking.trackers import Tracker
 
 _T = TypeVar("_T", bound=Tracker)
@@ -31,6 +28,7 @@ class RuleBinder(NameScope):
 
     def __init__(self, context: CompileContext, rule: BoundRule) -> None:
         super().__init__(context.state, context.contacts, rule.each, context.names)
+        self.for_each = context.scenario.rules[rule.name].for_each
         self._context = context
         self.rule = rule
         self.hits = context.hits
@@ -39,6 +37,7 @@ class RuleBinder(NameScope):
         self.drawn: Mapping[str, tuple[str, ...]] = context.roster.drawn
         self.sequences = context.sequence_trackers
         self.reset_with_draws = context.reset_with_draws
+        self.set_length = context.set_length
         self.timers_changed = context.trackers.reschedule
         self.reset = context.trackers.reset
         self.enter_phase = context.enter_phase
@@ -72,24 +71,6 @@ class RuleBinder(NameScope):
     def track_alone(self, tracker: Tracker) -> None:
         self._context.track_alone(tracker, self.rule.phases)
 
-    def locate(self, what: Name | Point) -> Callable[[], Point | None]:
-        if isinstance(what, tuple):
-            return lambda: what
-        return self._read(self.members(what)[0], self._locate_one)
-
-    def _locate_one(self, name: str) -> Callable[[], Point | None]:
-        zone = self.scenario.zones.get(name)
-        if zone is not None:
-            centre = centre_of(zone)
-            return lambda: centre
-        read_pose = self._one_pose(name)
-
-        def locate() -> Point | None:
-            pose = read_pose()
-            return None if pose is None else (pose[0], pose[1])
-
-        return locate
-
     def free_spots(self, names: Names, clearance_m: float) -> Callable[[], Iterable[bool]]:
         state, bodies = self.state, self._context.bodies
         spots = self.spots(names)
@@ -99,12 +80,6 @@ class RuleBinder(NameScope):
             return (board.free(spot, clearance_m, None) for spot in spots())
 
         return free
-
-    def ticks(self, lasts_s: Lasts) -> Callable[[], int]:
-        return lambda: ticks_from_s(duration_s(lasts_s, self.state, self.each, least_s=0.0))
-
-    def set_length(self, timer: str, clock: Clock, owner: str | None) -> None:
-        self.state.set_length(clock, self.scenario.timers[timer].lasts_s, owner)
 
     def release(self, robots: tuple[int, ...]) -> None:
         self._context.trackers.release(self.state.held.release(robots))

@@ -8,12 +8,9 @@ from typing import Any
 from rcj_challenges.referee.compiling import CompileContext
 from rcj_challenges.rules.values import Value, compile_value
 from rcj_challenges.scenario.models.scenario import Broadcast
-from rcj_challenges.tracking.bound_rules import BoundRule, Firing, Reader
+from rcj_challenges.tracking.bound_rules import NO_FIRING, Reader
 
 Told = dict[str, Any]
-
-_NO_FIRING = Firing(BoundRule("", None, None, None, 0, None, ""), None, "")
-"""A broadcast belongs to no rule and no entity."""
 
 
 class Broadcasting:
@@ -47,4 +44,4 @@ def _readers(fields: Mapping[str, Value], context: CompileContext) -> dict[str, 
 
 
 def _read(readers: Mapping[str, Reader]) -> Told:
-    return {key: read(_NO_FIRING) for key, read in readers.items()}
+    return {key: read(NO_FIRING) for key, read in readers.items()}

@@ -5,17 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, TypeVar
 
+from rcj_challenges.core.timing import TICK_S, ticks_from_s
 from rcj_challenges.geometry.regions import Region
 from rcj_challenges.referee.bodies import Bodies
 from rcj_challenges.referee.placement import PlacementQueue, PlacementSpec
 from rcj_challenges.referee.scope import NameScope
 from rcj_challenges.referee.state import State
+from rcj_challenges.rules.fields import LONGEST_S
 from rcj_challenges.rules.mirror import Mirror
+from rcj_challenges.rules.values import Lasts, compile_duration
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.models.state import Sequence
 from rcj_challenges.scenario.positions import floor_parts
 from rcj_challenges.scenario.walk import walk
-from rcj_challenges.tracking.bound_rules import HitBuffer
+from rcj_challenges.tracking.bound_rules import NO_FIRING, Firing, HitBuffer
 from rcj_challenges.tracking.clock_events import ClockEvents
 from rcj_challenges.tracking.contacts import Contacts
 from rcj_challenges.tracking.pose_history import PoseHistory
@@ -54,6 +57,27 @@ class CompileContext:
         self.layouts: dict[tuple[str, str | None, Mirror | None], list[PlacementSpec]] = {}
         self._shared: dict[tuple[object, ...], Tracker] = {}
         self.names = NameScope(state, self.contacts)
+        self._lengths: dict[tuple[Lasts, str | None], Callable[[Firing], float | None]] = {}
+
+    def set_length(self, timer: str, owner: str | None) -> None:
+        """Give a clock of a timer the length that it has by now; without one it runs on."""
+        clock, lasts_s = self.state.timers[timer][owner], self.length_s(self.scenario.timers[timer].lasts_s, owner)
+        clock.length_s = LONGEST_S if lasts_s is None else lasts_s
+        clock.length = ticks_from_s(clock.length_s)
+
+    def set_lengths(self) -> None:
+        """Give each timer the length that it has as the half starts."""
+        for name, clocks in self.state.timers.items():
+            for owner in clocks:
+                self.set_length(name, owner)
+
+    def length_s(self, lasts_s: Lasts, owner: str | None = None) -> float | None:
+        """Return the length in s that a timer or a phase has by now; None: it has none."""
+        read = self._lengths.get((lasts_s, owner))
+        if read is None:
+            scope = NameScope(self.state, self.contacts, owner, self.names)
+            read = self._lengths[lasts_s, owner] = compile_duration(lasts_s, scope, least_s=TICK_S)
+        return read(NO_FIRING)
 
     def reset_with_draws(self, tracker: Tracker, names: tuple[str, ...]) -> None:
         """Reset a tracker whenever one of the draws among these names decides otherwise."""

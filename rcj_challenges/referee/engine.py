@@ -14,6 +14,7 @@ from rcj_challenges.core.changes import Change, ChangeTracker
 from rcj_challenges.core.messages import number_in
 from rcj_challenges.core.play import Event, Fault, HalfInfo, Placement, RefereeOutput, Snapshot
 from rcj_challenges.core.play import Firing as FiringRecord
+from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.referee.assembling import assemble
 from rcj_challenges.referee.broadcasting import Broadcasting
 from rcj_challenges.referee.compiling import CompileContext
@@ -174,6 +175,7 @@ class Referee:
         state.uprights = snapshot.uprights
         state.placed_at = [(x, y) for x, y, _ in state.poses]
         self._pose_history.add(state.poses)
+        self._context.set_lengths()
         self._set_phase(state.phase)
         self._trackers.enter(state.phase, None)
         self._hits.report(self._clock_events.half_started)
@@ -316,9 +318,8 @@ class Referee:
         self._clock_runs = model.clock == "runs"
         self._waiting = model.waiting_for_kickoff
         self._state.held.by_phase = model.robots == "held"
-        self._phase_ends = NEVER
-        if model.lasts_s is not None:
-            self._phase_ends = self._state.tick + self._state.lasting_ticks(model.lasts_s)
+        lasts_s = None if model.lasts_s is None else self._context.length_s(model.lasts_s)
+        self._phase_ends = NEVER if lasts_s is None else self._state.tick + ticks_from_s(lasts_s)
 
     # --- placements ---------------------------------------------------------------------------------------------------
 

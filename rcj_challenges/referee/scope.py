@@ -14,7 +14,7 @@ from rcj_challenges.referee.state import State
 from rcj_challenges.referee.zones import region_of
 from rcj_challenges.rules.fields import Name, Names, Point, Scalar
 from rcj_challenges.scenario.models.field import Obstacle, Wall
-from rcj_challenges.scenario.positions import middle_of, start_noise_m, start_pose
+from rcj_challenges.scenario.positions import centre_of, middle_of, start_noise_m, start_pose
 from rcj_challenges.scenario.roster import EACH, with_each
 from rcj_challenges.scenario.rule_effects import spots_set_by_rules
 from rcj_challenges.tracking.contacts import Contacts
@@ -44,19 +44,38 @@ class NameScope:
     ) -> None:
         self.state = state
         self.each = each
+        self.for_each: str | None = None
         self.contacts = contacts
         self.scenario = state.scenario
         self.roster = state.roster
         self._set_by_rules: frozenset[str] = (
             frozenset(spots_set_by_rules(state.scenario)) if same is None else same._set_by_rules  # noqa: SLF001 - its own class
         )
-        self._members: dict[tuple[Names, str | None], tuple[str, ...]] = {} if same is None else same._members  # noqa: SLF001 - its own class
+        self._members: dict[tuple[Names, str | None, str | None], tuple[str, ...]] = {}
+        if same is not None:
+            self._members = same._members  # noqa: SLF001 - its own class
 
     def members(self, names: Names) -> tuple[str, ...]:
-        known = self._members.get((names, self.each))
+        key = (names, self.each, self.for_each)
+        known = self._members.get(key)
         if known is None:
-            known = self._members[names, self.each] = self.roster.expand(with_each(names, self.each))
+            named = (self._others() if self.roster.is_others(name) else (name,) for name in with_each(names, self.each))
+            known = self._members[key] = self.roster.expand(tuple(name for several in named for name in several))
         return known
+
+    def _others(self) -> tuple[str, ...]:
+        group = () if self.for_each is None else self.roster.expand(self.for_each)
+        return tuple(name for name in group if name != self.each)
+
+    def group(self, names: Names) -> tuple[tuple[str, ...], Callable[[], tuple[str, ...]]]:
+        members, each = self.members(names), self.each
+        if each is None or not (isinstance(names, str) and self.roster.is_others(names)):
+            return members, lambda: members
+
+        def on_field() -> tuple[str, ...]:
+            return tuple(name for name in members if self.is_present(name)) if self.is_present(each) else ()
+
+        return members, on_field
 
     def entities(self, names: Names) -> tuple[int, ...]:
         return tuple(self.entity(name) for name in self.members(names))
@@ -181,6 +200,24 @@ class NameScope:
             return resolve(name)
         decided = self._decided(name, resolve)
         return lambda: decided()()  # noqa: PLW0108 - which one is known when it is called
+
+    def locate(self, what: Name | Point) -> Callable[[], Point | None]:
+        if isinstance(what, tuple):
+            return lambda: what
+        return self._read(self.members(what)[0], self._locate_one)
+
+    def _locate_one(self, name: str) -> Callable[[], Point | None]:
+        zone = self.scenario.zones.get(name)
+        if zone is not None:
+            centre = centre_of(zone)
+            return lambda: centre
+        read_pose = self._one_pose(name)
+
+        def locate() -> Point | None:
+            pose = read_pose()
+            return None if pose is None else (pose[0], pose[1])
+
+        return locate
 
     def _one_pose(self, name: str) -> Callable[[], tuple[float, ...] | None]:
         state, roster = self.state, self.roster

@@ -9,7 +9,6 @@ from rcj_challenges.core.amounts import plain, round_score
 from rcj_challenges.core.play import HalfInfo
 from rcj_challenges.core.timing import s_from_ticks, ticks_from_s
 from rcj_challenges.rules.fields import Scalar
-from rcj_challenges.rules.values import Lasts, duration_s
 from rcj_challenges.scenario.draw_order import Series, drawable, series_of
 from rcj_challenges.scenario.halves import half_length_s
 from rcj_challenges.scenario.models.scenario import Scenario
@@ -69,8 +68,7 @@ class State(RefereeState):
     def decide_draws(self, decided: Mapping[str, Series]) -> None:
         """Draw everything at the start of the half, but for what is decided beforehand or kept from the last half.
 
-        If several values are decided for a draw, the later ones are used when it is drawn again. Timers get their
-        length.
+        If several values are decided for a draw, the later ones are used when it is drawn again.
 
         Raises:
             ValueError: a value is decided that the draw cannot have, or for a draw that does not exist.
@@ -94,18 +92,6 @@ class State(RefereeState):
                     self.set_draw(name, kept[name])
             else:
                 self.draw_again(name, draw)
-        for name, timer in self.scenario.timers.items():
-            for whose, clock in self.timers[name].items():
-                self.set_length(clock, timer.lasts_s, whose)
-
-    def set_length(self, clock: Clock, lasts_s: Lasts, whose: str | None) -> None:
-        """Give a clock its length, as its draw has decided or its counter says by now."""
-        clock.length_s = duration_s(lasts_s, self, whose)
-        clock.length = ticks_from_s(clock.length_s)
-
-    def lasting_ticks(self, lasts_s: Lasts) -> int:
-        """Return a duration in ticks, as its draw has decided or its counter says by now."""
-        return ticks_from_s(duration_s(lasts_s, self, None))
 
     def set_draw(self, name: str, value: Scalar) -> None:
         """Let a draw have a value, which has been drawn then."""

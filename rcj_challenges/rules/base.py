@@ -15,7 +15,6 @@ from rcj_challenges.rules.binder import Binder, Scope
 from rcj_challenges.rules.effects import Effect, Moment, Writes, declared
 from rcj_challenges.rules.fields import Name, Names, Point, Scalar, Strict, described
 from rcj_challenges.rules.phrases import Phrases
-from rcj_challenges.rules.phrasing import number
 from rcj_challenges.rules.refs import SectionRef, ref_of
 from rcj_challenges.tracking.bound_rules import Act, Firing, Reader, Test
 from rcj_challenges.tracking.places import PlaceRequest, PlaceResolver
@@ -141,6 +140,27 @@ class KeyedVocabulary(Vocabulary):
         self._plain = plain
         self._rest = rest
         self._tag_plain = tag_plain
+        self._like: KeyedVocabulary | None = None
+
+    def beside(
+        self,
+        plain: Mapping[str, Any],
+        tag_plain: Callable[[Any], str | None],
+        *instead: type[Word],
+        rest: Mapping[str, Any] = MappingProxyType({}),
+    ) -> "KeyedVocabulary":
+        """Return the same words, also those that are added later, beside other plain values; some in other forms."""
+        found = KeyedVocabulary(plain, tag_plain, rest=rest)
+        found._like = self
+        found.add(*instead)
+        return found
+
+    def words(self) -> tuple[type[Word], ...]:
+        """Return all words."""
+        if self._like is None:
+            return super().words()
+        instead = {word.name(): word for word in self._words}
+        return tuple(instead.get(word.name(), word) for word in self._like.words())
 
     @property
     def shape(self) -> Any:
@@ -368,29 +388,14 @@ class ValueWord(KeyedWord):
         read_now = self.now(to)
         return lambda _firing: read_now()
 
-    def number(self, to: Scope) -> Reader:
-        """Return a function that reads the value where a number is asked for; 0 if there is none."""
-        read = self.read(to)
-
-        def read_number(firing: Firing) -> Number:
-            value: Number | None = read(firing)
-            return 0 if value is None else value
-
-        return read_number
-
     def describe(self, phrases: Phrases) -> str:
         """Return the value in words: ``whether the flag “out” is set``."""
         raise NotImplementedError
 
+    def describe_all(self, phrases: Phrases) -> str:
+        """Return the value in words with what stands beside it."""
+        return self.describe(phrases)
+
     def exactly(self, _phrases: Phrases) -> str | Sequence[Scalar]:
         """Return for programs that receive the value its form, or all that it may be; empty: the words suffice."""
         return ""
-
-    def describe_number(self, phrases: Phrases) -> str:
-        """Return the value in words where a number is asked for: ``1 if the flag “out” is set``."""
-        return self.describe(phrases)
-
-    def describe_times(self, phrases: Phrases, weight: float) -> str:
-        """Return the number times a weight: ``2 times the counter “laps”``."""
-        words = self.describe_number(phrases)
-        return words if weight == 1 else f"{number(weight)} times {words}"

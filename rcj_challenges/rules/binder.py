@@ -13,7 +13,7 @@ from rcj_challenges.tracking.gates import GateLine
 from rcj_challenges.tracking.places import Anchor, StartPose
 from rcj_challenges.tracking.pose_history import PoseHistory
 from rcj_challenges.tracking.sequences import SequenceTracker
-from rcj_challenges.tracking.state import Clock, Number, RefereeState
+from rcj_challenges.tracking.state import Number, RefereeState
 from rcj_challenges.tracking.target import Target
 from rcj_challenges.tracking.trackers import Tracker
 
@@ -38,6 +38,24 @@ class Scope(Protocol):
 
     def members(self, names: Names) -> tuple[str, ...]:
         """Return the members that names stand for: groups expanded, ``each`` replaced, without repeats, in order."""
+
+    def group(self, names: Names) -> tuple[tuple[str, ...], Callable[[], tuple[str, ...]]]:
+        """Return all members that names may stand for, and a function that finds those for which they stand now.
+
+        ``others`` stands for those on the field, and for nobody while ``each`` is off the field.
+        """
+
+    def entities(self, names: Names) -> tuple[int, ...]:
+        """Return the indices of entities."""
+
+    def things(self, names: Names) -> tuple[int, ...]:
+        """Return the indices of what can be touched: entities, fixed obstacles, walls."""
+
+    def region(self, names: Names) -> "Region":
+        """Return the region of a zone, or of several zones taken as one."""
+
+    def locate(self, what: Name | Point) -> Callable[[], Point | None]:
+        """Return a function that finds a thing, a spot, a zone's centre or a point; None while it is off the field."""
 
     def start_of(self, entity: int) -> StartPose:
         """Return the start of an entity."""
@@ -100,17 +118,8 @@ class Binder(Scope, Protocol):
     drawn: Mapping[str, tuple[str, ...]]
     """For each draw that decides on a place: the places."""
 
-    def entities(self, names: Names) -> tuple[int, ...]:
-        """Return the indices of entities."""
-
-    def things(self, names: Names) -> tuple[int, ...]:
-        """Return the indices of what can be touched: entities, fixed obstacles, walls."""
-
     def index_of(self, name: str) -> int | None:
         """Return the index of something that can be touched; None for anything else."""
-
-    def region(self, names: Names) -> "Region":
-        """Return the region of a zone, or of several zones taken as one."""
 
     def gate(self, name: str) -> GateLine:
         """Return a gate."""
@@ -136,19 +145,13 @@ class Binder(Scope, Protocol):
     def drawn_value(self, value: Scalar) -> Scalar:
         """Return a value of a draw: ``each`` is a name where the rule is for one."""
 
-    def locate(self, what: Name | Point) -> Callable[[], Point | None]:
-        """Return a function that finds a thing, a spot, a zone's centre or a point; None while it is off the field."""
-
     def free_spots(self, names: Names, clearance_m: float) -> Callable[[], Iterable[bool]]:
         """Return a function that finds for each spot whether no robot's or ball's centre is near."""
 
     # --- for actions ------------------------------------------------------------------------------------------------
 
-    def ticks(self, lasts_s: Any) -> Callable[[], int]:
-        """Return a function that reads a duration in ticks."""
-
-    def set_length(self, timer: str, clock: Clock, owner: str | None) -> None:
-        """Give a clock of a timer its length, as its draw has decided or its counter says by now."""
+    def set_length(self, timer: str, owner: str | None) -> None:
+        """Give a clock of a timer the length that it has by now."""
 
     def timers_changed(self) -> None:
         """Reschedule the trackers after a timer was started or stopped."""

@@ -1,11 +1,12 @@
-"""Comparing what is measured or counted with numbers and counters."""
+"""Comparing what is measured or counted with numbers."""
 
 from collections.abc import Callable
+from operator import eq, ge, le
 from typing import ClassVar
 
-from rcj_challenges.rules.base import Binder, Condition, Number, Phrases, ValueWord
+from rcj_challenges.rules.base import Binder, Condition, Firing, Number, Phrases, ValueWord
 from rcj_challenges.rules.fields import MM_DIGITS, described
-from rcj_challenges.rules.values import Bound, amount_words, compile_bound
+from rcj_challenges.rules.values import Amount, amount_words, compile_amount
 
 
 def to_mm(metres: Number) -> Number:
@@ -17,21 +18,35 @@ def _unchanged(value: Number) -> Number:
     return value
 
 
+def _test(
+    operate: Callable[[Number, Number], bool],
+    bound: Amount,
+    to: Binder,
+    rounded: Callable[[Number], Number],
+    counted: Callable[[Number], Number],
+) -> Callable[[Number], bool]:
+    """Return a function that compares a number with a bound; with none nothing holds."""
+    if not isinstance(bound, ValueWord):
+        constant = rounded(bound)
+        return lambda value: operate(value, constant)
+    read, firing = compile_amount(bound, to), Firing(to.rule, None, "")
+
+    def test(value: Number) -> bool:
+        limit: Number | None = read(firing)
+        return limit is not None and operate(counted(value), rounded(limit))
+
+    return test
+
+
 class Compared(Condition):
     """A condition with bounds, of which it has one at least."""
 
     EXCLUDES = (("equals", ("at_least", "at_most")),)
     REQUIRES: ClassVar[tuple[tuple[str, ...], ...]] = (("at_least",), ("at_most",), ("equals",))
 
-    at_least: Bound | None = described(
-        None, "holds at this value and above; a number, {counter: NAME}, {lowest: NAME} or {highest: NAME}"
-    )
-    at_most: Bound | None = described(
-        None, "holds at this value and below; a number, {counter: NAME}, {lowest: NAME} or {highest: NAME}"
-    )
-    equals: Bound | None = described(
-        None, "holds at exactly this value; a number, {counter: NAME}, {lowest: NAME} or {highest: NAME}"
-    )
+    at_least: Amount | None = described(None, "holds at this number and above")
+    at_most: Amount | None = described(None, "holds at this number and below")
+    equals: Amount | None = described(None, "holds at exactly this number")
 
     def compares_with_counter(self) -> bool:
         """Return whether it compares with a counter, or with those of others."""
@@ -44,22 +59,13 @@ class Compared(Condition):
     ) -> Callable[[Number], bool]:  # fmt: skip
         """Return a function that compares a number with the bounds, which ``rounded`` rounds.
 
-        ``counted`` is done to a number before it is compared with a counter: as it would be counted.
+        ``counted`` is done to a number before it is compared with a value: as it would be counted.
         """
-        bounds = (self.at_least, self.at_most, self.equals)
-        least, most, equals = (None if bound is None else compile_bound(bound, to) for bound in bounds)
-        for_least, for_most, for_equals = (
-            _unchanged if isinstance(bound, int | float) else counted for bound in bounds
-        )
-
-        def holds(value: Number) -> bool:
-            return (
-                (least is None or for_least(value) >= rounded(least()))
-                and (most is None or for_most(value) <= rounded(most()))
-                and (equals is None or for_equals(value) == rounded(equals()))
-            )
-
-        return holds
+        bounds = ((ge, self.at_least), (le, self.at_most), (eq, self.equals))
+        tests = tuple(_test(operate, bound, to, rounded, counted) for operate, bound in bounds if bound is not None)
+        if len(tests) == 1:
+            return tests[0]
+        return lambda value: all(test(value) for test in tests)
 
     def compared(self, phrases: Phrases, unit: str = "", where: str = "") -> str:
         """Return the comparison: ``at least 3 and at most 5``, ``at most 0.5 m from the ball``."""

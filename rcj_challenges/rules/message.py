@@ -6,10 +6,10 @@ from typing import Annotated, Literal
 from pydantic import Field, StringConstraints
 
 from rcj_challenges.core.messages import MAX_CHARACTERS, READS, matches_text
-from rcj_challenges.rules.fields import Scalar, Strict, described
+from rcj_challenges.rules.fields import Name, Scalar, Strict, described
 from rcj_challenges.rules.phrases import Phrases
 from rcj_challenges.rules.phrasing import listed, number
-from rcj_challenges.rules.values.draw import DrawValue
+from rcj_challenges.rules.refs import DRAW
 
 SaidText = Annotated[
     str,
@@ -20,10 +20,16 @@ Said = SaidText | int | float
 """What a robot may say."""
 
 
+class SaidDraw(Strict):
+    """What a draw decided."""
+
+    draw: Annotated[Name, DRAW] = described(..., "a draw")
+
+
 class Message(Strict):
     """What a message of a robot must be."""
 
-    text: Said | Annotated[tuple[Said, ...], Field(strict=False, min_length=1)] | DrawValue | None = described(
+    text: Said | Annotated[tuple[Said, ...], Field(strict=False, min_length=1)] | SaidDraw | None = described(
         None,
         "required content: text, a number, one of a list, or {draw: NAME} for the drawn value; surrounding "
         "spaces are ignored; if omitted: anything",
@@ -40,7 +46,7 @@ class Message(Strict):
         text, parse = self.text, READS[self.is_a]
 
         def wanted() -> tuple[Scalar, ...]:
-            if isinstance(text, DrawValue):
+            if isinstance(text, SaidDraw):
                 return (draws[text.draw],)
             return text if isinstance(text, tuple) else (text,) if text is not None else ()
 
@@ -53,7 +59,7 @@ class Message(Strict):
 
     def said(self, phrases: Phrases) -> str:
         """Return the required message in words: ``“FOUND”``, ``2``, ``a number``; empty if it may be anything."""
-        if isinstance(self.text, DrawValue):
+        if isinstance(self.text, SaidDraw):
             return phrases.what_drawn(self.text.draw)
         if self.text is not None:
             wanted = self.text if isinstance(self.text, tuple) else (self.text,)

@@ -70,9 +70,6 @@ class Phrases(Protocol):
     def keepers(self, kind: str, name: str) -> str | None:
         """Return the names of which each has a counter, flag, timer or sequence of its own; None for a single one."""
 
-    def all_but_each(self, counter: str) -> str:
-        """Return whose lowest or highest counter a rule reads: ``all others on the field``; without ``each`` of all."""
-
     def draw_values(self, draw: str) -> tuple[Scalar, ...]:
         """Return the values of a draw."""
 

@@ -85,9 +85,9 @@ def seconds(value: float) -> str:
     return f"{value / 60:g} min" if value >= 120 and value % 60 == 0 else f"{value:g} s"
 
 
-def whole_seconds(time: str, *, with_fraction: bool) -> str:
-    """Return a time in words with what of it counts: full seconds, before any weight, or its fraction too."""
-    return f"{time} (with its fraction)" if with_fraction else time.replace(" in s", " in full seconds", 1)
+def whole_seconds(time: str) -> str:
+    """Return a time in words of which full seconds count."""
+    return time.replace(" in s", " in full seconds", 1)
 
 
 def metres(value: float) -> str:

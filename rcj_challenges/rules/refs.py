@@ -46,7 +46,6 @@ class SectionRef:
         words: names that exist without being defined.
         keys: True if the names are the keys of the mapping.
         numbers: of a draw the least and the greatest number that its values may be; None: they need not be numbers.
-        per_entity: whether a counter must be kept per entity.
     """
 
     noun: str
@@ -55,7 +54,6 @@ class SectionRef:
     keys: bool = False
     is_written: bool = False
     numbers: tuple[float, float] | None = None
-    per_entity: bool = False
 
 
 @dataclass(frozen=True)
@@ -136,6 +134,7 @@ DRAW = SectionRef("draw", ("draws",))
 PHASE = SectionRef("phase", ("phases",), words=frozenset({"play"}))
 SEQUENCE = SectionRef("sequence", ("sequences",))
 ENTRANT = SectionRef("entrant", ("entrants",))
+SCORED = replace(ENTRANT, words=frozenset({"each", "other"}))
 
 WRITTEN_COUNTER, WRITTEN_FLAG, WRITTEN_TIMER, WRITTEN_DRAW, WRITTEN_SEQUENCE = (
     replace(one, is_written=True) for one in (COUNTER, FLAG, TIMER, DRAW, SEQUENCE)

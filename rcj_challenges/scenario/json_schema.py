@@ -21,6 +21,7 @@ from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
 from rcj_challenges.rules.fields import DurationS, EventName, Name, Names, Point
+from rcj_challenges.rules.values import Amount
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.resources import schemas_folder
 from rcj_challenges.scenario.shape import Shape, bare, fields, is_model, is_union, members, without_none
@@ -45,6 +46,7 @@ _TYPES = {str: "string", int: "integer", float: "number", bool: "boolean"}
 _BOUNDS = {"gt": "exclusiveMinimum", "ge": "minimum", "lt": "exclusiveMaximum", "le": "maximum"}
 _SHARED: tuple[tuple[Shape, str], ...] = (
     (Names, "names"), (Name, "name"), (EventName, "event_name"), (DurationS, "duration_s"), (Point, "point"),
+    (Amount, "amount"),
 )  # fmt: skip
 """Shapes that stand in so many places that the schema defines them once."""
 
@@ -136,6 +138,7 @@ class SchemaWriter:
         if shared is None:
             return self._with_param(shape, partial=partial)
         if shared not in self.definitions:
+            self.definitions[shared] = {}  # claimed first, as what it contains may contain it
             self.definitions[shared] = self._with_param(shape, partial=False)
             if (
                 shape == Point and self._with_params
@@ -161,7 +164,7 @@ class SchemaWriter:
         extras = get_args(shape)[1:] if hasattr(shape, "__metadata__") else ()
         described = {"description": text} if (text := _description(extras)) else {}
         if is_union(kind):
-            options = [self._plain(member, partial=partial) for member in members(shape)]
+            options = self._options(shape, partial=partial)
             if isinstance(discriminator, str) and self._with_params:
                 options.append(_of_any_form(discriminator))
             word = "oneOf" if isinstance(discriminator, str) and not partial else "anyOf"
@@ -181,6 +184,21 @@ class SchemaWriter:
             return {**described, **({"const": words[0]} if len(words) == 1 else {"enum": words})}
         return {**described, "type": _TYPES[kind], **keywords(extras, shape)}
 
+    def _options(self, shape: Shape, *, partial: bool) -> list[_Json]:
+        """Return the schemas of a union's members.
+
+        Those with keys in common are one: what stands under these keys is looked at once, and not once for each.
+        """
+        alike: dict[type[BaseModel], list[_Json]] = {}
+        options: list[_Json] = []
+        for member in members(shape):
+            option, part = self._plain(member, partial=partial), _part_of(bare(member).kind)
+            (options if part is None else alike.setdefault(part, [])).append(option)
+        for part, words in alike.items():
+            parts = [self._reference(part, partial=False), {"anyOf": words}]
+            options.append({"type": "object", "allOf": parts, "unevaluatedProperties": False})
+        return options
+
     def _array(self, arguments: tuple[Any, ...]) -> _Json:
         if len(arguments) == 2 and arguments[1] is Ellipsis:
             return {"type": "array", "items": self.schema(arguments[0], partial=False)}
@@ -196,14 +214,23 @@ class SchemaWriter:
         is_partial = model in self.partial_models
         if name not in self.definitions:
             self.definitions[name] = {}  # claimed first, so that a model may contain itself
+            part = _part_of(model)
+            shared = () if part is None else fields(part)
+            properties = self.properties(model, partial=is_partial)
             self.definitions[name] = {
                 "type": "object",
                 "description": sentence_of(model),
-                "properties": self.properties(model, partial=is_partial),
+                "properties": {key: one for key, one in properties.items() if key not in shared},
                 **({} if is_partial else demand),
-                "additionalProperties": False,
+                **({"additionalProperties": False} if part is None and "IS_PART" not in vars(model) else {}),
             }
         return {"$ref": f"#/$defs/{name}", **(demand if is_partial and not partial else {})}
+
+
+def _part_of(model: Any) -> type[BaseModel] | None:
+    """Return the class whose fields a model has in common with others of its kind; None: it has none."""
+    above = model.__mro__[1:] if is_model(model) else ()
+    return next((one for one in above if "IS_PART" in vars(one)), None)
 
 
 def _or_param(plain: _Json) -> _Json:

@@ -20,6 +20,7 @@ ALWAYS = ("robots", "balls", "obstacles", WALLS)
 
 EACH = "each"
 OTHER = "other"
+OTHERS = "others"
 BOUND = (EACH, OTHER)
 """Names that a rule has for the entities which its firing is about."""
 
@@ -125,12 +126,17 @@ class Roster:
     def may_be(self, names: Names, rule: Rule | None = None) -> tuple[str, ...]:
         """Return all that names may ever stand for: of a draw all among which it decides, in a rule also ``each``."""
         found: list[str] = []
-        for name in self.expand(names, rule.for_each if rule is not None else None):
+        named = tuple(EACH if self.is_others(name) else name for name in as_tuple(names))
+        for name in self.expand(named, rule.for_each if rule is not None else None):
             if rule is not None and name == OTHER and has_other(rule):
                 found += self.others(rule, rule.for_each)
             else:
                 found += self.drawn.get(name, (name,))
         return tuple(dict.fromkeys(found))
+
+    def is_others(self, name: str) -> bool:
+        """Return whether a name stands for the rest of a rule's group: nothing on the field is called so."""
+        return name == OTHERS and name not in self.groups and name not in self.kinds
 
     def others(self, rule: Rule, each: str | None) -> tuple[str, ...]:
         """Return the names that ``other`` may stand for in a rule of touches, in the order of ``things``.

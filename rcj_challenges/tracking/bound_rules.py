@@ -106,6 +106,10 @@ class Firing:
         return self.rule.each if self.rule.about is None else None
 
 
+NO_FIRING = Firing(BoundRule("", None, None, None, 0, None, ""), None, "")
+"""What belongs to no rule and to no entity reads values with it: the broadcast, lengths of timers and phases."""
+
+
 @dataclass(frozen=True, slots=True)
 class TriggerBinding:
     """Binds a rule to one of its triggers.

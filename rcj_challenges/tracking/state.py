@@ -9,6 +9,7 @@ from math import sqrt
 from rcj_challenges.core.amounts import add_up, round_score
 from rcj_challenges.core.play import HalfInfo, Pose2
 from rcj_challenges.core.streams import random_stream, stream_seed
+from rcj_challenges.core.timing import TICK_S
 from rcj_challenges.tracking.held import Held
 
 Number = int | float
@@ -105,6 +106,13 @@ class RefereeState:
         for entity in self.ways:
             (x, y, _), (was_x, was_y, _) = self.poses[entity], self.before[entity]
             self.ways[entity] += sqrt((x - was_x) ** 2 + (y - was_y) ** 2)
+
+    def speed_mps(self, entity: int) -> float | None:
+        """Return the speed of an entity in the last tick; None off the field, and of what a test moved by hand."""
+        if not self.present[entity] or entity in self.by_hand:
+            return None
+        (x, y, _), (was_x, was_y, _) = self.poses[entity], self.before[entity]
+        return sqrt((x - was_x) ** 2 + (y - was_y) ** 2) / TICK_S
 
     def counter(self, name: str, entity: str | None) -> Number:
         """Return a counter; one kept per entity without an entity is the sum; an entrant's name is its score."""

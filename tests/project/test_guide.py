@@ -15,7 +15,7 @@ from rcj_challenges.scenario.load import Loaded, load, load_text
 from rcj_challenges.scenario.resources import names_in, presets_folder
 
 GUIDE = Path(__file__).parents[2] / "docs" / "authoring.md"
-HEAD = "schema_version: 1\nid: guide\ntitle: Guide\nextends: soccersim_v2\n"
+HEAD = "schema_version: 2\nid: guide\ntitle: Guide\nextends: soccersim_v2\n"
 STOPPED = (
     HEAD
     + """match: {half_s: 10}
@@ -119,7 +119,7 @@ def test_the_rule_of_the_fifth_step_gives_two_points_if_y3_touched_the_ball_last
 
 
 def test_the_example_that_extends_the_match_passes_its_own_test_and_lint():
-    _, begins, rest = GUIDE.read_text("utf-8").partition("schema_version: 1\nid: quick_match\n")
+    _, begins, rest = GUIDE.read_text("utf-8").partition("schema_version: 2\nid: quick_match\n")
     loaded = load_text((begins + rest).partition("```")[0])
     assert loaded.scenario.match.half_s == 180
     assert lint(loaded) == []

@@ -42,7 +42,7 @@ def test_the_same_run_has_the_same_digests_whenever_it_is_played(tmp_path: Path)
 
 def test_the_inputs_of_a_fixed_scenario_never_change_without_a_new_version() -> None:
     found = inputs_digest(small_scenario(), 7, PROGRAMS)
-    assert found == "3b3cda6b2eb7573c58c5248e98416cbef49004065afb80a8930b28d2649c7741"
+    assert found == "349a33f4c3f3c25df0c44b78cf60d0e7008416097e32402098aae3d349375bad"
 
 
 @pytest.mark.parametrize(

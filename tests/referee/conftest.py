@@ -14,7 +14,9 @@ import rcj_challenges
 from rcj_challenges.expect.scripted_match import ScriptedMatch, half_of
 from rcj_challenges.scenario.load import Loaded, load
 from rcj_challenges.scenario.models.scenario import Scenario
+from rcj_challenges.scenario.reading.extend import Source
 from rcj_challenges.scenario.roster import Roster
+from rcj_challenges.scenario.tree import plain
 
 PRESET = Path(rcj_challenges.__file__).parent / "scenario" / "presets" / "soccersim_v2.yaml"
 
@@ -48,13 +50,13 @@ def _read(text: str) -> dict[str, Any]:
 
 def small_scenario(*sections: str) -> Scenario:
     """Return the small stage with sections (YAML) put on top of it one after the other, key by key."""
-    tree = copy.deepcopy(_read(PRESET.read_text(encoding="utf-8")))
+    tree = {**copy.deepcopy(_read(PRESET.read_text(encoding="utf-8"))), "schema_version": 1}
     for layer in (_SMALL, *sections):
         for key, value in copy.deepcopy(_read(layer)).items():
             # Robots and entrants of the preset are replaced as a whole by those of the stage.
             merges = isinstance(value, dict) and not (layer is _SMALL and key in {"robots", "entrants"})
             tree[key] = {**tree.get(key, {}), **value} if merges else value
-    return Scenario.model_validate(tree)
+    return Scenario.model_validate(plain(Source.of_data(tree, "small").tree))
 
 
 @pytest.fixture(scope="session")

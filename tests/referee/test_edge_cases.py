@@ -25,11 +25,11 @@ class TestHolds:
             # Where a rule puts something is not heard.
             ("in_zone, entity: ball, zone: right", placing("ball", "{point: [0.4, 0]}"), []),
             ("distance, entity: ball, to: centre, at_least: 0.3", placing("ball", "{point: [0.4, 0]}"), []),
-            # That it frees a spot, loses the steps of a sequence or leaves no lower counter is, one tick later.
+            # That it frees a spot, loses the steps of a sequence or leaves fewer on the field is, one tick later.
             ("spot_free, spot: centre", placing("ball", "{point: [0.4, 0]}"), [11]),
             ("sequence_at, sequence: way, step: left, negate: true", placing("Y1", "{point: [0.4, 0]}"), [11]),
             (
-                "counter, counter: visits, entity: Y1, at_most: {lowest: visits}",
+                "counter, counter: visits, entity: Y1, at_least: {count: [B1, B2]}",
                 "{action: remove, entity: [B1, B2]}",
                 [11],
             ),

@@ -95,6 +95,6 @@ class TestTheLowestAndTheHighestOfOthers:
 def test_a_counter_that_is_kept_once_has_no_others():
     rule = (
         "counters: {laps: {}}\nrules: {it: {triggers: [{trigger: half_started}], conditions: "
-        "[{condition: counter, counter: laps, at_most: {lowest: laps}}], actions: [{action: end}]}}\n"
+        "[{condition: counter, counter: laps, at_most: {lowest: {counter: laps}}}], actions: [{action: end}]}}\n"
     )
     assert complaints(rule) == ["not-per-entity rules.it.conditions[0] (counter)"]

@@ -98,17 +98,17 @@ GOOD = [
     (condition, "timer, timer: own, entity: B1, at_least: 1", ""),
     (condition, "last_touch, by: each", "robots"),
     (condition, "spot_free, spot: all_spots, of: all", ""),
-    (action, "score, entrant: yellow, points: [{counter: goals, weight: 2}, {flag: armed}]", ""),
+    (action, "score, entrant: yellow, points: {sum: [{counter: goals, times: 2}, {flag: armed}]}", ""),
     (action, "count, counter: pushes", ""),
     (action, "count, counter: goals, by: {flag: seen, entity: crate}", ""),
     (action, "score, entrant: yellow, points: {flag: seen, entity: each}", "movers"),
-    (action, "score, entrant: yellow, points: [5, {distance: [each, [0, 0]], weight: -1}, {distance: [robots, second]}]", "movers"),
-    (action, "score, entrant: yellow, points: [{timer: clock, weight: -1}, {timer: own, entity: each}]", "robots"),
+    (action, "score, entrant: yellow, points: {sum: [5, {distance: [each, [0, 0]], times: -1}, {distance: [robots, second]}]}", "movers"),
+    (action, "score, entrant: yellow, points: {sum: [{timer: clock, times: -1}, {timer: own, entity: each}]}", "robots"),
     (action, "count, counter: goals, to: {timer: own}", ""),
     (action, "emit, event: E, payload: {a: {last_touch: each}, b: {timer: own, entity: B1}, c: {distance: [each, blue]}}", "movers"),
-    (action, "score, entrant: yellow, points: [{draw: number, weight: 2}, {word: score, of: blue}]", ""),
-    (action, "score, entrant: yellow, points: [{counter: pushes, entity: each}, {flag: seen, entity: crate}]", "robots"),
-    (action, "score, entrant: yellow, points: [{counter: pushes}]", "robots"),
+    (action, "score, entrant: yellow, points: {sum: [{draw: number, times: 2}, {word: score, of: blue}]}", ""),
+    (action, "score, entrant: yellow, points: {sum: [{counter: pushes, entity: each}, {flag: seen, entity: crate}]}", "robots"),
+    (action, "score, entrant: yellow, points: {sum: {counter: pushes}}", "robots"),
     (condition, "flag, flag: seen, entity: [blue, crate], of: none", ""),
     (condition, "counter, counter: pushes, entity: yellow, of: {at_least: 2}, at_least: 1", ""),
     (condition, "counter, counter: pushes, of: all, at_least: 1", "robots"),
@@ -188,7 +188,7 @@ BAD = [
     (action, "score, entrant: yellow, points: {flag: armed, entity: B1}", "", "not-per-entity rules.r.actions[0] (score)"),
     (action, "score, entrant: yellow, points: {flag: seen}", "movers", "missing-entity rules.r.actions[0] (score)"),
     (action, "count, counter: goals, by: {flag: seen, entity: Y1}", "", "wrong-kind rules.r.actions[0] (count)"),
-    (action, "score, entrant: yellow, points: [{counter: pushes, entity: ball}]", "", "wrong-kind rules.r.actions[0] (score)"),
+    (action, "score, entrant: yellow, points: {sum: [{counter: pushes, entity: ball}]}", "", "wrong-kind rules.r.actions[0] (score)"),
     (action, "score, entrant: yellow, points: {word: score, of: B1}", "", "unknown-name rules.r.actions[0] (score)"),
     (action, "timer, timer: clock, entity: B1", "", "not-per-entity rules.r.actions[0] (timer)"),
     (action, "set_flag, flag: seen, entity: Y1", "", "wrong-kind rules.r.actions[0] (set_flag)"),
@@ -209,7 +209,7 @@ def test_names_that_do_not_fit_are_refused_where_they_stand(write, text, for_eac
 
 
 @pytest.mark.parametrize("text", ["score, entrant: yellow, points: {draw: mixed}", "count, counter: goals, by: {draw: mixed}",
-                                  "score, entrant: yellow, points: [{draw: mixed, weight: 2}]"])  # fmt: skip
+                                  "score, entrant: yellow, points: {sum: [{draw: mixed, times: 2}]}"])  # fmt: skip
 def test_a_draw_that_gives_points_draws_numbers_only(text):
     found = refers(rule(action=f"{{action: {text}}}"))
     assert found == ["wrong-value draws.mixed.values[2]", "wrong-value draws.mixed.values[3]"]

@@ -17,7 +17,7 @@ from tests.scenario.writing import HEAD, rule
 SCHEMA = scenario_schema()
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 FILES = sorted([*scenarios_folder().rglob("*.yaml"), *presets_folder().glob("*.yaml")])
-WHOLE = {"schema_version": 1, "id": "a", "title": "A", "robots": {}, "entrants": {}}
+WHOLE = {"schema_version": 2, "id": "a", "title": "A", "robots": {}, "entrants": {}}
 
 
 def accepts(data):
@@ -96,7 +96,7 @@ def test_every_number_with_a_unit_in_its_name_describes_the_unit():
         rule(action="{action: emit, event: {param: x}, payload: {a: {param: x}}}"),
         "zones: {pitch: {x_min_m: {param: x}, inverted: {param: x}}}\n",
         "zones: {pitch: {x_min_m: {param: x, times: -1}, x_max_m: {param: x, plus: 0.5}}}\n",
-        rule(action="{action: score, entrant: yellow, points: [{param: x, times: 2, plus: -1}]}"),
+        rule(action="{action: score, entrant: yellow, points: {sum: [{param: x, times: 2, plus: -1}]}}"),
         rule(rest="    phases: {param: x}\n"),
         rule("{trigger: displaced, entity: ball, distance_m: 1, from: {param: x}}"),
         rule(action="{action: remove, entity: ball, back_at: {param: x}}"),

@@ -8,7 +8,7 @@ from rcj_challenges.scenario.errors import ScenarioError
 from rcj_challenges.scenario.json_schema import scenario_schema
 from rcj_challenges.scenario.load import load_text
 
-HEAD = "schema_version: 1\nid: mine\ntitle: Mine\nextends: soccersim_v2\n"
+HEAD = "schema_version: 2\nid: mine\ntitle: Mine\nextends: soccersim_v2\n"
 NAME = "distancesensor front"
 
 

@@ -37,7 +37,7 @@ def test_what_a_record_holds_is_checked_too():
 
 
 def test_the_smallest_scenario():
-    fields = {"schema_version": 1, "id": "a", "title": "A", "robots": {}, "entrants": {}, "balls": {"ball": {}}}
+    fields = {"schema_version": 2, "id": "a", "title": "A", "robots": {}, "entrants": {}, "balls": {"ball": {}}}
     assert load_text(json.dumps(fields)).scenario == Scenario.model_validate(fields)
 
 

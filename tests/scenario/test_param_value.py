@@ -89,11 +89,11 @@ class TestWhereItStands:
         assert (made.max_executions, made.conditions[0].at_least) == (2, 3)
         assert made.actions[0].payload == {"a": 8, "b": 0.9}
 
-    def test_a_weighted_sum_takes_it_as_a_number(self):
-        points = "[{param: n, times: 2}, {word: time_s, weight: {param: n, times: -0.1}}]"
+    def test_a_sum_takes_it_as_a_number(self):
+        points = "{sum: [{param: n, times: 2}, {word: time_s, times: {param: n, times: -0.1}}]}"
         found = scenario("params: {n: 3}\n" + rule(action=f"{{action: score, entrant: yellow, points: {points}}}"))
-        number, word = found.rules["r"].actions[0].points
-        assert (number, word.weight) == (6, -0.3)
+        number, word = found.rules["r"].actions[0].points.sum
+        assert (number, word.times) == (6, -0.3)
 
     @pytest.mark.parametrize("override", ["gap_m=0.2", "params.gap_m=0.2", "params={gap_m: 0.2}"])
     def test_whoever_sets_the_param_sets_both(self, override):

@@ -71,7 +71,7 @@ def written(rules, params=None):
     """Return a scenario with some rules, written down."""
     return json.dumps(
         {
-            "schema_version": 1,
+            "schema_version": 2,
             "id": "a",
             "title": "A",
             "extends": "soccersim_v2",

@@ -44,7 +44,7 @@ def test_a_condition_can_ask_about_it(condition):
         "remove, entity: [other, each], for_s: 2",
         "count, counter: pushes, entity: other, by: {counter: pushes, entity: other}",
         "timer, timer: own, entity: other, do: start",
-        "score, entrant: other, points: [1, {counter: pushes, entity: other}, {distance: [each, other]}]",
+        "score, entrant: other, points: {sum: [1, {counter: pushes, entity: other}, {distance: [each, other]}]}",
         "score, entrant: {last_touch: other}",
         "emit, event: E, payload: {a: {word: other_name}, b: {position_of: other}, c: {last_touch: other}}",
     ],

@@ -27,7 +27,7 @@ SAYS = "A second as king: 1 point."
 
 def _scenario() -> Scenario:
     fields = json.loads(small_scenario(1, 1, TICKS * 0.032).model_dump_json(by_alias=True, exclude_defaults=True))
-    return Scenario.model_validate_json(json.dumps({**fields, "schema_version": 1, "rules": RULES}))
+    return Scenario.model_validate_json(json.dumps({**fields, "schema_version": 2, "rules": RULES}))
 
 
 def _second(tick: int, points: float = 1) -> Firing:

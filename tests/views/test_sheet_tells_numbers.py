@@ -54,7 +54,7 @@ _DRAWN = ("RectZone.", "CircleZone.", "PolygonZone.", "HalfPlaneZone.", "Gate.",
 """What the drawing on the sheet tells, in its legend."""
 
 _SHOWN_NOWHERE_ELSE = """
-schema_version: 1
+schema_version: 2
 id: small
 title: Small
 extends: soccersim_v2
@@ -75,7 +75,8 @@ rules:
       - {action: set_spot, spot: middle_blue, to: [0.12, 0.34]}
       - {action: draw, draw: tile, as: 2}
       - {action: count, counter: laps, to: {distance: [ball, [0.2, 0.1]]}}
-      - {action: score, entrant: blue, points: [{distance: [ball, [0.2, 0.1]], weight: 2}, {told: Y1, weight: 3}]}
+      - {action: score, entrant: blue, points: {distance: [ball, [0.2, 0.1]], times: 2, plus: {told: Y1, times: 3}}}
+      - {action: count, counter: laps, to: {count: blue, looks: ball, within_rad: 0.3}}
   judged:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
     conditions:

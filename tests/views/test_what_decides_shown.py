@@ -62,7 +62,7 @@ def test_a_payload_is_shown_if_neither_sentence_nor_scoreboard_has_it(
 def _scenario(**more: Any) -> Scenario:
     fields = json.loads(small_scenario(1, 2, TICKS * 0.032).model_dump_json(by_alias=True, exclude_defaults=True))
     counters = {"laps": {"per": "robots"}, "best_s": {"initial": 99, "keep": "match"}}
-    fields |= {"schema_version": 1, "counters": counters, "result": {"rank": RANK}, **more}
+    fields |= {"schema_version": 2, "counters": counters, "result": {"rank": RANK}, **more}
     return Scenario.model_validate_json(json.dumps(fields))
 
 

@@ -29,10 +29,13 @@ from rcj_challenges.rules.conditions.way import WayIs
 from rcj_challenges.rules.triggers.event import OnEvent
 from rcj_challenges.rules.triggers.sequence_broken import SequenceBroken
 from rcj_challenges.rules.triggers.sequence_completed import SequenceCompleted
+from rcj_challenges.rules.values.count import CountValue
 from rcj_challenges.rules.values.counter import CounterValue
 from rcj_challenges.rules.values.flag import FlagValue
-from rcj_challenges.rules.values.term import term_of
-from rcj_challenges.rules.values.timer import NumberTimer, TimerValue
+from rcj_challenges.rules.values.highest import HighestValue
+from rcj_challenges.rules.values.lowest import LowestValue
+from rcj_challenges.rules.values.sum import SumValue
+from rcj_challenges.rules.values.timer import TimerValue
 from rcj_challenges.rules.values.word import NumberWord, WordValue
 from rcj_challenges.scenario.models import places, scenario
 
@@ -135,9 +138,8 @@ def _kick(maker: Maker, data: Data) -> None:
 
 
 def _bounded(maker: Maker, data: Data) -> None:
-    for least, most in (("at_least", "at_most"), ("keeps_at_least", "keeps_at_most")):
-        if least in data and most in data:
-            data[least], data[most] = sorted((data[least], data[most]))
+    if "keeps_at_least" in data and "keeps_at_most" in data:
+        data["keeps_at_least"], data["keeps_at_most"] = sorted((data["keeps_at_least"], data["keeps_at_most"]))
 
 
 def _count(maker: Maker, data: Data) -> None:
@@ -177,8 +179,21 @@ def _event(maker: Maker, data: Data) -> None:
 def _word(maker: Maker, data: Data) -> None:
     if data["word"] not in ("score", "team_name"):
         data.pop("of", None)
-    if not data["word"].endswith("_s"):
-        data.pop("fraction", None)
+
+
+def _folded(key: str) -> Callable[[Maker, Data], None]:
+    def fit(maker: Maker, data: Data) -> None:
+        several = data[key]
+        if isinstance(several, dict) and maker.stage.kept.get(("counter", several.get("counter"))):
+            data[key] = {"counter": several["counter"]}
+        elif isinstance(several, dict):
+            data[key] = [several]
+
+    return fit
+
+
+def _counted(_maker: Maker, data: Data) -> None:
+    data.pop("flag", None)
 
 
 def _expected(maker: Maker, data: Data) -> None:
@@ -227,9 +242,11 @@ FIT: dict[type, Callable[[Maker, Data], None]] = {
     SequenceCompleted: _kept_each("sequence"),
     SequenceBroken: _kept_each("sequence"),
     OnEvent: _event,
-    **{model: _kept_each("counter") for model in (CounterValue, term_of(CounterValue))},
-    **{model: _kept_each("flag") for model in (FlagValue, term_of(FlagValue))},
-    **{model: _kept_each("timer") for model in (TimerValue, NumberTimer, term_of(NumberTimer))},
-    **dict.fromkeys((WordValue, NumberWord, term_of(NumberWord)), _word),
+    CounterValue: _kept_each("counter"),
+    FlagValue: _kept_each("flag"),
+    TimerValue: _kept_each("timer"),
+    **dict.fromkeys((WordValue, NumberWord), _word),
+    **{model: _folded(model.KEY) for model in (HighestValue, LowestValue, SumValue)},
+    CountValue: _counted,
     scenario.Expectation: _expected,
 }

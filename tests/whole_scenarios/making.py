@@ -19,16 +19,14 @@ from rcj_challenges.rules.conditions.any_of import AnyOf
 from rcj_challenges.rules.kick import DrawnSpeed
 from rcj_challenges.rules.refs import KEEPERS, Ref, Reference, SectionRef, ref_of
 from rcj_challenges.rules.values.draw import DrawnDuration, NumberDraw
-from rcj_challenges.rules.values.highest import HighestOfOthers
-from rcj_challenges.rules.values.lowest import LowestOfOthers
-from rcj_challenges.rules.values.term import term_of
+from rcj_challenges.rules.values.number import NumberValue
 from rcj_challenges.scenario.models.scenario import Rule
 from rcj_challenges.scenario.shape import Shape, bare, fields, is_model, is_union, members, tags, without_none
 from tests.whole_scenarios.fitting import FIT, sentence
 from tests.whole_scenarios.staging import COLOURS, Data, Stage, point
 
 _BOUNDS = ("gt", "ge", "lt", "le", "min_length", "max_length", "pattern")
-_DRAWN_NUMBERS = {NumberDraw: 1e9, term_of(NumberDraw): 1e9, DrawnDuration: 100, DrawnSpeed: 3}
+_DRAWN_NUMBERS = {NumberDraw: 1e9, DrawnDuration: 100, DrawnSpeed: 3}
 """Where a draw's name stands for a number, and how large that may be."""
 _RARELY = 0.3
 """How often a key is given that may be left out."""
@@ -38,6 +36,10 @@ _TEXTS = ("yes", "Hello", "7", "0.1 0.2", "-", "ä€😀", "{x}", "a: b", "#", 
 
 class ImpossibleError(Exception):
     """Nothing that exists could stand there."""
+
+
+def _is_deep(kind: Any) -> bool:
+    return isinstance(kind, type) and issubclass(kind, AnyOf | AllOf | NumberValue)
 
 
 class Maker:
@@ -116,7 +118,7 @@ class Maker:
         if is_union(kind):
             options = list(dict.fromkeys(map(_Kept, tags(shape).values() or members(kind))))
             if self._depth > _DEEPEST:
-                options = [one for one in options if bare(one.shape).kind not in (AnyOf, AllOf)]
+                options = [one for one in options if not _is_deep(bare(one.shape).kind)] or options
             self.chance.shuffle(options)
             for option in options:
                 with suppress(ImpossibleError):
@@ -236,8 +238,6 @@ class Maker:
             known = [draw for draw, values in stage.draws.items() if self._numbers(values, _DRAWN_NUMBERS[owner])]
             return chance.choice(known) if known else self._refused()
         known = [name for section in reference.sections for name in stage.named.get(section, [])]
-        if owner in (LowestOfOthers, HighestOfOthers):
-            known = [name for name in known if stage.kept.get(("counter", name))]
         known += [word for word in reference.words if word not in ("each", "other", "any")]
         return chance.choice(known) if known else self._refused()
 

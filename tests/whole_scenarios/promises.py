@@ -284,7 +284,7 @@ def check_extending(text: str, loaded: Loaded, folder: Path) -> None:
     more = folder / "more.yaml"
     scenario = loaded.scenario
     more.write_text(
-        f"schema_version: 1\nid: {scenario.id}\ntitle: {json.dumps(scenario.title, ensure_ascii=False)}\nextends: ./base.yaml\n",
+        f"schema_version: 2\nid: {scenario.id}\ntitle: {json.dumps(scenario.title, ensure_ascii=False)}\nextends: ./base.yaml\n",
         encoding="utf-8",
     )
     with promised("extend", text):

@@ -72,13 +72,13 @@ class Stage:
 @cache
 def base_of(name: str) -> Data:
     """Return what a preset or a shipped scenario brings, as plain data."""
-    head = f"schema_version: 1\nid: a\ntitle: A\nextends: {name}\n"
+    head = f"schema_version: 2\nid: a\ntitle: A\nextends: {name}\n"
     return load_text(head).resolved
 
 
 def made_stage(chance: random.Random) -> Stage:
     """Return a field with machines and places on it."""
-    stage = Stage({"schema_version": 1, "id": stage_id(chance), "title": "Made up"})
+    stage = Stage({"schema_version": 2, "id": stage_id(chance), "title": "Made up"})
     base = chance.choice(BASES)
     if base is not None:
         stage.data["extends"] = base

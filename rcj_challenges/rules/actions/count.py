@@ -4,10 +4,11 @@ from typing import Annotated, Literal
 
 from rcj_challenges.core.amounts import round_score
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Number, Phrases
-from rcj_challenges.rules.bounds import amount_bound, bounds_words, change_bound, subtracted_parts
+from rcj_challenges.rules.bounds import bounds_words, change_bound
 from rcj_challenges.rules.fields import Name, described
 from rcj_challenges.rules.refs import WHOSE, WRITTEN_COUNTER
-from rcj_challenges.rules.values import Points, amount_words, compile_points
+from rcj_challenges.rules.values import Amount, amount_words, compile_amount
+from rcj_challenges.rules.values.number import takes_away
 
 
 class Count(Action):
@@ -18,18 +19,10 @@ class Count(Action):
     entity: Annotated[Name | None, WHOSE] = described(
         None, "for a counter kept per entity: which entity, or each; if omitted: all of them"
     )
-    by: Points | None = described(
-        None,
-        "what is added: a number, {counter, flag, draw, timer, way or word: NAME}, {distance: [A, B]}, or a "
-        "list of these, which may have weights, to be summed; 1 if neither `by` nor `to` is given",
+    by: Amount | None = described(
+        None, "what is added; 1 if neither `by` nor `to` is given; if there is no such number, nothing"
     )
-    to: Points | None = described(
-        None,
-        "the new value: a number, {counter, flag, draw, timer, way or word: NAME}, {distance: [A, B]}, or a "
-        "list of these, which may have weights, to be summed",
-    )
-    at_least: float | None = described(None, "smallest amount of `by` or `to`, whatever the sum is")
-    at_most: float | None = described(None, "largest amount of `by` or `to`, whatever the sum is")
+    to: Amount | None = described(None, "the new value; if there is no such number, the counter keeps its value")
     keeps_at_least: float | None = described(
         None, "with `by`: the counter does not fall below this; a value that is already lower stays unchanged"
     )
@@ -60,14 +53,16 @@ expect:
     def compile(self, to: Binder) -> Act:
         """Return a function that changes a counter: first ``to``, then ``by``."""
         counters, name, whose = to.state.counters, self.counter, to.whose(self.entity)
-        new = None if self.to is None else compile_points(self.to, to)
+        new = None if self.to is None else compile_amount(self.to, to)
         by = 1 if self.by is None and self.to is None else self.by
-        step = None if by is None else compile_points(by, to)
-        within, bounded = amount_bound(self), change_bound(self)
+        step = None if by is None else compile_amount(by, to)
+        bounded = change_bound(self)
 
         def changed(value: Number, firing: Firing) -> Number:
-            value = value if new is None else within(new(firing))
-            return round_score(value if step is None else value + bounded(step(firing), value))
+            start, change = value if new is None else new(firing), 0 if step is None else step(firing)
+            if start is None or change is None:
+                return value
+            return round_score(start + bounded(change, start))
 
         def act(firing: Firing) -> None:
             value = counters[name]
@@ -86,6 +81,6 @@ expect:
             return f"{counter} is set to {amount_words(phrases, self.to)}{bounds}"
         if isinstance(self.by, int | float) and self.by < 0:
             return f"{counter} falls by {amount_words(phrases, -self.by)}{bounds}"
-        if taken := subtracted_parts(self, self.by):
-            return f"{counter} falls by {amount_words(phrases, taken)}{bounds}"
+        if self.by is not None and takes_away(self.by):
+            return f"{counter} falls by {amount_words(phrases, self.by, negate=True)}{bounds}"
         return f"{counter} grows by {amount_words(phrases, 1 if self.by is None else self.by)}{bounds}"

@@ -3,11 +3,12 @@
 from math import inf
 from typing import Annotated, Literal
 
+from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.effects import Holds
 from rcj_challenges.rules.fields import Names, described
 from rcj_challenges.rules.refs import ROBOTS
-from rcj_challenges.rules.values import Lasts, duration_words
+from rcj_challenges.rules.values import Lasts, compile_duration, duration_words
 
 
 class Hold(Action):
@@ -22,8 +23,8 @@ class Hold(Action):
     entity: Annotated[Names, ROBOTS] = described(..., "what is held: robots, groups, or each")
     for_s: Lasts | None = described(
         None,
-        "how long in s, time off the field included: a number, {draw: NAME} or {counter: NAME}, read when the "
-        "action runs (0 or less: not at all); if omitted: until a rule releases it; if two holds overlap, the "
+        "how long in s, time off the field included; read when the action runs (0 or less, or no such number: not at "
+        "all); if omitted: until a rule releases it; if two holds overlap, the "
         "later end counts",
     )
 
@@ -60,10 +61,10 @@ expect:
         state, robots = to.state, to.entities(self.entity)
         if self.for_s is None:
             return lambda _firing: state.held.hold(robots, inf)
-        lasts = to.ticks(self.for_s)
+        lasts_s = compile_duration(self.for_s, to)
 
-        def act(_firing: Firing) -> None:
-            ticks = lasts()
+        def act(firing: Firing) -> None:
+            ticks = ticks_from_s(lasts_s(firing) or 0.0)
             if ticks > 0:
                 state.held.hold(robots, state.tick + ticks)
 

@@ -2,6 +2,7 @@
 
 from typing import Annotated, Literal
 
+from rcj_challenges.core.timing import ticks_from_s
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
 from rcj_challenges.rules.effects import Places, Removes
 from rcj_challenges.rules.facing import Facing
@@ -10,7 +11,7 @@ from rcj_challenges.rules.phrasing import WAITING_NOTE
 from rcj_challenges.rules.placement import looks_words, put_words
 from rcj_challenges.rules.places import At, place_of
 from rcj_challenges.rules.refs import ENTITIES
-from rcj_challenges.rules.values import Lasts, duration_words
+from rcj_challenges.rules.values import Lasts, compile_duration, duration_words
 
 
 class Remove(Action):
@@ -20,7 +21,7 @@ class Remove(Action):
     entity: Annotated[Names, ENTITIES] = described(..., "what is taken off: entities, groups, or each")
     for_s: Lasts | None = described(
         None,
-        "time in s after which it comes back: a number, {draw: NAME} or {counter: NAME}, read when the action "
+        "time in s after which it comes back, read when the action "
         "runs (0 or less: one tick); if omitted: when a rule places it; if it is already off the field, the "
         "later action decides",
     )
@@ -50,15 +51,18 @@ expect:
     SENTENCE = "Y1 is taken off the field and after 2 s put on the spot “middle yellow”"
 
     def compile(self, to: Binder) -> Act:
-        away = None if self.for_s is None else to.ticks(self.for_s)
+        away_s = None if self.for_s is None else compile_duration(self.for_s, to)
         back = Places(self.entity, place_of(self.back_at), self.facing)
         returns = {entity: to.placement_job(back, entity) for entity in to.entities(self.entity)}
 
-        def act(_firing: Firing) -> None:
+        def act(firing: Firing) -> None:
+            seconds = None if away_s is None else away_s(firing)
+            if away_s is not None and seconds is None:
+                return
             for entity, job in returns.items():
                 to.remove(entity)
-                if away is not None:
-                    to.place_later(job, max(1, away()))
+                if seconds is not None:
+                    to.place_later(job, max(1, ticks_from_s(seconds)))
 
         return act
 

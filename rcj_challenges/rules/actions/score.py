@@ -3,16 +3,16 @@
 from collections.abc import Callable
 from typing import Annotated, Literal
 
+from rcj_challenges.core.amounts import plain as plain_number
 from rcj_challenges.core.amounts import round_score
 from rcj_challenges.rules.base import Act, Action, Binder, Firing, Phrases
-from rcj_challenges.rules.bounds import amount_bound, bounds_words, change_bound, subtracted_parts
+from rcj_challenges.rules.bounds import bounds_words, change_bound
 from rcj_challenges.rules.effects import Scores
 from rcj_challenges.rules.fields import Name, Strict, described
 from rcj_challenges.rules.phrasing import LAST_TOUCH_NOTE, counted, plain
-from rcj_challenges.rules.refs import THING, SectionRef
-from rcj_challenges.rules.values import Points, amount_words, compile_points
-
-_RECEIVER = SectionRef("entrant", ("entrants",), words=frozenset({"each", "other"}))
+from rcj_challenges.rules.refs import SCORED, THING
+from rcj_challenges.rules.values import Amount, amount_words, compile_amount
+from rcj_challenges.rules.values.number import takes_away
 
 
 class LastToucher(Strict):
@@ -27,20 +27,14 @@ class Score(Action):
     """Give points to an entrant."""
 
     action: Literal["score"]
-    entrant: Annotated[Name | LastToucher, _RECEIVER] = described(
+    entrant: Annotated[Name | LastToucher, SCORED] = described(
         ...,
         "the entrant that gets them, by its seat in this half; each, other: the entrant of that robot; "
         "{last_touch: ball}: the entrant of the robot that was the last to touch the ball since "
         "the ball was placed, if any",
         union_mode="left_to_right",
     )
-    points: Points = described(
-        1,
-        "how many: a number, {counter, flag, draw, timer, way or word: NAME}, {distance: [A, B]}, or a list of "
-        "these, which may have weights, to be summed",
-    )
-    at_least: float | None = described(None, "smallest number of points given, whatever the sum is")
-    at_most: float | None = described(None, "largest number of points given, whatever the sum is")
+    points: Amount = described(1, "how many; if there is no such number, none are given")
     keeps_at_least: float | None = described(
         None, "the action does not take the entrant's score below this; a score that is already lower stays unchanged"
     )
@@ -50,20 +44,19 @@ class Score(Action):
 
     EXAMPLE = """
 counters: {streak: {initial: 2}}
-flags: {bonus: {initial: true}}
 rules:
   goal:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
     actions:
       - {action: score, entrant: yellow, points: 1}
       - {action: score, entrant: blue, points: -1}
-      - {action: score, entrant: yellow, points: [{counter: streak, weight: 10}, {flag: bonus, weight: 5}], at_most: 24}
+      - {action: score, entrant: yellow, points: {lowest: [{counter: streak, times: 10, plus: 5}, 24]}}
   own_touch:
     triggers: [{trigger: touches, entity: Y1, other: walls}]
     # Takes 50 points away, or all if there are fewer.
     actions: [{action: score, entrant: yellow, points: -50, keeps_at_least: 0}]
 expect:
-  the_sum_is_limited_to_24:
+  they_are_limited_to_24:
     keyframes: [{at_s: 1, place: {ball: [0, 0.8]}}]
     lasts_s: 2
     score: {yellow: 25, blue: -1}
@@ -78,13 +71,13 @@ expect:
     def compile(self, to: Binder) -> Act:
         """Return a function that gives points to an entrant; to none if nothing touched what they are given for."""
         state, receiver = to.state, self._receiver(to)
-        points, bounded = compile_points(self.points, to), change_bound(self)
+        points, bounded = compile_amount(self.points, to), change_bound(self)
 
         def act(firing: Firing) -> None:
-            entrant = receiver()
-            if entrant is None:
+            entrant, wanted = receiver(), points(firing)
+            if entrant is None or wanted is None:
                 return
-            given = bounded(points(firing), state.scores[entrant])
+            given = bounded(wanted, state.scores[entrant])
             state.scores[entrant] = round_score(state.scores[entrant] + given)
             firing.scored[entrant] = round_score(firing.scored.get(entrant, 0) + given)
 
@@ -111,13 +104,13 @@ expect:
         points = self.points if isinstance(self.points, int | float) else None
         entrant = self.entrant if isinstance(self.entrant, str) else None
         depends_on_the_score = self.keeps_at_least is not None or self.keeps_at_most is not None
-        given = None if points is None or depends_on_the_score else amount_bound(self)(points)
+        given = None if points is None or depends_on_the_score else plain_number(points)
         return (Scores(entrant, given, may_gain=points is None or points > 0),)
 
     def describe(self, phrases: Phrases) -> str:
         receiver, points, bounds = self.receiver(phrases), self.points, bounds_words(self, "score")
-        if taken := subtracted_parts(self, points):
-            return f"{receiver} loses points: {amount_words(phrases, taken)}{bounds}"
+        if takes_away(points):
+            return f"{receiver} loses points: {amount_words(phrases, points, negate=True)}{bounds}"
         if not isinstance(points, int | float):
             return f"{receiver} gets points: {amount_words(phrases, points)}{bounds}"
         return f"{receiver} {'loses' if points < 0 else 'gets'} {counted(abs(points), 'point')}{bounds}"

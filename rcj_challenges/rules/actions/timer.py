@@ -48,7 +48,7 @@ expect:
         def change(owner: str | None, clock: Clock) -> None:
             elapsed = clock.ticks(state.tick)
             if do == "restart" or (do == "start" and clock.since is None and elapsed == 0):
-                to.set_length(timer, clock, owner)
+                to.set_length(timer, owner)
                 clock.elapsed, clock.since = 0, state.tick
             elif do == "reset":
                 clock.elapsed, clock.since = 0, None

@@ -42,7 +42,8 @@ rules:
     for_each: robots
     triggers: [{trigger: timer_expired, timer: round}]
     # Compared with all other robots that are still on the field. If several tie for last, all are out.
-    conditions: [{condition: counter, counter: visits, entity: each, at_most: {lowest: visits}}]
+    conditions:
+      - {condition: counter, counter: visits, entity: each, at_most: {lowest: {counter: visits, entity: others}}}
     actions: [{action: remove, entity: each}, {action: emit, event: OUT, payload: {robot_name: {word: robot_name}}}]
 expect:
   the_robot_with_the_fewest_visits_is_out:

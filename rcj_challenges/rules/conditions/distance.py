@@ -50,7 +50,7 @@ rules:
       - {condition: distance, entity: ball, to: edge, at_least: 0.1}
     actions:
       # The nearer to the line, the more points: 10 on it, 8 at 10 cm.
-      - {action: score, entrant: yellow, points: [10, {distance: [ball, line], weight: -20}]}
+      - {action: score, entrant: yellow, points: {distance: [ball, line], times: -20, plus: 10}}
       - {action: emit, event: STOPPED, payload: {far_m: {distance: [ball, line]}, edge_m: {distance: [ball, edge]}}}
     says: The ball has stopped near the line; {points} points.
 expect:

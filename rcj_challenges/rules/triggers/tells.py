@@ -31,7 +31,7 @@ rules:
     max_executions: 1
     actions:
       - {action: set_spot, spot: guess, to: {told: each}}
-      - {action: score, entrant: each, points: [10, {distance: [guess, treasure], weight: -20}]}
+      - {action: score, entrant: each, points: {distance: [guess, treasure], times: -20, plus: 10}}
 expect:
   a_tenth_of_a_metre_off_costs_2_points:
     keyframes: [{at_s: 1, tells: {Y1: "0.4 -0.3"}}, {at_s: 2, tells: {Y1: [0.4, -0.2]}}]

@@ -1,81 +1,61 @@
 """Values that rules name, one file each: what is remembered, measured, drawn, said by robots, or a fact of the match.
 
-A value stands in the payload of an event and in the broadcast. Some are numbers, which are added up, counted and
-compared; those of a sum have a weight.
+A value stands in the payload of an event and in the broadcast. Most are numbers, which may stand wherever a rule has a
+number.
 """
 
 from collections.abc import Callable, Mapping
 from typing import Annotated, Any
 
-from pydantic import Field
-
-from rcj_challenges.core.amounts import clamp_to_max, plain, round_score
-from rcj_challenges.core.timing import TICK_S
-from rcj_challenges.rules.base import Firing, KeyedVocabulary, Number, Phrases, Reader, Scope, ValueWord
+from rcj_challenges.rules.base import Firing, KeyedVocabulary, Phrases, Reader, Scope, ValueWord
 from rcj_challenges.rules.fields import LONGEST_S, DurationS, Scalar
-from rcj_challenges.rules.phrasing import number, seconds
+from rcj_challenges.rules.phrasing import seconds
+from rcj_challenges.rules.values.count import CountValue
 from rcj_challenges.rules.values.counter import CounterValue
 from rcj_challenges.rules.values.distance import DistanceValue
 from rcj_challenges.rules.values.draw import DrawnDuration, DrawValue, NumberDraw
 from rcj_challenges.rules.values.flag import FlagValue
+from rcj_challenges.rules.values.folded import FoldedValue
 from rcj_challenges.rules.values.held import HeldValue
-from rcj_challenges.rules.values.highest import HighestOfOthers
+from rcj_challenges.rules.values.highest import HighestValue
 from rcj_challenges.rules.values.last_touch import LastTouchValue
-from rcj_challenges.rules.values.lowest import LowestOfOthers
+from rcj_challenges.rules.values.lowest import LowestValue
+from rcj_challenges.rules.values.number import NUMBERS, Amount, amount_words, compile_amount
 from rcj_challenges.rules.values.position_of import PositionValue
 from rcj_challenges.rules.values.reported import ReportedValue
-from rcj_challenges.rules.values.term import Term, Terms
-from rcj_challenges.rules.values.timer import NumberTimer, TimerValue
+from rcj_challenges.rules.values.score import ScoreValue
+from rcj_challenges.rules.values.speed import SpeedValue
+from rcj_challenges.rules.values.sum import SumValue
+from rcj_challenges.rules.values.timer import TimerValue
 from rcj_challenges.rules.values.way import WayValue
 from rcj_challenges.rules.values.word import NumberWord, WordValue
-from rcj_challenges.tracking.state import RefereeState
 
-VALUES = KeyedVocabulary({"literal": Scalar}, lambda _value: "literal")
-VALUES.add(
+_NUMBERS = (
+    CountValue,  # first: the keys of its facts are words too
     CounterValue,
     FlagValue,
-    DrawValue,
-    WordValue,
-    PositionValue,
     DistanceValue,
+    SpeedValue,
     WayValue,
     TimerValue,
-    HeldValue,
-    LastTouchValue,
+    ScoreValue,
     ReportedValue,
+    HighestValue,
+    LowestValue,
+    SumValue,
 )
+NUMBERS.add(*_NUMBERS, NumberDraw, NumberWord)
+
+VALUES = KeyedVocabulary({"literal": Scalar}, lambda _value: "literal")
+VALUES.add(*_NUMBERS, DrawValue, WordValue, PositionValue, HeldValue, LastTouchValue)
 Value = Annotated[Scalar | ValueWord, VALUES]
 """What stands in the payload of an event or in the broadcast."""
 
-TERMS = Terms(lambda: NUMBERS.words())  # noqa: PLW0108 - it is defined below
-Part = Annotated[int | float | Term, TERMS]
-"""A part of a sum."""
-NUMBERS: KeyedVocabulary = KeyedVocabulary(
-    {"number": int | float},
-    lambda value: "parts" if isinstance(value, list | tuple) else "number",
-    rest={"parts": Annotated[tuple[Part, ...], Field(strict=False)]},
-)
-NUMBERS.add(
-    CounterValue,
-    FlagValue,
-    NumberDraw,
-    NumberWord,
-    DistanceValue,
-    WayValue,
-    NumberTimer,
-    ReportedValue,
-)
-Points = Annotated[int | float | ValueWord | tuple[Part, ...], NUMBERS]
-"""How many points are given, and how much is counted: a number, or a sum."""
+FOLDS = frozenset(word.KEY for word in _NUMBERS if issubclass(word, FoldedValue))
+"""Keys below which a value may name a group, of each of which it is read."""
 
-BOUNDS = KeyedVocabulary({"number": int | float}, lambda _value: "number", otherwise="counter")
-BOUNDS.add(CounterValue, LowestOfOthers, HighestOfOthers)
-Bound = Annotated[int | float | ValueWord, BOUNDS]
-"""What a condition compares with."""
-
-DURATIONS = KeyedVocabulary({"number": DurationS}, lambda _value: "number", otherwise="draw")
-DURATIONS.add(DrawnDuration, CounterValue)
-Lasts = Annotated[float | DrawnDuration | CounterValue, DURATIONS]
+DURATIONS = NUMBERS.beside({"number": DurationS}, lambda _value: "number", DrawnDuration)
+Lasts = Annotated[float | ValueWord, DURATIONS]
 """How long something lasts: a timer, a phase, or what a rule does for a time."""
 
 
@@ -87,58 +67,28 @@ def compile_value(value: Value, to: Scope) -> Reader:
     return value.read(to) if isinstance(value, ValueWord) else lambda _firing: value
 
 
-def compile_points(points: Points, to: Scope) -> Callable[[Firing], Number]:
-    """Return a function that reads a number of points: one number, or a sum of numbers and terms."""
-    if not isinstance(points, tuple):
-        return _compile_number(points, to)
-    parts = [(_compile_number(part, to), part.weight if isinstance(part, Term) else 1) for part in points]
-
-    def total(firing: Firing) -> Number:
-        summed: Number = 0
-        for read, weight in parts:
-            summed += clamp_to_max(read(firing) * weight)  # each part: ∞ - ∞ would be no number
-        return round_score(summed)
-
-    return total
-
-
-def _compile_number(value: float | ValueWord, to: Scope) -> Callable[[Firing], Number]:
-    if isinstance(value, ValueWord):
-        return value.number(to)
-    constant = plain(value)
-    return lambda _firing: constant
-
-
-def compile_bound(bound: Bound, to: Scope) -> Callable[[], Number]:
-    """Return a function that reads what a condition compares with."""
-    if isinstance(bound, ValueWord):
-        return bound.now(to)
-    constant = plain(bound)
-    return lambda: constant
-
-
 def longest_s(lasts_s: object, draws: Mapping[str, Any]) -> float | None:
-    """Return the longest duration in s; None if it has no length, or a counter decides."""
-    if isinstance(lasts_s, DrawnDuration):
+    """Return the longest duration in s; None if it has no length, or is calculated when it begins."""
+    if isinstance(lasts_s, DrawnDuration) and not lasts_s.is_computed():
         return max(float(value) for value in draws[lasts_s.draw].values)
     return lasts_s if isinstance(lasts_s, int | float) else None
 
 
-def is_counted(lasts_s: Lasts) -> bool:
-    """Return whether a counter says how long something lasts."""
-    return isinstance(lasts_s, CounterValue)
+def is_calculated(lasts_s: Lasts) -> bool:
+    """Return whether it is known only when it begins how long something lasts."""
+    return isinstance(lasts_s, ValueWord) and not (isinstance(lasts_s, DrawnDuration) and not lasts_s.is_computed())
 
 
-def duration_s(lasts_s: Lasts, state: RefereeState, each: str | None, least_s: float = TICK_S) -> float:
-    """Return a duration as its draw has decided or its counter stands by now."""
-    match lasts_s:
-        case DrawnDuration():
-            return float(state.draws[lasts_s.draw])
-        case CounterValue():
-            whose = each if lasts_s.entity == "each" else lasts_s.entity
-            # A counter may be anything: a duration that is too long must not end the match as a fault.
-            return min(max(least_s, float(state.counter(lasts_s.counter, whose))), LONGEST_S)
-    return float(lasts_s)
+def compile_duration(lasts_s: Lasts, to: Scope, least_s: float = 0.0) -> Callable[[Firing], float | None]:
+    """Return a function that reads a duration in s; None: there is none."""
+    read = compile_amount(lasts_s, to)
+
+    def duration_s(firing: Firing) -> float | None:
+        lasts = read(firing)
+        # A value may be anything: a duration that is too long must not end the match as a fault.
+        return None if lasts is None else min(max(least_s, float(lasts)), LONGEST_S)
+
+    return duration_s
 
 
 # --- what the sheet says of them --------------------------------------------------------------------------------------
@@ -147,28 +97,18 @@ def duration_s(lasts_s: Lasts, state: RefereeState, each: str | None, least_s: f
 def value_words(phrases: Phrases, value: Value) -> str:
     """Return a value of the scenario in words."""
     if isinstance(value, ValueWord):
-        return value.describe(phrases)
+        return value.describe_all(phrases)
     return str(value).lower() if isinstance(value, bool) else str(value)
-
-
-def amount_words(phrases: Phrases, amount: Points | Bound) -> str:
-    """Return points, counts or limits: a number, a counter, a sum: ``5, minus 0.1 times the time in full seconds``."""
-    if isinstance(amount, ValueWord):
-        return amount.describe_number(phrases)
-    if not isinstance(amount, tuple):
-        return number(amount)
-    said = ""
-    for part in amount:
-        weight = part.weight if isinstance(part, Term) else part
-        if said:
-            said += ", minus " if weight < 0 else ", plus "
-            weight = abs(weight)
-        said += part.describe_times(phrases, weight) if isinstance(part, Term) else number(weight)
-    return said
 
 
 def duration_words(phrases: Phrases, lasts_s: Lasts) -> str:
     """Return a duration in words: ``15 s``, ``5 s or 8 s, as “pause” is drawn``, as many s as a counter says."""
-    if isinstance(lasts_s, CounterValue):
-        return f"as many s as {lasts_s.describe(phrases)} says"
+    if is_calculated(lasts_s):
+        return f"as many s as {amount_words(phrases, lasts_s)} says"
     return lasts_s.describe(phrases) if isinstance(lasts_s, ValueWord) else seconds(lasts_s)
+
+
+__all__ = (
+    "DURATIONS", "FOLDS", "NUMBERS", "VALUES", "Amount", "Lasts", "Value", "amount_words", "compile_amount",
+    "compile_duration", "compile_value", "duration_words", "is_calculated", "longest_s", "value_words",
+)  # fmt: skip

@@ -3,22 +3,19 @@
 from collections.abc import Callable
 from typing import Annotated
 
-from rcj_challenges.rules.base import Number, Phrases, Scope, ValueWord
+from rcj_challenges.rules.base import Number, Phrases, Scope
 from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.refs import READABLE, WHOSE
+from rcj_challenges.rules.refs import READABLE
+from rcj_challenges.rules.values.kept import KeptValue
 
 
-class CounterValue(ValueWord):
+class CounterValue(KeptValue):
     """The value of a counter, or an entrant's score."""
 
     counter: Annotated[Name, READABLE] = described(..., "a counter, or an entrant: its score")
-    entity: Annotated[Name | None, WHOSE] = described(
-        None,
-        "for a counter kept per entity: which entity; each: the current member; if omitted and "
-        "there is no for_each: the sum",
-    )
 
     KEY = "counter"
+    IN = "counters"
     EXAMPLE = """
 counters: {goals: {}}
 rules:
@@ -41,8 +38,8 @@ expect:
     SENTENCE = "the counter “goals”"
 
     def now(self, to: Scope) -> Callable[[], Number]:
-        state, name, whose = to.state, self.counter, to.whose(self.entity)
+        state, name, whose = to.state, self.counter, self.whose(to)
         return lambda: state.counter(name, whose)
 
     def describe(self, phrases: Phrases) -> str:
-        return phrases.kept("counter", self.counter, self.entity)
+        return self.kept_words(phrases)

@@ -1,26 +1,28 @@
 """The value ``distance``."""
 
 from collections.abc import Callable
-from typing import Annotated
+from typing import Annotated, Self
 
 from pydantic import Field
 
-from rcj_challenges.rules.base import Phrases, Scope, ValueWord
-from rcj_challenges.rules.fields import MM_DIGITS, Name, Point, described
+from rcj_challenges.rules.base import Phrases, Scope
+from rcj_challenges.rules.fields import MM_DIGITS, Name, Names, Point, described
 from rcj_challenges.rules.refs import MEASURED_TO
+from rcj_challenges.rules.values.number import NumberValue
 
 
-class DistanceValue(ValueWord):
-    """The distance in m between the centres of two things, to the millimetre; null while one is off the field."""
+class DistanceValue(NumberValue):
+    """The distance in m between the centres of two things, to the millimetre; none while one is off the field."""
 
     distance: Annotated[tuple[Name | Point, Name | Point], Field(strict=False), MEASURED_TO] = described(
         ...,
         "two of the following: an entity, a fixed obstacle, each, a spot, a draw's name, a group (the nearest "
         "member), [x, y] in m; one of them may be a wall, a gate or a zone: then its nearest point counts, and inside "
-        "a zone the distance is 0",
+        "a zone the distance is 0; in highest, lowest and sum the first also a group or others",
     )
 
     KEY = "distance"
+    OVER = "distance"
     UNIT = "m"
     EXAMPLE = """
 rules:
@@ -28,7 +30,7 @@ rules:
     triggers: [{trigger: time_reached, at_s: 3}]
     # 25 points, less 10 for each metre from the centre.
     actions:
-      - {action: score, entrant: yellow, points: [25, {distance: [ball, centre], weight: -10}]}
+      - {action: score, entrant: yellow, points: {distance: [ball, centre], times: -10, plus: 25}}
       - {action: emit, event: BROUGHT, payload: {distance_m: {distance: [ball, centre]}}}
     says: The ball has been delivered; {points} points.
 expect:
@@ -59,6 +61,18 @@ expect:
             return None if nearest is None else round(nearest, MM_DIGITS)
 
         return read
+
+    def names(self, _to: Scope) -> Names:
+        """Return its first end."""
+        return self.distance[0] if isinstance(self.distance[0], str) else ()
+
+    def of_member(self, member: str) -> Self:
+        return self.model_copy(update={"distance": (member, self.distance[1])})
+
+    def describe_each(self, phrases: Phrases) -> str:
+        here, there = self.distance
+        one = phrases.any_of(here) if isinstance(here, str) else phrases.point(here)
+        return f"distance between {one} and {phrases.point(there, here)} in {self.UNIT}"
 
     def describe(self, phrases: Phrases) -> str:
         here, there = self.distance

@@ -6,15 +6,16 @@ from math import inf
 from typing import Annotated
 
 from rcj_challenges.core.timing import TICK_S
-from rcj_challenges.rules.base import Phrases, Scope, ValueWord
+from rcj_challenges.rules.base import Phrases, Reader, Scope
 from rcj_challenges.rules.fields import LONGEST_S, Name, Scalar, described
 from rcj_challenges.rules.phrasing import listed, quoted_measure, seconds
 from rcj_challenges.rules.refs import DRAW
+from rcj_challenges.rules.values.number import NumberValue, as_number
 
 _NUMBERS, _DURATIONS = replace(DRAW, numbers=(-inf, inf)), replace(DRAW, numbers=(TICK_S, LONGEST_S))
 
 
-class DrawValue(ValueWord):
+class DrawValue(NumberValue):
     """The value of a draw."""
 
     draw: Annotated[Name, DRAW] = described(..., "a draw")
@@ -41,6 +42,10 @@ expect:
     def now(self, to: Scope) -> Callable[[], Scalar]:
         draws, name = to.state.draws, self.draw
         return lambda: draws[name]
+
+    def measure(self, to: Scope) -> Reader:
+        read = self.now(to)
+        return lambda _firing: as_number(read())
 
     def exactly(self, phrases: Phrases) -> tuple[Scalar, ...]:
         return phrases.draw_values(self.draw)

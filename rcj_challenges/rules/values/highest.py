@@ -1,22 +1,17 @@
-"""The limit ``highest``."""
+"""The value ``highest``."""
 
-from collections.abc import Callable
-from dataclasses import replace
-from typing import Annotated
+from collections.abc import Sequence
 
-from rcj_challenges.rules.base import Number, Phrases, Scope, ValueWord
-from rcj_challenges.rules.fields import Name, described
-from rcj_challenges.rules.phrasing import quoted_measure
-from rcj_challenges.rules.refs import COUNTER
-from rcj_challenges.rules.values.of_others import of_others
+from rcj_challenges.rules.base import Number
+from rcj_challenges.rules.fields import described
+from rcj_challenges.rules.values.folded import FoldedValue, Several
 
 
-class HighestOfOthers(ValueWord):
-    """The highest value, among all other entities, of a counter kept per entity; see ``lowest``."""
+class HighestValue(FoldedValue):
+    """The highest of several numbers; none of nobody."""
 
-    highest: Annotated[Name, replace(COUNTER, per_entity=True)] = described(
-        ...,
-        "a counter kept per entity: the highest value of all members but `each` or, without for_each, of all members",
+    highest: Several = described(
+        ..., "a value that names a group or others, read of each of them; or a list of numbers"
     )
 
     KEY = "highest"
@@ -26,7 +21,8 @@ rules:
   signal:
     for_each: robots
     triggers: [{trigger: time_reached, at_s: 2}]
-    conditions: [{condition: counter, counter: laps, entity: each, at_least: {highest: laps}}]
+    conditions:
+      - {condition: counter, counter: laps, entity: each, at_least: {highest: {counter: laps, entity: others}}}
     actions: [{action: emit, event: FIRST, payload: {robot_name: {word: robot_name}}}]
 expect:
   the_robot_with_the_most_laps_is_first:
@@ -37,9 +33,5 @@ expect:
 """
     SENTENCE = "the highest counter “laps” of all others on the field"
 
-    def now(self, to: Scope) -> Callable[[], Number]:
-        """Return a function that reads the highest value; not a number if there are no others."""
-        return of_others(max, self.highest, to)
-
-    def describe(self, phrases: Phrases) -> str:
-        return f"the highest counter {quoted_measure(self.highest)} of {phrases.all_but_each(self.highest)}"
+    def fold(self, numbers: Sequence[Number]) -> Number | None:
+        return max(numbers, default=None)

@@ -5,20 +5,22 @@ from typing import Annotated
 
 from rcj_challenges.core.amounts import round_score
 from rcj_challenges.core.messages import number_in
-from rcj_challenges.rules.base import Phrases, Reader, Scope, ValueWord
+from rcj_challenges.rules.base import Firing, Number, Phrases, Reader, Scope
 from rcj_challenges.rules.fields import Name, described
 from rcj_challenges.rules.refs import ROBOT
+from rcj_challenges.rules.values.number import NumberValue
 
 
-class ReportedValue(ValueWord):
-    """The text of a robot's last message to the referee in this half; null if there is none yet.
+class ReportedValue(NumberValue):
+    """The text of a robot's last message to the referee in this half; none if there is none yet.
 
-    Used as a number it is the number in the message, 0 if the message is not a number.
+    Used as a number it is the number in the message, none if the message is not a number.
     """
 
-    told: Annotated[Name, ROBOT] = described(..., "a robot, or each")
+    told: Annotated[Name, ROBOT] = described(..., "a robot, or each; in highest, lowest and sum also a group or others")
 
     KEY = "told"
+    OVER = "told"
     READS_MESSAGES = True
     EXAMPLE = """
 # A wager: the goal pays as many points as the robot announced beforehand.
@@ -31,7 +33,7 @@ rules:
   goal:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
     actions:
-      - {action: score, entrant: yellow, points: [1, {counter: wager}]}
+      - {action: score, entrant: yellow, points: {counter: wager, plus: 1}}
       - {action: emit, event: GOAL, payload: {told: {told: Y1}}}
 expect:
   three_and_one_are_four_points:
@@ -47,9 +49,14 @@ expect:
         messages, robot = to.state.messages, to.members(self.told)[0]
         return lambda: messages.get(robot)
 
-    def number(self, to: Scope) -> Reader:
+    def measure(self, to: Scope) -> Reader:
         read = self.now(to)
-        return lambda _firing: round_score(number_in(read() or "") or 0)
+
+        def read_number(_firing: Firing) -> Number | None:
+            found = number_in(read() or "")
+            return None if found is None else round_score(found)
+
+        return read_number
 
     def describe(self, phrases: Phrases) -> str:
         return f"what {phrases.thing(self.told)} has told the referee last"

@@ -3,20 +3,24 @@
 from collections.abc import Callable
 from typing import Annotated
 
-from rcj_challenges.rules.base import Phrases, Scope, ValueWord
+from rcj_challenges.rules.base import Phrases, Scope
 from rcj_challenges.rules.fields import MM_DIGITS, Name, described
 from rcj_challenges.rules.refs import ENTITY
+from rcj_challenges.rules.values.number import NumberValue
 
 
-class WayValue(ValueWord):
+class WayValue(NumberValue):
     """The length of an entity's path in this half in m, to the millimetre, not counting placements.
 
     Where rules put it is no way. Since a moment: this less a counter that was set to it then.
     """
 
-    way: Annotated[Name, ENTITY] = described(..., "an entity, or each")
+    way: Annotated[Name, ENTITY] = described(
+        ..., "an entity, or each; in highest, lowest and sum also a group or others"
+    )
 
     KEY = "way"
+    OVER = "way"
     UNIT = "m"
     EXAMPLE = """
 counters: {way_before_m: {}}
@@ -31,7 +35,7 @@ rules:
     actions:
       - action: score
         entrant: yellow
-        points: [10, {way: ball, weight: -2}, {counter: way_before_m, weight: 2}]
+        points: {way: ball, times: -2, plus: {counter: way_before_m, times: 2, plus: 10}}
       - {action: emit, event: BROUGHT, payload: {in_all_m: {way: ball}}}
     says: The ball has been delivered; {points} points.
 expect:

@@ -1,19 +1,19 @@
 """The value ``word``: a fact of the match."""
 
 from collections.abc import Callable
-from math import floor
 from typing import Annotated, Any, Literal, NamedTuple
 
 from rcj_challenges.core.amounts import plain
 from rcj_challenges.core.timing import s_from_ticks
 from rcj_challenges.rules import phrasing
-from rcj_challenges.rules.base import Firing, Number, Phrases, Reader, Scope, ValueWord
+from rcj_challenges.rules.base import Firing, Number, Phrases, Reader, Scope
 from rcj_challenges.rules.fields import Name, described
 from rcj_challenges.rules.refs import ENTRANT
+from rcj_challenges.rules.values.number import NumberValue, as_number
 from rcj_challenges.tracking.state import RefereeState
 
 
-class WordValue(ValueWord):
+class WordValue(NumberValue):
     """A fact about the match, named by a keyword."""
 
     word: Literal[
@@ -34,7 +34,7 @@ rules:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
     actions:
       # 60 points, less 1 for each whole second: 9.9 s counts as 9.
-      - {action: score, entrant: yellow, points: [60, {word: time_s, weight: -1}]}
+      - {action: score, entrant: yellow, points: {word: time_s, times: -1, plus: 60, round: up}}
       - {action: emit, event: GOAL, payload: {team: {word: team_name, of: yellow}, half: {word: halftime}}}
 expect:
   after_9_seconds_it_gives_51_points:
@@ -48,9 +48,13 @@ expect:
     def stands_for(self, bound: str) -> bool:
         return bound == FACTS[self.word].about and (self.of is None or bound == "other")
 
-    def read(self, to: Scope) -> Reader:
+    def as_it_is(self, to: Scope) -> Reader:
         read, of = FACTS[self.word].read, self.of
         return lambda firing: read(to, firing, of)
+
+    def measure(self, to: Scope) -> Reader:
+        read = self.as_it_is(to)
+        return lambda firing: as_number(read(firing))
 
     def exactly(self, phrases: Phrases) -> tuple[str, ...]:
         return phrases.phases() if self.word == "phase" else ()
@@ -61,26 +65,14 @@ expect:
 
 
 class NumberWord(WordValue):
-    """A number of the match by its word; times count in whole seconds, rounded down, or with their fraction."""
+    """A number of the match by its word."""
 
     word: Literal[
         "score", "halftime", "total_match_time_s", "time_s", "time_left_s", "measured", "limit"
-    ] = described(..., "the word; measured and limit keep their fraction, 0 if nothing was measured")  # fmt: skip
+    ] = described(..., "the word; measured and limit: none if nothing was measured")  # fmt: skip
     of: Annotated[Name | None, ENTRANT] = described(
         None, "for score: the entrant; if omitted: that of the current entity"
     )
-    fraction: bool | None = described(None, "for times: True: with fractions; if omitted: whole seconds, rounded down")
-
-    def number(self, to: Scope) -> Reader:
-        read = super().number(to)
-        return read if self.fraction or not self._is_time() else (lambda firing: floor(read(firing)))
-
-    def describe_number(self, phrases: Phrases) -> str:
-        words = self.describe(phrases)
-        return phrasing.whole_seconds(words, with_fraction=bool(self.fraction)) if self._is_time() else words
-
-    def _is_time(self) -> bool:
-        return self.word.endswith("_s")
 
 
 def entrant_of(state: RefereeState, firing: Firing, of: str | None) -> str:

@@ -6,19 +6,21 @@ Walks the tree beside the shapes of the models, so that unknown names come in on
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 from math import inf, isnan, nan
 from typing import Any, NamedTuple
 
 from rcj_challenges.rules.base import Trigger
 from rcj_challenges.rules.refs import Ref, Reference, SectionRef, drawn_value, refs_of
 from rcj_challenges.rules.triggers import TRIGGERS
+from rcj_challenges.rules.values import FOLDS
 from rcj_challenges.scenario.checks.naming import removal_help
 from rcj_challenges.scenario.errors import MAX_FOUND, choice_of, cut, listing
 from rcj_challenges.scenario.messages.wording import format_node, spelled
 from rcj_challenges.scenario.models.robots import Entrant, Kit
 from rcj_challenges.scenario.models.scenario import Expectation, Rule, Scenario
 from rcj_challenges.scenario.models.state import Timer
-from rcj_challenges.scenario.roster import BOUND, EACH, OTHER, Roster, texts, touched
+from rcj_challenges.scenario.roster import BOUND, EACH, OTHER, OTHERS, Roster, texts, touched
 from rcj_challenges.scenario.shape import Shape, bare, chosen, fields, is_model, step_into
 from rcj_challenges.scenario.tree import Entries, Items, Leaf, Mark, Node, Path, child, format_path, node_at
 from rcj_challenges.scenario.walk import Issue
@@ -37,8 +39,8 @@ class Scope(NamedTuple):
     other: tuple[str, ...] | None = None
 
     def of(self, name: str) -> tuple[str, ...] | None:
-        """Return the name that ``each`` or ``other`` stands for."""
-        return self.each if name == EACH else self.other
+        """Return the names that ``each``, ``others`` or ``other`` may stand for."""
+        return self.other if name == OTHER else self.each
 
 
 def check_references(root: Entries, roster: Roster, removed: Mapping[Path, Mark]) -> list[Issue]:
@@ -89,7 +91,7 @@ class _Walker:
         elif model is Timer and texts(node.entries.get("per")):
             # What one of several timers lasts may be what the counter of the same member says.
             scope = Scope(self._members(node.entries["per"], Scope()))
-        for key, reference, default in refs_of(model):
+        for key, reference, default in _refs_of(model, path):
             if key in node.entries:
                 self._values(reference, node.entries[key], (*path, key), path)
                 for name, at in _names_in(node.entries[key], (*path, key), reference):
@@ -129,7 +131,7 @@ class _Walker:
 
     def _members(self, names: Node | None, scope: Scope) -> tuple[str, ...]:
         """Return the members that names stand for: groups expanded, ``each`` and ``other`` replaced."""
-        found = ((scope.of(name) or ()) if name in BOUND else self.roster.expand(name) for name in texts(names))
+        found = ((scope.of(name) or ()) if self._is_bound(name) else self.roster.expand(name) for name in texts(names))
         return tuple(one for members in found for one in members)
 
     # --- one name -----------------------------------------------------------------------------------------------------
@@ -142,11 +144,8 @@ class _Walker:
         if isinstance(reference, SectionRef):
             if not any(name in roster.names(section) for section in reference.sections):
                 return self._unknown(reference, name, path)
-            if reference.per_entity and child(node_at(self.root, ("counters", name)), "per") is None:
-                message = f"counter '{name}' is not kept per entity: there are no others"
-                return "not-per-entity", message, f"give it per: robots, or write {{counter: {name}}}"
             return None
-        if name in BOUND:
+        if self._is_bound(name):
             unbound = self._unbound(reference, name, path, scope.of(name))
             return ("unbound-name", unbound, "") if unbound else self._wrong_kind(reference, name, scope.of(name) or ())
         if roster.kinds.get(name) in reference.kinds:
@@ -160,6 +159,9 @@ class _Walker:
             message = f"'{name}' is a group; expected {_with_a(reference.noun)}"
             return "wrong-kind", message, f"name one of {listing(roster.groups[name])}"
         return self._wrong_kind(reference, name, roster.groups.get(name, (name,)))
+
+    def _is_bound(self, name: str) -> bool:
+        return name in BOUND or self.roster.is_others(name)
 
     def _wrong_kind(self, reference: Ref, name: str, members: tuple[str, ...]) -> _Wrong | None:
         kinds = self.roster.kinds
@@ -177,7 +179,7 @@ class _Walker:
     def _unbound(reference: Ref, name: str, path: Path, members: tuple[str, ...] | None) -> str:
         if name == OTHER and path[2:3] == ("triggers",):
             return "'other' is what was touched: a trigger says what may be, by name or group"
-        if not reference.each:
+        if not reference.each or (name == OTHERS and not reference.groups):
             return f"'{name}' cannot be used here"
         if members is None and path[0] == "timers" and name == EACH:
             return "'each' can only be used in a timer with per"
@@ -278,11 +280,14 @@ class _Walker:
     # --- what a reference cannot say ----------------------------------------------------------------------------------
 
     def _relations(self, model: Any, node: Entries, path: Path, scope: Scope) -> None:
-        if key := next((key for key in _KEPT if "entity" in fields(model) and key in fields(model)), None):
-            self._owner(key, model, node, path, scope)
+        owner = getattr(model, "OWNER", "entity")
+        if key := next((key for key in _KEPT if owner in fields(model) and key in fields(model)), None):
+            self._owner(key, owner, model, node, path, scope)
         for name, info in model.model_fields.items() if "draw" in node.entries else ():
             if (mark := drawn_value(model, name)) is not None:
                 self._decided(info.alias or name, node, path, scope, is_set=mark.is_set)
+        if _is_folded(path) and not getattr(model, "OVER", ""):
+            self.add("wrong-kind", path, "this value names no group", "write a list of numbers: [{…}, {…}]")
         if model is Expectation:
             self._decided_by_test(node, path)
         if issubclass(model, Trigger) and model.BINDS_OTHER:
@@ -298,16 +303,19 @@ class _Walker:
         if name := next((one for one in names if kinds.get(one, "ball") != "ball"), None):
             self.add("wrong-kind", (*path, "kick"), f"only balls roll: '{name}' is {_with_a(kinds[name])}")
 
-    def _owner(self, key: str, model: Any, node: Entries, path: Path, scope: Scope) -> None:
+    def _owner(self, key: str, owner: str, model: Any, node: Entries, path: Path, scope: Scope) -> None:
         """Check ``entity`` beside something that may be kept for each member of a group, or its absence."""
         roster, kinds = self.roster, self.roster.kinds
-        name, whose = next(iter(texts(node.entries.get(key))), ""), node.entries.get("entity")
+        name, whose = next(iter(texts(node.entries.get(key))), ""), node.entries.get(owner)
         entry = node_at(self.root, (_KEPT[key], name))
         group = next(iter(texts(child(entry, "per"))), "")
         if group not in {"", *roster.groups, *kinds} or (entry is None and name not in roster.names("entrants")):
             return  # an unknown name is reported where it is written
         if not group:
             surplus = next((one for one in ("entity", "of") if one in node.entries), None)
+            if surplus is None and (_is_folded(path) or owner != "entity"):
+                message, help_ = f"{key} '{name}' is not kept per entity: it is one alone", f"give the {key} 'per'"
+                self.add("not-per-entity", (*path, key), message, help_)
             if surplus is not None:
                 message = f"{key} '{name}' is not kept per entity"
                 self.add("not-per-entity", (*path, surplus), message, f"leave '{surplus}' out, or give the {key} 'per'")
@@ -315,13 +323,18 @@ class _Walker:
         owners, is_counted = roster.expand(group), "of" in node.entries
         if whose is None:
             is_about_one = any(one in owners or kinds.get(one) not in ("zone", "gate") for one in scope.each or ())
-            if is_about_one and not is_counted and not getattr(model, "ALL_IF_NONE", False):
+            is_of_all = is_counted or _is_folded(path) or getattr(model, "ALL_IF_NONE", False)
+            if is_about_one and not is_of_all:
                 message = f"{key} '{name}' is kept per {group}"
                 self.add("missing-entity", (*path, key), message, "say whose with 'entity', such as entity: each")
             return
         is_several = isinstance(whose, Items) or any(one in roster.groups and one not in kinds for one in texts(whose))
-        if "of" in fields(model) and not is_counted and is_several:
+        over = getattr(model, "OVER", None)
+        reads_one = owner == "entity" and ("of" in fields(model) or over is not None)
+        if is_several and reads_one and not is_counted and not _is_folded(path):
             help_ = "name one entity, or say with 'of' how many of them: any, all, none, {at_least: n}"
+            if over is not None:
+                help_ = f"name one, or write what is meant of several: {{sum: {{{key}: {name}, …}}}}, highest or lowest"
             self.add("missing-entity", (*path, "entity"), "these are several", help_)
             return
         stranger = next((one for one in self._members(whose, scope) if one not in owners and one in kinds), None)
@@ -372,8 +385,24 @@ class _Walker:
             self.add("unknown-name", (*path, "step"), message, choice_of(members[0], known))
 
 
+def _refs_of(model: Any, path: Path) -> list[tuple[str, Reference, Any]]:
+    """Return the fields of a model that name something; of a value that is read of several, also groups of them."""
+    if not _is_folded(path):
+        return refs_of(model)
+    over = getattr(model, "OVER", "")
+    return [
+        (key, replace(one, groups=True) if key == over and isinstance(one, Ref) else one, default)
+        for key, one, default in refs_of(model)
+    ]
+
+
+def _is_folded(path: Path) -> bool:
+    """Return whether a value is one of which those of several are read."""
+    return bool(path) and path[-1] in FOLDS
+
+
 def _unknown_bound(name: str) -> str:
-    where = "with for_each" if name == EACH else "whose triggers are all touches"
+    where = "with for_each" if name != OTHER else "whose triggers are all touches"
     return f"'{name}' can only be used in a rule {where}"
 
 

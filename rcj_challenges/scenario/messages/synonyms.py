@@ -85,7 +85,7 @@ _KEYS = {
     "text message description": "says",
     "friction damping": "slows_mps2",
     "range_m": "max_range_m",
-    "factor": "weight",
+    "factor weight": "times",
     "periods": "halves",
     "teams": "entrants",
     "areas": "zones",

@@ -7,7 +7,7 @@ from pydantic import Field
 from rcj_challenges.rules.actions import AnyAction
 from rcj_challenges.rules.conditions import AnyCondition
 from rcj_challenges.rules.effects import Effect, Moment
-from rcj_challenges.rules.fields import DurationS, EventName, Name, One, Point, Scalar, Strict, described
+from rcj_challenges.rules.fields import DurationS, EventName, Name, Point, Scalar, Strict, described
 from rcj_challenges.rules.message import Said
 from rcj_challenges.rules.refs import COUNTER, ENTRANT, FIXED, KEEPERS, MOVING, ONE_ROBOT, PHASE, Ref, SectionRef
 from rcj_challenges.rules.triggers import AnyTrigger
@@ -18,7 +18,7 @@ from rcj_challenges.scenario.models.places import Gate, Layout, Spot, Zone
 from rcj_challenges.scenario.models.robots import Entrant, Kit, Robot
 from rcj_challenges.scenario.models.state import Counter, Draw, Flag, Phase, Sequence, Timer
 
-SCHEMA_VERSION = 1
+SCHEMA_VERSION = 2
 MAX_GROUPS = 256
 MAX_MEMBERS = 512
 MAX_ROWS = 64
@@ -319,7 +319,7 @@ class Expectation(Strict):
 class Scenario(Strict):
     """A challenge: field, robots, rules and everything else that decides a result."""
 
-    schema_version: One = described(..., "version of this format; always 1")
+    schema_version: Literal[2] = described(..., "version of this format; files of version 1 are read too")
     id: Name = described(..., "short name, after which record folders are named")
     title: str = described(..., "title for display", min_length=1, max_length=120)
     description: str = described(

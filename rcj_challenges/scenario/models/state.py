@@ -65,8 +65,8 @@ class Timer(Strict):
 
     lasts_s: Lasts = described(
         ...,
-        "its length in s, or {draw: NAME} or {counter: NAME}, read when the timer starts from 0 (a counter "
-        "gives at least one tick); with per, entity: each uses the member's own counter",
+        "its length in s, read when the timer starts from 0 (at least one tick; without such a number it runs on); "
+        "with per, each is the member",
     )
     per: Annotated[Name | None, KEEPERS] = described(
         None, "a group of entities, fixed obstacles, zones or gates: each member has its own timer"
@@ -130,8 +130,8 @@ class Phase(Strict):
 
     lasts_s: Lasts | None = described(
         None,
-        "time in s after which the next phase begins; {draw: NAME} or {counter: NAME}: its value on entry (a "
-        "counter gives at least one tick); if omitted: a rule must end it",
+        "time in s after which the next phase begins; read on entry (at least one tick); if omitted, "
+        "or without such a number: a rule must end it",
     )
     next: Annotated[Name, PHASE] = described("play", "the phase that follows")
     waiting_for_kickoff: bool = described(False, "value of the kick-off flag that programs receive during this phase")

@@ -14,6 +14,7 @@ from rcj_challenges import __version__
 from rcj_challenges.core.files import open_regular
 from rcj_challenges.scenario.errors import ScenarioError, choice_of, did_you_mean, nearest
 from rcj_challenges.scenario.models.scenario import SCHEMA_VERSION
+from rcj_challenges.scenario.reading.version_1 import to_version_2
 from rcj_challenges.scenario.reading.yaml_strict import MAX_BYTES, parse_bytes, parse_text, refuse_size
 from rcj_challenges.scenario.resources import (
     names_in,
@@ -72,6 +73,7 @@ class Source:
 
 def _mapping(node: Node) -> Entries:
     if isinstance(node, Entries):
+        to_version_2(node)
         return node
     found = "a list" if isinstance(node, Items) else "nothing" if node.value is None else "a single value"
     help_ = "a scenario is a mapping of sections: schema_version, id, title, …"

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from rcj_challenges.rules.effects import Draws
 from rcj_challenges.rules.phrasing import listed, number, quoted, quoted_measure, seconds
-from rcj_challenges.rules.values import duration_words, is_counted, value_words
+from rcj_challenges.rules.values import duration_words, is_calculated, value_words
 from rcj_challenges.scenario.halves import half_lengths_s
 from rcj_challenges.scenario.models.scenario import Scenario
 from rcj_challenges.scenario.models.state import Counter, Draw, Flag, Phase, Sequence, Timer
@@ -42,7 +42,7 @@ def course_blocks(scenario: Scenario, phrases: Phrasebook) -> Iterator[Block]:
 def _phase_words(phrases: Phrasebook, name: str, phase: Phase) -> str:
     lasts = "lasts until a rule begins another"
     if phase.lasts_s:
-        begun = " when it begins" if is_counted(phase.lasts_s) else ""
+        begun = " when it begins" if is_calculated(phase.lasts_s) else ""
         lasts = f"lasts {duration_words(phrases, phase.lasts_s)}{begun}, then {quoted(phase.next)} follows"
     kickoff = "; meanwhile a kick-off is awaited" if phase.waiting_for_kickoff else ""
     clock = "goes on" if phase.clock == "runs" else "stands still, timers go on"

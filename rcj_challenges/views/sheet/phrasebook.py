@@ -74,6 +74,10 @@ class Phrasebook:
         return "another of them" if names == than and self._several(as_tuple(names)[0]) else self.any_of(names)
 
     def all_of(self, names: Names) -> Subject:
+        if isinstance(names, str) and self.roster.is_others(names):
+            own = self.roster.expand(self.each or ())[:1]
+            where = " on the field" if own and own[0] in self.roster.entities else ""
+            return Subject(f"all others{where}", plural=True)
         parts = [self._group(name) if self._several(name) else self._one(name) for name in as_tuple(names)]
         return Subject(listed(parts, "and"), plural=len(parts) > 1 or self._several(as_tuple(names)[0]))
 
@@ -202,12 +206,6 @@ class Phrasebook:
         lasts_s = self.scenario.timers[timer].lasts_s
         return lasts_s if isinstance(lasts_s, int | float) else None
 
-    def all_but_each(self, counter: str) -> str:
-        per = self.scenario.counters[counter].per or ""
-        owners, goes_over = self.roster.expand(per), () if self.each is None else self.roster.expand(self.each)
-        others = self.all_of(per).text if set(owners).isdisjoint(goes_over) else "all others"
-        return f"{others} on the field" if owners[0] in self.roster.entities else others
-
     # --- draws -------------------------------------------------------------------------------------------------------
 
     def is_set(self, draw: str) -> bool:
@@ -249,13 +247,15 @@ class Phrasebook:
         return f"the {kind} {drawn}{named}"
 
     def _several(self, name: str) -> bool:
-        return len(self.roster.expand(name)) > 1
+        return self.roster.is_others(name) or len(self.roster.expand(name)) > 1
 
     def _one(self, name: str) -> str:
         members = self.roster.expand(name)
         return self.thing(members[0] if len(members) == 1 else name)
 
     def _group(self, name: str) -> str:
+        if self.roster.is_others(name):
+            return "the others"
         if name in self.scenario.groups:
             kind, first = self.one_kind(name), name.lower().partition("_")[0]
             if kind and (not name.endswith("s") or first in _WITHOUT_ARTICLE):

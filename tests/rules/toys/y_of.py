@@ -3,12 +3,13 @@
 from collections.abc import Callable
 from typing import Annotated
 
-from rcj_challenges.rules.base import Phrases, Scope, ValueWord
+from rcj_challenges.rules.base import Phrases, Scope
 from rcj_challenges.rules.fields import Name, described
 from rcj_challenges.rules.refs import ENTITY
+from rcj_challenges.rules.values.number import NumberValue
 
 
-class YOf(ValueWord):
+class YOf(NumberValue):
     """How far up the field an entity is, in m."""
 
     y_of: Annotated[Name, ENTITY] = described(..., "which")
@@ -20,7 +21,7 @@ rules:
   late:
     triggers: [{trigger: time_reached, at_s: 2}]
     actions:
-      - {action: score, entrant: yellow, points: [1, {y_of: ball, weight: 10}]}
+      - {action: score, entrant: yellow, points: {y_of: ball, times: 10, plus: 1}}
       - {action: emit, event: LATE, payload: {y_m: {y_of: ball}}}
 expect:
   half_a_metre_gives_six_points:

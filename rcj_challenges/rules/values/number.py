@@ -1,0 +1,233 @@
+"""Values that are numbers: what may stand beside each of them, and what none is.
+
+None is the number of what does not exist: the place of what is off the field, the message that never came, the lowest
+of nobody. Calculating with none gives none, unless ``otherwise`` stands there.
+"""
+
+from collections.abc import Callable
+from math import ceil, floor
+from operator import add, mul, sub
+from typing import Annotated, Any, ClassVar, Literal, NamedTuple, Self
+
+from pydantic import Field
+
+from rcj_challenges.core.amounts import clamp_to_max, plain, round_score
+from rcj_challenges.rules.base import Firing, KeyedVocabulary, Number, Phrases, Reader, Scope, ValueWord
+from rcj_challenges.rules.fields import Names, described
+from rcj_challenges.rules.phrasing import number, whole_seconds
+
+NUMBERS = KeyedVocabulary({"number": int | float}, lambda _value: "number")
+Amount = Annotated[int | float | ValueWord, NUMBERS]
+"""A number: written as one, or a value that is one. It may stand wherever a rule has a number."""
+
+_ROUNDED: dict[str | None, Callable[[float], int]] = {
+    "down": floor,
+    "up": ceil,
+    "nearest": lambda value: floor(value + 0.5),
+}
+_ALONE = dict.fromkeys(("otherwise", "times", "plus", "minus", "round_"))
+_STEPS: tuple[tuple[str, Callable[[Number, Number], Number]], ...] = (("times", mul), ("plus", add), ("minus", sub))
+
+
+class NumberValue(ValueWord):
+    """What may stand beside a value that is a number; worked out in this order.
+
+    Attributes:
+        IS_PART: that the schema defines these fields once for all such values.
+        OVER: the field in which ``highest``, ``lowest`` and ``sum`` put each member of a group; empty: it has none.
+    """
+
+    IS_PART: ClassVar = True
+    OVER: ClassVar = ""
+
+    otherwise: Amount | None = described(
+        None, "the number where there is none: of what is off the field, was never sent, or belongs to nobody"
+    )
+    times: Amount | None = described(None, "times this number; none if either is none")
+    plus: Amount | None = described(None, "plus this number; none if either is none")
+    minus: Amount | None = described(None, "minus this number; none if either is none")
+    round_: Literal["down", "up", "nearest"] | None = Field(
+        None, alias="round", description="rounded to a whole number; nearest: halves upwards; if omitted: not rounded"
+    )
+
+    # --- for the referee ----------------------------------------------------------------------------------------------
+
+    def as_it_is(self, to: Scope) -> Reader:
+        """Return a function that reads the value without what stands beside it; it can be written as JSON."""
+        return super().read(to)
+
+    def measure(self, to: Scope) -> Reader:
+        """Return a function that reads it as a number, without what stands beside it; None: there is none."""
+        return self.as_it_is(to)
+
+    def read(self, to: Scope) -> Reader:
+        return compile_amount(self, to) if self.is_computed() else self.as_it_is(to)
+
+    def number(self, to: Scope) -> Reader:
+        """Return a function that works out the number, not rounded to what scores and counters have; None: none."""
+        measure = self.measure(to)
+        if not self.is_computed():
+            return measure
+        otherwise = None if self.otherwise is None else read_number(self.otherwise, to)
+        operands = ((operate, getattr(self, key)) for key, operate in _STEPS)
+        steps = tuple((operate, read_number(operand, to)) for operate, operand in operands if operand is not None)
+        rounded = _ROUNDED.get(self.round_)
+
+        def work_out(firing: Firing) -> Number | None:
+            value: Number | None = measure(firing)
+            if value is None and otherwise is not None:
+                value = otherwise(firing)
+            for operate, read in steps:
+                operand = read(firing)
+                if value is None or operand is None:
+                    return None
+                value = clamp_to_max(operate(value, operand))  # each time: ∞ - ∞ would be no number
+            # What is 3 on paper must not be rounded down to 2.
+            return value if value is None or rounded is None else rounded(round_score(value))
+
+        return work_out
+
+    def is_computed(self) -> bool:
+        """Return whether anything stands beside it."""
+        return self.round_ is not None or any(
+            one is not None for one in (self.otherwise, self.times, self.plus, self.minus)
+        )
+
+    def alone(self) -> Self:
+        """Return it without what stands beside it."""
+        return self.model_copy(update=_ALONE)
+
+    def names(self, _to: Scope) -> Names:
+        """Return the names that stand where ``highest``, ``lowest`` and ``sum`` put each member."""
+        names: Names = getattr(self, self.OVER)
+        return names
+
+    def of_member(self, member: str) -> Self:
+        """Return the value of one member."""
+        return self.model_copy(update={self.OVER: member})
+
+    # --- for the sheet ------------------------------------------------------------------------------------------------
+
+    def describe_number(self, phrases: Phrases) -> str:
+        """Return it in words where a number is asked for, without what stands beside it."""
+        return self.describe(phrases)
+
+    def describe_each(self, phrases: Phrases) -> str:
+        """Return the value of each of several in words, as what follows ``the highest``."""
+        return self.describe_number(phrases).removeprefix("the ")
+
+    def describe_times(self, phrases: Phrases, factor: float) -> str:
+        """Return the number times a factor: ``2 times the counter “laps”``."""
+        words = self.describe_number(phrases)
+        return words if factor == 1 else f"{number(factor)} times {words}"
+
+    def describe_all(self, phrases: Phrases) -> str:
+        return amount_words(phrases, self) if self.is_computed() else self.describe(phrases)
+
+    def terms(self) -> tuple["Term", ...]:
+        """Return what is added up to it."""
+        if self.round_ is not None or self.otherwise is not None or isinstance(self.times, ValueWord):
+            return (Term(1, self),)
+        own = Term(1 if self.times is None else self.times, self.alone())
+        subtracted = () if self.minus is None else terms_of(self.minus)
+        added = () if self.plus is None else terms_of(self.plus)
+        return (*added, own, *(one.negated() for one in subtracted))
+
+    def describe_whole(self, phrases: Phrases) -> str:
+        """Return a value that is no plain sum in words, with all that stands beside it."""
+        words = self.describe_number(phrases)
+        if self.round_ == "down" and " in s" in words and self == self.model_copy(update=_ALONE | {"round_": "down"}):
+            return whole_seconds(words)
+        if self.otherwise is not None:
+            words += f" ({amount_words(phrases, self.otherwise)} if there is none)"
+        if isinstance(self.times, ValueWord):
+            words += f" times {_as_one(phrases, self.times)}"
+        elif self.times is not None:
+            words = f"{number(self.times)} times {words}"
+        words += "" if self.plus is None else f", plus {_as_one(phrases, self.plus)}"
+        words += "" if self.minus is None else f", minus {_as_one(phrases, self.minus)}"
+        rounded = {"down": ", rounded down", "up": ", rounded up", "nearest": ", rounded", None: ""}
+        return words + rounded[self.round_]
+
+
+def as_number(value: object) -> Number | None:
+    """Return a value that is a number; None if it is none."""
+    return value if isinstance(value, int | float) else None
+
+
+class Term(NamedTuple):
+    """A part of a sum: a value times a factor, or the factor alone."""
+
+    factor: float
+    value: NumberValue | None
+
+    def negated(self) -> "Term":
+        """Return it with the opposite sign."""
+        return self._replace(factor=-self.factor)
+
+    def describe(self, phrases: Phrases, *, negate: bool, alone: bool) -> str:
+        """Return it in words; ``negate``: its opposite."""
+        factor = -self.factor if negate else self.factor
+        if self.value is None:
+            return number(factor)
+        if not self.value.is_computed():
+            return self.value.describe_times(phrases, factor)
+        words = self.value.describe_whole(phrases)
+        words = f"({words})" if ", " in words and not alone else words
+        return words if factor == 1 else f"{number(factor)} times {words}"
+
+
+# --- what the referee makes of them -----------------------------------------------------------------------------------
+
+
+def compile_amount(amount: Amount, to: Scope) -> Reader:
+    """Return a function that reads a number with the digits of a score; None: there is none."""
+    read = read_number(amount, to)
+    if not isinstance(amount, NumberValue):
+        return read
+
+    def rounded(firing: Firing) -> Number | None:
+        value: Number | None = read(firing)
+        return None if value is None else round_score(value)
+
+    return rounded
+
+
+def read_number(amount: Amount, to: Scope) -> Reader:
+    """Return a function that reads a number as it is worked out; None: there is none."""
+    if isinstance(amount, NumberValue):
+        return amount.number(to)
+    constant = plain(amount) if isinstance(amount, int | float) else None
+    return lambda _firing: constant
+
+
+# --- what the sheet says of them --------------------------------------------------------------------------------------
+
+
+def terms_of(amount: Amount) -> tuple[Term, ...]:
+    """Return what is added up to a number."""
+    if isinstance(amount, NumberValue):
+        return amount.terms()
+    return (Term(amount, None),) if isinstance(amount, int | float) else ()
+
+
+def amount_words(phrases: Phrases, amount: Amount, *, negate: bool = False) -> str:
+    """Return a number in words: ``5, minus 0.1 times the time in full seconds``; ``negate``: its opposite."""
+    terms = terms_of(amount)
+    first, *more = terms
+    said = first.describe(phrases, negate=negate, alone=not more)
+    for term in more:
+        is_less = (term.factor < 0) != negate
+        said += ", minus " if is_less else ", plus "
+        said += term.describe(phrases, negate=term.factor < 0, alone=False)
+    return said
+
+
+def takes_away(amount: Any) -> bool:
+    """Return whether a number is calculated of parts that are all taken away."""
+    return isinstance(amount, NumberValue) and all(term.factor < 0 for term in amount.terms())
+
+
+def _as_one(phrases: Phrases, amount: Amount) -> str:
+    words = amount_words(phrases, amount)
+    return f"({words})" if ", " in words else words

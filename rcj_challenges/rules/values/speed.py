@@ -1,0 +1,44 @@
+"""The value ``speed``."""
+
+from collections.abc import Callable
+from typing import Annotated
+
+from rcj_challenges.rules.base import Phrases, Scope
+from rcj_challenges.rules.fields import MM_DIGITS, Name, described
+from rcj_challenges.rules.refs import ENTITY
+from rcj_challenges.rules.values.number import NumberValue
+
+
+class SpeedValue(NumberValue):
+    """The speed of an entity's centre in m/s, to the mm/s; none off the field, and in a tick in which it was put there.
+
+    It is the path in the last tick divided by its duration.
+    """
+
+    speed: Annotated[Name, ENTITY] = described(
+        ..., "an entity, or each; in highest, lowest and sum also a group or others"
+    )
+
+    KEY = "speed"
+    UNIT = "m/s"
+    OVER = "speed"
+    EXAMPLE = """
+rules:
+  goal:
+    triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
+    # The faster the ball, the more points: one for each 0.1 m/s.
+    actions: [{action: score, entrant: yellow, points: {speed: ball, times: 10, round: down}}]
+expect:
+  half_a_metre_in_a_second_gives_five_points:
+    keyframes: [{at_s: 1, place: {ball: [0, 0.3]}}, {at_s: 2, move: {ball: [0, 0.82]}}]
+    lasts_s: 3
+    score: {yellow: 5}
+"""
+    SENTENCE = "the speed of the ball in m/s"
+
+    def now(self, to: Scope) -> Callable[[], float | None]:
+        state, entity = to.state, to.entity(self.speed)
+        return lambda: None if (mps := state.speed_mps(entity)) is None else round(mps, MM_DIGITS)
+
+    def describe(self, phrases: Phrases) -> str:
+        return f"{phrases.owned('speed', self.speed)} in {self.UNIT}"

@@ -1,0 +1,71 @@
+"""Version 1 of the language is read as what it meant."""
+
+import pytest
+
+from rcj_challenges.scenario.errors import ScenarioError
+from rcj_challenges.scenario.load import load_resolved, load_text
+
+HEAD = "schema_version: %d\nid: it\ntitle: It\nextends: soccersim_v2\n"
+KEPT = "counters: {n: {}, laps: {per: robots}}\nflags: {seen: {per: robots}}\ntimers: {clock: {lasts_s: 9, starts: true}}\n"
+RULE = "rules: {r: {%striggers: [{trigger: half_started}], conditions: [%s], actions: [%s]}}\n"
+
+
+def scenario(version: int, action: str, condition: str = "", more: str = ""):
+    return load_text(HEAD % version + KEPT + RULE % (more, condition, action)).scenario
+
+
+def points(written: str) -> str:
+    return f"{{action: score, entrant: blue, points: {written}}}"
+
+
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [
+        ("3", "3"),
+        ("{counter: n}", "{counter: n}"),
+        ("[2, {counter: n, weight: -2}]", "{sum: [2, {counter: n, times: -2}]}"),
+        ("[{counter: n, weight: 1}, 5]", "{sum: [{counter: n}, 5]}"),
+        ("{timer: clock}", "{timer: clock, round: down}"),
+        ("{timer: clock, fraction: true}", "{timer: clock}"),
+        ("[20, {word: time_s, weight: -3}]", "{sum: [20, {sum: [{word: time_s, round: down}], times: -3}]}"),
+        ("{distance: [ball, centre]}", "{distance: [ball, centre], otherwise: 0}"),
+        ("[{word: measured, weight: 10}]", "{sum: [{word: measured, otherwise: 0, times: 10}]}"),
+        ("{counter: n}, at_least: 2, at_most: 9", "{lowest: [{highest: [{counter: n}, 2]}, 9]}"),
+    ],
+)
+def test_points(first, second):
+    assert scenario(1, points(first)) == scenario(2, points(second))
+
+
+def test_what_is_counted():
+    first, second = (f"{{action: count, counter: n, {change}}}" for change in ("at_most: 4", "by: {lowest: [1, 4]}"))
+    assert scenario(1, first) == scenario(2, second)
+
+
+def test_in_a_sum_of_a_rule_for_each_what_is_kept_for_several_was_that_of_all():
+    first, second = (
+        points("[{counter: laps}, {flag: seen, weight: 2}]"),
+        points("{sum: [{sum: {counter: laps}}, {highest: {flag: seen}, times: 2}]}"),
+    )
+    assert scenario(1, first, more="for_each: robots, ") == scenario(2, second, more="for_each: robots, ")
+
+
+@pytest.mark.parametrize(
+    ("group", "entity"), [("for_each: robots, ", ", entity: others"), ("for_each: yellow, ", ""), ("", "")]
+)
+def test_the_lowest_of_others(group, entity):
+    compared = "{condition: counter, counter: n, at_most: %s}"
+    first = scenario(1, points("1"), compared % "{lowest: laps}", group)
+    assert first == scenario(2, points("1"), compared % f"{{lowest: {{counter: laps{entity}}}}}", group)
+
+
+def test_a_record_is_read_like_a_file():
+    resolved = load_text(HEAD % 2 + KEPT + RULE % ("", "", points("{timer: clock}"))).resolved
+    assert load_resolved({**resolved, "schema_version": 1}).scenario.rules["r"].actions[0].points.round_ == "down"
+    assert load_resolved(resolved).scenario.rules["r"].actions[0].points.round_ is None
+
+
+def test_a_file_of_version_2_is_not_changed():
+    with pytest.raises(ScenarioError) as caught:
+        scenario(2, points("[2, {counter: n, weight: -2}]"))
+    assert [one.code for one in caught.value.diagnostics] == ["wrong-value"]
