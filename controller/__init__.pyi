@@ -280,9 +280,6 @@ class Robot:
     def getVacuumGripper(self, name: str) -> Any:
         """Return the VacuumGripper of that name, with a deprecation note; None, with a message, if there is none."""
 
-class Accelerometer:
-    def __init__(self, *args: object, **kwargs: object) -> None: ...
-
 class Altimeter:
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
@@ -358,13 +355,7 @@ class Field:
     MF_STRING: int
     MF_NODE: int
 
-class Gyro:
-    def __init__(self, *args: object, **kwargs: object) -> None: ...
-
 class ImageRef:
-    def __init__(self, *args: object, **kwargs: object) -> None: ...
-
-class InertialUnit:
     def __init__(self, *args: object, **kwargs: object) -> None: ...
 
 class Joystick:
@@ -429,11 +420,20 @@ class Keyboard:
         """Return -1: no key is pressed."""
     key: int
 
-class LED:
-    def __init__(self, *args: object, **kwargs: object) -> None: ...
+class LED(Device):
+    """A light that a program switches, for people who watch."""
+    def set(self, value: int) -> None:
+        """Light the first colour with 1, the second with 2, and so on; 0 switches it off.
 
-class LightSensor:
-    def __init__(self, *args: object, **kwargs: object) -> None: ...
+        Raises:
+            TypeError: no number was given.
+
+        Example:
+            ``led.set(1)``
+        """
+    def get(self) -> int:
+        """Return the number of the colour that is lit; 0: none."""
+    value: int
 
 class Motion:
     def __init__(self, *args: object, **kwargs: object) -> None: ...
@@ -693,11 +693,24 @@ class Supervisor(Robot):
     SIMULATION_MODE_REAL_TIME: int
     SIMULATION_MODE_FAST: int
 
-class TouchSensor:
-    def __init__(self, *args: object, **kwargs: object) -> None: ...
-
 class VacuumGripper:
     def __init__(self, *args: object, **kwargs: object) -> None: ...
+
+class Accelerometer(Sensor):
+    """How fast the robot changes its speed."""
+    def getValues(self) -> list[float]:
+        """Return the acceleration ahead, to the left and up in m/s²; NaN before the first sample.
+
+        At rest it is [0, 0, 9.81]: gravity cannot be told from an acceleration upwards.
+
+        Example:
+            ``bumped = abs(accelerometer.getValues()[0]) > 5``
+        """
+    def getLookupTable(self) -> list[float]:
+        """Return an empty table: values are given as they are."""
+    values: list[float]
+    value: list[float]
+    lookup_table: list[float]
 
 class Camera(Sensor):
     """Pictures of what is ahead: bytes in the order blue, green, red, alpha, row by row from the top left."""
@@ -798,7 +811,7 @@ class DistanceSensor(Sensor):
     def getLookupTable(self) -> list[float]:
         """Return distance in m, reading and noise of both ends of the range; the noise is hidden and given as 0."""
     def getType(self) -> int:
-        """Return ``DistanceSensor.SONAR``."""
+        """Return ``DistanceSensor.SONAR``; of a light barrier ``DistanceSensor.INFRA_RED``."""
     value: float
     min_value: float
     max_value: float
@@ -832,6 +845,38 @@ class GPS(Sensor):
     speed: float
     speed_vector: list[float]
     coordinate_system: int
+
+class Gyro(Sensor):
+    """How fast the robot turns."""
+    def getValues(self) -> list[float]:
+        """Return how fast the robot turns about its x, y and z axes in rad/s; NaN before the first sample.
+
+        Example:
+            ``turning = gyro.getValues()[2]``, positive counter-clockwise.
+        """
+    def getLookupTable(self) -> list[float]:
+        """Return an empty table: values are given as they are."""
+    values: list[float]
+    value: list[float]
+    lookup_table: list[float]
+
+class InertialUnit(Sensor):
+    """Which way the robot looks."""
+    def getRollPitchYaw(self) -> list[float]:
+        """Return roll, pitch and yaw in rad; NaN before the first sample.
+
+        The yaw is 0 along the field's +x axis and grows counter-clockwise, from -π to π.
+
+        Example:
+            ``heading = unit.getRollPitchYaw()[2]``
+        """
+    def getQuaternion(self) -> list[float]:
+        """Return the same as a unit quaternion [x, y, z, w]."""
+    def getNoise(self) -> float:
+        """Return the standard deviation of the yaw in rad."""
+    roll_pitch_yaw: list[float]
+    quaternion: list[float]
+    noise: float
 
 class Lidar(Sensor):
     """Ranges all around, one layer. Index 0 looks forward, the index grows clockwise."""
@@ -896,6 +941,19 @@ class Lidar(Sensor):
     frequency: float
     min_frequency: float
     max_frequency: float
+
+class LightSensor(Sensor):
+    """How bright the floor is under the sensor."""
+    def getValue(self) -> float:
+        """Return the brightness, from 0 for black to 1000 for the white of lines; NaN before the first sample.
+
+        Example:
+            ``on_line = sensor.getValue() > 700``
+        """
+    def getLookupTable(self) -> list[float]:
+        """Return brightness, reading and noise of both ends of the range; the noise is hidden and given as 0."""
+    value: float
+    lookup_table: list[float]
 
 class PositionSensor(Sensor):
     """How far a wheel has turned."""
@@ -1006,3 +1064,27 @@ class Receiver(Sensor):
     signal_strength: float
     emitter_direction: list[float]
     channel: int
+
+class TouchSensor(Sensor):
+    """Whether the robot touches something."""
+    BUMPER: int
+    FORCE: int
+    FORCE3D: int
+    def getValue(self) -> float:
+        """Return 1.0 if the robot touched a wall, an obstacle or a robot in the last tick, else 0.0.
+
+        NaN before the first sample.
+
+        Example:
+            ``if bumper.getValue() == 1: …``
+        """
+    def getValues(self) -> list[float]:
+        """Return three zeros: only sensors of another type measure the direction of a force."""
+    def getType(self) -> int:
+        """Return ``TouchSensor.BUMPER``."""
+    def getLookupTable(self) -> list[float]:
+        """Return an empty table: values are given as they are."""
+    value: float
+    values: list[float]
+    type: int
+    lookup_table: list[float]

@@ -155,11 +155,22 @@ class Sight(Protocol):
         All eyes have lenses of the same shape.
         """
 
+    def brightness(self, x_m: float, y_m: float) -> float:
+        """Return how bright the floor is at a place, from 0 to 1."""
+
 
 class Joints(Protocol):
-    """Angles and places of this tick."""
+    """Angles, places and touches of this tick; balls by their centres."""
 
     state: list[float]
+    balls: list[Vector]
+    radii_m: list[float]
+
+    def velocity(self, robot: int) -> Vector:
+        """Return the speed of a robot along x and y of the field, in m/s, and about z, in rad/s."""
+
+    def touched_at(self, robot: int) -> Sequence[float]:
+        """Return the bearings at which a robot touched walls, obstacles and robots in this tick, in its frame."""
 
     def wheel_angle_at(self, robot_name: str, wheel: int) -> int:
         """Return the place of a wheel's angle in `state`; it grows while the wheel drives forward."""
@@ -196,6 +207,7 @@ class SensorContext:
     half: HalfInfo
     rays: Rays
     joints: Joints
+    make_sight: Callable[[], Sight]
 
 
 class Phrases(Protocol):

@@ -27,7 +27,7 @@ robots:
     SENTENCE = "kicker: at most 1.2 m/s, charged again after 2 s"
 
     def facts(self, _setup: RobotSetup) -> dict[str, Any]:
-        return {"max_velocity": self.speed_mps, "is_linear": True}
+        return {"max_velocity": self.speed_mps, "unit": "m/s"}
 
     def make_motion(self, fitted: Fitted, movers: Movers) -> Motion:
         return Motion(partial(movers.set_tool, fitted.robot, fitted.spec.name), 1, self.speed_mps)

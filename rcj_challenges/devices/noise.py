@@ -30,6 +30,11 @@ def sensor_stream(half: HalfInfo, robot: str, device: str) -> np.random.Generato
     return np.random.Generator(np.random.PCG64(stream_seed(half.match_seed, name)))
 
 
+def drawn_once(fitted: Fitted, half: HalfInfo) -> float:
+    """Return the normal draw of a device for a whole half, from a stream of its own."""
+    return float(sensor_stream(half, fitted.robot_name, f"{fitted.spec.name}/drift").standard_normal())
+
+
 class Noise:
     """Normal draws of several devices, side by side."""
 

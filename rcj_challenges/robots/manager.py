@@ -8,6 +8,7 @@ while the later robots are still being read.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cache, partial
 
 from rcj_challenges.core.play import HalfInfo, RefereeOutput
 from rcj_challenges.core.traffic import Observation, Request, RobotSpec
@@ -37,14 +38,15 @@ class DeviceManager:
         self._poses = Poses(scenario, roster, world)
         self._queues = {robot: Queue() for robot in robots}
         rays = WorldRays(scenario, roster, world)
-        sensors = _make_sensors(fitted, SensorContext(half, rays, self._poses))
+        make_sight = cache(partial(WorldSight, scenario, roster, world))
+        sensors = _make_sensors(fitted, SensorContext(half, rays, self._poses, make_sight))
         self._sensors = {
             robot: RobotSensors(sensors.get(robot, {}), self.specs[robot].values, self._poses.robots[robot])
             for robot in robots
         }
         self._uneven: list[RobotSensors] = []
         self._radio = RadioHub(scenario, roster, rays, half, fitted, self._queues)
-        self._cameras = Cameras(fitted, lambda: WorldSight(scenario, roster, world), half, self._queues)
+        self._cameras = Cameras(fitted, make_sight, half, self._queues)
         self._motors = {robot: Motors([one for one in fitted if one.robot == robot], world) for robot in robots}
         self._silent: set[int] = set()
         self._tick = 0

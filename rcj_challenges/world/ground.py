@@ -33,3 +33,6 @@ class Ground(Protocol):
 
     def set_tool(self, robot: int, name: str, velocity: float, position: float) -> None:
         """Command what is no wheel by the name of its device."""
+
+    def touched_at(self, robot: int) -> Sequence[float]:
+        """Return the bearings at which a robot with a touch sensor touched walls, obstacles and robots in this tick."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import mujoco
 
@@ -46,6 +47,14 @@ class Poses:
             for name in balls
         ]
         self.balls: list[Vector] = [(0.0, 0.0, nominal) for _, nominal in self._balls]
+        self.radii_m = [scenario.balls[name].radius_m for name in balls]
+        self._qvel = ground.data.qvel
+        # Where the speeds along x and y and about z of each robot stand.
+        self._moves = [
+            (first, first + 1, first + (2 if _is_planar(model, name) else 5))
+            for name in robots
+            for first in (int(model.body_dofadr[model.body(name).id]),)
+        ]
         self.state: list[float] = []
         self.parked: tuple[bool, ...] = (False,) * len(roster.entities)
 
@@ -55,6 +64,15 @@ class Poses:
         if chassis.MOTOR_JOINT:
             return len(self._qpos) + turned_at(self._chassis.values())[list(self._chassis).index(robot_name)] + wheel
         return int(self._ground.model.joint(f"{robot_name}/{chassis.wheels()[wheel].part}").qposadr[0])
+
+    def velocity(self, robot: int) -> Vector:
+        """Return the speed of a robot along x and y of the field, in m/s, and about z, in rad/s."""
+        x, y, about_z = self._moves[robot]
+        return float(self._qvel[x]), float(self._qvel[y]), float(self._qvel[about_z])
+
+    def touched_at(self, robot: int) -> Sequence[float]:
+        """Return the bearings at which a robot touched walls, obstacles and robots in this tick, in its frame."""
+        return self._ground.touched_at(robot)
 
     def refresh(self) -> None:
         """Read all poses; the world has brought them up to date."""

@@ -87,6 +87,11 @@ class WorldSight:
         apart = np.ascontiguousarray(picture.reshape(len(picture), len(eyes), -1).transpose(1, 0, 2))
         return [one.tobytes() for one in apart]
 
+    def brightness(self, x_m: float, y_m: float) -> float:
+        """Return how bright the floor is at a place, from 0 to 1."""
+        r, g, b = self.palette[self._floor.colour_at(x_m, y_m)]
+        return (0.299 * r + 0.587 * g + 0.114 * b) / 255
+
     def _place(self, robot: int, eye: Eye) -> tuple[float, float, float, float]:
         """Return x, y, and the cosine and sine of where an eye looks."""
         data = self._ground.data
@@ -394,6 +399,13 @@ class _FloorMap:
             share = np.clip(((self._x - ax) * dx + (self._y - ay) * dy) / length2, 0.0, 1.0)
             off_x, off_y = self._x - ax - share * dx, self._y - ay - share * dy
             self._cells[off_x * off_x + off_y * off_y <= LINE_M * LINE_M / 4] = colour
+
+    def colour_at(self, x_m: float, y_m: float) -> int:
+        """Return the number of the colour at a place; outside of the field that of its edge."""
+        last_x, last_y = self._cells.shape[0] - 1, self._cells.shape[1] - 1
+        i = min(max((x_m - self._x0) / CELL_M, 0.0), last_x)
+        j = min(max((y_m - self._y0) / CELL_M, 0.0), last_y)
+        return int(self._cells[int(i), int(j)])
 
     def picture(self, views: _Views) -> NDArray[np.uint8]:
         """Return pictures of an empty floor."""

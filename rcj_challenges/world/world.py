@@ -19,6 +19,7 @@ from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.world.build import build_spec
 from rcj_challenges.world.effects import make_drives, make_effects
 from rcj_challenges.world.effects.base import Effect, Scene
+from rcj_challenges.world.effects.bumpers import Bumpers
 from rcj_challenges.world.effects.tools import Tools
 from rcj_challenges.world.errors import PhysicsFault
 from rcj_challenges.world.rays import add_fixed_rays
@@ -59,6 +60,7 @@ class World:
         scene = Scene(self.model, self.data, self.tables, scenario, roster)
         self._drives, self._effects = make_drives(scene), make_effects(scene)
         self._kinds = list(dict.fromkeys(self._drives))
+        self._bumpers = next((one for one in self._effects if isinstance(one, Bumpers)), None) or Bumpers(scene)
         tools = [one for one in self._effects if isinstance(one, Tools)]
         self._tools = {key: one for one in tools for key in one.tools}
         self._stopping: list[list[Drive | Tools]] = [[drive, *tools] for drive in self._drives]
@@ -110,6 +112,10 @@ class World:
     def set_tool(self, robot: int, name: str, velocity: float, position: float) -> None:
         """Command what is no wheel, such as a kicker, by the name of its device. Nothing happens while it is held."""
         self._tools[robot, name].command((robot, name), velocity, position)
+
+    def touched_at(self, robot: int) -> Sequence[float]:
+        """Return the bearings at which a robot with a touch sensor touched walls, obstacles and robots in this tick."""
+        return self._bumpers.bearings[robot]
 
     def hold_robots(self, held: Collection[int]) -> None:
         """Brake the wheels of these robots until they are released; release all others. Commands act after that."""

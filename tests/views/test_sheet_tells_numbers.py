@@ -40,6 +40,7 @@ _MAX_LEAVES = 6
 """So many leaves of a field are changed, one after the other, until one is printed."""
 
 _NEEDS_NO_TELLING = {
+    "CameraDevice.hz": "the time between pictures is given, in whole ticks",
     "BallReceiverDevice.channel": "what getChannel returns; nothing else is sent to it, whatever the number",
     "Place.max_attempts": "how often chance tries before it is said that there is no room",
     "Placing.max_attempts": "how often chance tries before it is said that there is no room",

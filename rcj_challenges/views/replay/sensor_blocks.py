@@ -85,7 +85,7 @@ def robot_facts(robot: SensedRobot) -> dict[str, Any]:
             if device.width
         ],
         "packets": robot.packets,
-        "motors": [device.name for device in robot.motors],
+        "motors": [[device.name, device.facts.get("unit", "rad/s")] for device in robot.motors],
     }
 
 

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from rcj_challenges.chassis.base import Chassis, Drive, Mount, Physics
 from rcj_challenges.scenario.kit_devices import chassis_of
 from rcj_challenges.world.effects.base import Effect, Scene
+from rcj_challenges.world.effects.bumpers import Bumpers
 from rcj_challenges.world.effects.cylinder_contacts import CylinderContacts
 from rcj_challenges.world.effects.dribbler import Dribblers
 from rcj_challenges.world.effects.friction import GlidingFriction, RollingFriction
@@ -19,7 +20,7 @@ from rcj_challenges.world.tables import one_by_one, turned_at
 def make_effects(scene: Scene) -> list[Effect]:
     """Return all effects of a world in the order in which they act, after the drives."""
     kinds: tuple[Callable[[Scene], Effect], ...]
-    kinds = RollingFriction, GlidingFriction, CylinderContacts, Tunneling, Restitution, Kickers, Dribblers
+    kinds = RollingFriction, GlidingFriction, CylinderContacts, Tunneling, Restitution, Kickers, Dribblers, Bumpers
     return [effect for kind in kinds if (effect := kind(scene)).is_needed]
 
 

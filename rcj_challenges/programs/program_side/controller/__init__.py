@@ -62,7 +62,10 @@ def _class_of(module: str) -> str:
 sys.meta_path.append(_ClassModules)
 
 
-_FILES = {"Lidar": "lidar", "LidarPoint": "lidar", "Camera": "camera"}
+_FILES = {
+    "Accelerometer": "accelerometer", "Camera": "camera", "Gyro": "gyro", "InertialUnit": "inertial_unit", "LED": "led",
+    "Lidar": "lidar", "LidarPoint": "lidar", "LightSensor": "light_sensor", "TouchSensor": "touch_sensor",
+}  # fmt: skip
 
 
 def __getattr__(name: str) -> Any:

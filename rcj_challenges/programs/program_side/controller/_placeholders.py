@@ -25,9 +25,8 @@ class Unsupported:
 
 
 for _name in (
-    *("Accelerometer", "Altimeter", "Brake", "CameraRecognitionObject", "Connector", "Display"),
-    *("ImageRef", "Gyro", "InertialUnit", "LED", "LightSensor", "Motion", "Pen"),
-    *("Radar", "RadarTarget", "RangeFinder", "Skin", "Speaker", "TouchSensor", "VacuumGripper"),
+    *("Altimeter", "Brake", "CameraRecognitionObject", "Connector", "Display", "ImageRef", "Motion", "Pen"),
+    *("Radar", "RadarTarget", "RangeFinder", "Skin", "Speaker", "VacuumGripper"),
 ):
     globals()[_name] = type(_name, (Unsupported,), {"__module__": __name__})
 

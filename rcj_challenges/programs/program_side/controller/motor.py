@@ -27,7 +27,7 @@ class Motor(Device):
         super()._rcj_set_up(connection, spec)
         self._rcj_max_velocity = float(self._rcj_facts.get("max_velocity", connection.spec["max_velocity_radps"]))
         self._rcj_velocity = self._rcj_max_velocity
-        self._rcj_is_linear = bool(self._rcj_facts.get("is_linear"))
+        self._rcj_unit = str(self._rcj_facts.get("unit", "rad/s"))
         self._rcj_position = 0.0
         self._rcj_commanded = False
         self._rcj_acceleration = -1.0
@@ -76,7 +76,7 @@ class Motor(Device):
                 self._rcj_warned_of_speed = True
                 complain(
                     f"Warning: {self._rcj_name!r}: the velocity {asked:.10g} is beyond the maximum of "
-                    f"{self._rcj_max_velocity:g} {'m/s' if self._rcj_is_linear else 'rad/s'}, which is taken instead.",
+                    f"{self._rcj_max_velocity:g} {self._rcj_unit}, which is taken instead.",
                     "ask for less",
                 )
             asked = math.copysign(self._rcj_max_velocity, asked)
@@ -219,7 +219,7 @@ class Motor(Device):
 
     def getType(self) -> int:
         """Return ``Motor.ROTATIONAL``, of a kicker ``Motor.LINEAR``."""
-        return self.LINEAR if self._rcj_is_linear else self.ROTATIONAL
+        return self.LINEAR if self._rcj_unit == "m/s" else self.ROTATIONAL
 
     target_position = property(getTargetPosition, setPosition)
     velocity = property(getVelocity, setVelocity)

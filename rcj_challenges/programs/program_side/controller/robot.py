@@ -30,7 +30,7 @@ _CLASSES: dict[str, type[Device]] = {
 def _class_of(kind: str) -> type[Device]:
     """Return the class of a kind of devices; that of one that few robots have is in the module of the same name."""
     if kind not in _CLASSES:  # each import costs every program
-        name = "".join(part.capitalize() for part in kind.split("_"))
+        name = "LED" if kind == "led" else "".join(part.capitalize() for part in kind.split("_"))
         _CLASSES[kind] = getattr(__import__(kind, globals(), None, [name], 1), name)
     return _CLASSES[kind]
 

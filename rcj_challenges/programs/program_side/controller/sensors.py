@@ -115,8 +115,8 @@ class DistanceSensor(Sensor):
         return [0.0, self.getMinValue(), 0.0, self.getMaxValue() / 1000, self.getMaxValue(), 0.0]
 
     def getType(self) -> int:
-        """Return ``DistanceSensor.SONAR``."""
-        return self.SONAR
+        """Return ``DistanceSensor.SONAR``; of a light barrier ``DistanceSensor.INFRA_RED``."""
+        return self.INFRA_RED if self._rcj_facts.get("type") == "infra-red" else self.SONAR
 
     value = ReadOnly(getValue)
     min_value = ReadOnly(getMinValue)

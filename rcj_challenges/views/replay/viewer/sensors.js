@@ -154,7 +154,7 @@ class Sensors {
     const number = (column, digits) => (Number.isNaN(value(column)) ? "–" : value(column).toFixed(digits).replace("Infinity", "∞"));
     const firstMotor = units.length - motors.length, firstPacket = firstMotor - 4 * packets;
     const rows = [["observation", `frame ${tick}`]];
-    motors.forEach((name, at) => rows.push([name, `set to ${number(firstMotor + at, 2)} rad/s`]));
+    motors.forEach(([name, unit], at) => rows.push([name, `set to ${number(firstMotor + at, 2)} ${unit}`]));
     const off = [];
     let column = 0;
     for (const device of devices) {

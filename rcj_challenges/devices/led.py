@@ -1,0 +1,32 @@
+"""The device ``led``: a light that a program switches, for people who watch."""
+
+from typing import Any, Literal
+
+from pydantic import Field
+
+from rcj_challenges.devices.base import Device, Phrases, RobotSetup
+from rcj_challenges.rules.fields import Colour
+from rcj_challenges.rules.phrasing import listed
+
+
+class LedDevice(Device):
+    """A light that a program switches; replays with recorded sensors show which of its colours is lit."""
+
+    device: Literal["led"]
+    colours: tuple[Colour, ...] = Field(
+        ("red",), strict=False, min_length=1, max_length=8, description="its colours, of which set(1) lights the first"
+    )
+
+    CLASS = "led"
+    ACCEPTS = frozenset({"motors"})
+    EXAMPLE = """
+robots:
+  Y1: {devices: {led: {device: led, colours: [red, lime]}}}
+"""
+    SENTENCE = "light that can be red or lime"
+
+    def facts(self, _setup: RobotSetup) -> dict[str, Any]:
+        return {"max_velocity": float(len(self.colours)), "unit": "", "colours": list(self.colours)}
+
+    def describe(self, _phrases: Phrases) -> str:
+        return f"light that can be {listed(list(self.colours), 'or')}"
