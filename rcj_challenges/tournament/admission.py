@@ -38,7 +38,6 @@ class Submitted:
     """A submission of a team, as it is now.
 
     Attributes:
-        team: id.
         purpose: ``stage/challenge`` if it is for this challenge alone; else empty.
         archive: SHA-256 of its file.
         file: that file's path in the folder of submissions.
@@ -57,7 +56,7 @@ Submissions = Mapping[tuple[str, str], Submitted]
 
 
 def purpose_of(entry: TeamEntry, stage: str, challenge: str) -> str:
-    """Return for which purpose the submission was handed in with which a team plays a fixture."""
+    """Return the purpose of the submission with which a team plays a fixture."""
     return f"{stage}/{challenge}" if entry.challenges.get((stage, challenge)) is not None else ""
 
 
@@ -97,10 +96,6 @@ def _take(team: str, purpose: str, source: Path, folder: Path) -> Submitted:
 
 def keep_submission(source: Path, folder: Path) -> tuple[str, Path]:
     """Keep a copy of a submission by its hash (of a single program: of its name too); returns that, and the copy.
-
-    Args:
-        source: a ZIP, a folder or a ``.py`` file.
-        folder: where copies are.
 
     Raises:
         OSError: it cannot be read, or the copy cannot be written.
@@ -154,9 +149,8 @@ class Failure:
     """One reason why the submissions of a team do not pass the check.
 
     Attributes:
-        team: id.
-        message: what failed; empty if they could not be checked, by no fault of their own.
-        scenarios: titles of the scenarios for which it failed.
+        message: empty if they could not be checked, by no fault of their own.
+        scenarios: titles.
         report: page of the check's report for the first of them.
     """
 
@@ -173,13 +167,7 @@ class Failure:
 
 @dataclass(frozen=True)
 class CheckTask:
-    """Submissions that are to be checked for a scenario.
-
-    Attributes:
-        scenario: its hash.
-        loaded: the scenario.
-        handed: the submissions.
-    """
+    """Submissions that are to be checked for a scenario, which is given by its hash too."""
 
     scenario: str
     loaded: Loaded
@@ -189,27 +177,19 @@ class CheckTask:
 def check_submissions(
     tasks: Iterable[CheckTask], store: Store, *, jobs: int, sandbox: str, observer: CheckObserver
 ) -> list[Failure]:
-    """Check all submissions that were not checked before; return why some do not pass: each reason of a team once.
-
-    Args:
-        tasks: what is to be checked.
-        store: remembers the verdicts.
-        jobs: how many checks at a time.
-        sandbox: how programs are isolated.
-        observer: sees each check as it is done.
-    """
+    """Check all submissions that were not checked before; return why some do not pass: each reason of a team once."""
     reasons: dict[tuple[str, str], tuple[str, list[str], Path]] = {}
     for task in tasks:
         known = store.checks()
-        unchecked = [
-            one
+        todo = {
+            one.archive: one
             for one in task.handed
             if (one.archive, task.scenario) not in known or not _report_page(one, task, store).exists()
-        ]
-        todo = list({one.archive: one for one in unchecked}.values())
+        }
         if todo:
-            paths = [store.place.submissions / one.file for one in todo]
-            on_done = _noting(dict(zip(name_submissions(paths), todo, strict=True)), task, store, sandbox, observer)
+            paths = [store.place.submissions / one.file for one in todo.values()]
+            named = dict(zip(name_submissions(paths), todo.values(), strict=True))
+            on_done = _noting(named, task, store, sandbox, observer)
             check_many(paths, task.loaded, CheckOptions(sandbox=sandbox), jobs, on_done)
         known = store.checks()
         for one in task.handed:
@@ -227,7 +207,7 @@ def check_submissions(
 def _noting(
     todo: Mapping[SubmissionName, Submitted], task: CheckTask, store: Store, sandbox: str, observer: CheckObserver
 ) -> Callable[[FileReport], None]:
-    """Return what is to be done with each report: note the verdict, and keep the report for each of its teams."""
+    """Return the handler of a report: it notes the verdict, and keeps the report for each of its teams."""
     by_name = {named.name: one for named, one in todo.items()}
     count = 0
 
@@ -235,12 +215,12 @@ def _noting(
         nonlocal count
         count += 1
         one = by_name[report.file]
-        found = [finding for stage in report.stages for finding in stage.findings if finding.level == "failure"]
         if report.level != "unchecked":  # of what could not be checked nothing is known: next time it is tried again
             for own in task.handed:
                 if own.archive == one.archive:
                     _keep_report(report, own, task, store, sandbox)
-            failures = [(finding.code, finding.message) for finding in found]
+            found = (finding for stage in report.stages for finding in stage.findings)
+            failures = [(finding.code, finding.message) for finding in found if finding.level == "failure"]
             store.add_check(one.archive, task.scenario, report.level, failures)
         observer.checked(one.team, task.loaded.scenario.id, report.level, count, len(todo))
 

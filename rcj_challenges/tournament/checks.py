@@ -21,13 +21,7 @@ from rcj_challenges.tournament.tournament_file import Tournament
 
 @dataclass
 class Checks:
-    """The checks of a tournament.
-
-    Attributes:
-        scenarios: what is known of the scenarios that could be loaded.
-        tree: the positions.
-        are_teams_known: whether all teams could be read; if not, their number is not looked at.
-    """
+    """The checks of a tournament; if not all teams could be read, their number is not checked."""
 
     tournament: Tournament
     teams: Mapping[str, Team]
@@ -92,8 +86,8 @@ class Checks:
         try:
             zone = ZoneInfo(name)
         except (KeyError, ValueError, OSError):
-            message = f"unknown time zone '{name}'"
-            yield self._at(("time_zone",), "unknown-time-zone", message, "write it as Europe/Berlin or UTC")
+            help_ = "write it as Europe/Berlin or UTC"
+            yield self._at(("time_zone",), "unknown-time-zone", f"unknown time zone '{name}'", help_)
             return
         help_ = f"write it as 2021-06-22 18:00, a time in {name} (time_zone)"
         for stage_name, stage in self.tournament.stages.items():

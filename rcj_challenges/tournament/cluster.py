@@ -32,16 +32,12 @@ _MAX_ATTEMPTS = 2  # as in the local pool
 
 @dataclass
 class _Waiting:
-    """A job, and how often a worker has failed with it."""
-
     job: MatchJob
     failures: int = 0
 
 
 @dataclass
 class _Running:
-    """A job on a worker."""
-
     waiting: _Waiting
     worker: str
     future: Future
@@ -52,7 +48,6 @@ class ClusterExecutor:
     """Plays each job on a worker of a Dask cluster, as many at a time as the worker has threads.
 
     Attributes:
-        place: the folder of the tournament's data.
         address: of the scheduler.
         versions: that each worker must have.
         is_shared: whether the workers see `place` under the same path; else files are sent.
@@ -89,7 +84,7 @@ class ClusterExecutor:
 
     @property
     def lanes(self) -> int:
-        """How many jobs are played at a time; 1 while there is no worker, so that one job waits for it."""
+        """Number of jobs that are played at a time; 1 while there is no worker, so that one job waits for it."""
         return max(1, sum(self._threads.values()))
 
     def submit(self, job: MatchJob) -> None:
@@ -128,7 +123,7 @@ class ClusterExecutor:
     def _hand_out(self) -> None:
         free = dict(self._threads)
         for one in self._running:
-            if one.worker in free:  # one that cannot go on may still have another job
+            if one.worker in free:  # a refused one may still have another job
                 free[one.worker] -= 1
         while self._queue and max(free.values(), default=0) > 0:
             worker = max(free, key=free.__getitem__)
@@ -142,7 +137,7 @@ class ClusterExecutor:
             self._running.append(_Running(waiting, worker, future))
 
     def _outcome(self, one: _Running) -> JobOutcome | None:
-        """Return what came of a job; None if it still runs, or waits for another worker."""
+        """Return the outcome of a job; None if it still runs, or waits for another worker."""
         is_lost = not one.future.done()
         if is_lost and one.worker in self._threads:
             self._running.append(one)
@@ -159,29 +154,29 @@ class ClusterExecutor:
             error = one.future.exception() if one.future.status == "error" else "its job was released"
             return self._failed(one, f"the worker {one.worker} failed: {error}")
         one.future.release()
-        if returned.of_host:
+        if returned.is_host_error:
             self._refused[one.worker] = returned.complaint
             self._threads.pop(one.worker, None)
-            return self._failed(one, f"the worker {one.worker} cannot go on: {returned.complaint}", of_host=True)
+            return self._failed(one, f"the worker {one.worker} cannot go on: {returned.complaint}", is_host_error=True)
         if returned.result is None:
             return JobOutcome(one.waiting.job, None, complaint=returned.complaint)
         folder = self.place.playing / (returned.folder or one.waiting.job.id)
         cluster_worker.write_files(folder, returned.files)
         return JobOutcome(one.waiting.job, returned.result, folder)
 
-    def _failed(self, one: _Running, complaint: str, *, of_host: bool = False) -> JobOutcome | None:
-        """Hand a job out again if it may be, and there is still a worker if this one failed for a lack of something."""
+    def _failed(self, one: _Running, complaint: str, *, is_host_error: bool = False) -> JobOutcome | None:
+        """Hand a job out again if it may be, and there is still a worker if this one cannot go on."""
         one.waiting.failures += 1
-        if one.waiting.failures < _MAX_ATTEMPTS and (self._threads or not of_host):
+        if one.waiting.failures < _MAX_ATTEMPTS and (self._threads or not is_host_error):
             self._queue.appendleft(one.waiting)
             self._note([f"{complaint}; its match is handed out again"])
             return None
-        return JobOutcome(one.waiting.job, None, complaint=complaint, of_host=of_host)
+        return JobOutcome(one.waiting.job, None, complaint=complaint, is_host_error=is_host_error)
 
     # --- workers ------------------------------------------------------------------------------------------------------
 
     def _wait_for_workers(self) -> list[str]:
-        """Wait until there are workers; returns what is to be noted.
+        """Wait until there are workers; returns notes.
 
         Raises:
             DiagnosticError: none has come.
@@ -196,7 +191,7 @@ class ClusterExecutor:
         return notes
 
     def _look_for_workers(self) -> list[str]:
-        """See which workers have come and gone; the new ones are compared. Returns what is to be noted.
+        """See which workers have come and gone; the new ones are compared. Returns notes.
 
         Raises:
             DiagnosticError: the scheduler is gone.
@@ -243,11 +238,6 @@ class ClusterExecutor:
 
 
 def _connect(address: str) -> Client:
-    """Connect to a scheduler.
-
-    Raises:
-        DiagnosticError: Dask is missing, or there is no scheduler.
-    """
     try:
         from distributed import Client  # noqa: PLC0415 - an extra, and slow to import
     except ImportError as error:

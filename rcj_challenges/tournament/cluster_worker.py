@@ -20,19 +20,16 @@ from rcj_challenges.tournament.jobs import MatchJob, Workplace
 
 @dataclass(frozen=True)
 class Returned:
-    """What came of a job, as it goes back over the network.
+    """The outcome of a job (`JobOutcome`), as it goes back over the network.
 
     Attributes:
-        result: as in ``result.json``; None if the match could not be played.
-        complaint: why it could not be played.
-        of_host: True if this worker cannot go on.
         files: of the record by name, unless it is in the shared folder.
         folder: name of the record's folder in the shared one's ``playing``.
     """
 
     result: dict[str, Any] | None
     complaint: str = ""
-    of_host: bool = False
+    is_host_error: bool = False
     files: Mapping[str, bytes] = field(default_factory=dict)
     folder: str = ""
 
@@ -47,7 +44,7 @@ def play(job: Mapping[str, Any], inputs: Mapping[str, bytes], shared: str | None
 
     Args:
         job: as data.
-        inputs: the files that it needs by their names in the folder of the tournament's data; empty with `shared`.
+        inputs: its files by their names in the folder of the tournament's data; empty with `shared`.
         shared: folder of the tournament's data, if this worker sees it.
 
     Raises:
@@ -71,7 +68,7 @@ def play(job: Mapping[str, Any], inputs: Mapping[str, bytes], shared: str | None
                         raise CancelledError
             return _returned(outcomes[0], shared)
     except OSError as error:
-        return Returned(None, format_error(error), of_host=True)
+        return Returned(None, format_error(error), is_host_error=True)
 
 
 def write_files(folder: Path, files: Mapping[str, bytes]) -> None:
@@ -89,7 +86,7 @@ def write_files(folder: Path, files: Mapping[str, bytes]) -> None:
 def _returned(outcome: JobOutcome, shared: str | None) -> Returned:
     record = outcome.folder
     if record is None:
-        return Returned(None, outcome.complaint, of_host=outcome.of_host)
+        return Returned(None, outcome.complaint, is_host_error=outcome.is_host_error)
     if shared is None:
         files = {path.relative_to(record).as_posix(): path.read_bytes() for path in record.rglob("*") if path.is_file()}
         return Returned(outcome.result, files=files)

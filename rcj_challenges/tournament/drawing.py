@@ -25,12 +25,11 @@ class Drawn:
     """What was drawn; JSON-able.
 
     Attributes:
-        seed: of the tournament.
-        match_seed: from which the seeds of matches are derived: the first one, also after another draw.
+        match_seed: the seeds of matches are derived from it: the first one, also after another draw.
         pots: by team, in the order in which they take part; 0: none.
         left_out: by stage that takes all teams: those that came too late for it.
-        draws: by stage, or stage and hash of what led to a draw: what was drawn.
-        moved: by fixture that had another id before it was drawn again: that id; its seed is derived from it.
+        draws: by stage, or stage and hash of what led to a draw.
+        moved: by fixture: its id before it was drawn again; its seed is derived from that.
         by_exchanges: whether Swiss rounds are paired as before draws were kept.
     """
 
@@ -44,16 +43,13 @@ class Drawn:
 
     @classmethod
     def of(cls, seed: int | str, teams: Mapping[str, Team]) -> Self:
-        """Return the data before anything is drawn."""
+        """Return the data before the draw."""
         return cls(seed, seed, {team: one.pot for team, one in teams.items()})
 
     def draw(self, stage: str, inputs: Any, make: Callable[[], Any]) -> Any:
-        """Return what was drawn in a stage, drawing it now if it was not.
+        """Return the draw of a stage, JSON-able, drawing it now if it was not.
 
-        Args:
-            stage: name.
-            inputs: what led to the draw, when other results may lead to another one; None if they cannot.
-            make: returns JSON-able data.
+        ``inputs`` are the causes of the draw, when other results may lead to another one; None if they cannot.
         """
         key = stage if inputs is None else f"{stage}/{hashlib.sha256(repr(inputs).encode()).hexdigest()[:16]}"
         if key not in self.draws:
@@ -87,8 +83,7 @@ def add_to_rounds(rounds: Rounds, teams: Sequence[str], late: str, legs: int) ->
     """Add the matches of a late team: each in the first round in which both are free."""
     for leg in range(legs):
         for number, team in enumerate(teams):
-            free = (pairs for pairs in rounds if not {late, team} & set(chain.from_iterable(pairs)))
-            pairs = next(free, None)
+            pairs = next((pairs for pairs in rounds if not {late, team} & set(chain.from_iterable(pairs))), None)
             if pairs is None:
                 rounds.append(pairs := [])
             pairs.append([late, team] if (number + leg) % 2 else [team, late])

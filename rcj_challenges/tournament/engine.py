@@ -16,10 +16,7 @@ from rcj_challenges.tournament.seeds import lot
 class Season:
     """A tournament with its teams; pure: the same outcomes give the same state, in whichever order they came.
 
-    Args:
-        loaded: the tournament.
-        teams: by id, with the names that are shown; those of the file by default.
-        drawn: what was drawn before; what is drawn now is added.
+    The names of ``teams`` are shown, those of the file by default. New draws are added to ``drawn``.
     """
 
     def __init__(
@@ -34,11 +31,9 @@ class Season:
         self._cache: dict[Any, Any] = {}
 
     def state(self, outcomes: Mapping[str, Outcome], hidden: Collection[str] = ()) -> SeasonState:
-        """Return the state after these outcomes; those of fixtures that do not exist are left out.
+        """Return the state after these outcomes by fixture; those of fixtures that do not exist are left out.
 
-        Args:
-            outcomes: by fixture.
-            hidden: fixtures that were played but whose outcomes are left out here.
+        The outcomes of ``hidden`` fixtures were left out by the caller, although they were played.
         """
         counted = dict(outcomes)
         states: dict[str, StageState] = {}
@@ -87,7 +82,7 @@ class Season:
         return sorted(found, key=lambda one: one.place)
 
     def _unknown_entrants(self, stage: FromModel) -> list[Entrant]:
-        """Return where the teams of a waiting stage will come from."""
+        """Return the sources of the teams of a waiting stage."""
         name = stage.from_ or ""
         found = [
             Entrant("", place, place, group, _origin(name, group, place))

@@ -30,11 +30,10 @@ class TeamEntry:
     """One team as the file lists it.
 
     Attributes:
-        id: unique without regard to case; letters, digits and ``_``.
+        id: unique without regard to case; Latin letters, digits and ``_``.
         source: its ZIP or folder.
-        name: as the file says; None: what the submission calls itself.
+        name: as in the file; None: that of the submission.
         pot: for drawing groups; 0: none.
-        is_sample: whether it is a sample team.
         challenges: by stage and challenge the submission for it, where that is another one; None: it takes no part.
     """
 
@@ -57,13 +56,7 @@ class TeamEntry:
 
 @dataclass
 class TeamLists:
-    """Reads the teams of a tournament file.
-
-    Attributes:
-        folder: where it lies.
-        tree: its positions.
-        problems: what was wrong.
-    """
+    """Reads the teams of a tournament file that is in ``folder``."""
 
     tournament: General
     folder: Path
@@ -91,12 +84,9 @@ class TeamLists:
         challenges: Mapping[tuple[str, str], ChallengeScenario],
         samples: Mapping[tuple[str, str], Path | None],
     ) -> dict[str, TeamEntry]:
-        """Return the teams with their submissions for challenges.
+        """Return the teams with their submissions for challenges (by stage and name).
 
-        Args:
-            entries: the teams.
-            challenges: by stage and name.
-            samples: by stage and challenge the sample team for it, None if there is none.
+        ``samples`` are the sample teams of challenges, None if there is none.
         """
         found: dict[str, dict[tuple[str, str], Path | None]] = {team: {} for team in entries}
         for (name, key), one in challenges.items():
@@ -130,11 +120,8 @@ class TeamLists:
             return {}
         for path in paths:
             is_folder = path.is_dir()
-            if (
-                path.name.startswith(".")
-                or ignored_folder(path.name)
-                or not (is_folder or path.suffix.lower() == ".zip")
-            ):
+            is_submission = is_folder or path.suffix.lower() == ".zip"
+            if path.name.startswith(".") or ignored_folder(path.name) or not is_submission:
                 continue
             if not _is_inside(path):
                 message = f"'{path.name}' is a pipe, a device, or a link that does not lead to a file in the folder"
@@ -204,6 +191,6 @@ def _is_inside(path: Path) -> bool:
 def id_of(file_name: str) -> str:
     """Return the team id of a submission's name without its suffix: Latin letters, digits and ``_``."""
     plain = unicodedata.normalize("NFKD", file_name)
-    plain = "".join(letter for letter in plain if not unicodedata.combining(letter))
+    plain = "".join(character for character in plain if not unicodedata.combining(character))
     found = re.sub(r"[^A-Za-z0-9]+", "_", plain).strip("_")[:40]
     return found or f"team_{sha256(file_name.encode('utf-8', 'surrogatepass')).hexdigest()[:6]}"

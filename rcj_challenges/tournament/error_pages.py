@@ -228,7 +228,7 @@ Give a number for each side, such as 2:1, or one number for a match of a single 
 
 ruling-reason
 A ruling needs a reason, which is published.
-Give 1 to 500 letters with --reason.
+Give 1 to 500 characters with --reason.
 
 ruling-annulled
 A team of this match has left the tournament, so the match is decided or does not count.

@@ -16,21 +16,20 @@ POLL_INTERVAL_S = 0.2
 
 @dataclass(frozen=True)
 class JobOutcome:
-    """What came of a job.
+    """The outcome of a job.
 
     Attributes:
-        job: the job.
         result: as in ``result.json``; None if the match could not be played.
         folder: of the record, on a disk of this computer; None without a result.
         complaint: why it could not be played.
-        of_host: True if a computer cannot go on (a full disk): no other match could be played there either.
+        is_host_error: whether a computer cannot go on (a full disk): it could play no other match either.
     """
 
     job: MatchJob
     result: dict[str, Any] | None
     folder: Path | None = None
     complaint: str = ""
-    of_host: bool = False
+    is_host_error: bool = False
 
 
 class Executor(Protocol):
@@ -41,7 +40,7 @@ class Executor(Protocol):
 
     @property
     def lanes(self) -> int:
-        """How many jobs are played at a time."""
+        """Number of jobs that are played at a time."""
 
     def submit(self, job: MatchJob) -> None:
         """Play a job as soon as a lane is free for it."""
@@ -74,8 +73,7 @@ class LocalExecutor:
     def submit(self, job: MatchJob) -> None:
         """Play a job as soon as a lane is free for it."""
         arguments = ("tournament", "play-job", json.dumps(job.to_json()), str(self._place.folder))
-        command = _LocalJob(job.seed, arguments)
-        self._jobs[command] = job
+        self._jobs[command := _LocalJob(job.seed, arguments)] = job
         self._pool.submit(command)
 
     def poll(self) -> list[JobOutcome]:
@@ -93,7 +91,7 @@ class LocalExecutor:
 def _outcome(job: MatchJob, outcome: batch.Outcome) -> JobOutcome:
     if outcome.result is None:
         # A match for which the computer was too busy is not played; the others may be.
-        of_host = outcome.wrong_input and outcome.code != "host-too-busy"
-        return JobOutcome(job, None, complaint=outcome.complaint, of_host=of_host)
+        is_host_error = outcome.wrong_input and outcome.code != "host-too-busy"
+        return JobOutcome(job, None, complaint=outcome.complaint, is_host_error=is_host_error)
     result = dict(outcome.result)
     return JobOutcome(job, result, Path(result.pop("folder")))

@@ -19,12 +19,7 @@ from rcj_challenges.tournament.season import Fixture, Outcome
 
 @dataclass
 class JobMaker:
-    """Makes the jobs of a tournament's fixtures.
-
-    Attributes:
-        handed: the submissions of all teams that play or have played.
-        sandbox: how programs are isolated.
-    """
+    """Makes the jobs of a tournament's fixtures from the submissions of all teams that play or have played."""
 
     tournament: OpenTournament
     handed: Submissions
@@ -69,7 +64,7 @@ class JobMaker:
         return self._scenarios[key]
 
     def check_tasks(self, handed: Submissions) -> list[CheckTask]:
-        """Return what is to be checked: each submission once for each scenario that it will play.
+        """Return the checks: each submission once for each scenario that it will play.
 
         Settings such as the length of a half make no other check: the first ones of each scenario are taken.
         """
@@ -122,12 +117,7 @@ class JobMaker:
 
 
 def outcome_of(fixture: Fixture, result: Mapping[str, Any]) -> Outcome:
-    """Return the outcome of a fixture.
-
-    Args:
-        fixture: what was played.
-        result: ``score`` and ``ranking`` as in ``result.json``.
-    """
+    """Return the outcome of a fixture from ``score`` and ``ranking`` of ``result.json``."""
     scores = tuple(result["score"][side.seat] for side in fixture.sides)
     if len(fixture.sides) > 1:
         return Outcome(scores)
@@ -136,7 +126,7 @@ def outcome_of(fixture: Fixture, result: Mapping[str, Any]) -> Outcome:
 
 
 def summary_of(result: Mapping[str, Any]) -> dict[str, Any]:
-    """Return what the store keeps of a result; all of it is in the record."""
+    """Return the part of a result that the store keeps; all of it is in the record."""
     summary = {key: result[key] for key in ("score", "ranking", "digest", "wall_s", "simulated_s", "versions")}
     summary["faults"] = [{key: fault[key] for key in ("robot", "team", "kind")} for fault in result["faults"]]
     summary["is_timed"] = has_time_fault(result)

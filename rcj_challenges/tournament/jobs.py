@@ -43,7 +43,6 @@ class Program:
     Attributes:
         archive: SHA-256 of the submission's file.
         digest: SHA-256 over names and contents of its files, as records have it.
-        name: of the team, as shown.
     """
 
     archive: str
@@ -58,11 +57,9 @@ class MatchJob:
     Attributes:
         scenario: its `scenario_hash`.
         seats: by seat of the first half: one team, or one for each robot of the side.
-        names: by seat: as shown.
-        seed: of the match.
-        versions: as in ``result.json``: what decides the bits of a result in addition to the inputs.
+        versions: as in ``result.json``: they decide the bits of a result in addition to the inputs.
         match_id: as printed in the match's log.
-        records: what is kept.
+        records: the files that are kept.
         sandbox: ``auto``, ``strict`` or ``off``.
     """
 
@@ -83,7 +80,7 @@ class MatchJob:
         return hashlib.sha256(canonical(inputs)).hexdigest()[:_ID_CHARACTERS]
 
     def to_json(self) -> dict[str, Any]:
-        """Return it as JSON-able data."""
+        """Return JSON-able data."""
         return asdict(self)
 
     @classmethod
@@ -97,11 +94,11 @@ class Workplace:
     """The folder of a tournament's data, as far as jobs use it.
 
     Attributes:
-        submissions: where submissions are, by hash.
-        records: where the records are, by job.
-        playing: where the records of matches are that are being played; what a killed run left there is worthless.
-        progress: what a run leaves for `status`: the fixtures in play, and the time left in s; None if that is unknown.
-        reports: where the reports of the check are, by team.
+        submissions: by hash.
+        records: by job.
+        playing: records of matches that are being played; what a killed run left there is worthless.
+        progress: of a run, for `status`: the fixtures in play, and the time left in s; None if that is unknown.
+        reports: of the check, by team.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -113,7 +110,7 @@ class Workplace:
         self.reports = folder / "checks"
 
     def record_of(self, job_id: str) -> Path:
-        """Return the folder of a job's record."""
+        """Return the folder of a record."""
         return self.records / job_id
 
     def report_folder(self, team: str, archive: str) -> Path:
@@ -191,13 +188,13 @@ def scenario_hash(scenario: Scenario) -> str:
 
 
 def data_file_error(path: Path, why: str) -> DiagnosticError:
-    """Return the error that says that a file of the tournament's data cannot be used."""
+    """Return the error of an unusable file of the tournament's data."""
     message = f"a file of the tournament's data cannot be used: {path}: {why}"
     return DiagnosticError(Diagnostic("data-file-missing", message, "put it back, or delete it and run again"))
 
 
 def trim_record(folder: Path, records: Records) -> None:
-    """Remove from a record that is complete what is not kept.
+    """Remove the files of a complete record that are not kept.
 
     Raises:
         OSError: something cannot be removed.

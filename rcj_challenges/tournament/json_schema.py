@@ -36,6 +36,6 @@ def schema_text() -> str:
 
 
 def schema_is_fresh() -> bool:
-    """Return whether the committed schema is what the models say."""
+    """Return whether the committed schema is that of the models."""
     file = schemas_folder() / FILE
     return file.is_file() and file.read_text(encoding="utf-8") == schema_text()

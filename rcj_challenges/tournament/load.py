@@ -34,12 +34,8 @@ class LoadedTournament:
     """A tournament that can be played.
 
     Attributes:
-        tournament: the file's content.
         name: the file's stem.
-        path: the file.
         entries: the teams by id, in the order of the file, then of the folder.
-        scenarios: what is to be known of each scenario with its settings.
-        warnings: what is allowed but may not be meant.
     """
 
     tournament: Tournament
@@ -50,27 +46,24 @@ class LoadedTournament:
     warnings: tuple[Diagnostic, ...] = ()
 
     def teams(self) -> dict[str, Team]:
-        """Return the teams as the file names them; a submission's own name is not known here."""
+        """Return the teams with the names of the file; a submission's own name is not known here."""
         return {team: entry.team for team, entry in self.entries.items()}
 
     @cached_property
     def names(self) -> ScenarioNames:
-        """Finds the scenarios that it names."""
+        """The names of scenarios."""
         return ScenarioNames(self.tournament, self.path.parent)
 
     def records(self, stage: str) -> Records:
-        """Return what is kept of the matches of a stage: ``full``, ``replay`` or ``result``."""
+        """Return the kind of records of a stage: ``full``, ``replay`` or ``result``."""
         return self.tournament.stages[stage].records or self.tournament.records
 
 
 def load_tournament(source: str | Path) -> LoadedTournament:
-    """Load a tournament.
-
-    Args:
-        source: a file, or the bare name of a shipped tournament (``cup``).
+    """Load a tournament from a file, or by the bare name of a shipped one (``cup``).
 
     Raises:
-        TournamentFileError: everything that is wrong with it.
+        TournamentFileError: all its mistakes.
     """
     path = find_tournament(source)
     return load_tree(read_tree(path, str(source) if path == Path(source) else path.name), path)
@@ -80,7 +73,7 @@ def load_tree(tree: Node, path: Path) -> LoadedTournament:
     """Load a tournament from the tree of its file.
 
     Raises:
-        TournamentFileError: everything that is wrong with it.
+        TournamentFileError: all its mistakes.
     """
     tournament, tree = _validated(tree)
     names = ScenarioNames(tournament, path.parent)
@@ -107,7 +100,7 @@ def load_tree(tree: Node, path: Path) -> LoadedTournament:
 
 
 def find_tournament(source: str | Path) -> Path:
-    """Return the file that ``source`` stands for: a path, or the bare name of a shipped tournament.
+    """Return the file of a tournament by its path, or by the bare name of a shipped one.
 
     Raises:
         TournamentFileError: there is no such file.
@@ -173,13 +166,11 @@ def _of_scenario(mark: Mark, path: str, problem: Diagnostic) -> Diagnostic:
         message = "no such file, and no shipped scenario of that name"
         return problem_at(mark, "unknown-scenario", message, f"Shipped are {listing(shipped_scenarios(), 20)}", path)
     help_ = "'rcj-challenge validate SCENARIO' shows all that is wrong with it"
-    return problem_at(
-        mark, "wrong-scenario", f"the scenario cannot be used: {problem.where}: {problem.message}", help_, path
-    )
+    message = f"the scenario cannot be used: {problem.where}: {problem.message}"
+    return problem_at(mark, "wrong-scenario", message, help_, path)
 
 
 def _info(scenario: Scenario) -> ScenarioInfo:
-    """Return what a tournament needs to know of a scenario."""
     seats = {seat: len(entrant.robots) for seat, entrant in scenario.entrants.items()}
     criteria = tuple(map(_criterion, scenario.result.rank))
     return ScenarioInfo(scenario.id, scenario.title, seats, criteria, sum(half_lengths_s(scenario.match)))

@@ -1,4 +1,4 @@
-"""A tournament with its store: teams as they are called now, rulings applied, and the state that follows."""
+"""A tournament with its store: the names of teams now, rulings applied, and the state that follows."""
 
 from __future__ import annotations
 
@@ -38,13 +38,9 @@ def sides_of(fixture: Fixture) -> tuple[tuple[str, ...], ...]:
 
 @dataclass(frozen=True, slots=True)
 class StageLeft:
-    """What is left of a stage.
+    """The matches of a stage without an outcome, and the mean of their simulated time.
 
-    Attributes:
-        stage: its name.
-        matches: that have no outcome yet.
-        more: that may be added: extra time, tie scenarios, the last matches of a best-of.
-        mean_s: simulated time of a match, in s.
+    There may be ``more``: extra time, tie scenarios, the last matches of a best-of.
     """
 
     stage: str
@@ -55,12 +51,7 @@ class StageLeft:
 
 @dataclass
 class OpenTournament:
-    """A tournament with its store.
-
-    Attributes:
-        loaded: the file.
-        store: what was played, submitted and decided.
-    """
+    """A tournament with its store of what was played, submitted and decided."""
 
     loaded: LoadedTournament
     store: Store
@@ -78,7 +69,7 @@ class OpenTournament:
 
     @cached_property
     def season(self) -> Season:
-        """The engine, with the teams as they are called and whether they are still there."""
+        """The engine, with the names of teams and whether they are still there."""
         return self._season(self.held)
 
     def _season(self, rulings: Sequence[RulingRow]) -> Season:
@@ -88,7 +79,7 @@ class OpenTournament:
 
     @property
     def teams(self) -> dict[str, Team]:
-        """The teams of the file, as they are called and whether they are still there."""
+        """The teams of the file, with their names and whether they are still there."""
         return self._teams(self.held)
 
     def _teams(self, rulings: Sequence[RulingRow]) -> dict[str, Team]:
@@ -101,7 +92,7 @@ class OpenTournament:
 
     @cached_property
     def drawn(self) -> Drawn:
-        """What was drawn, and is drawn from now on."""
+        """The draws so far; new ones are added."""
         if has_begun := self.store.has_begun():
             kept = self.store.drawn()
             if kept is not None:
@@ -114,23 +105,19 @@ class OpenTournament:
         return drawn
 
     def keep_drawn(self) -> None:
-        """Keep what was drawn since the last time."""
+        """Keep the draws since the last time."""
         if len(self.drawn.draws) != self._kept_draws:
             self.store.keep_drawn(asdict(self.drawn))
             self._kept_draws = len(self.drawn.draws)
 
     def refresh(self) -> None:
-        """Read teams, rulings and what was drawn again."""
+        """Read teams, rulings and draws again."""
         self._kept_draws = -1
         for name in ("rulings", "held", "season", "drawn"):
             self.__dict__.pop(name, None)
 
     def state(self, played: Mapping[str, PlayedFixture] | None = None) -> SeasonState:
-        """Return the state after what was played and decided.
-
-        Args:
-            played: by fixture; left out: what the store says.
-        """
+        """Return the state after what was played (left out: as in the store) and decided."""
         return _state(self.season, self.store.played() if played is None else played, self.held)[0]
 
     def state_and_outcomes(self) -> tuple[SeasonState, dict[str, Outcome]]:
@@ -142,17 +129,12 @@ class OpenTournament:
         return _state(Season(self.loaded, self.teams, self.drawn), self.store.played(), self.held)[0]
 
     def state_with(self, ruling: RulingRow, played: Mapping[str, PlayedFixture]) -> SeasonState:
-        """Return what the state would be with one more ruling.
-
-        Args:
-            ruling: the ruling.
-            played: by fixture.
-        """
+        """Return the state with one more ruling, after what was played by fixture."""
         rulings = _held([*self.rulings, ruling])
         return _state(self._season(rulings), played, rulings)[0]
 
     def seed_of(self, fixture: Fixture) -> int:
-        """Return the seed that a fixture is played with: another one each time a referee orders a replay."""
+        """Return the seed of a fixture: another one each time a referee orders a replay."""
         replays = sum(
             row.kind == RulingKind.REPLAY and tuple(map(tuple, row.sides)) == sides_of(fixture)
             for row in self.held
@@ -161,7 +143,7 @@ class OpenTournament:
         return derived_seed(fixture.seed, f"replay/{replays}") if replays else fixture.seed
 
     def work_left(self, state: SeasonState) -> list[StageLeft]:
-        """Return what is left of each stage."""
+        """Return the rest of each stage."""
         durations_s = {(use.source, use.overrides): info.duration_s for use, info in self.loaded.scenarios.items()}
         found = []
         for stage in state.stages:
@@ -183,8 +165,7 @@ class OpenTournament:
 
 def last_ruling(rulings: Sequence[RulingRow], fixture: str, team: str = "") -> RulingRow | None:
     """Return the last decision about a match, or with no match the last one about a team; None if there is none."""
-    own = (row for row in reversed(rulings) if row.fixture == fixture and (fixture or row.team == team))
-    return next(own, None)
+    return next((row for row in reversed(rulings) if row.fixture == fixture and (fixture or row.team == team)), None)
 
 
 def _held(rulings: Sequence[RulingRow]) -> list[RulingRow]:
@@ -204,7 +185,7 @@ def _state(
     sides = {fixture: one.sides for fixture, one in played.items()}
     for fixture, row in {row.fixture: row for row in rulings if row.fixture}.items():  # the last of each holds
         if row.kind != RulingKind.REPLAY:
-            outcomes[fixture] = _outcome(row)
+            outcomes[fixture] = Outcome(tuple(row.scores), _RULED[RulingKind(row.kind)], row.reason)
             sides[fixture] = tuple(map(tuple, row.sides))
     while True:
         state = season.state(outcomes)
@@ -220,10 +201,6 @@ def _state(
                 del outcomes[fixture]
 
 
-def _outcome(row: RulingRow) -> Outcome:
-    return Outcome(scores=tuple(row.scores), ruled=_RULED[RulingKind(row.kind)], reason=row.reason)
-
-
 def later_stages(loaded: LoadedTournament, stage: str) -> list[str]:
     """Return the stages that take their teams from a stage, directly or not."""
     found = [stage]
@@ -236,7 +213,7 @@ def later_stages(loaded: LoadedTournament, stage: str) -> list[str]:
 def display_names(
     entries: Mapping[str, TeamEntry], submissions: Mapping[tuple[str, str], SubmissionRow]
 ) -> dict[str, str]:
-    """Return what each team is called: as the file says, else as its submission, else its id.
+    """Return the name of each team: of the file, else of its submission, else its id.
 
     Names that are equal without regard to case are followed by the team's id.
     """

@@ -33,11 +33,7 @@ class RulingKind(StrEnum):
 class Ruling:
     """One decision of a human referee; it is kept and shown for ever, also when a later one replaces it.
 
-    Attributes:
-        kind: what was decided.
-        reason: in the referee's words; shown to the public.
-        at: when, with a time zone.
-        scores: by side, in the order of the fixture's sides; empty for a replay and what is undone.
+    Its reason is shown to the public; the scores, by side, are empty for a replay and what is undone.
     """
 
     kind: RulingKind
@@ -48,16 +44,14 @@ class Ruling:
 
 @dataclass(frozen=True, slots=True)
 class PlayedMatch:
-    """What is known of one fixture in addition to its outcome.
+    """A fixture that was played or ruled on, in addition to its outcome.
 
     Attributes:
-        fixture: its id.
         record: folder of the record, as ``run`` writes one; None if nothing of it is kept or it was never played.
         result: the content of ``result.json``; empty if it was never played (a forfeit before the match).
         submissions: by team id, SHA-256 (hexadecimal) of the submission that played.
-        played_at: when it ended, with a time zone; None if it was never played.
+        played_at: its end; None if it was never played.
         doubtful: whether a wall-time limit decided something in it, also when it was played once more.
-        rulings: oldest first.
     """
 
     fixture: str
@@ -71,13 +65,12 @@ class PlayedMatch:
 
 @dataclass(frozen=True, slots=True)
 class Submission:
-    """What a team handed in.
+    """A submission that was handed in.
 
     Attributes:
-        team: id.
         sha256: of the archive, hexadecimal.
         path: of the archive (ZIP) or folder.
-        received_at: when the tournament first saw it, with a time zone.
+        received_at: when the tournament first saw it.
         purpose: ``stage/challenge`` if it is for this challenge alone; else empty.
         report: folder with the check's report, or None if there is none. For the team only.
     """
@@ -106,7 +99,7 @@ class Played:
 
 
 class RecordedResult(Mapping[str, Any]):
-    """The content of a record's ``result.json``, read when it is asked for; of a damaged one what the store knows."""
+    """The content of a record's ``result.json``, read when it is needed; of a damaged one the store's summary."""
 
     def __init__(self, folder: Path, summary: Mapping[str, Any]) -> None:
         self._folder = folder

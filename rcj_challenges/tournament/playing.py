@@ -57,13 +57,7 @@ def play_job(job: MatchJob, place: Workplace) -> PlayedMatch:
 
 
 def _opened(job: MatchJob, seat: str, loaded: Loaded, place: Workplace) -> Team | SuperTeam:
-    """Open the programs of a seat.
-
-    Raises:
-        RcjError: one is missing, or is not what the job says.
-    """
-    programs = job.seats[seat]
-    members = tuple(_open_program(program, seat, loaded, place) for program in programs)
+    members = tuple(_open_program(program, seat, loaded, place) for program in job.seats[seat])
     return members[0] if len(members) == 1 else SuperTeam(members)
 
 

@@ -1,4 +1,4 @@
-"""Which matches that were played still count, when submissions, scenarios or records are not as they were."""
+"""The played matches that still count, when submissions, scenarios or records are not as they were."""
 
 from __future__ import annotations
 
@@ -18,13 +18,8 @@ from rcj_challenges.tournament.store.tables import JobRow
 def reconcile(tournament: OpenTournament, jobs: JobMaker, *, cascade: bool) -> dict[str, str]:
     """Let no match count that would be played otherwise today, or has a damaged record.
 
-    Returns:
-        The fixtures that are to be played again, with the reason.
-
-    Args:
-        tournament: the tournament.
-        jobs: makes the jobs of today.
-        cascade: whether matches may change from which a stage that has begun took its teams.
+    Return the fixtures that are to be played again, with the reason. With ``cascade`` matches may change too from which
+    a stage that has begun took its teams.
 
     Raises:
         DiagnosticError: matches were played by other versions, or a later stage has begun.
@@ -89,7 +84,7 @@ def _other_versions(before: Mapping[str, str], now: Mapping[str, str]) -> Diagno
 
 
 def other_pythons(store: Store) -> list[str]:
-    """Return with which other versions of Python matches that count were played."""
+    """Return the other versions of Python with which matches that count were played."""
     rows = store.jobs()
     return sorted({rows[one.job_id].job["versions"]["python"] for one in store.played().values()} - {versions().python})
 

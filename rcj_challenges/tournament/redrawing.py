@@ -35,9 +35,8 @@ def redraw(tournament: OpenTournament) -> list[str]:
     for name, stage in stages.items():
         if stage.FOLLOWS_PAIRS and stage.from_ is None:
             stage.keep_seats(drawn.draws[name], {(sides[0][0], sides[1][0]) for one, sides in known if one == name})
-    fixtures = Season(tournament.loaded, teams, drawn).state({}).fixtures
     moved = {}
-    for fixture in fixtures:
+    for fixture in Season(tournament.loaded, teams, drawn).state({}).fixtures:
         old = known.get((fixture.stage, sides_of(fixture)), fixture.id)
         first = before.moved.get(old, old)
         if stages[fixture.stage].FOLLOWS_PAIRS and first != fixture.id:

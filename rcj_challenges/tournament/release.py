@@ -1,4 +1,4 @@
-"""When what was played is shown: the times of the file, which are also the schedule for spectators."""
+"""Times of release: those of the file, which are also the schedule for spectators."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ def moments_of(text: str, zone: tzinfo) -> tuple[datetime, ...]:
 
 
 def release_times(tournament: Tournament, state: SeasonState) -> dict[str, datetime]:
-    """Return by fixture from when on it is shown, in UTC; others are shown as soon as played.
+    """Return the times from which on fixtures are shown, in UTC; others are shown as soon as played.
 
-    All matches of one knock-out tie are released together, since each would give away how the one before ended.
+    All matches of one knock-out tie are released together, since each would give away the outcome of the one before.
     """
     found: dict[str, datetime] = {}
     for stage in state.stages:
@@ -46,7 +46,7 @@ def release_times(tournament: Tournament, state: SeasonState) -> dict[str, datet
 
 
 def round_times(tournament: Tournament, stage: str) -> tuple[datetime, ...]:
-    """Return when, in UTC, the rounds of a stage are released: one time for all of them, one for each, or none."""
+    """Return the times of release, in UTC, of a stage: one for all its rounds, one for each, or none."""
     release = tournament.stages[stage].release
     texts = (release,) if isinstance(release, str) else release or ()
     zone = ZoneInfo(tournament.time_zone)

@@ -30,13 +30,13 @@ def decide(
     """Note a ruling on a match; returns the fixtures of later rounds and stages that have to be played again.
 
     Args:
-        tournament: the tournament; its store is open for writing.
-        fixture_id: which match.
-        kind: what is decided.
+        tournament: its store is open for writing.
+        fixture_id: of the match.
+        kind: of the decision.
         reason: in the referee's words; it is published.
         losers: of a forfeit: a team of each side that forfeits.
         scores: of a corrected score, by side.
-        cascade: whether what was played in later rounds and stages may change.
+        cascade: whether matches of later rounds and stages that were played may change.
 
     Raises:
         DiagnosticError: there is no such match or team, the ruling does not fit it, or changes a match played later.
@@ -73,12 +73,7 @@ def withdraw(
 ) -> list[str]:
     """Note that a team leaves the tournament, or has not left it; returns the fixtures that have to be played again.
 
-    Args:
-        tournament: the tournament; its store is open for writing.
-        team: id.
-        reason: in the organizer's words; it is published.
-        undo: whether its withdrawal is taken back.
-        cascade: whether later stages that have begun may change.
+    The reason is published. With ``cascade`` later stages that have begun may change.
 
     Raises:
         DiagnosticError: there is no such team, it has left already (or has not), or a later stage has begun.
@@ -108,15 +103,9 @@ def _note(
     *,
     cascade: bool,
 ) -> list[str]:
-    """Write a ruling, unless it changes the teams of a match that was played in a later round or stage.
+    """Write a ruling on a match (None: a team leaves), unless it changes the teams of a later one that was played.
 
-    Args:
-        tournament: the tournament.
-        before: its state without the ruling.
-        row: the ruling.
-        ruled: the match; None if a team leaves.
-        replayed: fixtures of which what was played does not count any more.
-        cascade: whether later rounds and stages may change.
+    Without it the state is ``before``; what was played of the fixtures ``replayed`` does not count any more.
     """
     store = tournament.store
     played, counted = store.played(), tournament.state_and_outcomes()[1]
@@ -142,15 +131,14 @@ def _forfeited(tournament: OpenTournament, fixture: Fixture, losers: Sequence[st
     rule = tournament.loaded.tournament.withdrawn
     lost, won = rule.lost if isinstance(rule, LostBy) else _LOST_BY
     are_lost = [not set(losers).isdisjoint(side.teams) for side in fixture.sides]
-    is_double = len(are_lost) > 1 and all(are_lost)
-    kind = RulingKind.DOUBLE_FORFEIT if is_double else RulingKind.FORFEIT
+    kind = RulingKind.DOUBLE_FORFEIT if len(are_lost) > 1 and all(are_lost) else RulingKind.FORFEIT
     return kind, [float(lost if is_lost else won) for is_lost in are_lost]
 
 
 def _checked(reason: str) -> str:
     reason = " ".join(reason.split())
     if not reason or len(reason) > _MAX_REASON_CHARS:
-        raise _wrong("ruling-reason", f"a ruling has a reason of 1 to {_MAX_REASON_CHARS} letters", "--reason TEXT")
+        raise _wrong("ruling-reason", f"a ruling has a reason of 1 to {_MAX_REASON_CHARS} characters", "--reason TEXT")
     return reason
 
 

@@ -35,14 +35,14 @@ _STATE_SHARE = 0.01
 
 @dataclass(frozen=True)
 class Progress:
-    """How far a run is.
+    """The progress of a run, in matches.
 
     Attributes:
         state: of the tournament; some of the newest outcomes may be missing in it.
-        done: matches with an outcome.
-        running: matches that are being played.
-        left: matches that have no outcome yet, as far as can be said.
-        left_s: how long that takes, in s; None if it cannot be said yet.
+        done: with an outcome.
+        running: that are being played.
+        left: without an outcome, as far as is known.
+        left_s: time for these; None if unknown.
     """
 
     state: SeasonState
@@ -70,13 +70,7 @@ class RunObserver(Protocol):
 
 @dataclass
 class _Task:
-    """A job in the executor.
-
-    Attributes:
-        job: the job.
-        fixtures: for which it counts.
-        first_digest: of the first attempt, if a time limit decided something in it.
-    """
+    """A job in the executor; ``first_digest``: of the first attempt, if a time limit decided something in it."""
 
     job: MatchJob
     fixtures: list[Fixture]
@@ -85,15 +79,7 @@ class _Task:
 
 @dataclass
 class Runner:
-    """Plays a tournament.
-
-    Attributes:
-        tournament: the tournament; its store is open for writing.
-        jobs: makes jobs of fixtures.
-        executor: plays them.
-        observer: sees what is done.
-        clock_s: monotonic, for the remaining time.
-    """
+    """Plays a tournament, whose store is open for writing; the clock, for the remaining time, is monotonic."""
 
     tournament: OpenTournament
     jobs: JobMaker
@@ -182,7 +168,7 @@ class Runner:
     def _take(self, outcome: JobOutcome) -> None:
         task = self._tasks.pop(outcome.job.id)
         if outcome.result is None or outcome.folder is None:
-            if outcome.of_host:
+            if outcome.is_host_error:
                 raise cannot_go_on(self._place.folder, outcome.complaint)
             self._failed.update(fixture.id for fixture in task.fixtures)
             self.tournament.store.keep_job(task.job, "failed", complaint=outcome.complaint)
@@ -249,7 +235,7 @@ class Runner:
         return Progress(self._state, done, running, left, left_s)
 
     def _keep_progress(self) -> None:
-        """Leave what `status` shows in another terminal."""
+        """Write the progress for `status` in another terminal."""
         playing = islice(self._tasks.values(), self.executor.lanes)
         in_play = [fixture.id for task in playing for fixture in task.fixtures]
         if in_play != self._in_play:
@@ -282,7 +268,7 @@ def keep_record(folder: Path, place: Workplace, job_id: str) -> None:
     when_free(lambda: folder.rename(target))
 
 
-def cannot_go_on(folder: Path, said: str) -> DiagnosticError:
+def cannot_go_on(folder: Path, why: str) -> DiagnosticError:
     """Return the error for a computer that cannot go on; nothing that was played is lost."""
-    message = f"this computer cannot continue the matches in {folder}: {said}"
+    message = f"this computer cannot continue the matches in {folder}: {why}"
     return DiagnosticError(Diagnostic("cannot-go-on", message, "fix this and run again: it continues where it stopped"))

@@ -1,4 +1,4 @@
-"""Which scenarios a tournament plays, with which settings, and what it needs to know of them."""
+"""The scenarios that a tournament plays, their settings, and the facts that it needs of them."""
 
 from __future__ import annotations
 
@@ -32,9 +32,7 @@ class ScenarioUse:
 class Criterion:
     """One of the criteria by which a scenario ranks.
 
-    Attributes:
-        name: ``score``, ``time``, or the name of a counter.
-        is_more_better: whether a larger value is better.
+    Its name is ``score``, ``time``, or that of a counter.
     """
 
     name: str
@@ -43,13 +41,11 @@ class Criterion:
 
 @dataclass(frozen=True, slots=True)
 class ScenarioInfo:
-    """What a tournament needs to know of a scenario.
+    """The facts of a scenario that a tournament needs.
 
     Attributes:
-        id: short name.
-        title: for people.
         seats: number of robots by seat, in the scenario's order.
-        criteria: by which it ranks, the first one first.
+        criteria: of the ranking, the first one first.
         duration_s: simulated time of all halves.
     """
 
@@ -60,7 +56,7 @@ class ScenarioInfo:
     duration_s: float
 
     def sort_key(self, outcome: Outcome) -> tuple[float, ...]:
-        """Return a key for what one team achieved alone, the smallest for the best; without a run it is the worst."""
+        """Return a key for the run of one team alone, the smallest for the best; without a run it is the worst."""
         if outcome.ruled in (Ruled.ANNULLED, Ruled.FORFEIT):
             return (inf,)
         values = outcome.values or outcome.scores
@@ -78,17 +74,18 @@ class ScenarioNames:
         self._of_matches: dict[int, ScenarioUse] = {}  # asked for once for each fixture
 
     def of_matches(self, stage: MatchesModel) -> ScenarioUse:
-        """Return what is played in a stage of matches."""
+        """Return the scenario of a stage of matches."""
         found = self._of_matches.get(id(stage))
         if found is None:
-            own = stage.scenario is not None
-            source = stage.scenario if stage.scenario is not None else self._tournament.scenario
-            found = self.use(source, stage.set if own else {**self._tournament.set, **stage.set})
+            if stage.scenario is not None:
+                found = self.use(stage.scenario, stage.set)
+            else:
+                found = self.use(self._tournament.scenario, {**self._tournament.set, **stage.set})
             self._of_matches[id(stage)] = found
         return found
 
     def with_extra_time(self, played: ScenarioUse) -> ScenarioUse:
-        """Return what is played as extra time of a match."""
+        """Return the scenario of a match's extra time."""
         return ScenarioUse(played.source, (*played.overrides, *_overrides(self._tournament.drawn.extra_time or {})))
 
     def use(self, source: str, settings: Mapping[str, Scalar]) -> ScenarioUse:

@@ -19,7 +19,7 @@ def humanized(name: str) -> str:
 
 
 class Status(StrEnum):
-    """How far a stage is."""
+    """The progress of a stage."""
 
     WAITING = "waiting"
     """The stages that it takes its teams from are not finished: it has no teams and no fixtures yet."""
@@ -28,7 +28,7 @@ class Status(StrEnum):
 
 
 class FixtureKind(StrEnum):
-    """What a fixture is for."""
+    """The purpose of a fixture."""
 
     MATCH = "match"
     EXTRA_TIME = "extra_time"
@@ -37,7 +37,7 @@ class FixtureKind(StrEnum):
 
 
 class Ruled(StrEnum):
-    """Where the score of an outcome comes from."""
+    """The source of an outcome's score."""
 
     PLAYED = "played"
     FORFEIT = "forfeit"
@@ -59,13 +59,12 @@ class Team:
     """One team of a tournament.
 
     Attributes:
-        id: as the tournament file names it; unique without regard to case, safe as a file name.
-        name: as shown: what the submission calls itself, or what the tournament file says.
+        id: as in the file; unique without regard to case, safe as a file name.
+        name: as shown: that of the submission, or of the file.
         pot: for drawing groups; 1 is the strongest, 0 if there are no pots.
-        withdrawn: whether it has left the tournament.
         last_rounds: of a team that has left: by stage, the last round for which it was drawn before (see
             `SeasonState.last_rounds`). It takes part in no other stage, and in no later round.
-        left_after: of a team that has left: how many others had left before it.
+        left_after: of a team that has left: the number of others that had left before it.
     """
 
     id: str
@@ -81,7 +80,7 @@ class Side:
     """One side of a fixture.
 
     Attributes:
-        seat: the entrant of the scenario that it plays as, in the first half.
+        seat: of the first half.
         teams: ids: one, or in a super team one for each robot number (1, 2, 3) of the seat.
     """
 
@@ -94,17 +93,15 @@ class Fixture:
     """One run of a scenario that the tournament asks for.
 
     Attributes:
-        id: unique in the tournament and stable: ``groups/A/round2/ada-bee``; letters, digits, ``-``, ``_``, ``/``.
-        stage: name of its stage.
+        id: unique in the tournament and stable: ``groups/A/round2/ada-bee``; Latin letters, digits, ``-_/``.
         group: name of its group, of its challenge, or empty.
         round: from 1, within its stage.
         sides: two in a match, one in a challenge.
         scenario: name of a shipped scenario, or the path of its file.
         overrides: ``PATH=VALUE`` each, applied to the scenario.
         seed: of the match; derived from the tournament's seed and this id.
-        kind: what it is for.
         tie: of a knock-out the pairing that it belongs to (``knock_out/quarter_finals/1``), else empty.
-        leg: from 1: which of the matches of its pairing.
+        leg: from 1, number among the matches of its pairing.
         title: for people: ``Group A, round 2``.
     """
 
@@ -124,13 +121,12 @@ class Fixture:
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What counts for one fixture.
+    """The outcome of a fixture that counts.
 
     Attributes:
         scores: by side, in the order of the fixture's sides.
-        ruled: where they come from.
         reason: of a ruling, in the words of the referee; empty if it was played.
-        values: of a challenge what the scenario ranks by, first criterion first; empty in a match.
+        values: of a challenge, by the scenario's criteria; empty in a match.
     """
 
     scores: tuple[float, ...]
@@ -146,12 +142,10 @@ class Row:
     Attributes:
         team: id; of a super team the ids joined with ``+``.
         place: from 1; equal for teams that share one.
-        shared: whether others have the same place.
         played, won, drawn, lost: matches.
         goals, conceded: goals for and against.
-        points: by the tournament's rule.
         by_lot: whether its place among equals was drawn from the seed.
-        values: of a challenge or a combined table what decides, under the table's ``columns``.
+        values: of a challenge or a combined table, under the table's ``columns``.
     """
 
     team: str
@@ -176,7 +170,6 @@ class Table:
         name: of the group or challenge; empty if the stage has one table.
         rows: best first.
         columns: names of each row's ``values``; empty in a table of matches.
-        complete: whether all its fixtures have an outcome.
     """
 
     name: str
@@ -199,12 +192,12 @@ class Tie:
         round: name of its round: ``round_of_16``, ``quarter_finals``, ``semi_finals``, ``third_place``, ``final``.
         number: from 1 within the round, from top to bottom of the bracket.
         teams: the two ids; empty text for a place that is not decided yet.
-        sources: where each team comes from, for people: ``winner of quarter final 1``, ``A1``, ``bye``.
+        sources: of each team, for people: ``winner of quarter final 1``, ``A1``, ``bye``.
         fixtures: ids, in the order they are played.
         scores: sum of the legs, or matches won in a best-of; None while nothing is played.
         winner: id, or empty: of a tie that is decided if both teams have left or forfeit.
         decided_by: ``match``, ``extra_time``, ``tie_scenario``, ``lot``, ``bye``, ``forfeit``, or empty.
-        tree: which of the stage's brackets it is drawn in; empty if there is one.
+        tree: the bracket of the stage that it is drawn in; empty if there is one.
     """
 
     id: str
@@ -220,12 +213,12 @@ class Tie:
 
     @property
     def round_title(self) -> str:
-        """What its round is called, as a heading: ``Quarter-finals``, ``Round of 16``."""
+        """Its round as a heading: ``Quarter-finals``, ``Round of 16``."""
         return humanized(self.round.replace("_finals", "-finals"))
 
     @property
     def title(self) -> str:
-        """What it is called in a sentence: ``final``, ``quarter-final 1``, ``match 1 of the round of 16``."""
+        """Its name in a sentence: ``final``, ``quarter-final 1``, ``match 1 of the round of 16``."""
         if self.round in _TIE_TITLES:
             return _TIE_TITLES[self.round].format(self.number)
         return f"match {self.number} of the {self.round.replace('_', ' ')}"
@@ -244,13 +237,10 @@ class StageState:
     """One stage.
 
     Attributes:
-        name: as in the file.
         kind: its format as in the file: ``round_robin``.
-        title: for people.
-        status: how far it is.
         teams: ids that take part, of super teams their members; empty while it waits.
         fixtures: all that are known so far (of a Swiss stage the rounds drawn so far), in playing order.
-        expected_matches: how many it will have in all, as far as is known: extra time counts once it is to be played.
+        expected_matches: in all, as far as is known: extra time counts once it is to be played.
         tables: groups, challenges; the last one of several challenges combines them.
         ties: of a knock-out, round by round.
         byes: of a Swiss stage (round, team).
@@ -283,13 +273,7 @@ class StageState:
 
 @dataclass(frozen=True, slots=True)
 class SeasonState:
-    """The whole tournament.
-
-    Attributes:
-        stages: in the order of the file.
-        teams: by id.
-        outcomes: by fixture id, withdrawn teams and rulings applied.
-    """
+    """The whole tournament; outcomes are by fixture id, with withdrawn teams and rulings applied."""
 
     stages: tuple[StageState, ...]
     teams: Mapping[str, Team]

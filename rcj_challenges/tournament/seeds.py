@@ -1,4 +1,4 @@
-"""What chance decides in a tournament: seeds of fixtures, draws and lots, all derived from the tournament's seed."""
+"""Chance in a tournament: seeds of fixtures, draws and lots, all derived from the tournament's seed."""
 
 from __future__ import annotations
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby
 from typing import Any
@@ -21,13 +21,7 @@ class Match:
 
 @dataclass(frozen=True, slots=True)
 class TableRules:
-    """How a table is ranked.
-
-    Attributes:
-        win, draw, loss: points for a match.
-        tie_breaks: first criterion first.
-        lot: gives each team its lot; the smallest wins.
-    """
+    """The rules of a table: points for a match, tie-breaks, and the lot of each team; the smallest wins."""
 
     win: float
     draw: float
@@ -38,7 +32,7 @@ class TableRules:
 
 @dataclass(slots=True)
 class Tally:
-    """What a team has achieved in some matches."""
+    """The totals of a team over some matches."""
 
     played: int = 0
     won: int = 0
@@ -63,16 +57,16 @@ class Tally:
             self.drawn += 1
             self.points += rules.draw
 
-    def row(self, team: str, place: int, *, shared: bool, by_lot: bool) -> Row:
-        """Return the line of a table for a team that has achieved this."""
+    def filled(self, row: Row, *, by_lot: bool = False) -> Row:
+        """Return a line of a table with these totals."""
         return Row(
-            team, place, shared, self.played, self.won, self.drawn, self.lost, self.goals, self.conceded, self.points,
-            by_lot,
+            row.team, row.place, row.shared, self.played, self.won, self.drawn, self.lost, self.goals, self.conceded,
+            self.points, row.by_lot or by_lot,
         )  # fmt: skip
 
 
 def tally(teams: Iterable[str], matches: Iterable[Match], rules: TableRules) -> dict[str, Tally]:
-    """Return what each team has achieved in the matches."""
+    """Return the totals of each team."""
     tallies = {team: Tally() for team in teams}
     for match in matches:
         (first, second), (goals, conceded) = match.teams, match.goals
@@ -90,30 +84,29 @@ def table(
     complete: bool,
     extra_points: Mapping[str, float] | None = None,
 ) -> Table:
-    """Return the table of matches among teams.
+    """Return the table of the matches that count; teams that share a place keep their order.
 
-    Args:
-        name: of the group, or empty.
-        teams: ids; teams that share a place keep this order.
-        matches: those that count.
-        rules: how it is ranked.
-        complete: whether no match is missing; lots are drawn only then.
-        extra_points: points without a match, for byes.
+    If it is complete, no match is missing; lots are drawn only then. ``extra_points`` are those for byes.
     """
     tallies = tally(teams, matches, rules)
     for team, points in (extra_points or {}).items():
         tallies[team].points += points
     ranking = _Ranking(matches, rules, tallies)
     words = rules.tie_breaks if complete else tuple(word for word in rules.tie_breaks if word != "lot")
-    return Table(name, _rows(ranking.levels(list(teams), words), tallies, ranking.by_lot), (), complete)
+    rows = placed(ranking.levels(list(teams), words))
+    filled = tuple([tallies[row.team].filled(row, by_lot=row.team in ranking.by_lot) for row in rows])
+    return Table(name, filled, (), complete)
 
 
-def _rows(levels: Sequence[Sequence[str]], tallies: Mapping[str, Tally], by_lot: set[str]) -> tuple[Row, ...]:
-    rows: list[Row] = []
+def placed(levels: Iterable[Sequence[str]], lot: Callable[[str], Any] | None = None) -> Iterator[Row]:
+    """Yield rows of teams, the best level first; those of one level share a place, unless a lot decides."""
+    place = 1
     for level in levels:
-        place = len(rows) + 1
-        rows += [tallies[team].row(team, place, shared=len(level) > 1, by_lot=team in by_lot) for team in level]
-    return tuple(rows)
+        is_by_lot = lot is not None and len(level) > 1
+        for index, team in enumerate(sorted(level, key=lot) if is_by_lot else level):
+            is_shared = len(level) > 1 and not is_by_lot
+            yield Row(team, place + index * is_by_lot, shared=is_shared, by_lot=is_by_lot)
+        place += len(level)
 
 
 @dataclass

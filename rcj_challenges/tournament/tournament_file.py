@@ -23,7 +23,7 @@ class Tournament(General):
         return {(name, key): one for name, stage in self.stages.items() for key, one in stage.challenges.items()}
 
     def uses(self, names: ScenarioNames) -> dict[ScenarioUse, tuple[str | int, ...]]:
-        """Return all scenarios that are played, each with where the file names it."""
+        """Return all scenarios that are played, each with the keys that name it."""
         found: dict[ScenarioUse, tuple[str | int, ...]] = {}
         for name, stage in self.stages.items():
             for use, keys in stage.uses(names):

@@ -16,12 +16,9 @@ Verdict = Literal["same", "differs", "not_comparable", "not_played"]
 
 @dataclass(frozen=True)
 class Verified:
-    """One match that was played again.
+    """One match that was played again: its fixture, or its record's folder, and the verdict.
 
-    Attributes:
-        name: of the match: its fixture, or its record's folder.
-        verdict: what the comparison says.
-        reason: why it cannot be compared, or was not played; or that another version of Python was used; else empty.
+    The reason is why it cannot be compared, or was not played; or that another version of Python was used; else empty.
     """
 
     name: str
@@ -34,8 +31,6 @@ class Recorded:
     """A match to be verified.
 
     Attributes:
-        name: of the match.
-        job: that is played again.
         digest: that was recorded.
         versions: on which it was played.
         is_timed: whether a time limit decided something in it.
@@ -69,13 +64,9 @@ def verify_all(
     on_done: Callable[[Verified], None],
     on_played: Callable[[Recorded, JobOutcome, Verified], None] | None = None,
 ) -> list[Verified]:
-    """Play matches again and compare them, in the order in which they are done.
+    """Play matches, no job twice, again and compare them, in the order in which they are done.
 
-    Args:
-        matches: no job twice.
-        executor: plays them.
-        on_done: called with each verdict.
-        on_played: called with each match that was played before its record is removed.
+    ``on_played`` is called with each match that was played before its record is removed.
     """
     waiting = {one.job.id: one for one in matches}
     verified: list[Verified] = []
@@ -85,10 +76,8 @@ def verify_all(
         while waiting:
             for outcome in executor.poll():
                 one = waiting.pop(outcome.job.id)
-                if outcome.result is None:
-                    verified.append(Verified(one.name, "not_played", outcome.complaint))
-                else:
-                    verified.append(compare(one, outcome.result))
+                failed = Verified(one.name, "not_played", outcome.complaint)
+                verified.append(failed if outcome.result is None else compare(one, outcome.result))
                 if on_played is not None:
                     on_played(one, outcome, verified[-1])
                 if outcome.folder is not None:

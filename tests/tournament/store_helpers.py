@@ -165,7 +165,7 @@ class FakeExecutor:
         if end == "stop":
             raise KeyboardInterrupt
         if end in ("died", "host"):
-            return JobOutcome(job, None, complaint=f"it {end}", of_host=end == "host")
+            return JobOutcome(job, None, complaint=f"it {end}", is_host_error=end == "host")
         score = goals_of(job, "other" if end.startswith("other") else "")
         faults = (
             [{"robot": "B1", "team": "blue", "kind": "step_timeout", "detail": "", "half": 1}] if "timed" in end else []

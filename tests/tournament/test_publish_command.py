@@ -51,7 +51,7 @@ def test_each_match_gets_a_page_and_the_next_time_it_is_taken_over(tmp_path, pub
     for item in feed["items"]:
         assert (home.data / "site" / item["url"].removeprefix("https://cup.example/")).is_file()
     assert {path.name for path in (home.data / "for_teams").iterdir() if path.is_dir()} == {"ada", "bee", "cid"}
-    assert (home.data / "organizer" / "likeness.html").is_file()
+    assert (home.data / "organizer" / "similarity.html").is_file()
 
 
 @pytest.mark.parametrize("url", ["javascript:alert(1)", "file:///etc", "cup.example", "https://", "http://["])

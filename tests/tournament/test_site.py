@@ -210,7 +210,7 @@ def test_submissions_for_a_challenge_are_on_the_page_of_the_team_with_their_repo
     assert all(digest in page for digest in ("a" * 64, "7" * 64))
     assert "Shooting" in page
     assert (tmp_path / "data" / "for_teams" / "ada" / "check" / ("7" * 12) / "fast_shooter.html").is_file()
-    assert "ada" in (tmp_path / "data" / "organizer" / "likeness.html").read_text("utf-8")
+    assert "ada" in (tmp_path / "data" / "organizer" / "similarity.html").read_text("utf-8")
 
 
 def test_what_others_played_in_the_place_of_a_match_is_not_shown(season: MadeUpSeason) -> None:

@@ -1,4 +1,4 @@
-"""Parts of the site by themselves: brackets, replays read back, logs cut by halves, likeness, names of files."""
+"""Parts of the site by themselves: brackets, replays read back, logs cut by halves, similarity, names of files."""
 
 import re
 import xml.etree.ElementTree as ET
@@ -16,10 +16,10 @@ from rcj_challenges.tournament.opened import OpenTournament
 from rcj_challenges.tournament.season import Tie
 from rcj_challenges.tournament.site import site_source
 from rcj_challenges.tournament.site.bracket import bracket_svg
-from rcj_challenges.tournament.site.likeness import like_pairs, token_rows
 from rcj_challenges.tournament.site.plots import distribution_plot, form_plot, score_plot
 from rcj_challenges.tournament.site.private import own_log
 from rcj_challenges.tournament.site.public import public_result, read_replay
+from rcj_challenges.tournament.site.similarity import similar_pairs, token_rows
 from rcj_challenges.tournament.store.store import Store
 from rcj_challenges.views.replay.page import page_text
 from tests.tournament.site_play import HOSTILE, NOW, SECRET, make_season
@@ -149,7 +149,7 @@ def test_a_log_of_more_than_two_halves_is_withheld_unless_all_are_own() -> None:
     assert own_log(FIRST, [1, 2, 3, 4], [1, 2, 3, 4]) == FIRST
 
 
-# --- likeness --------------------------------------------------------------------------------------------------------
+# --- similarity ------------------------------------------------------------------------------------------------------
 
 PROGRAM = b"""
 def dribble(ball, heading):
@@ -171,7 +171,7 @@ def test_a_program_with_other_names_and_comments_is_alike(tmp_path: Path) -> Non
     renamed = PROGRAM.replace(b"ball", b"kugel").replace(b"3.1", b"4") + b"# mine\n"
     other = (teams_folder() / "keeper").rglob("*.py")
     sample = submission(tmp_path, "sample", next(other).read_bytes())
-    pairs, unread = like_pairs(
+    pairs, unread = similar_pairs(
         {
             "one": {"": submission(tmp_path, "one", PROGRAM)},
             "two": {"": sample, "skills/shooting": submission(tmp_path, "two", renamed)},
@@ -187,7 +187,7 @@ def test_a_program_with_other_names_and_comments_is_alike(tmp_path: Path) -> Non
 
 def test_what_teams_took_from_the_samples_is_not_counted(tmp_path: Path) -> None:
     sample = next((teams_folder() / "ball_chaser").rglob("*.py")).read_bytes()
-    pairs, _ = like_pairs({name: {"": submission(tmp_path, name, sample)} for name in ("one", "two")})
+    pairs, _ = similar_pairs({name: {"": submission(tmp_path, name, sample)} for name in ("one", "two")})
     assert pairs == []
 
 

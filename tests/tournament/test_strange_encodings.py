@@ -2,7 +2,7 @@
 
 import pytest
 
-from rcj_challenges.tournament.site.likeness import token_rows
+from rcj_challenges.tournament.site.similarity import token_rows
 
 
 @pytest.mark.parametrize("encoding", ["hex", "rot13", "zlib"])

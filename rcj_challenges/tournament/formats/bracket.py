@@ -12,10 +12,10 @@ from rcj_challenges.tournament.formats.stage import Intake, MatchFormat, StagePr
 from rcj_challenges.tournament.formats.tie import TieGame
 from rcj_challenges.tournament.season import Fixture, FixtureKind, Row, StageState, Status, Tie
 from rcj_challenges.tournament.seeds import shuffled
-from rcj_challenges.tournament.standings import tally
+from rcj_challenges.tournament.standings import placed, tally
 
 Entry = tuple[str, str]
-"""A team of a tie, empty if it is not known yet, and where it comes from, for people."""
+"""A team of a tie, empty if it is not known yet, and its source, for people."""
 
 
 class BracketFormat(MatchFormat):
@@ -41,26 +41,21 @@ class BracketFormat(MatchFormat):
 
     @property
     def has_ties(self) -> bool:
-        """Whether there are ties: always."""
         return True
 
     @property
     def matches_of_tie(self) -> tuple[int, int]:
-        """The least and the most matches of a tie, without extra time."""
         return max(self.legs, self.best_of // 2 + 1), max(self.legs, self.best_of)
 
     def problems(self, intake: Intake, size: StageSize) -> Iterator[StageProblem]:
-        """Yield keys that contradict each other."""
         if self.legs > 1 and self.best_of > 1:
             message = "'legs' adds scores up, 'best_of' counts wins"
             yield StageProblem(("best_of",), "legs-and-best-of", message, "keep one of them")
 
     def waiting(self, context: StageContext, entrants: Sequence[Entrant], matches: int) -> StageState:
-        """Return the bracket with where the teams will come from."""
         return self.state(context, entrants)
 
     def state(self, context: StageContext, entrants: Sequence[Entrant]) -> StageState:
-        """Return the bracket, of entrants that are not known yet with where they come from."""
         bracket = Bracket(context, self, self._seeded(context, entrants))
         if len(entrants) > 1:
             self.play(bracket)
@@ -84,9 +79,8 @@ class BracketFormat(MatchFormat):
             if "" in by_team:
                 return [replace(entrant, origin="drawn") for entrant in entrants]
             teams = list(by_team)
-            order = context.draw(
-                self, teams, lambda: shuffled(context.tournament.seed, f"{context.name}/seeding", teams)
-            )
+            seed, stream = context.tournament.seed, f"{context.name}/seeding"
+            order = context.draw(self, teams, lambda: shuffled(seed, stream, teams))
             return [by_team[team] for team in order if team in by_team]
         if self.from_ is None:
             return sorted(entrants, key=lambda one: one.pot or inf)
@@ -134,14 +128,7 @@ def _same_group(one: Entrant | None, other: Entrant | None) -> bool:
 
 @dataclass
 class Bracket:
-    """A bracket in the middle of being played.
-
-    Attributes:
-        context: the stage.
-        stage: its model.
-        entrants: the best seed first.
-        ties, fixtures: so far.
-    """
+    """A bracket in the middle of being played; the best seed of its entrants comes first."""
 
     context: StageContext
     stage: BracketFormat
@@ -156,7 +143,7 @@ class Bracket:
             name: of the round.
             entries: two of each tie, from top to bottom.
             round_: number of its fixtures.
-            tree: of which picture it is a part.
+            tree: the picture that it belongs to.
         """
         pairs = zip(entries[::2], entries[1::2], strict=True)
         return [self.tie(name, number, pair, round_, tree) for number, pair in enumerate(pairs, 1)]
@@ -193,7 +180,7 @@ class Bracket:
         return [entrant.team for entrant in self.entrants if entrant.team in losers]
 
     def expected_matches(self) -> int:
-        """Return how many matches there will be, as far as is known."""
+        """Return the number of matches, as far as is known."""
         least = self.stage.matches_of_tie[0]
         is_open = [not tie.decided_by and "bye" not in tie.sources for tie in self.ties]
         return sum(max(least * more, len(tie.fixtures)) for tie, more in zip(self.ties, is_open, strict=True))
@@ -211,14 +198,8 @@ class Bracket:
         rules = self.context.rules("places")
         counted = [one for one in self.fixtures if one.kind is not FixtureKind.TIE_SCENARIO]
         tallies = tally([entrant.team for entrant in self.entrants], self.context.matches(counted), rules)
-        place = 1
-        for level in levels:
-            is_by_lot = len(level) > 1 and "lot" in rules.tie_breaks
-            for index, team in enumerate(sorted(level, key=rules.lot) if is_by_lot else level):
-                own_place = place + index if is_by_lot else place
-                is_shared = len(level) > 1 and not is_by_lot
-                yield replace(tallies[team].row(team, own_place, shared=is_shared, by_lot=is_by_lot), points=0)
-            place += len(level)
+        for row in placed(levels, rules.lot if "lot" in rules.tie_breaks else None):
+            yield replace(tallies[row.team].filled(row), points=0)
 
 
 def winner(tie: Tie) -> Entry:

@@ -15,6 +15,7 @@ from rcj_challenges.tournament.formats.stage import Format, Intake, StageSize
 from rcj_challenges.tournament.models import ChallengeScenario
 from rcj_challenges.tournament.scenarios import Criterion, ScenarioInfo, ScenarioNames, ScenarioUse
 from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Row, Ruled, StageState, Table, humanized
+from rcj_challenges.tournament.standings import placed
 
 TOTAL = "total"
 """Name of the table that combines several challenges."""
@@ -45,25 +46,20 @@ class Challenge(Format):
 
     @property
     def challenges(self) -> Mapping[str, ChallengeScenario]:
-        """The scenarios by name."""
         return self.scenarios
 
     def uses(self, names: ScenarioNames) -> Iterator[tuple[ScenarioUse, tuple[Step, ...]]]:
-        """Yield the scenarios."""
         for key, one in self.scenarios.items():
             yield names.use(one.scenario, one.set), ("scenarios", key, "scenario")
 
     def size(self, intake: Intake) -> StageSize:
-        """Return the size of the stage."""
         count = len(self.scenarios)
         return StageSize(intake.teams, {"": intake.teams}, intake.teams * count * self.seeds, count)
 
     def add_late(self, draw: Any, team: str, present: Collection[str]) -> bool:
-        """Return that a team can be added: each plays by itself."""
         return True
 
     def state(self, context: StageContext, entrants: Sequence[Entrant]) -> StageState:
-        """Return the state of a stage of challenges."""
         teams = tuple(entrant.team for entrant in entrants)
         key = ("challenge", context.name, teams)
         if key not in context.cache:
@@ -160,7 +156,7 @@ def _worst(info: ScenarioInfo, runs: Sequence[tuple[float, ...]]) -> tuple[float
 
 
 def _counted(stage: Challenge, info: ScenarioInfo, runs: Sequence[tuple[float, ...]]) -> tuple[float, ...]:
-    """Return what counts of a team's runs, for each criterion."""
+    """Return the value of each criterion that counts for a team."""
     if not runs:
         return ()
     if stage.rank_by == "best":
@@ -217,16 +213,8 @@ def _share(criterion: Criterion, value: float, best: float) -> float:
     return round_score(round(100 * max(0.0, part / whole), 6)) if whole > 0 else 0.0
 
 
-def _rows(context: StageContext, use: str, keys: Mapping[str, Any], *, may_draw: bool) -> list[Row]:
+def _rows(context: StageContext, use: str, keys: Mapping[str, Any], *, may_draw: bool) -> Iterator[Row]:
     """Return teams with their places by key, the smallest first; those with equal keys share a place, or draw lots."""
-    rows: list[Row] = []
     rules = context.rules(use)
-    has_lot = may_draw and "lot" in rules.tie_breaks
-    for _, part in groupby(sorted(keys, key=keys.__getitem__), key=keys.__getitem__):
-        level = list(part)
-        is_by_lot = has_lot and len(level) > 1
-        start = len(rows) + 1
-        for index, team in enumerate(sorted(level, key=rules.lot) if is_by_lot else level):
-            place = start + index if is_by_lot else start
-            rows.append(Row(team, place, shared=len(level) > 1 and not is_by_lot, by_lot=is_by_lot))
-    return rows
+    levels = [list(part) for _, part in groupby(sorted(keys, key=keys.__getitem__), key=keys.__getitem__)]
+    return placed(levels, rules.lot if may_draw and "lot" in rules.tie_breaks else None)

@@ -1,4 +1,4 @@
-"""What the kinds of stages share: entrants, fixtures, and which outcomes count."""
+"""Shared by the kinds of stages: entrants, fixtures, and the outcomes that count."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ class Entrant:
 
     Attributes:
         team: id; empty if it is not known yet.
-        pot: from which it is drawn, 0 for none; of one that comes from another stage its place there.
+        pot: for the draw, 0 for none; of one that comes from another stage its place there.
         place: in the table that it comes from, from 1; 0: it comes from none.
-        group: the table's name.
+        group: that table's name.
         origin: for people: ``A1``; empty if it comes from no stage.
     """
 
@@ -49,15 +49,9 @@ class StageContext:
     """One stage in the middle of being computed.
 
     Attributes:
-        name: of the stage.
-        kind: its format.
-        tournament: the file.
-        names: finds scenarios.
-        scenarios: what is known of them.
-        teams: all of the tournament, by id.
-        entries: where their submissions are, by id.
-        drawn: what was drawn before; what is drawn now is added.
-        outcomes: by fixture; what the withdrawal of teams brings is added.
+        teams, entries: all of the tournament, by id.
+        drawn: the draws so far; new ones are added.
+        outcomes: by fixture; those of withdrawals are added.
         hidden: fixtures that were played but whose outcomes are left out: withdrawals do not decide them.
         cuts: the last places of each table that others are kept apart from: between place 2 and 3 stands 2.
         cache: of what does not depend on outcomes, kept from one state to the next.
@@ -77,7 +71,7 @@ class StageContext:
     cache: dict[Any, Any] = field(default_factory=dict)
 
     def title(self, stage: StageModel) -> str:
-        """Return what the stage is called."""
+        """Return the title for people."""
         return stage.title or humanized(self.name)
 
     def state(self, stage: StageModel, teams: Sequence[str], *, is_finished: bool, **fields: Any) -> StageState:
@@ -86,16 +80,11 @@ class StageContext:
         return StageState(self.name, self.kind, self.title(stage), status, tuple(teams), **fields)
 
     def draw(self, stage: FromModel, teams: Sequence[str], make: Callable[[], Any]) -> Any:
-        """Return what was drawn for the stage, whose teams may come from another one, drawing it now if it was not."""
+        """Return the draw of the stage, whose teams may come from another one, drawing it now if it was not."""
         return self.drawn.draw(self.name, teams if stage.from_ else None, make)
 
     def rules(self, use: str = "", *, with_lot: bool = False) -> TableRules:
-        """Return how a table of this stage is ranked.
-
-        Args:
-            use: name of the table, for its lots.
-            with_lot: whether lots are drawn even if the file does not list them.
-        """
+        """Return the rules of a table with its lots, which ``with_lot`` draws even if the file does not list them."""
         points, words = self.tournament.points, self.tournament.tie_breaks
         if with_lot and "lot" not in words:
             words = (*words, "lot")
@@ -132,12 +121,12 @@ class StageContext:
         """Return the fixture of a match.
 
         Args:
-            path: where in the stage: ``A/round1``.
-            stage: the stage's model.
+            path: within the stage: ``A/round1``.
+            stage: the model.
             teams: the one that begins on the scenario's first seat, and the other.
             round_: from 1.
             title: for people.
-            group: name of the group.
+            group: left out: none.
             sides: the teams of each side; left out: one each.
         """
         use = self.names.of_matches(stage)

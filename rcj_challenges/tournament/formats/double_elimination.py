@@ -64,7 +64,6 @@ class DoubleElimination(BracketFormat):
             bracket.tie("grand_final", 2, (one, two), round_ + 1, "upper")
 
     def levels(self, bracket: Bracket) -> list[list[str]]:
-        """Return the teams by the round of the lower bracket in which they have lost."""
         final: Tie = bracket.ties[-1]
         rounds = dict.fromkeys(tie.round for tie in reversed(bracket.ties) if tie.tree == "lower")
         return [[final.winner], [loser(final)[0]], *(bracket.losers(name) for name in rounds)]

@@ -11,14 +11,7 @@ from rcj_challenges.tournament.seeds import shuffled
 def groups_of(
     groups: int | Mapping[str, tuple[str, ...]], pots: Mapping[str, int], seed: int | str, use: str
 ) -> dict[str, tuple[str, ...]]:
-    """Return the teams of each group; one group has an empty name.
-
-    Args:
-        groups: as in the file.
-        pots: of the teams that take part, by id; 0: none.
-        seed: the tournament's.
-        use: name of the draw.
-    """
+    """Return the teams of each group; one group has an empty name. In pot 0 are teams without one."""
     if isinstance(groups, Mapping):
         return {name: tuple(team for team in listed if team in pots) for name, listed in groups.items()}
     if groups == 1:
@@ -40,18 +33,14 @@ def by_pot(pots: Mapping[str, int], seed: int | str, use: str) -> list[str]:
 
 def group_names(count: int) -> list[str]:
     """Return the names of so many drawn groups: A to Z, then A2 and on."""
-    letters = len(ascii_uppercase)
-    return [ascii_uppercase[i % letters] + (str(i // letters + 1) if i >= letters else "") for i in range(count)]
+    return [ascii_uppercase[i % 26] + (str(i // 26 + 1) if i >= 26 else "") for i in range(count)]
 
 
 def pairings(count: int, legs: int = 1) -> list[list[tuple[int, int]]]:
     """Return the pairs of each round, by index; the first of a pair begins on the first seat.
 
     The circle method: one stays, all others move on. No team is on one seat more than once more than on the other.
-
-    Args:
-        count: number of teams; with an odd number, one rests in each round.
-        legs: 2: all rounds again with the seats changed.
+    With an odd number of teams, one rests in each round; a second leg is all rounds again with the seats changed.
     """
     size = count + count % 2
     rounds = []

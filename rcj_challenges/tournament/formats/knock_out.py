@@ -4,14 +4,7 @@ from collections.abc import Iterator
 from typing import Literal
 
 from rcj_challenges.rules.fields import described
-from rcj_challenges.tournament.formats.bracket import (
-    Bracket,
-    BracketFormat,
-    first_round,
-    loser,
-    round_count,
-    winner,
-)
+from rcj_challenges.tournament.formats.bracket import Bracket, BracketFormat, first_round, loser, round_count, winner
 from rcj_challenges.tournament.formats.stage import Intake, StageProblem, StageSize
 
 _NAMES = {1: "final", 2: "semi_finals", 4: "quarter_finals"}
@@ -30,19 +23,16 @@ class KnockOut(BracketFormat):
         return StageSize(intake.teams, {"": intake.teams}, matches, round_count(intake.teams))
 
     def problems(self, intake: Intake, size: StageSize) -> Iterator[StageProblem]:
-        """Yield keys that contradict each other, and a third place for which no two can play."""
         yield from super().problems(intake, size)
         if self.third_place and size.teams < 4:
             message = f"of {size.teams} teams no two lose a semi-final"
             yield StageProblem(("third_place",), "too-few-teams", message, "remove 'third_place'")
 
     def shared_cuts(self, cuts: frozenset[int], teams: int) -> frozenset[int]:
-        """Return the places that losers of one round share."""
         decided = {1, 2, 3} if self.third_place and teams >= 4 else {1, 2}
         return cuts - decided - {1 << power for power in range(16)}
 
     def play(self, bracket: Bracket) -> None:
-        """Fill the ties, round by round."""
         entries = first_round(bracket.entrants)
         for round_ in range(1, round_count(len(bracket.entrants)) + 1):
             if len(entries) == 2 and self.third_place and len(bracket.entrants) >= 4:
@@ -53,7 +43,6 @@ class KnockOut(BracketFormat):
             entries = [winner(tie) for tie in ties]
 
     def levels(self, bracket: Bracket) -> list[list[str]]:
-        """Return the teams by the round in which they have lost."""
         by_round = dict.fromkeys(tie.round for tie in reversed(bracket.ties))
         found = []
         for tie in reversed([tie for tie in bracket.ties if tie.round in ("final", "third_place")]):

@@ -11,15 +11,7 @@ from math import lcm
 
 @dataclass(frozen=True, slots=True)
 class Player:
-    """A team before a round.
-
-    Attributes:
-        team: id.
-        points: so far.
-        balance: matches begun on the first seat minus those begun on the second.
-        met: opponents so far.
-        had_bye: whether it had a bye.
-    """
+    """A team before a round; ``balance``: matches begun on the first seat minus those begun on the second."""
 
     team: str
     points: float
@@ -32,12 +24,8 @@ def pair(players: Sequence[Player], round_: int, *, by_exchanges: bool = False) 
     """Return the pairs, the first team of each on the first seat, and the team with a bye (empty: none).
 
     Of all pairings the best is taken. What counts, first things first: few rematches, few second byes, seats that
-    differ by two at most, equal points, equal seats, neighbours in the table.
-
-    Args:
-        players: in the order of the table.
-        round_: from 1.
-        by_exchanges: whether to pair as before the best was found: for rounds that were drawn then.
+    differ by two at most, equal points, equal seats, neighbours in the table. Players come in the order of the table;
+    ``by_exchanges`` pairs as before the best was found, for rounds that were drawn then.
     """
     costs = _costs(players)
     pairs = _exchanged(costs, len(players)) if by_exchanges else _matched(costs)
@@ -82,11 +70,10 @@ def _ordered(one: int, other: int) -> tuple[int, int]:
 
 
 def _costs(players: Sequence[Player]) -> dict[tuple[int, int], int]:
-    """Return what each pair costs: exact, and by each criterion more than all pairs together by those after it."""
+    """Return the cost of each pair: exact, and by each criterion more than all pairs together by those after it."""
     size = len(players) + len(players) % 2
     exact = [Fraction(player.points) for player in players]
-    unit = lcm(*(points.denominator for points in exact))
-    points = [int(one * unit) for one in exact]
+    points = [int(one * lcm(*(other.denominator for other in exact))) for one in exact]
     criteria = {pair: _criteria(players, points, *pair) for pair in combinations(range(size), 2)}
     costs = dict.fromkeys(criteria, 0)
     for column in range(6):
@@ -96,10 +83,7 @@ def _costs(players: Sequence[Player]) -> dict[tuple[int, int], int]:
 
 
 def _criteria(players: Sequence[Player], points: Sequence[int], one: int, other: int) -> tuple[int, ...]:
-    """Return by criterion what it costs to pair two, the first of which is higher in the table.
-
-    The one behind the last is the bye.
-    """
+    """Return the cost of a pair by criterion; the first is higher in the table, and behind the last is the bye."""
     first = players[one]
     if other == len(players):
         return 0, int(first.had_bye), 0, (points[one] - points[-1]) ** 2, 0, (other - one) ** 2
@@ -107,5 +91,4 @@ def _criteria(players: Sequence[Player], points: Sequence[int], one: int, other:
     # The team that was less often on the first seat begins there.
     least, most = min(first.balance, second.balance) + 1, max(first.balance, second.balance) - 1
     uneven, very_uneven = (max(0, abs(least) - by) + max(0, abs(most) - by) for by in (1, 2))
-    is_again = int(second.team in first.met)
-    return is_again, 0, very_uneven, (points[one] - points[other]) ** 2, uneven, (other - one) ** 2
+    return int(second.team in first.met), 0, very_uneven, (points[one] - points[other]) ** 2, uneven, (other - one) ** 2

@@ -16,13 +16,8 @@ from rcj_challenges.tournament.standings import table
 def play_offs(context: StageContext, stage: MatchesModel, found: Table, round_: int) -> tuple[Table, list[Fixture]]:
     """Return a complete table with the play-offs that it needs, and their fixtures.
 
-    Two teams play one tie; more play each other once, and what is level after that is decided by lot.
-
-    Args:
-        context: the stage.
-        stage: its model.
-        found: the table without play-offs.
-        round_: number of the first round of the play-offs.
+    Two teams play one tie; more play each other once, and what is level after that is decided by lot. The play-offs
+    begin in ``round_``.
     """
     rows = list(found.rows)
     fixtures: list[Fixture] = []
@@ -44,8 +39,7 @@ def _play(
     context: StageContext, stage: MatchesModel, group: str, level: Sequence[Row], round_: int
 ) -> tuple[list[Row] | None, list[Fixture]]:
     """Return the rows of level teams in their new order, None if they still play, and the fixtures."""
-    teams = [row.team for row in level]
-    place = level[0].place
+    teams, place = [row.team for row in level], level[0].place
     path = f"{group}/play_off{place}" if group else f"play_off{place}"
     title = f"{f'Group {humanized(group)}, play-off' if group else 'Play-off'} for place {place}"
     if len(teams) == 2:
@@ -59,9 +53,8 @@ def _play(
         fixtures = []
         for number, pairs in enumerate(pairings(len(teams))):
             for one, other in pairs:
-                where = f"{path}/round{number + 1}"
                 pair = (teams[one], teams[other])
-                fixture = context.match(where, stage, pair, round_ + number, title, group)
+                fixture = context.match(f"{path}/round{number + 1}", stage, pair, round_ + number, title, group)
                 context.lose_if_left(fixture)
                 fixtures.append(fixture)
         order, by_lot = {}, set()

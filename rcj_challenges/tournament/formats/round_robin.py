@@ -47,7 +47,6 @@ class RoundRobin(LeagueFormat):
         return StageSize(intake.teams, tables, *all_meet(tables, self.legs))
 
     def problems(self, intake: Intake, size: StageSize) -> Iterator[StageProblem]:
-        """Yield what is wrong with the groups."""
         if not isinstance(self.groups, dict):
             if min(size.tables.values()) < 2:
                 message = f"{size.teams} teams are too few for {self.groups} groups"
@@ -65,7 +64,6 @@ class RoundRobin(LeagueFormat):
             yield StageProblem(("groups",), "listed-teams", message, "put each team into one group")
 
     def keep_seats(self, draw: Any, before: Collection[tuple[str, str]]) -> None:
-        """Give pairs that have met the seats that they had, if they meet once."""
         for _, rounds in draw.values() if self.legs == 1 else ():
             turn_pairs(rounds, before)
 
@@ -93,10 +91,9 @@ class RoundRobin(LeagueFormat):
         tables: list[Table] = []
         play_off_fixtures: list[Fixture] = []
         for name, fixtures in by_group.items():
-            matches = context.matches(fixtures)
             is_complete = context.are_decided(fixtures)
             ranked = [team for team in groups[name] if team not in annulled]
-            found = table(name, ranked, matches, context.rules(name), complete=is_complete)
+            found = table(name, ranked, context.matches(fixtures), context.rules(name), complete=is_complete)
             if self.play_off and is_complete:
                 found, more = play_offs(context, self, found, max((one.round for one in fixtures), default=0) + 1)
                 play_off_fixtures += more

@@ -40,13 +40,12 @@ class StageSize:
 
 @dataclass(frozen=True, slots=True)
 class Intake:
-    """What comes into a stage, before anything is played.
+    """The teams that come into a stage, before anything is played.
 
     Attributes:
-        teams: how many teams.
+        teams: their number.
         present: ids of all teams of the tournament that could take part.
-        names: finds scenarios.
-        scenarios: what is known of them; of those that cannot be loaded nothing.
+        scenarios: those that can be loaded.
     """
 
     teams: int
@@ -55,18 +54,13 @@ class Intake:
     scenarios: Mapping[ScenarioUse, ScenarioInfo] = field(repr=False)
 
     def info(self, stage: MatchesModel) -> ScenarioInfo | None:
-        """Return what is known of the scenario of a stage's matches."""
+        """Return the scenario of a stage's matches; None if it cannot be loaded."""
         return self.scenarios.get(self.names.of_matches(stage))
 
 
 @dataclass(frozen=True, slots=True)
 class StageProblem:
-    """What is wrong with a stage.
-
-    Attributes:
-        path: keys within the stage that lead to it.
-        code, message, help, severity: as in a `Diagnostic`.
-    """
+    """A `Diagnostic` about a stage; its path has the keys within the stage."""
 
     path: tuple[Step, ...]
     code: str
@@ -127,25 +121,16 @@ class Format(FromModel, ABC):
         """Return the state after the outcomes so far."""
 
     def waiting(self, context: StageContext, entrants: Sequence[Entrant], matches: int) -> StageState:
-        """Return the state while the teams are not known.
-
-        Args:
-            context: the stage.
-            entrants: where each team will come from.
-            matches: how many there will be.
-        """
+        """Return the state while the teams are not known, only their sources and the number of matches."""
         return StageState(context.name, context.kind, context.title(self), Status.WAITING, expected_matches=matches)
 
     def keep_seats(self, draw: Any, before: Collection[tuple[str, str]]) -> None:
-        """Give pairs that have met the seats that they had, in what was drawn again."""
+        """Give pairs that have met the seats that they had, in a new draw."""
 
     def add_late(self, draw: Any, team: str, present: Collection[str]) -> bool:
-        """Add a team to a stage that has begun; return whether it can be added.
+        """Add a team to the draw of a stage that has begun, for matches with the teams that are present.
 
-        Args:
-            draw: what was drawn; changed.
-            team: id.
-            present: the teams that have not left.
+        Return whether it can be added.
         """
         return False
 
@@ -154,7 +139,6 @@ class MatchFormat(MatchesModel, Format):
     """A format in which teams play matches."""
 
     def uses(self, names: ScenarioNames) -> Iterator[tuple[ScenarioUse, tuple[Step, ...]]]:
-        """Yield the scenario."""
         yield names.of_matches(self), ("scenario",) if self.scenario is not None else ("set",) if self.set else ()
 
 
@@ -169,22 +153,14 @@ class LeagueFormat(MatchFormat):
 
     @property
     def has_ties(self) -> bool:
-        """Whether play-offs are played."""
         return self.play_off
 
     def shared_cuts(self, cuts: frozenset[int], teams: int) -> frozenset[int]:
-        """Return nothing if play-offs decide."""
         return frozenset() if self.play_off else cuts
 
 
 def listed_problems(key: str, lists: Mapping[str, tuple[str, ...]], teams: Collection[str]) -> Iterator[StageProblem]:
-    """Yield what is wrong with lists of teams: unknown ones, and those that are listed twice.
-
-    Args:
-        key: of the lists in the stage.
-        lists: ids by name of the list.
-        teams: ids of all teams.
-    """
+    """Yield unknown teams in the lists behind a key, and those that are listed twice."""
     seen: Counter[str] = Counter()
     for name, listed in lists.items():
         for index, team in enumerate(listed):

@@ -35,13 +35,11 @@ class SuperTeam(MatchFormat):
         return StageSize(intake.teams, tables, *all_meet(tables, self.legs))
 
     def scenario_problems(self, info: ScenarioInfo) -> Iterator[tuple[str, str]]:
-        """Yield whether the sides differ."""
         if len(set(info.seats.values())) > 1:
             message = f"the sides of scenario '{info.id}' have different numbers of robots"
             yield message, "super teams need sides of the same size"
 
     def problems(self, intake: Intake, size: StageSize) -> Iterator[StageProblem]:
-        """Yield what is wrong with the super teams that are listed, or whether there are too few teams to draw some."""
         info = intake.info(self)
         if info is None:
             return
@@ -83,14 +81,7 @@ class SuperTeam(MatchFormat):
 
 
 def drawn(teams: Sequence[str], size: int, seed: int | str, use: str) -> dict[str, tuple[str, ...]]:
-    """Return super teams by name; the last one is filled up with teams that play in two.
-
-    Args:
-        teams: ids.
-        size: teams of a super team.
-        seed: the tournament's.
-        use: name of the draw.
-    """
+    """Return super teams of a size by name; the last one is filled up with teams that play in two."""
     order = shuffled(seed, f"{use}/super_teams", teams)
     missing = -len(order) % size
     order += order[:missing]

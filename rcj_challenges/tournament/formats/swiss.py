@@ -28,11 +28,9 @@ class Swiss(LeagueFormat):
     )
 
     def size(self, intake: Intake) -> StageSize:
-        """Return the size of the stage."""
         return StageSize(intake.teams, {"": intake.teams}, self.rounds * (intake.teams // 2), self.rounds)
 
     def problems(self, intake: Intake, size: StageSize) -> Iterator[StageProblem]:
-        """Yield whether there are too many rounds."""
         most, safe = size.teams - 1, -(-size.teams // 2)
         if self.rounds > most:
             message = f"{self.rounds} rounds are too many for {size.teams} teams"
@@ -96,7 +94,6 @@ class _Course:
         return True
 
     def matches_to_come(self) -> int:
-        """Return how many matches the rounds will have that are not drawn yet."""
         present = sum(not self.context.has_left(team) for team in self.order)
         return (self.stage.rounds - self.drawn_rounds) * (present // 2)
 

@@ -12,13 +12,9 @@ from rcj_challenges.tournament.season import Fixture, FixtureKind, Outcome, Rule
 
 @dataclass
 class TieResult:
-    """How far a tie is.
+    """The state of a tie (`season.Tie`) with its known fixtures, in playing order.
 
-    Attributes:
-        fixtures: that are known, in playing order.
-        scores: sum of the legs, with extra time; or matches won.
-        winner: id, or empty.
-        decided_by: as in `season.Tie`.
+    Its scores are the sum of the legs, with extra time; or matches won.
     """
 
     fixtures: list[Fixture] = field(default_factory=list)
@@ -32,7 +28,7 @@ class TieGame:
     """A tie in the middle of being played.
 
     Attributes:
-        path: of the tie within the stage.
+        path: within the stage.
         teams: the first one begins on the first seat.
         round_, title, group: of its fixtures.
     """
@@ -46,30 +42,28 @@ class TieGame:
     group: str = ""
 
     def result(self, legs: int = 1, best_of: int = 1) -> TieResult:
-        """Return how far the tie is: by so many legs, or with ``best_of`` by the majority of so many matches."""
+        """Return the state: by so many legs, or with ``best_of`` by the majority of so many matches."""
         return self._by_forfeit(self._best_of(best_of) if best_of > 1 else self._legs(legs))
 
     def _legs(self, count: int) -> TieResult:
         fixtures = [self._match("leg", number, count) for number in range(1, count + 1)]
         outcomes = [found for one in fixtures if (found := self.context.outcomes.get(one.id)) is not None]
-        result = TieResult(fixtures, self._sum(fixtures))
+        result = TieResult(fixtures, self._total(fixtures))
         if len(outcomes) == count and result.scores is not None:
             return self._decided(result, outcomes) or self._extra_time(result, changed=count % 2 == 1)
         return result
 
     def _best_of(self, count: int) -> TieResult:
-        needed = count // 2 + 1
+        needed, number, wins = count // 2 + 1, 0, [0, 0]
         result = TieResult()
-        wins = [0, 0]
-        number = 0
         while number < count and max(wins) < needed:
             # As many as are played in any case may run at the same time.
             certain = min(needed - max(wins), count - number)
             fixtures = [self._match("match", number + more, count) for more in range(1, certain + 1)]
             result.fixtures += fixtures
             if not self.context.are_decided(fixtures):
-                return TieResult(result.fixtures, self._wins(result.fixtures))
-            wins = [int(one) for one in self._wins(result.fixtures) or (0, 0)]
+                return TieResult(result.fixtures, self._total(result.fixtures, of_wins=True))
+            wins = [int(one) for one in self._total(result.fixtures, of_wins=True) or (0, 0)]
             number += certain
         result.scores = (wins[0], wins[1])
         outcomes = [self.context.outcomes[one.id] for one in result.fixtures]
@@ -117,14 +111,11 @@ class TieGame:
         first, second = outcome.scores
         return (first, second) if fixture.sides[0].teams[0] == self.teams[0] else (second, first)
 
-    def _sum(self, fixtures: list[Fixture]) -> tuple[float, float] | None:
+    def _total(self, fixtures: list[Fixture], *, of_wins: bool = False) -> tuple[float, float] | None:
         scores = [self._scores(one) for one in fixtures if one.id in self.context.outcomes]
+        if of_wins:
+            scores = [(one > other, other > one) for one, other in scores]
         return (sum(one for one, _ in scores), sum(other for _, other in scores)) if scores else None
-
-    def _wins(self, fixtures: list[Fixture]) -> tuple[float, float] | None:
-        scores = [self._scores(one) for one in fixtures if one.id in self.context.outcomes]
-        won = (sum(one > other for one, other in scores), sum(other > one for one, other in scores))
-        return won if scores else None
 
     def _decided(self, result: TieResult, outcomes: list[Outcome], by: str = "match") -> TieResult | None:
         """Return the result with its winner if the teams are not level; without one if both forfeit and are level."""

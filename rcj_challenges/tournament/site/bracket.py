@@ -13,7 +13,7 @@ from rcj_challenges.tournament.season import Tie
 from rcj_challenges.tournament.site.render import escaped, fitted
 
 _BOX_WIDTH, _BOX_HEIGHT, _GAP_X, _GAP_Y, _HEAD = 196, 46, 36, 18, 34
-_LETTERS, _LETTERS_WITHOUT_SCORE = 22, 25
+_CHARACTERS, _CHARACTERS_WITHOUT_SCORE = 22, 25
 _THIRD_PLACE = "third_place"
 
 PRINT_STYLE = """
@@ -39,15 +39,7 @@ class _Placed:
 def bracket_svg(
     ties: tuple[Tie, ...], name: Callable[[str], str], title: str, links: Mapping[str, str], *, alone: bool = False
 ) -> Markup:
-    """Return the bracket.
-
-    Args:
-        ties: of the stage, round by round.
-        name: returns what a team is called.
-        title: of the stage.
-        links: by fixture id, where its page is.
-        alone: whether the picture is a file of its own, with its style in it.
-    """
+    """Return the bracket; a picture that stands ``alone`` is a file of its own, with its style in it."""
     trees: dict[str, list[Tie]] = {}
     for tie in ties:
         if tie.round != _THIRD_PLACE:
@@ -127,10 +119,9 @@ def _box(one: _Placed, name: Callable[[str], str], links: Mapping[str, str]) -> 
         base = y + 16 + side * _BOX_HEIGHT / 2
         kind = "winner" if team and team == tie.winner else "team" if team else "open"
         text = name(team) if team else tie.sources[side]
-        letters = _LETTERS_WITHOUT_SCORE if tie.scores is None else _LETTERS
+        shown = fitted(text, _CHARACTERS_WITHOUT_SCORE if tie.scores is None else _CHARACTERS)
         parts.append(
-            f'<text class="{kind}" x="{x + 9:g}" y="{base:g}">{escaped(fitted(text, letters))}'
-            f"<title>{escaped(text)}</title></text>"
+            f'<text class="{kind}" x="{x + 9:g}" y="{base:g}">{escaped(shown)}<title>{escaped(text)}</title></text>'
         )
         if tie.scores is not None:
             score = number_words(tie.scores[side])

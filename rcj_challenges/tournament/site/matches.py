@@ -44,9 +44,6 @@ class Moment:
     """One event of the report.
 
     Attributes:
-        half: of the match, from 1.
-        clock: time in the half.
-        name: of the event.
         about: a sentence.
         standing: the score after it, if it changed.
         side: that gained or lost points.
@@ -65,15 +62,7 @@ class Moment:
 
 
 def publish_match(tree: Tree, renderer: Renderer, season: Season, match: MatchView, templates: str) -> None:
-    """Write the folder of one match, unless it is as before.
-
-    Args:
-        tree: of the site.
-        renderer: fills the template.
-        season: the season.
-        match: one with an outcome.
-        templates: hash of what pages are made with.
-    """
+    """Write the folder of a match with an outcome, unless it is as before, also the hash of the templates."""
     folder = f"matches/{match.slug}"
     tree.folder(folder, _made_from(season, match, templates), lambda: _write(tree, renderer, season, match, folder))
 
@@ -158,7 +147,7 @@ def _stats(record: Path | None) -> dict[str, Any] | None:
         return None
 
 
-# --- what the page says ----------------------------------------------------------------------------------------------
+# --- the page --------------------------------------------------------------------------------------------------------
 
 
 def moments(replay: ReplayData | None, result: Mapping[str, Any]) -> list[Moment]:
@@ -206,7 +195,7 @@ def _about(event: Mapping[str, Any]) -> str:
 
 
 def _plot(season: Season, match: MatchView, replay: ReplayData | None) -> Markup | None:
-    """Return how the score of two sides went; None without a replay."""
+    """Return a picture of the score of two sides over time; None without a replay."""
     if replay is None or len(match.fixture.sides) != 2:
         return None
     seats = [side.seat for side in match.fixture.sides]
@@ -233,7 +222,7 @@ def _halves(match: MatchView, result: Mapping[str, Any]) -> list[dict[str, Any]]
 
 
 def _faults(season: Season, match: MatchView, result: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Return which programs failed, when, and how: by kind only."""
+    """Return the faults of programs, by kind only."""
     sides = {side.seat: season.label(side.teams) for side in match.fixture.sides}
     return [
         {
@@ -249,10 +238,7 @@ def _faults(season: Season, match: MatchView, result: Mapping[str, Any]) -> list
 def _stats_rows(stats: Mapping[str, Any] | None, match: MatchView, seats: list[str]) -> list[dict[str, Any]]:
     """Return figures as rows with a cell for each side, in the order of the match's sides.
 
-    Args:
-        stats: of the match, its teams in the order of ``seats``.
-        match: the match.
-        seats: of the scenario.
+    The teams of ``stats`` are in the order of the scenario's ``seats``.
     """
     if stats is None or len(stats["teams"]) != len(seats):
         return []

@@ -27,20 +27,18 @@ def _clean_name(name: str) -> str:
 
 
 def group_title(stage: StageState, group: str) -> str:
-    """Return what a group or a challenge is called: ``Group A``."""
+    """Return the title of a group or a challenge: ``Group A``."""
     return f"Group {group}" if stage.has_groups and group else humanized(group)
 
 
 @dataclass(frozen=True, slots=True)
 class MatchView:
-    """One fixture with all that pages say of it.
+    """One fixture with all facts for its pages.
 
     Attributes:
-        fixture: the fixture.
-        stage: its stage.
-        outcome: what counts, or None if it is open or not released.
-        played: what else is known; None if there is no outcome, so that nothing leaks.
-        at: when it is or was released, if the file says so.
+        outcome: None if it is open or not released.
+        played: None if there is no outcome, so that nothing leaks.
+        at: the time of its release, if the file has one.
         slug: name of its folder under ``matches``.
         premiere: whether it has a page that shows it when it is released.
     """
@@ -76,16 +74,13 @@ class MatchView:
 
     @property
     def numbers(self) -> tuple[str, ...]:
-        """What a challenge ranks by, as text; empty while there is none."""
-        return (
-            tuple(number_words(value, 3) for value in self.outcome.values or self.outcome.scores)
-            if self.outcome
-            else ()
-        )
+        """The values of a challenge's criteria, as text; empty while there is none."""
+        values = self.outcome.values or self.outcome.scores if self.outcome else ()
+        return tuple(number_words(value, 3) for value in values)
 
     @property
     def values(self) -> tuple[str, ...]:
-        """The same with what they are: ``score 2``, ``time 8.75``."""
+        """The same with their names: ``score 2``, ``time 8.75``."""
         numbers = self.numbers
         columns = next((table.columns for table in self.stage.tables if table.name == self.fixture.group), ())
         if len(columns) != len(numbers):
@@ -94,7 +89,7 @@ class MatchView:
 
     @property
     def ruled(self) -> str:
-        """What a referee made of it, in a word or two; empty if it was simply played."""
+        """A referee's decision in a word or two; empty if it was simply played."""
         return self.outcome.ruled.words if self.outcome else ""
 
     @property
@@ -111,7 +106,7 @@ class MatchView:
 
     @property
     def played_at(self) -> datetime:
-        """When it ended or was ruled on; long ago if nothing says."""
+        """The time of its end or ruling; long ago if unknown."""
         if self.played is None:
             return datetime.min.replace(tzinfo=UTC)
         ruled = [ruling.at for ruling in self.played.rulings]
@@ -147,7 +142,7 @@ class Season:
         self._names = distinct_names(shown)
 
     def name(self, team: str) -> str:
-        """Return what a team is called: without control characters, never empty, no two alike."""
+        """Return the name of a team: without control characters, never empty, no two alike."""
         return self._names.get(team, team)
 
     def label(self, teams: Iterable[str]) -> str:
@@ -161,22 +156,21 @@ class Season:
 
     @cached_property
     def released(self) -> tuple[MatchView, ...]:
-        """What has an outcome, in playing order."""
+        """The matches with an outcome, in playing order."""
         return tuple(match for match in self.matches.values() if match.outcome is not None)
 
     @cached_property
     def latest(self) -> tuple[MatchView, ...]:
-        """What has an outcome, the newest first."""
+        """The matches with an outcome, the newest first."""
         order = {match.fixture.id: at for at, match in enumerate(self.released)}
         return tuple(sorted(self.released, key=lambda match: (match.played_at, order[match.fixture.id]), reverse=True))
 
     @cached_property
     def coming(self) -> tuple[MatchView, ...]:
-        """What has no outcome yet, the next first; without a time in playing order."""
+        """The matches without an outcome, the next first; without a time in playing order."""
         never = datetime.max.replace(tzinfo=UTC)
-        return tuple(
-            sorted((match for match in self.matches.values() if match.outcome is None), key=lambda m: m.at or never)
-        )
+        found = (match for match in self.matches.values() if match.outcome is None)
+        return tuple(sorted(found, key=lambda match: match.at or never))
 
     def of_stage(self, stage: StageState) -> tuple[MatchView, ...]:
         """Return the matches of a stage."""
@@ -187,12 +181,12 @@ class Season:
         return tuple(match for match in self.matches.values() if team in match.teams)
 
     def faults_of(self, team: str) -> dict[str, int]:
-        """Return how often programs of a team failed, by kind."""
+        """Return the number of faults of a team's programs, by kind."""
         faults = [fault for match in self.of_team(team) for fault in team_faults(match, team)]
         return dict(sorted(fault_counts(faults).items()))
 
     def played(self, fixture: Fixture) -> PlayedMatch | None:
-        """Return what was played, released or not; if other teams played it, only the rulings."""
+        """Return the match that was played, released or not; if other teams played it, only the rulings."""
         match = self.source.played.matches.get(fixture.id)
         teams = {team for side in fixture.sides for team in side.teams}
         if match is None or not match.submissions or set(match.submissions) == teams:
@@ -225,7 +219,7 @@ def team_faults(match: MatchView, team: str) -> list[Mapping[str, Any]]:
 
 
 def driver(side: Side, robot: str) -> str:
-    """Return whose program drives a robot of a side, by id: in a super team by the robot's number."""
+    """Return the team that drives a robot of a side: in a super team by the robot's number."""
     if len(side.teams) == 1:
         return side.teams[0]
     number = re.search(r"\d+$", robot)

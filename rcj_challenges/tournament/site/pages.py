@@ -26,7 +26,7 @@ Cells = dict[tuple[str, str], list[tuple[MatchView, str, str]]]
 
 
 def publish_overview(tree: Tree, renderer: Renderer, season: Season) -> None:
-    """Write what is about the whole season."""
+    """Write the pages about the whole season."""
     stages = season.state.stages
     running = [stage for stage in stages if stage.status == Status.RUNNING]
     current = running or [stage for stage in stages if stage.status == Status.FINISHED][-1:]
@@ -107,7 +107,6 @@ def _bracket(season: Season, stage: StageState, root: str | None) -> Markup:
 
 
 def _rounds(stage: StageState, matches: Sequence[MatchView]) -> list[tuple[str, list[MatchView]]]:
-    """Return the matches of a stage by round."""
     rounds = {tie.id: tie.round_title for tie in stage.ties}
     grouped: dict[tuple[int, str], list[MatchView]] = {}
     for match in matches:
@@ -159,7 +158,7 @@ def _matrices(season: Season, stage: StageState) -> list[tuple[str, list[str], C
 
 
 def _met(matches: Iterable[MatchView]) -> tuple[set[str], Cells]:
-    """Return the teams of matches of two single teams, and for each ordered pair (match, score, how it went)."""
+    """Return the teams of matches of two single teams, and for each ordered pair (match, score, won, drawn or lost)."""
     cells: Cells = {}
     for match in matches:
         sides = match.fixture.sides

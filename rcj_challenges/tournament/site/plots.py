@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import cycle
 from statistics import median
 
 from markupsafe import Markup
@@ -11,16 +12,14 @@ from rcj_challenges.core.amounts import number_words
 from rcj_challenges.tournament.site.render import escaped, fitted
 
 _WIDTH = 360
-_MAX_LABEL_LETTERS = 16
+_MAX_LABEL_CHARACTERS = 16
 _MAX_TICKS_Y = 5
 
 
 def score_plot(names: Sequence[str], halves: Sequence[tuple[float, Sequence[tuple[float, Sequence[float]]]]]) -> Markup:
-    """Return how the score went.
+    """Return a picture of the score of two sides over time.
 
-    Args:
-        names: of the two sides.
-        halves: for each its length in s, and (time in s, scores of both sides) from each change on; the first at 0.
+    Each half has its length in s, and (time in s, scores of both sides) from each change on; the first at 0.
     """
     total_s = sum(length_s for length_s, _ in halves) or 1
     most = max((score for _, changes in halves for _, scores in changes for score in scores), default=0)
@@ -60,11 +59,7 @@ def score_plot(names: Sequence[str], halves: Sequence[tuple[float, Sequence[tupl
 
 
 def form_plot(results: Sequence[tuple[str, float]]) -> Markup:
-    """Return goal differences match by match: bars up for what was won, down for what was lost.
-
-    Args:
-        results: title and difference of each match, oldest first.
-    """
+    """Return goal differences by match (title, difference): bars up for won ones, down for lost ones."""
     most = max((abs(difference) for _, difference in results), default=1) or 1
     wide = min(18.0, (_WIDTH - 8) / max(1, len(results)))
     middle, reach = 44, 36
@@ -81,12 +76,7 @@ def form_plot(results: Sequence[tuple[str, float]]) -> Markup:
 
 
 def distribution_plot(values: Mapping[str, Sequence[float]], unit: str) -> Markup:
-    """Return the values of each team on one axis, with a mark at the median.
-
-    Args:
-        values: by the name that is shown; in the order of the ranking.
-        unit: what the numbers are.
-    """
+    """Return the values of each team, in the order of the ranking, on one axis, with a mark at the median."""
     every = [value for several in values.values() for value in several]
     low, high = min(every, default=0.0), max(every, default=1.0)
     if low == high:
@@ -107,7 +97,7 @@ def distribution_plot(values: Mapping[str, Sequence[float]], unit: str) -> Marku
         y = top + row * (at + 0.5)
         parts.append(
             f'<text class="name" x="{left - 8}" y="{y + 4:.1f}" text-anchor="end">'
-            f"{escaped(fitted(name, _MAX_LABEL_LETTERS))}</text>"
+            f"{escaped(fitted(name, _MAX_LABEL_CHARACTERS))}</text>"
         )
         parts += [
             f'<circle class="dot" cx="{x(value):.1f}" cy="{y:.1f}" r="4">'
@@ -133,12 +123,9 @@ def _picture(content: str, wide: float, tall: float, about: str) -> Markup:
 
 def _ticks(low: float, high: float, least_step: float = 1e-6) -> list[float]:
     """Return up to `_MAX_TICKS_Y` round numbers of a range; ``least_step`` is a power of ten."""
-    step = least_step
-    factors = (2, 2.5, 2)
-    at = 0
+    step, factors = least_step, cycle((2, 2.5, 2))
     while (high - low) / step > _MAX_TICKS_Y - 1:
-        step *= factors[at % 3]
-        at += 1
+        step *= next(factors)
     first = -(-low // step)
     ticks: list[float] = []
     while (first + len(ticks)) * step <= high + step * 1e-6:

@@ -1,4 +1,4 @@
-"""What teams have won: the podium of the overview, and certificates to print."""
+"""Prizes: the podium of the overview, and certificates to print."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def publish_certificates(tree: Tree, renderer: Renderer, season: Season, stage: 
 
 
 def _certificates(season: Season, stage: StageState) -> Iterator[dict[str, Any]]:
-    """Yield what stands on each certificate; of stages in groups, the place in the group."""
+    """Yield the content of each certificate; of stages in groups, the place in the group."""
     for group, rows in stage.rankings if _has_groups(stage) else [("", stage.places)]:
         among = group_title(stage, group) if group else ""
         for row in rows:
@@ -50,5 +50,4 @@ def _has_groups(stage: StageState) -> bool:
 
 def ordinal(number: int) -> str:
     """Return ``1st``, ``2nd``, ``3rd``, ``4th``, ``11th``."""
-    ending = "th" if number // 10 % 10 == 1 else {1: "st", 2: "nd", 3: "rd"}.get(number % 10, "th")
-    return f"{number}{ending}"
+    return f"{number}{'th' if number // 10 % 10 == 1 else {1: 'st', 2: 'nd', 3: 'rd'}.get(number % 10, 'th')}"

@@ -23,12 +23,7 @@ from rcj_challenges.views.replay.page import PREMIERE_PAGE, inert_json, page_tex
 
 @dataclass(frozen=True, slots=True)
 class Recording:
-    """The recording of a premiere.
-
-    Attributes:
-        file: where it lies until it is uploaded.
-        at: when it is to be uploaded: the premiere begins.
-    """
+    """The recording of a premiere, to be uploaded when that begins."""
 
     file: Path
     at: datetime
@@ -37,13 +32,7 @@ class Recording:
 def publish_premieres(tree: Tree, data: Tree, season: Season, renderer: Renderer) -> list[Recording]:
     """Write the page of each match that has a premiere, and the recordings of those that were played; return these.
 
-    A recording whose time has come is also put beside its page.
-
-    Args:
-        tree: of the site.
-        data: of the folder for the recordings.
-        season: the season.
-        renderer: fills the template of those that are over.
+    Recordings go into the folder of ``data``; one whose time has come is also put beside its page.
     """
     recordings = []
     for match in season.matches.values():

@@ -1,4 +1,4 @@
-"""What belongs to one team, for the organizer to hand out: its logs, its tracebacks, its check report, its replays.
+"""The folder of one team, for the organizer to hand out: its logs, its tracebacks, its check report, its replays.
 
 Of a match only what is released is in it, and of the other side nothing that the site does not show.
 """
@@ -29,15 +29,7 @@ _MAX_REPORT_FILES = 200
 
 
 def publish_team(tree: Tree, renderer: Renderer, season: Season, team: str, made_with: str) -> None:
-    """Write the folder of one team.
-
-    Args:
-        tree: of all teams' folders.
-        renderer: fills the template.
-        season: the season.
-        team: id.
-        made_with: hash of what pages are made with.
-    """
+    """Write the folder of one team; what is as before, also the hash of the templates (``made_with``), stays."""
     home = slug(team)
     matches = [match for match in season.of_team(team) if match.outcome is not None and match.played is not None]
     for match in matches:
@@ -92,12 +84,9 @@ def _robots(record: Path, result: Mapping[str, Any], match: MatchView, team: str
 
 
 def driven(record: Path, result: Mapping[str, Any], is_own: Callable[[str, str], bool]) -> frozenset[tuple[int, str]]:
-    """Return (half, robot) for each robot that some programs drove.
+    """Return (half, robot) for each robot that is driven by the same programs.
 
-    Args:
-        record: folder of the match.
-        result: its ``result.json``.
-        is_own: whether they drove a robot for the team of a seat of the first half.
+    ``is_own`` decides this by the seat of the first half and the robot.
     """
     try:
         entrants = json.loads((record / SCENARIO).read_text("utf-8"))["entrants"]
@@ -113,16 +102,12 @@ def driven(record: Path, result: Mapping[str, Any], is_own: Callable[[str, str],
 
 
 def own_log(text: str, halves: Collection[int], own: Collection[int]) -> str:
-    """Return of a robot's log what the team's own program printed: robots change teams with the sides.
+    """Return the part of a robot's log that the team's own program printed: robots change teams with the sides.
 
     The second half is taken to begin at the last line that says so, wherever it stands in its line: so a program of
     the first half cannot get more than its own by printing such a line or by leaving its last line open, and one of
     the second half gives away its own at most. With more halves than two this does not work, so nothing is returned.
-
-    Args:
-        text: the whole log.
-        halves: in which the robot played.
-        own: those in which it was the team's.
+    In the halves ``own`` the robot was the team's.
     """
     if set(halves) <= set(own):
         return text
@@ -135,7 +120,7 @@ def own_log(text: str, halves: Collection[int], own: Collection[int]) -> str:
 
 
 def _sensing(facts: dict[str, Any], record: Path, robots: Collection[tuple[int, str]]) -> dict[str, str]:
-    """Add what the team's own robots sensed and printed to the facts; return the blocks by id."""
+    """Add the data and output of the team's own robots to the facts; return the blocks by id."""
     blocks: dict[str, str] = {}
     try:
         halves = read_sensors(record)

@@ -1,4 +1,4 @@
-"""What everyone may see of a match: faults by kind, never in detail, and nothing that programs sensed or printed."""
+"""The public part of a match: faults by kind, never in detail, and nothing that programs sensed or printed."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ FAULT_WORDS = {
     "protocol": "sent something that is not understood",
     "output_flood": "printed too much",
 }
-"""What a program did, by the kind of its fault."""
+"""By the kind of a fault."""
 
 _PUBLIC_RESULT = (
     "record", "scenario", "title", "started", "seed", "entrants", "score", "ranking", "halves", "digest", "simulated_s",
@@ -33,7 +33,7 @@ _PUBLIC_RESULT = (
 
 
 def fault_words(kind: str) -> str:
-    """Return ``crashed``: what the program did."""
+    """Return a verb: ``crashed``."""
     return FAULT_WORDS.get(kind, kind.replace("_", " "))
 
 
@@ -43,7 +43,7 @@ def fault_moment(fault: Mapping[str, Any]) -> str:
 
 
 def public_result(result: Mapping[str, Any]) -> dict[str, Any]:
-    """Return what everyone may see of a ``result.json``."""
+    """Return the public part of a ``result.json``."""
     return {
         **{key: result[key] for key in _PUBLIC_RESULT if key in result},
         "events": [_public_event(event) for event in result.get("events", ())],
@@ -52,7 +52,7 @@ def public_result(result: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def public_stats(stats: Mapping[str, Any]) -> dict[str, Any]:
-    """Return what everyone may see of the statistics of a match."""
+    """Return the public part of the statistics of a match."""
     return {key: stats[key] for key in ("simulated_s", "play_s", "teams", "balls", "other_calls") if key in stats}
 
 
@@ -68,7 +68,7 @@ def _public_event(event: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def fault_counts(faults: Iterable[Mapping[str, Any]]) -> Counter[str]:
-    """Return how often each kind of fault happened."""
+    """Return the number of faults of each kind."""
     return Counter(str(fault["kind"]) for fault in faults)
 
 
@@ -77,22 +77,14 @@ def fault_counts(faults: Iterable[Mapping[str, Any]]) -> Counter[str]:
 
 @dataclass(frozen=True, slots=True)
 class ReplayData:
-    """What a replay page carries.
-
-    Attributes:
-        facts: what the viewer knows of the match.
-        poses: packed poses by half.
-    """
+    """The data of a replay page: the viewer's facts, and packed poses by half."""
 
     facts: dict[str, Any]
     poses: dict[int, str]
 
 
 def read_replay(page: str) -> ReplayData:
-    """Read a replay page back; sensor recordings and printed text are left behind.
-
-    Args:
-        page: as `views.replay` writes it.
+    """Read a replay page of `views.replay` back; sensor recordings and printed text are left behind.
 
     Raises:
         ValueError: this is not a replay page.
@@ -126,12 +118,7 @@ class _Blocks(HTMLParser):
 
 
 def public_facts(facts: Mapping[str, Any], own: Iterable[tuple[int, str]] = ()) -> dict[str, Any]:
-    """Return the facts of a replay without details of faults.
-
-    Args:
-        facts: of the replay.
-        own: (half, robot) of which faults may be shown in full, as to their own team.
-    """
+    """Return the facts of a replay without details of faults, except those of ``own`` (half, robot)."""
     own = frozenset(own)
     return {
         **facts,

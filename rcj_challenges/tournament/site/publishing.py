@@ -11,13 +11,13 @@ from pathlib import Path
 from rcj_challenges import __version__
 from rcj_challenges.core.diagnostics import Diagnostic, DiagnosticError
 from rcj_challenges.tournament.played import Submission
-from rcj_challenges.tournament.site.likeness import LEAST_SHARE, LENGTH, like_pairs
 from rcj_challenges.tournament.site.matches import publish_match
 from rcj_challenges.tournament.site.model import Season
 from rcj_challenges.tournament.site.pages import publish_overview, publish_stage, publish_teams
 from rcj_challenges.tournament.site.premiere import Recording, publish_premieres
 from rcj_challenges.tournament.site.private import publish_team
 from rcj_challenges.tournament.site.render import Renderer
+from rcj_challenges.tournament.site.similarity import LEAST_SHARE, LENGTH, similar_pairs
 from rcj_challenges.tournament.site.source import SiteSource
 from rcj_challenges.tournament.site.tree import Tree
 
@@ -27,14 +27,11 @@ SITE, FOR_TEAMS, ORGANIZER, PREMIERES = "site", "for_teams", "organizer", "premi
 
 @dataclass(frozen=True, slots=True)
 class Published:
-    """What was written.
+    """The folders that were written, and the organizer's page.
 
     Attributes:
-        site: the folder for everyone.
-        matches: how many have a page.
-        reused: how many of these are as they were the last time.
-        for_teams: the folder with a folder for each team.
-        organizer: the page for the organizer.
+        matches: number of those with a page.
+        reused: number of those that are as they were the last time.
         recordings: of premieres that are still to come.
     """
 
@@ -55,14 +52,11 @@ def publish(
 ) -> Published:
     """Write the site, the folders of the teams, the premieres' data, and the page for the organizer.
 
-    Args:
-        source: what is shown.
-        data: the tournament's data folder.
-        progress: called with how many matches are done, and how many there are.
-        may_shrink: whether a site with more matches may be replaced.
+    ``progress`` is called with the number of matches that are done, and of all. With ``may_shrink`` a site with more
+    matches may be replaced.
 
     Raises:
-        ForeignFolderError: something that is not ours is in the way.
+        ForeignFolderError: a foreign folder is in the way.
         DiagnosticError: the site of before has more matches.
         OSError: a file cannot be written; the site of before is still there.
     """
@@ -89,23 +83,23 @@ def publish(
         for team in season.teams:
             publish_team(own, renderer, season, team, made_with)
     with Tree(data / ORGANIZER) as page:
-        publish_likeness(page, renderer, source.played.submissions)
+        publish_similarity(page, renderer, source.played.submissions)
     coming = tuple(one for one in recordings if one.at > source.now)
-    return Published(data / SITE, total, tree.reused, data / FOR_TEAMS, data / ORGANIZER / "likeness.html", coming)
+    return Published(data / SITE, total, tree.reused, data / FOR_TEAMS, data / ORGANIZER / "similarity.html", coming)
 
 
-def publish_likeness(tree: Tree, renderer: Renderer, submissions: Iterable[Submission]) -> None:
-    """Write the page about submissions that are alike, for the organizer."""
+def publish_similarity(tree: Tree, renderer: Renderer, submissions: Iterable[Submission]) -> None:
+    """Write the page about similar submissions, for the organizer."""
     current: dict[str, dict[str, Path]] = {}
     for one in submissions:  # the last one of each team for each purpose
         current.setdefault(one.team, {})[one.purpose] = one.path
-    pairs, unread = like_pairs(current)
+    pairs, unread = similar_pairs(current)
     tree.write("style.css", renderer.style)
-    renderer.write(tree, "likeness.html", pairs=pairs, unread=unread, least=LEAST_SHARE, length=LENGTH)
+    renderer.write(tree, "similarity.html", pairs=pairs, unread=unread, least=LEAST_SHARE, length=LENGTH)
 
 
 def _templates() -> str:
-    """Return a hash of all that decides how a match's page and its replay look."""
+    """Return a hash of all files that a match's page and its replay are made with."""
     digest = hashlib.sha256(__version__.encode())
     for package, folder in (("rcj_challenges.tournament.site", "templates"), ("rcj_challenges.views.replay", "viewer")):
         for file in sorted((files(package) / folder).iterdir(), key=lambda file: file.name):

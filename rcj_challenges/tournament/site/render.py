@@ -55,12 +55,8 @@ class Renderer:
             "url": quote,
             "words": humanized,
         }
-        self._environment.globals |= {
-            "season": season,
-            "source": season.source,
-            "page_of": page_of,
-            "group_title": group_title,
-        }
+        shared = {"season": season, "source": season.source, "page_of": page_of, "group_title": group_title}
+        self._environment.globals |= shared
 
     @property
     def style(self) -> str:
@@ -87,22 +83,21 @@ def time_element(at: datetime, zone: tzinfo) -> Markup:
 
 
 def width(text: str) -> int:
-    """Return about how many letters wide a text is; those of East Asia and emoji count twice."""
+    """Return the width of a text, about in characters; those of East Asia and emoji count twice."""
     return sum(
-        0 if unicodedata.combining(letter) else 2 if unicodedata.east_asian_width(letter) in "WF" else 1
-        for letter in text
+        0 if unicodedata.combining(one) else 2 if unicodedata.east_asian_width(one) in "WF" else 1 for one in text
     )
 
 
-def fitted(text: str, letters: int) -> str:
-    """Return a text that is cut to so many letters."""
-    if width(text) <= letters:
+def fitted(text: str, max_width: int) -> str:
+    """Return a text that is cut to a `width`."""
+    if width(text) <= max_width:
         return text
     kept = ""
-    for letter in text:
-        if width(kept + letter) >= letters:
+    for character in text:
+        if width(kept + character) >= max_width:
             break
-        kept += letter
+        kept += character
     return kept + "…"
 
 

@@ -22,11 +22,9 @@ class Appointment:
 
     Attributes:
         id: stable, for calendars.
-        at: when, with a time zone.
         what: the stage, and the round.
-        title: the match, or empty.
+        title: of the match, or empty.
         path: of its page in the site, or empty.
-        match: if it is one.
     """
 
     id: str
@@ -45,9 +43,8 @@ def appointments(season: Season) -> tuple[Appointment, ...]:
         if match.is_challenge:  # one run of many
             continue
         title = " - ".join(season.label(side.teams) for side in match.fixture.sides)
-        found.append(
-            Appointment(match.slug, match.at or season.source.now, what_of(match), title, page_of(match), match)
-        )
+        when = match.at or season.source.now
+        found.append(Appointment(match.slug, when, what_of(match), title, page_of(match), match))
     runs = {(match.stage.name, match.fixture.group, match.at): match for match in timed if match.is_challenge}
     for (stage, group, at), match in runs.items():
         what = f"{match.stage.title}: {humanized(group)}"
@@ -57,13 +54,9 @@ def appointments(season: Season) -> tuple[Appointment, ...]:
     for time in season.source.rounds:
         if any(stage == time.stage and time.round in (0, number) for stage, number in known):
             continue
-        number = f", round {time.round}" if time.round else ""
+        what = titles.get(time.stage, time.stage) + (f", round {time.round}" if time.round else "")
         path = f"stages/{slug(time.stage)}.html"
-        found.append(
-            Appointment(
-                f"{time.stage}.{time.round}", time.at, f"{titles.get(time.stage, time.stage)}{number}", "", path
-            )
-        )
+        found.append(Appointment(f"{time.stage}.{time.round}", time.at, what, "", path))
     return tuple(sorted(found, key=lambda appointment: (appointment.at, appointment.id)))
 
 
@@ -75,7 +68,7 @@ def page_of(match: MatchView) -> str:
 
 
 def what_of(match: MatchView) -> str:
-    """Return what a match is: ``Finals: Semi-final 1``."""
+    """Return the stage and title of a match: ``Finals: Semi-final 1``."""
     return f"{match.stage.title}: {match.short_title}" if match.short_title else match.stage.title
 
 
@@ -163,13 +156,13 @@ def _ics_text(text: str) -> str:
 
 
 def _folded(line: str) -> list[str]:
-    """Return a line in pieces that are short enough, without cutting a letter in two."""
+    """Return a line in pieces that are short enough, without cutting a character in two."""
     pieces, piece, size = [], "", 0
-    for letter in line:
-        bytes_of = len(letter.encode("utf-8", "replace"))
+    for character in line:
+        bytes_of = len(character.encode("utf-8", "replace"))
         if size + bytes_of > _FOLD_BYTES:
             pieces.append(piece)
             piece, size = " ", 1
-        piece += letter
+        piece += character
         size += bytes_of
     return [*pieces, piece]

@@ -1,4 +1,4 @@
-"""What the site is made from, and which results it may show already."""
+"""The source of the site, and the results that it may show already."""
 
 from __future__ import annotations
 
@@ -20,13 +20,7 @@ HALF_TIME_S = 30.0
 
 @dataclass(frozen=True, slots=True)
 class RoundTime:
-    """When the results of a stage, or of one of its rounds, are released.
-
-    Attributes:
-        stage: its name.
-        round: from 1; 0 for the whole stage.
-        at: with a time zone.
-    """
+    """The time of release of a round (from 1), or of a whole stage (0)."""
 
     stage: str
     round: int
@@ -39,16 +33,13 @@ class SiteSource:
 
     Attributes:
         id: of the tournament, safe as a file name.
-        title, description: in the words of the organizer.
-        seed: of the tournament, as its file has it.
-        time_zone: in which times are shown.
         state: of the released outcomes only, so that no table, bracket or pairing says more than the results do.
         played: everything that was played, also what is not released.
-        now: when the site is published, with a time zone.
-        releases: by fixture id, when its result is released; what is missing is released as soon as it is played.
-        rounds: when stages and rounds are released, for the schedule.
+        now: the time of publishing.
+        releases: by fixture id; what is missing is released as soon as it is played.
+        rounds: for the schedule.
         premieres: names of the stages whose matches are shown as a premiere when they are released.
-        url: where the site will be on the web, ending in ``/``; empty if that is unknown.
+        url: of the site on the web, ending in ``/``; empty if unknown.
     """
 
     id: str
@@ -80,13 +71,6 @@ def hidden_fixtures(
     """Return the ids of the fixtures whose results may not be shown yet.
 
     A result is shown from its release on; if its stage has premieres, from the end of its premiere on.
-
-    Args:
-        fixtures: all that are known.
-        played: what was played.
-        releases: by fixture id.
-        now: the time of publishing.
-        premieres: names of the stages whose matches have a premiere.
     """
     hidden = set()
     for fixture in fixtures:
@@ -105,13 +89,7 @@ def hidden_fixtures(
 def site_source(
     tournament: OpenTournament, now: datetime, premieres: Collection[str] = (), url: str = ""
 ) -> SiteSource:
-    """Return what may be shown at a time; tables and brackets follow from the released results alone.
-
-    Args:
-        tournament: with its store.
-        now: the time, with a time zone.
-        premieres: names of the stages whose matches have a premiere.
-        url: where the site will be on the web; empty if that is unknown.
+    """Return the source of the site at a time; tables and brackets follow from the released results alone.
 
     Raises:
         DiagnosticError: there is no such stage, or it has no time of release.

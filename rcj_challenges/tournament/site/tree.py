@@ -39,13 +39,8 @@ def fingerprint(value: Any) -> str:
 class Tree:
     """Builds a folder beside its target and swaps the two at the end; a context manager.
 
-    If the block fails, the target stays as it was.
-
-    Args:
-        target: the folder to be replaced; it need not exist.
-
-    Attributes:
-        reused: how many folders were taken from before.
+    If the block fails, the target, which need not exist, stays as it was. ``reused`` counts the folders that were taken
+    from before.
 
     Raises:
         ForeignFolderError: there is something else in the target.
@@ -87,7 +82,7 @@ class Tree:
 
     @property
     def folders_before(self) -> int:
-        """How many folders the target was made of the last time (see `folder`)."""
+        """Number of folders of the target the last time (see `folder`)."""
         return len(self._known)
 
     def write(self, path: str, content: str | bytes) -> None:
@@ -106,13 +101,7 @@ class Tree:
         shutil.copyfile(source, self._place(path))
 
     def folder(self, path: str, made_from: str, make: Callable[[], None]) -> None:
-        """Fill a folder, or take the one from before if it was made from the same.
-
-        Args:
-            path: of the folder.
-            made_from: hash of all that decides its content.
-            make: writes its files.
-        """
+        """Fill a folder, or take the one from before if the hash of all that decides its content is the same."""
         self._manifest[path] = made_from
         before = self.target / path
         if self._known.get(path) == made_from and before.is_dir():

@@ -17,10 +17,7 @@ class WriterLock:
     """Held by the one command that writes to a store."""
 
     def __init__(self, folder: Path) -> None:
-        """Take the lock.
-
-        Args:
-            folder: of the store; it exists.
+        """Take the lock in the folder of the store.
 
         Raises:
             DiagnosticError: another command writes to this store.

@@ -49,13 +49,7 @@ _FULL = ("full", "disk i/o", "readonly", "unable to open")
 
 @dataclass(frozen=True)
 class PlayedFixture:
-    """Which job counts for a fixture.
-
-    Attributes:
-        job_id: of the job.
-        sides: team ids of each side.
-        outcome: of the match.
-    """
+    """The job that counts for a fixture, with the team ids of each side."""
 
     job_id: str
     sides: tuple[tuple[str, ...], ...]
@@ -63,20 +57,10 @@ class PlayedFixture:
 
 
 class Store:
-    """What was played, submitted and decided; a context manager.
-
-    Attributes:
-        place: the folder of the tournament's data.
-        now: the wall clock.
-    """
+    """What was played, submitted and decided; a context manager."""
 
     def __init__(self, folder: Path, *, writing: bool, now: Callable[[], datetime] = utc_now) -> None:
-        """Open the store, and make it if it is to be written and is not there.
-
-        Args:
-            folder: of the tournament's data.
-            writing: whether something will be changed; only one command at a time may.
-            now: the wall clock.
+        """Open the store, and make it if it is to be written and is not there; only one command at a time may write.
 
         Raises:
             DiagnosticError: another command writes to it, or it is damaged, of another version, or cannot be written.
@@ -164,7 +148,7 @@ class Store:
         )
 
     def failed_submissions(self) -> dict[str, str]:
-        """Return why submissions that would play now fail the check, by team."""
+        """Return the failures in the check of submissions that would play now, by team."""
         failed = [row for row in self.checks().values() if row.level == "failure"]
         return {
             team: "; ".join(message for _, message in row.findings)
@@ -180,7 +164,7 @@ class Store:
         )
 
     def complaints(self) -> list[str]:
-        """Return why jobs could not be played, oldest first."""
+        """Return the complaints of jobs that could not be played, oldest first."""
         return self._texts(sa.select(JOB.c.complaint).where(JOB.c.state == "failed").order_by(JOB.c.ended_at))
 
     def summaries(self) -> dict[str, dict[str, Any]]:
@@ -200,7 +184,7 @@ class Store:
         complaint: str = "",
         counts_for: Iterable[tuple[Fixture, Outcome]] = (),
     ) -> None:
-        """Note in one transaction what came of a job, and for which fixtures it counts."""
+        """Note in one transaction the outcome of a job, and the fixtures for which it counts."""
         at = self.now()
         row = JobRow(job.id, state, job.to_json(), dict(summary or {}), dict(files or {}), doubtful, complaint, at)
         with self.transaction() as connection:
@@ -208,7 +192,7 @@ class Store:
             _count(connection, job, counts_for, at)
 
     def note_files(self, job_id: str, files: Mapping[str, int]) -> None:
-        """Note what the record of a job holds now."""
+        """Note the files in the record of a job."""
         with self.transaction() as connection:
             connection.execute(sa.update(JOB).where(JOB.c.id == job_id).values(files=dict(files)))
 
@@ -231,17 +215,15 @@ class Store:
         return any(row is not None for row in rows)
 
     def drawn(self) -> dict[str, Any] | None:
-        """Return what was drawn, a `Drawn` as a dict; None if nothing is kept."""
+        """Return the draws, a `Drawn` as a dict; None if nothing is kept."""
         with self.transaction() as connection:
             kept = connection.scalar(sa.select(META.c.value).where(META.c.key == _DRAWN_KEY))
         return None if kept is None else json.loads(kept)
 
     def keep_drawn(self, drawn: Mapping[str, Any], moved: Mapping[str, str] | None = None) -> None:
-        """Keep what was drawn, and in the same transaction let results count for fixtures with other ids.
+        """Keep a `Drawn`, as a dict, and in the same transaction let results count for fixtures with other ids.
 
-        Args:
-            drawn: a `Drawn` as a dict.
-            moved: by fixture, the id that it had before; rulings are repeated, since rows of them never change.
+        ``moved``: by fixture, the id that it had before; rulings are repeated, since rows of them never change.
         """
         with self.transaction() as connection:
             _put(connection, META, key=_DRAWN_KEY, value=json.dumps(drawn))
@@ -255,12 +237,7 @@ class Store:
     # --- rulings ------------------------------------------------------------------------------------------------------
 
     def add_ruling(self, ruling: RulingRow, *, forget: Iterable[str] = ()) -> None:
-        """Note a decision, and in the same transaction that no job counts for some fixtures any more.
-
-        Args:
-            ruling: the decision.
-            forget: the fixtures.
-        """
+        """Note a decision, and in the same transaction that no job counts for some fixtures any more."""
         with self.transaction() as connection:
             connection.execute(sa.insert(RULING).values(ruling._asdict()))
             _forget(connection, forget)
@@ -322,7 +299,7 @@ class Store:
             self._prepare(writing=False)
 
     def _prepare(self, *, writing: bool) -> None:
-        """Make the tables of a new store; look whether an old one can be used.
+        """Make the tables of a new store; check an old one.
 
         Raises:
             DiagnosticError: it is damaged, or of another version.
@@ -370,11 +347,7 @@ class Store:
 
     @contextmanager
     def _errors(self) -> Iterator[None]:
-        """Turn what the database says into an error with a code.
-
-        Raises:
-            DiagnosticError: the store is damaged, or cannot be written.
-        """
+        """Turn errors of the database into one with a code."""
         try:
             yield
         except (DatabaseError, sqlite3.DatabaseError) as error:

@@ -40,7 +40,7 @@ def _given(name: str, kind: Any = String, *more: Any) -> Column[Any]:
 
 
 META = Table("meta", METADATA, _key("key"), _given("value"))
-"""What the store itself is: its version."""
+"""The version of the store, and the draws."""
 
 SUBMISSION = Table(
     "submission", METADATA, _key("id", Integer),
@@ -110,7 +110,7 @@ class JobRow(NamedTuple):
 
 
 class PlayedRow(NamedTuple):
-    """Which job counts for a fixture, and with which scores."""
+    """The job that counts for a fixture, and its scores."""
 
     fixture: str
     job_id: str

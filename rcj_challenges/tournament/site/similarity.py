@@ -1,4 +1,4 @@
-"""How much code submissions share: a hint for the organizer, never a verdict.
+"""The similarity of submissions: a hint for the organizer, never a verdict.
 
 Each program is read as a row of tokens, in which every name is one sign, every number one and every text one: renaming
 and reformatting change nothing. What two submissions share are rows of tokens of a fixed length, without those of the
@@ -35,13 +35,10 @@ Rows = frozenset[int]
 
 
 @dataclass(frozen=True, slots=True)
-class LikePair:
-    """Two submissions that share code.
+class SimilarPair:
+    """Two teams whose submissions share code, with the pairs of files that are most similar.
 
-    Attributes:
-        first, second: ids of the teams.
-        share: of the smaller one's rows, how many the other one has.
-        files: pairs of their files with the share of each, the most alike first.
+    A share is that of the smaller one's rows that the other one has, too.
     """
 
     first: str
@@ -50,11 +47,10 @@ class LikePair:
     files: tuple[tuple[str, str, float], ...]
 
 
-def like_pairs(submissions: Mapping[str, Mapping[str, Path]]) -> tuple[list[LikePair], list[str]]:
+def similar_pairs(submissions: Mapping[str, Mapping[str, Path]]) -> tuple[list[SimilarPair], list[str]]:
     """Return the pairs of teams whose submissions share much, most first, and the ids of teams with unreadable ones.
 
-    Args:
-        submissions: ZIP or folder by team id and purpose; the purpose stands before the names of its files.
+    Submissions come by team id and purpose; the purpose stands before the names of its files.
     """
     known = _sample_rows()
     programs: dict[str, dict[str, Rows]] = {}
@@ -75,7 +71,7 @@ def like_pairs(submissions: Mapping[str, Mapping[str, Path]]) -> tuple[list[Like
     for first, second in combinations(sorted(programs), 2):
         share = _share(whole[first], whole[second])
         if share >= LEAST_SHARE:
-            found.append(LikePair(first, second, share, _like_files(programs[first], programs[second])))
+            found.append(SimilarPair(first, second, share, _similar_files(programs[first], programs[second])))
     return sorted(found, key=lambda pair: -pair.share)[:_MAX_PAIRS], unread
 
 
@@ -103,7 +99,7 @@ def _share(one: Rows, other: Rows) -> float:
     return len(one & other) / smaller if smaller else 0.0
 
 
-def _like_files(one: Mapping[str, Rows], other: Mapping[str, Rows]) -> tuple[tuple[str, str, float], ...]:
+def _similar_files(one: Mapping[str, Rows], other: Mapping[str, Rows]) -> tuple[tuple[str, str, float], ...]:
     pairs = [(a, b, _share(rows, others)) for a, rows in one.items() for b, others in other.items()]
     return tuple(sorted((pair for pair in pairs if pair[2] >= LEAST_SHARE), key=lambda pair: -pair[2])[:_MAX_FILES])
 
@@ -114,5 +110,4 @@ def _rows_of(files: Iterable[tuple[PurePosixPath, bytes]]) -> dict[str, Rows]:
 
 @cache
 def _sample_rows() -> Rows:
-    """Return the rows of all sample teams."""
     return frozenset[int]().union(*(token_rows(path.read_bytes()) for path in sorted(teams_folder().rglob("*.py"))))
