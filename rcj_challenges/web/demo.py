@@ -32,13 +32,14 @@ def make_demo(samples: Mapping[str, Path]) -> Iterator[str]:
         codes = {name: give_card(team) for name, team in teams.items()}
     for name, folder in samples.items():
         received = blobs.incoming / f"demo-{teams[name].pk}"
-        data = _zipped(folder)
+        data = zipped(folder)
         received.write_bytes(data)
         receive(teams[name], season, received, hashlib.sha256(data).hexdigest(), len(data), now, now, "page")
         yield f"{name}: {codes[name]}"
 
 
-def _zipped(folder: Path) -> bytes:
+def zipped(folder: Path) -> bytes:
+    """Return the programs of a sample team as it would hand them in."""
     made = io.BytesIO()
     with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as archive:
         for path in sorted(folder.rglob("*")):

@@ -89,6 +89,7 @@ class Team(models.Model):
     group = models.ForeignKey(Group, on_delete=models.PROTECT)
     name = models.CharField(max_length=40)
     is_name_public = models.BooleanField(default=False)
+    allows_practice = models.BooleanField(default=False)
     code_hmac = models.CharField(max_length=64, null=True, blank=True, unique=True)
     epoch = models.PositiveIntegerField(default=0)
     last_used_at = models.DateTimeField(null=True, blank=True)

@@ -15,6 +15,8 @@ from jinja2 import Environment, StrictUndefined
 
 from rcj_challenges.core.amounts import plain
 from rcj_challenges.core.sanitize import sanitize, sanitize_block
+from rcj_challenges.core.timing import s_from_ticks
+from rcj_challenges.views.sentences import clock
 from rcj_challenges.web.accounts import Viewer, viewer_of
 from rcj_challenges.web.config import current_site
 
@@ -32,6 +34,7 @@ def environment(**options: Any) -> Environment:
         "block": sanitize_block,
         "bytes": _format_bytes,
         "score": plain,
+        "clock": _format_ticks,
     }
     made.globals |= {"url": reverse, "site_title": current_site().title}
     return made
@@ -40,6 +43,10 @@ def environment(**options: Any) -> Environment:
 def format_time(at: datetime | None) -> str:
     """Format a time in the site's zone, with the zone."""
     return "" if at is None else timezone.localtime(at).strftime("%Y-%m-%d %H:%M:%S %Z")
+
+
+def _format_ticks(ticks: int) -> str:
+    return clock(s_from_ticks(ticks))
 
 
 def _format_bytes(size: int) -> str:

@@ -4,25 +4,31 @@ from __future__ import annotations
 
 import secrets
 import shutil
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
 from datetime import datetime
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from django.db.models import Max, Q, QuerySet
 from django.utils.translation import gettext
 
 from rcj_challenges.records.result import deciding, versions
 from rcj_challenges.web import jobs
-from rcj_challenges.web.blobs import match_folder, record_folder
+from rcj_challenges.web.blobs import Blobs, match_folder, record_folder
 from rcj_challenges.web.config import current_site
+from rcj_challenges.web.demo import zipped
 from rcj_challenges.web.errors import SiteError
 from rcj_challenges.web.ladder import published
-from rcj_challenges.web.models import Basis, Job, JobState, Match, MatchKind, Season, Submission, Team
+from rcj_challenges.web.models import Basis, Group, Job, JobState, Match, MatchKind, Season, State, Submission, Team
+
+if TYPE_CHECKING:
+    from rcj_challenges.scenario.models.robots import Entrant
 
 _SECRET_BYTES = 32
 _RECORDS_OF_A_TEAM = 20
 _RECORD_S = 3600.0
 """How long at least a record is kept, so that one that was made again can be seen, in s."""
+_SAMPLES = "Sample programs"
 _DELETED = "a team was deleted"
 SIDES = ("blue", "yellow")
 
@@ -48,12 +54,20 @@ def begin(season: Season, now: datetime) -> None:
     Raises:
         RcjError: its scenario cannot be played, or is not for two teams.
     """
-    scenario = _kept_scenario(season)
+    scenario, entrants = _kept_scenario(season)
+    samples = list(_kept_samples(entrants))
     secret = secrets.token_hex(_SECRET_BYTES)
     pinned = {"begun_at": now, "secret": secret, "secret_hash": published.secret_hash(secret)}
     with jobs.writing():
         if Season.objects.filter(pk=season.pk, begun_at=None).update(**pinned):
             Basis.objects.create(season=season, scenario=scenario, versions=own_versions(), made_at=now)
+            group, _ = Group.objects.get_or_create(label=_SAMPLES)
+            for name, sha256, size_bytes, digest in samples:
+                team, _ = Team.objects.get_or_create(group=group, name=name, defaults={"is_name_public": True})
+                Submission.objects.create(
+                    team=team, season=season, number=1, sha256=sha256, size_bytes=size_bytes, begun_at=now,
+                    received_at=now, via="sample", state=State.ACCEPTED, digest=digest,
+                )  # fmt: skip
 
 
 def end(season: Season, now: datetime) -> None:
@@ -69,7 +83,7 @@ def rebase(season: Season, now: datetime) -> None:
     Raises:
         RcjError: its scenario cannot be played any more.
     """
-    scenario = _kept_scenario(season)
+    scenario, _ = _kept_scenario(season)
     with jobs.writing():
         running = Season.objects.select_for_update().filter(pk=season.pk, begun_at__isnull=False, ended_at=None).first()
         before = current_basis(season)
@@ -91,7 +105,8 @@ def rebase(season: Season, now: datetime) -> None:
         )  # fmt: skip
 
 
-def _kept_scenario(season: Season) -> str:
+def _kept_scenario(season: Season) -> tuple[str, list[Entrant]]:
+    """Keep the scenario of a season where matches find it; return its hash and its entrants."""
     from rcj_challenges.scenario.load import load  # noqa: PLC0415 - a process that serves pages loads none else
     from rcj_challenges.web.playing import MatchPlace  # noqa: PLC0415
 
@@ -99,7 +114,21 @@ def _kept_scenario(season: Season) -> str:
     if sorted(loaded.scenario.entrants) != sorted(SIDES):
         message = gettext("{scenario} is not played by two teams against each other").format(scenario=season.scenario)
         raise SiteError(message, gettext("choose another scenario for this season"), code="not-for-two")
-    return MatchPlace(current_site().folder).keep_scenario(loaded)
+    return MatchPlace(current_site().folder).keep_scenario(loaded), list(loaded.scenario.entrants.values())
+
+
+def _kept_samples(entrants: Iterable[Entrant]) -> Iterator[tuple[str, str, int, str]]:
+    """Keep the sample teams that can play, for practice; yield name, hash and size of the archive, and digest."""
+    from rcj_challenges.scenario.resources import shipped_teams  # noqa: PLC0415 - as above
+    from rcj_challenges.submissions.team import TeamError, open_team  # noqa: PLC0415
+
+    blobs = Blobs(current_site().folder)
+    for name, folder in shipped_teams().items():
+        with suppress(TeamError), open_team(folder, *entrants) as opened:
+            received = blobs.incoming / f"sample-{name}"
+            received.write_bytes(zipped(folder))
+            yield opened.name, *blobs.keep_file(received), opened.digest
+            received.unlink()
 
 
 def seed_of(secret: str, kind: str, number: int) -> int:

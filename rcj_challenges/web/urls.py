@@ -6,7 +6,7 @@ from django.contrib import admin
 from django.urls import path
 
 from rcj_challenges.web.api import api
-from rcj_challenges.web.views import desk, ladder, mentor, public, team
+from rcj_challenges.web.views import desk, ladder, mentor, practice, public, team
 
 handler404 = public.not_found
 urlpatterns = [
@@ -35,6 +35,9 @@ urlpatterns = [
     path("my/submissions/<int:pk>/repair", team.repair, name="repair"),
     path("my/submissions/<int:pk>/activate", team.activate, name="activate"),
     path("my/submissions/<int:pk>/<str:name>", team.replay, name="replay"),
+    path("my/practice", practice.practice, name="practice"),
+    path("my/practice/new", practice.new_practice, name="new_practice"),
+    path("my/practice/allow", practice.allow_practice, name="allow_practice"),
     path("group", mentor.group, name="group"),
     path("group/teams/new", mentor.new_teams, name="new_teams"),
     path("group/teams/<int:pk>", mentor.team, name="team"),

@@ -240,7 +240,7 @@ def test_season_that_ends_plays_no_more(site: SiteConfig, basis: Basis) -> None:
 
 
 def test_of_a_team_that_is_deleted_results_stay_and_records_and_open_matches_go(site: SiteConfig, basis: Basis) -> None:
-    from rcj_challenges.web.models import Account, Group, Role
+    from rcj_challenges.web.models import Account, Role
 
     one, other = accepted(site, "One"), accepted(site, "Other", "# other\n" + PLAYER)
     played, waiting = add(basis, (one, other), (other, one))
@@ -250,7 +250,7 @@ def test_of_a_team_that_is_deleted_results_stay_and_records_and_open_matches_go(
     record = record_folder(site.folder, played)
     record.mkdir(parents=True)
     mentor = new_client()
-    mentor.force_login(Account.objects.create(name="m", role=Role.MENTOR, group=Group.objects.get(), password="!"))  # noqa: S106
+    mentor.force_login(Account.objects.create(name="m", role=Role.MENTOR, group=one.team.group, password="!"))  # noqa: S106
     assert mentor.post(f"/group/teams/{one.team_id}/delete", {"confirm": "One"}).status_code == 302
     assert not record.exists()
     assert dict(Match.objects.values_list("pk", "void")) == {played.pk: "", waiting.pk: "a team was deleted"}
@@ -291,12 +291,11 @@ def test_queue_is_filled_when_half_of_it_is_gone(any_site: SiteConfig) -> None:
 
 
 def test_same_program_of_many_teams_is_one_that_plays(site: SiteConfig, basis: Basis) -> None:
-    for index in range(4):
-        accepted(site, f"Copy {index}")
+    first, *_ = [accepted(site, f"Copy {index}") for index in range(4)]
     assert fill(basis) == 0
-    accepted(site, "Other", "# other\n" + PLAYER)
+    other = accepted(site, "Other", "# other\n" + PLAYER)
     assert fill(basis) == 3
-    assert {str(name) for one in Match.objects.all() for name in (one.blue, one.yellow)} == {"Team 2 1", "Team 6 1"}
+    assert {one for match in Match.objects.all() for one in (match.blue, match.yellow)} == {first, other}
 
 
 def test_queue_is_not_filled_by_dispatchers_that_do_not_fit_nor_after_the_end(site: SiteConfig, basis: Basis) -> None:

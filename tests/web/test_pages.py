@@ -90,7 +90,7 @@ def pages(club: Club) -> dict[str, str]:
             f"/teams/{own}",
             rated,
         ],
-        "team": ["/", "/my", rated, f"/matches/{club.practice['own'].pk}", *mine],
+        "team": ["/", "/my", "/my/practice", rated, f"/matches/{club.practice['own'].pk}", *mine],
         "mentor": ["/group", f"/group/teams/{own}", mine[0]],
         "organizer": ["/desk", "/group", rated],
     }

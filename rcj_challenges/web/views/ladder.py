@@ -43,13 +43,14 @@ def ladder(request: HttpRequest, pk: int = 0) -> HttpResponse:
         number = max(1, int(text)) if (text := request.GET.get("page", "1")[:4]).isdecimal() else 1
         playing, records = matchmaking.playing_now(season), tables.records_of(basis)
         table, _ = tables.table_of(basis)
-        rows = [
+        rows: list[dict[str, Any]] = [
             {"row": row, "teams": [one.team for one in playing[row.digest]],
              "record": sum(records[row.digest].values(), Counter())}
             for row in table
         ]  # fmt: skip
         values |= {"rows": rows[_ROWS * (number - 1) : _ROWS * number], "number": number,
-                   "is_last": len(rows) <= _ROWS * number, "cross": rows[:_CROSS], "records": records}  # fmt: skip
+                   "is_last": len(rows) <= _ROWS * number, "records": records,
+                   "cross": [row for row in rows if row["row"].rank is not None][:_CROSS]}  # fmt: skip
     return page(request, "ladder.html", **values)
 
 
@@ -70,11 +71,12 @@ def team(request: HttpRequest, pk: int) -> HttpResponse:
             for one in accepted[:_MATCHES]
         ]  # fmt: skip
         theirs = Match.objects.filter(Q(blue__team=found) | Q(yellow__team=found), basis=basis, kind=MatchKind.RATED)
-        values["matches"] = _with_sides(theirs.filter(played_at__isnull=False).order_by("-played_at"))[:_MATCHES]
+        values["matches"] = with_sides(theirs.filter(played_at__isnull=False).order_by("-played_at"))[:_MATCHES]
     return page(request, "ladder_team.html", **values)
 
 
-def _with_sides(matches: Any) -> Any:
+def with_sides(matches: Any) -> Any:
+    """Load the teams of matches with them."""
     return matches.select_related("basis__season", "blue__team", "yellow__team").defer("blue__report", "yellow__report")
 
 
@@ -85,7 +87,7 @@ def _seen_match(request: HttpRequest, pk: int) -> tuple[Viewer, Match, list[str]
         Http404: there is none, or it is practice of other teams.
     """
     viewer = viewer_of(request)
-    match = _with_sides(Match.objects).filter(pk=pk, played_at__isnull=False).first()
+    match = with_sides(Match.objects).filter(pk=pk, played_at__isnull=False).first()
     if match is None:
         raise Http404
     own = [side for side in seasons.SIDES if viewer.may_see(getattr(match, side).team)]
