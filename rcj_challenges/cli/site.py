@@ -29,8 +29,6 @@ site_app = typer.Typer(
 
 _DEMO_TEAMS = 4
 _TIMEOUT_S = 60
-_MATCH_FOLDER = "rcj_soccer_team_blue"
-"""What the sample teams for a match have; those for challenges have others."""
 
 Folder = Annotated[Path, typer.Argument(metavar="FOLDER", help="The folder of the site.")]
 Trust = Annotated[
@@ -78,11 +76,9 @@ def init(
     set_up(config)
     migrate(config)
     if demo:
-        from rcj_challenges.scenario.resources import shipped_teams
-        from rcj_challenges.web.demo import make_demo
+        from rcj_challenges.web.demo import make_demo, match_samples
 
-        samples = {name: team for name, team in shipped_teams().items() if (team / _MATCH_FOLDER).is_dir()}
-        for line in make_demo(dict(list(samples.items())[:_DEMO_TEAMS])):
+        for line in make_demo(dict(list(match_samples().items())[:_DEMO_TEAMS])):
             typer.echo(line)
     typer.echo(f"made {folder}; start it with: rcj-challenge site serve {folder}")
 

@@ -17,6 +17,16 @@ from rcj_challenges.web.config import current_site
 from rcj_challenges.web.models import Group, Season, Team
 from rcj_challenges.web.receiving import receive
 
+_MATCH_FOLDER = "rcj_soccer_team_blue"
+"""What the sample teams for a match have; those for challenges have others."""
+
+
+def match_samples() -> dict[str, Path]:
+    """Return the folders of the sample teams for matches, by name."""
+    from rcj_challenges.scenario.resources import shipped_teams  # noqa: PLC0415 - loads the code of scenarios
+
+    return {name: team for name, team in shipped_teams().items() if (team / _MATCH_FOLDER).is_dir()}
+
 
 def make_demo(samples: Mapping[str, Path]) -> Iterator[str]:
     """Make a team for each sample, hand its programs in, and yield a line with the code of its card.

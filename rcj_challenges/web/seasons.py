@@ -16,7 +16,7 @@ from rcj_challenges.records.result import deciding, versions
 from rcj_challenges.web import jobs
 from rcj_challenges.web.blobs import Blobs, match_folder, record_folder
 from rcj_challenges.web.config import current_site
-from rcj_challenges.web.demo import zipped
+from rcj_challenges.web.demo import match_samples, zipped
 from rcj_challenges.web.errors import SiteError
 from rcj_challenges.web.ladder import published
 from rcj_challenges.web.models import Basis, Group, Job, JobState, Match, MatchKind, Season, State, Submission, Team
@@ -119,11 +119,10 @@ def _kept_scenario(season: Season) -> tuple[str, list[Entrant]]:
 
 def _kept_samples(entrants: Iterable[Entrant]) -> Iterator[tuple[str, str, int, str]]:
     """Keep the sample teams that can play, for practice; yield name, hash and size of the archive, and digest."""
-    from rcj_challenges.scenario.resources import shipped_teams  # noqa: PLC0415 - as above
-    from rcj_challenges.submissions.team import TeamError, open_team  # noqa: PLC0415
+    from rcj_challenges.submissions.team import TeamError, open_team  # noqa: PLC0415 - as above
 
     blobs = Blobs(current_site().folder)
-    for name, folder in shipped_teams().items():
+    for name, folder in match_samples().items():
         with suppress(TeamError), open_team(folder, *entrants) as opened:
             received = blobs.incoming / f"sample-{name}"
             received.write_bytes(zipped(folder))

@@ -1,4 +1,7 @@
-"""Whatever is killed, and whenever: no upload with a receipt is lost, none is checked twice, none waits for ever."""
+"""Whatever is killed, and whenever: no upload with a receipt is lost, none is checked twice, none waits for ever.
+
+Nor is a match of the ladder twice in the table, or with another result than without a kill.
+"""
 
 from __future__ import annotations
 
@@ -18,10 +21,12 @@ from typing import Any, Self
 import pytest
 from django.utils import timezone
 
-from rcj_challenges.web import jobs
+from rcj_challenges.web import jobs, matchmaking, seasons, tables
 from rcj_challenges.web.config import SiteConfig
-from rcj_challenges.web.models import Audit, Entry, Job, JobState, State, Submission
-from tests.web.brisk_worker import LEASE_S
+from rcj_challenges.web.ladder.published import row_of
+from rcj_challenges.web.ladder.ratings import Result, fit, standings
+from rcj_challenges.web.models import Audit, Basis, Entry, Job, JobState, Match, Season, State, Submission
+from tests.web.brisk_worker import LEASE_S, result_of
 from tests.web.conftest import Postgres, Served, make_folder, make_team, use_site
 from tests.web.handing_in import hand_in
 
@@ -121,6 +126,33 @@ def settle(config: SiteConfig) -> None:
         time.sleep(0.1)
 
 
+def wait_for_matches(count: int) -> None:
+    """Wait until some matches have been played."""
+    until = time.monotonic() + _SETTLE_S
+    while Match.objects.filter(played_at__isnull=False).count() < count:
+        assert time.monotonic() < until
+        time.sleep(0.1)
+
+
+def assert_matches_are_as_without_kills() -> None:
+    matches = list(Match.objects.select_related("blue", "yellow").order_by("number"))
+    assert [one.number for one in matches] == sorted({one.number for one in matches})
+    counted = list(Audit.objects.filter(act="result").values_list("about", flat=True))
+    assert sorted(key.rpartition("/")[2] for key in counted) == sorted(str(one.pk) for one in matches)
+    secret = Season.objects.get().secret
+    expected = []
+    for one in matches:
+        assert one.seed == seasons.seed_of(secret, "rated", one.number)
+        result = result_of(one.seed, one.blue.digest, one.yellow.digest)
+        assert one.digest == result["digest"]
+        expected.append(Result(one.blue.digest, one.yellow.digest, *result["score"].values()))
+    basis = Basis.objects.get()
+    undisturbed = fit(expected, matchmaking.programs_of(basis.season))
+    table, fitted = tables.table_of(basis)
+    assert fitted.strengths.tobytes() == undisturbed.strengths.tobytes()
+    assert table == [row_of(one) for one in standings(undisturbed, set(matchmaking.playing_now(basis.season)))]
+
+
 def assert_nothing_is_lost(receipts: list[dict[str, Any]], team_count: int) -> None:
     stored = dict(Submission.objects.values_list("pk", "sha256"))
     assert {receipt["id"]: receipt["sha256"] for receipt in receipts}.items() <= stored.items()
@@ -128,7 +160,7 @@ def assert_nothing_is_lost(receipts: list[dict[str, Any]], team_count: int) -> N
     verdicts = list(Audit.objects.filter(act="verdict").values_list("about", flat=True))
     assert len(verdicts) == len(set(verdicts))
     # An upload whose receipt was lost is handed in again: if the check of the first had ended, it has its verdict.
-    accepted = Submission.objects.filter(state=State.ACCEPTED)
+    accepted = Submission.objects.filter(state=State.ACCEPTED).exclude(via="sample")
     assert {f"check/{one.pk}" for one in accepted if Job.objects.filter(submission=one).exists()} == set(verdicts)
     for one in accepted.filter(job=None):
         assert accepted.filter(team=one.team, sha256=one.sha256, pk__lt=one.pk).exists()
@@ -148,6 +180,7 @@ def kill_at_random(
     """Kill processes at random moments while teams hand in and workers check."""
     with use_site(config):
         codes = [make_team(f"Team {index}")[1] for index in range(6)]
+        seasons.begin(Season.objects.get(), timezone.now())
     chance = random.Random(seed)  # noqa: S311 - no secret
     port = int(served.address.rsplit(":", 1)[1])
     counts = {"web": 0, "worker": 0, "database": 0}
@@ -171,6 +204,9 @@ def kill_at_random(
             load.wait_for(6)
         with use_site(config):
             settle(config)
+            wait_for_matches(len(codes))
+            seasons.end(Season.objects.get(), timezone.now())
+            settle(config)
     return load, counts
 
 
@@ -192,7 +228,9 @@ def test_kills_at_random_moments_lose_nothing_and_repeat_nothing(
     with use_site(any_folder):
         retaken = Job.objects.filter(attempt__gt=1).count()
         print(f"{counts} killed; {len(load.receipts)} receipts, {load.cut_off} cut off, {retaken} jobs leased again")
+        print(f"{Match.objects.count()} matches")
         assert_nothing_is_lost(load.receipts, team_count=6)
+        assert_matches_are_as_without_kills()
     assert len(load.receipts) > kills
 
 
