@@ -1,8 +1,8 @@
 """Comparing what is measured or counted with numbers."""
 
 from collections.abc import Callable
-from operator import eq, ge, le
-from typing import ClassVar
+from operator import eq, ge, gt, le, lt
+from typing import ClassVar, NamedTuple
 
 from rcj_challenges.rules.base import Binder, Condition, Firing, Number, Phrases, ValueWord
 from rcj_challenges.rules.fields import MM_DIGITS, described
@@ -38,20 +38,50 @@ def _test(
     return test
 
 
+class _Bound(NamedTuple):
+    """What a key compares.
+
+    Attributes:
+        says, opposite: in words; empty: its opposite has none.
+    """
+
+    holds: Callable[[Number, Number], bool]
+    says: str
+    opposite: str
+
+
+_BOUNDS = {
+    "at_least": _Bound(ge, "at least", "less than"),
+    "at_most": _Bound(le, "at most", "more than"),
+    "above": _Bound(gt, "more than", "at most"),
+    "below": _Bound(lt, "less than", "at least"),
+    "equals": _Bound(eq, "exactly", ""),
+}
+
+
 class Compared(Condition):
     """A condition with bounds, of which it has one at least."""
 
-    EXCLUDES = (("equals", ("at_least", "at_most")),)
-    REQUIRES: ClassVar[tuple[tuple[str, ...], ...]] = (("at_least",), ("at_most",), ("equals",))
+    EXCLUDES = (
+        ("equals", ("at_least", "at_most", "above", "below")),
+        ("above", ("at_least",)),
+        ("below", ("at_most",)),
+    )
+    REQUIRES: ClassVar[tuple[tuple[str, ...], ...]] = tuple((key,) for key in _BOUNDS)
 
     at_least: Amount | None = described(None, "holds at this number and above")
     at_most: Amount | None = described(None, "holds at this number and below")
+    above: Amount | None = described(None, "holds above this number, not at it")
+    below: Amount | None = described(None, "holds below this number, not at it")
     equals: Amount | None = described(None, "holds at exactly this number")
+
+    def limits(self) -> list[tuple[_Bound, Amount]]:
+        """Return with what it compares, and how."""
+        return [(bound, limit) for key, bound in _BOUNDS.items() if (limit := getattr(self, key)) is not None]
 
     def compares_with_counter(self) -> bool:
         """Return whether it compares with a counter, or with those of others."""
-        bounds = (self.at_least, self.at_most, self.equals)
-        return any(isinstance(bound, ValueWord) for bound in bounds)
+        return any(isinstance(limit, ValueWord) for _, limit in self.limits())
 
     def comparison(
         self, to: Binder, rounded: Callable[[Number], Number] = _unchanged,
@@ -61,29 +91,27 @@ class Compared(Condition):
 
         ``counted`` is done to a number before it is compared with a value: as it would be counted.
         """
-        bounds = ((ge, self.at_least), (le, self.at_most), (eq, self.equals))
-        tests = tuple(_test(operate, bound, to, rounded, counted) for operate, bound in bounds if bound is not None)
+        tests = tuple(_test(bound.holds, limit, to, rounded, counted) for bound, limit in self.limits())
         if len(tests) == 1:
             return tests[0]
         return lambda value: all(test(value) for test in tests)
 
     def compared(self, phrases: Phrases, unit: str = "", where: str = "") -> str:
         """Return the comparison: ``at least 3 and at most 5``, ``at most 0.5 m from the ball``."""
-        bounds = (("at least", self.at_least), ("at most", self.at_most), ("exactly", self.equals))
-        limits = [(words, limit) for words, limit in bounds if limit is not None]
+        limits = self.limits()
         if all(isinstance(limit, int | float) for _, limit in limits):
-            numbers = " and ".join(f"{words} {amount_words(phrases, limit)}{unit}" for words, limit in limits)
+            numbers = " and ".join(f"{bound.says} {amount_words(phrases, limit)}{unit}" for bound, limit in limits)
             return f"{numbers}{where}" if numbers else ""
         return " and ".join(
-            f"{words} {amount_words(phrases, limit)}{unit}{where}"
+            f"{bound.says} {amount_words(phrases, limit)}{unit}{where}"
             if isinstance(limit, int | float) or not unit
-            else f"{words} as many{unit}{where} as {amount_words(phrases, limit)} says"
-            for words, limit in limits
+            else f"{bound.says} as many{unit}{where} as {amount_words(phrases, limit)} says"
+            for bound, limit in limits
         )
 
     def opposite(self, phrases: Phrases, unit: str = "") -> str | None:
         """Return the opposite of a comparison that has one limit: ``less than 0.5 m``; None if it cannot be put so."""
-        limits = [limit for limit in (self.at_least, self.at_most) if limit is not None]
-        if len(limits) != 1 or self.equals is not None or (unit and not isinstance(limits[0], int | float)):
+        (bound, limit), *more = self.limits() or [(_BOUNDS["equals"], 0)]
+        if more or not bound.opposite or (unit and not isinstance(limit, int | float)):
             return None
-        return f"{'less' if self.at_most is None else 'more'} than {amount_words(phrases, limits[0])}{unit}"
+        return f"{bound.opposite} {amount_words(phrases, limit)}{unit}"

@@ -29,7 +29,7 @@ HELP = [
     ("rules: {r: {when: [], actions: [{action: end}]}}\n", "did you mean 'triggers'?"),
     ("match: {duration: 60}\n", "did you mean 'half_s'?"),
     (rule("{trigger: touches, robot: Y1, ball: ball}"), "did you mean 'entity'?"),
-    (condition("counter, counter: blue, more_than: 2"), "did you mean 'at_least'?"),
+    (condition("counter, counter: blue, more_than: 2"), "did you mean 'above'?"),
     # Values as YAML reads them.
     ("match: {half_s: '60'}\n", "leave the quotes out"),
     ("match: {half_s: 10 min}\n", "write one number alone"),

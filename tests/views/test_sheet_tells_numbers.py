@@ -77,6 +77,9 @@ rules:
       - {action: draw, draw: tile, as: 2}
       - {action: count, counter: laps, to: {distance: [ball, [0.2, 0.1]]}}
       - {action: score, entrant: blue, points: {distance: [ball, [0.2, 0.1]], times: 2, plus: {told: Y1, times: 3}}}
+      - {action: count, counter: laps, by: {counter: laps, entity: Y1, otherwise: 3, times: 2, plus: 4, minus: 5, round: up}}
+      - {action: count, counter: laps, by: {sum: [{told: Y1}, 11]}}
+      - {action: count, counter: laps, by: {score: blue, otherwise: 3, times: 2, plus: 4, minus: 5, round: up}}
       - {action: count, counter: laps, to: {count: blue, looks: ball, within_rad: 0.3}}
   judged:
     triggers: [{trigger: enters, entity: ball, zone: blue_goal}]
@@ -87,6 +90,11 @@ rules:
       - {condition: way, entity: blue, equals: 0.5}
       - {condition: speed, entity: blue, equals: 0.1}
       - {condition: distance, entity: blue, to: [0.2, 0.3], equals: 0.4}
+      - {condition: counter, counter: laps, entity: blue, of: {at_most: 1}, above: 5, below: 7}
+      - {condition: timer, timer: watch, entity: blue, of: {equals: 1}, above: 5, below: 7}
+      - {condition: way, entity: blue, above: 0.5, below: 0.7}
+      - {condition: speed, entity: blue, above: 0.1, below: 0.2}
+      - {condition: distance, entity: blue, to: [0.2, 0.3], above: 0.4, below: 0.5}
       - {condition: looks, entity: blue, heading_rad: 0.5}
       - {condition: looks, entity: blue, towards: [0.2, 0.3]}
       - {condition: in_zone, entity: blue, zone: west}

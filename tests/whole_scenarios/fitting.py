@@ -83,7 +83,7 @@ def _kept_each(key: str) -> Callable[[Maker, Data], None]:
 
 
 def _compared(maker: Maker, data: Data) -> None:
-    given = [key for key in ("at_least", "at_most", "equals") if key in data]
+    given = [key for key in ("at_least", "at_most", "above", "below", "equals") if key in data]
     for key in given[1:]:
         del data[key]
     if not given:
@@ -101,7 +101,7 @@ def _both(*fits: Callable[[Maker, Data], None]) -> Callable[[Maker, Data], None]
 
 
 def _timer_is(maker: Maker, data: Data) -> None:
-    given = [key for key in ("at_least", "at_most", "equals") if key in data]
+    given = [key for key in ("at_least", "at_most", "above", "below", "equals") if key in data]
     for key in given[1:]:
         del data[key]
 

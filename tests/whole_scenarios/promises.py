@@ -39,7 +39,7 @@ FILE = "made_up.yaml"
 _SCHEMA = jsonschema.Draft202012Validator(scenario_schema())
 _OURS = re.compile(
     r"Traceback|<class|<function| object at 0x|pydantic|ValidationError|Entries\(|Leaf\(|Mark\(|Items\(|type=|"
-    r"AtLeast|NoneType|\bNone\b(?!')|Input should"
+    r"HowMany|NoneType|\bNone\b(?!')|Input should"
 )
 """What only contributors to the project can read."""
 _MEANT = re.compile(r"'([^']*)'[^']*; did you mean '([^']*)'\?")

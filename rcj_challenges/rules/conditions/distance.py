@@ -94,7 +94,7 @@ expect:
         return (*super().watched(to), *anchors(to, self.to))
 
     def distances_m(self) -> tuple[tuple[Name | Point, float], ...]:
-        limits = (self.at_least, self.at_most, self.equals)
+        limits = (limit for _, limit in self.limits())
         return tuple((self.to, float(limit)) for limit in limits if isinstance(limit, int | float) and limit > 0)
 
     def describe(self, phrases: Phrases) -> str:

@@ -55,7 +55,7 @@ expect:
     def test(self, to: Binder) -> Test:
         state, clocks = to.state, to.state.timers[self.timer]
         everyone = tuple(clocks.values())
-        is_compared = any(bound is not None for bound in (self.at_least, self.at_most, self.equals))
+        is_compared = bool(self.limits())
         holds = self.comparison(to)
 
         def test(whose: str | None) -> bool:

@@ -12,7 +12,7 @@ from rcj_challenges.rules.base import PlaceWord, Trigger
 from rcj_challenges.rules.effects import AtTime, Draws, SetsSpot
 from rcj_challenges.rules.fields import Strict
 from rcj_challenges.rules.kick import Kick
-from rcj_challenges.rules.quantifier import AtLeast
+from rcj_challenges.rules.quantifier import HowMany
 from rcj_challenges.rules.values.distance import DistanceValue
 from rcj_challenges.scenario.draw_order import never_drawn
 from rcj_challenges.scenario.errors import choice_of, listing
@@ -26,7 +26,10 @@ from rcj_challenges.scenario.roster import Roster
 from rcj_challenges.scenario.tree import Path
 from rcj_challenges.scenario.walk import Issue, effects_in, walk
 
-_RANGES = (("at_least", "at_most"), ("keeps_at_least", "keeps_at_most"))
+_RANGES = (
+    *((least, most) for least in ("at_least", "above") for most in ("at_most", "below")),
+    ("keeps_at_least", "keeps_at_most"),
+)
 
 
 def check_consistency(scenario: Scenario, *, is_half_set: bool, is_length_set: bool) -> Iterator[Issue]:
@@ -65,7 +68,7 @@ def check_consistency(scenario: Scenario, *, is_half_set: bool, is_length_set: b
 
 def _keys(model: Strict, path: Path) -> Iterator[Issue]:
     """Yield keys of one mapping that exclude each other, and the lack of all of several."""
-    for key, others in (*model.EXCLUDES, *((key, model.either[1:]) for key in model.either[:1])):
+    for key, others in (*model.EXCLUDES, *((key, model.either[at:]) for at, key in enumerate(model.either, 1))):
         also = next((one for one in others if getattr(model, one) is not None), None)
         if also is not None and getattr(model, key) is not None:
             message = f"'{key}' and '{also}' cannot be given together"
@@ -87,16 +90,20 @@ def _numbers(model: Strict, path: Path, roster: Roster) -> Iterator[Issue]:
     """Yield ranges that hold no number, more of a group than it has, and durations below a tick."""
     for least_key, most_key in _RANGES:
         least, most = getattr(model, least_key, None), getattr(model, most_key, None)
-        if isinstance(least, int | float) and isinstance(most, int | float) and least > most:
-            yield Issue("empty-range", (*path, least_key), f"nothing is at least {least:g} and at most {most:g}")
+        if not isinstance(least, int | float) or not isinstance(most, int | float):
+            continue
+        if least > most or (least == most and {least_key, most_key} & {"above", "below"}):
+            message = f"nothing is {least_key.replace('_', ' ')} {least:g} and {most_key.replace('_', ' ')} {most:g}"
+            yield Issue("empty-range", (*path, least_key), message)
     match model:
         case Kick(speed_mps=(least, most)) if least > most:
             yield Issue("empty-range", (*path, "speed_mps"), f"no speed is at least {least:g} and at most {most:g}")
     of = getattr(model, "of", None)
     names = getattr(model, "entity", getattr(model, "spot", None))
-    if isinstance(of, AtLeast) and names is not None and of.at_least > len(roster.expand(names)):
+    is_number = isinstance(of, HowMany) and (of.at_least or of.equals)
+    if isinstance(of, HowMany) and is_number and names is not None and of.number > len(roster.expand(names)):
         count = len(roster.expand(names))
-        yield Issue("never-holds", (*path, "of"), f"at least {of.at_least} of {count} can never hold")
+        yield Issue("never-holds", (*path, "of"), f"{of.describe(negate=False)} of {count} can never hold")
     for key in ("for_s", "grace_s"):
         seconds = getattr(model, key, None)
         if isinstance(seconds, int | float) and 0 < seconds < TICK_S:

@@ -107,7 +107,7 @@ class NeverReached(LintRule):
         fastest_mps = max(self._PUSHED * drives_mps, 2 * MAX_KICK_MPS)
         too_fast = f"the fastest robot drives {drives_mps:g} m/s"
         for model, path in ctx.models:
-            keys = ("at_least", "equals") if isinstance(model, Distance | Speed) else self._LENGTHS
+            keys = ("at_least", "above", "equals") if isinstance(model, Distance | Speed) else self._LENGTHS
             most, unit, why = (fastest_mps, "m/s", too_fast) if isinstance(model, Speed) else (across_m, "m", too_far)
             for key in keys if path[:1] in (("rules",), ("placements",)) else ():
                 limit = getattr(model, key, None)

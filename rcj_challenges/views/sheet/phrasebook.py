@@ -7,7 +7,7 @@ from typing import Any
 from rcj_challenges.rules.effects import Removes
 from rcj_challenges.rules.fields import Names, Scalar
 from rcj_challenges.rules.phrasing import Subject, listed, plain, quoted, quoted_measure
-from rcj_challenges.rules.quantifier import AtLeast
+from rcj_challenges.rules.quantifier import HowMany
 from rcj_challenges.scenario.halves import clock_may_stop
 from rcj_challenges.scenario.models.scenario import Rule, Scenario
 from rcj_challenges.scenario.roster import BOUND, OTHER, WALLS, Roster, as_tuple, with_each
@@ -90,8 +90,8 @@ class Phrasebook:
         if len(row) == 1 and not self._several(row[0]):
             return Subject(self._one(row[0]), negated=negate != (of == "none"))
         several = self.all_of(names).text
-        if isinstance(of, AtLeast):
-            return Subject(f"{'fewer than' if negate else 'at least'} {of.at_least} of {several}", plural=True)
+        if isinstance(of, HowMany):
+            return Subject(f"{of.describe(negate=negate)} of {several}", plural=True)
         if of == "all":
             return Subject(f"{'not all' if negate else 'all'} of {several}", plural=True)
         return Subject(f"{'any' if (of == 'any') != negate else 'none'} of {several}")
