@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.optimize import minimize
 
-from rcj_challenges.web.ladder.ratings import FIRST_SD, MEAN, NEXT_SD, PLACED_SD, POINTS, Result, fit, standings
+from rcj_challenges.web.ladder.ratings import FIRST_SD, MEAN, NEXT_SD, PLACEMENTS, POINTS, Result, fit, standings
 
 PROGRAMS = {"a": None, "b": None, "c": None, "d": "a", "e": "d", "f": None}
 RESULTS = st.lists(
@@ -154,11 +154,21 @@ def test_a_program_without_opponents_has_no_rank() -> None:
 
 def test_programs_that_are_placing_have_no_rank_and_take_none() -> None:
     truth, results = ladder(1, 4, 200)
-    table = standings(fit(results, {**dict.fromkeys(truth), "new": None}), [*truth, "new"])
-    placing = [r for r in table if r.rank is None]
-    assert [(r.digest, r.low, r.high) for r in placing] == [("new", None, None)]
-    assert all(r.sd < PLACED_SD for r in table if r.rank is not None)
-    assert {r.rank for r in table if r.rank is not None} <= set(range(1, 5))
+    few = [Result("new", "000", 1, 0)] * (PLACEMENTS - 1)
+    programs = {**dict.fromkeys(truth), "new": None}
+    table = standings(fit([*results, *few], programs), programs)
+    assert [(r.digest, r.low, r.high) for r in table if r.rank is None] == [("new", None, None)]
+    assert [r.rank for r in table if r.rank is not None] == [1, 2, 3, 4]
+    placed = standings(fit([*results, *few, few[0]], programs), programs)
+    assert [r.rank for r in placed] == [1, 2, 3, 4, 5]
+
+
+def test_the_best_of_a_small_club_has_the_first_rank_although_nobody_knows_how_good_it_is() -> None:
+    names = "abcd"
+    beaten = [Result(a, b, 1, 0) for a in names for b in names if a < b for _ in range(3)]
+    table = standings(fit(beaten, dict.fromkeys(names)), names)
+    assert [(r.digest, r.rank, r.low) for r in table] == [("a", 1, 1), ("b", 2, 1), ("c", 3, 2), ("d", 4, 3)]
+    assert table[0].sd > 100
 
 
 @pytest.mark.parametrize(

@@ -25,10 +25,8 @@ FIRST_SD = 250 / POINTS
 """Standard deviation of a team's first program around `MEAN`, in log-odds."""
 NEXT_SD = 150 / POINTS
 """Standard deviation of a team's next program around its last one, in log-odds."""
-PLACED_SD = 90
-"""A program has a rank once its standard deviation is below this, in points, and it has played its placements."""
 PLACEMENTS = 8
-"""Matches that each program plays before it can have a rank."""
+"""Matches that each program plays before it has a rank."""
 _DRAWS = 2000
 _DRAWS_SEED = 20_260_101
 _MAX_STEPS = 100
@@ -140,7 +138,7 @@ def standings(fitted: Fit, shown: Collection[str]) -> list[Rating]:
     rows = [i for i, digest in enumerate(fitted.digests) if digest in shown]
     values = {i: fitted.value_of(fitted.digests[i]) for i in rows}
     sds = dict(zip(rows, _centred_sds(fitted, rows), strict=True))
-    ranked = [i for i in rows if sds[i] < PLACED_SD and fitted.games[i] >= PLACEMENTS]
+    ranked = [i for i in rows if fitted.games[i] >= PLACEMENTS]
     intervals = dict(zip(ranked, _rank_intervals(fitted, ranked), strict=True))
     ratings = []
     for i in sorted(rows, key=lambda i: (-values[i], fitted.digests[i])):
